@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "renderer/context/context.hpp"
+#include "renderer/frame_view.hpp"
+#include "renderer/image.hpp"
+
+namespace taut::renderer {
+
+/// Draws frames. Keeps shaders, buffers and render targets between calls, so one renderer should draw a whole
+/// sequence. The same frame and settings give the same bytes.
+class SceneRenderer {
+ public:
+  /// Compiles the shaders. The context has to outlive the renderer. Throws ShaderError or ContextError.
+  explicit SceneRenderer(Context& context);
+  ~SceneRenderer();
+  SceneRenderer(const SceneRenderer&) = delete;
+  SceneRenderer& operator=(const SceneRenderer&) = delete;
+
+  /// An RGB image of width_px by height_px. Throws std::invalid_argument naming what is wrong with the frame
+  /// (lengths that do not match, an index out of range, a position that is not finite) or the settings,
+  /// before anything is drawn; ContextError when OpenGL reports an error.
+  Image draw(const FrameView& frame, const PictureSettings& settings);
+
+  /// As draw, into a framebuffer object of the caller (0: the window), whose size is settings.width_px by
+  /// height_px. The target must not be sRGB-encoding: the bytes written are already encoded.
+  void draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts;
+};
+
+}  // namespace taut::renderer

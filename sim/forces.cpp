@@ -1,0 +1,42 @@
+#include "sim/forces.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace taut::sim {
+
+void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span<Vec3> forces_n) {
+  for (std::size_t v = 0; v < forces_n.size(); ++v) {
+    forces_n[v] += garment.masses_kg[v] * gravity_m_per_s2;
+  }
+}
+
+void add_air_drag(const Garment& garment, const State& state, double air_drag_per_s,
+                  std::span<Vec3> forces_n) {
+  if (air_drag_per_s == 0.0) {
+    return;
+  }
+  for (std::size_t v = 0; v < forces_n.size(); ++v) {
+    forces_n[v] -= (garment.masses_kg[v] * air_drag_per_s) * velocity(state, static_cast<Index>(v));
+  }
+}
+
+void add_artificial_forces(std::span<const PointForce> artificial, std::span<Vec3> forces_n) {
+  for (const PointForce& f : artificial) {
+    if (f.vertex >= forces_n.size()) {
+      throw std::invalid_argument("a force acts on vertex " + std::to_string(f.vertex) +
+                                  ", but there are only " + std::to_string(forces_n.size()));
+    }
+    forces_n[f.vertex] += f.force_n;
+  }
+}
+
+void add_external_forces(const Garment& garment, const State& state, const ExternalForces& external,
+                         double time_step_s, std::span<Vec3> forces_n) {
+  add_gravity(garment, external.gravity_m_per_s2, forces_n);
+  add_wind_forces(garment, state, external.wind, time_step_s, forces_n);
+  add_air_drag(garment, state, external.air_drag_per_s, forces_n);
+  add_artificial_forces(external.artificial_forces, forces_n);
+}
+
+}  // namespace taut::sim

@@ -1,0 +1,92 @@
+#include "sim/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace taut::sim {
+namespace {
+
+double stretch_of(const Springs& springs, std::size_t s, std::span<const Vec3> positions) {
+  const auto [i, j] = springs.ends[s];
+  return glm::length(positions[i] - positions[j]) / springs.rest_lengths_m[s] - 1.0;
+}
+
+}  // namespace
+
+Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions) {
+  if (springs.structural_count == 0) {
+    return {};
+  }
+  std::vector<double> stretches(springs.structural_count);
+  double sum = 0.0;
+  for (std::size_t s = 0; s < stretches.size(); ++s) {
+    stretches[s] = stretch_of(springs, s, positions);
+    sum += stretches[s];
+  }
+  const auto [smallest, largest] = std::minmax_element(stretches.begin(), stretches.end());
+  Stretch result;
+  result.max = *largest;
+  result.mean = sum / static_cast<double>(stretches.size());
+  result.max_compression = std::max(0.0, -*smallest);
+  const auto rank = stretches.begin() + static_cast<std::ptrdiff_t>((stretches.size() - 1) * 99 / 100);
+  std::nth_element(stretches.begin(), rank, stretches.end());
+  result.p99 = *rank;
+  return result;
+}
+
+std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3> positions) {
+  std::vector<double> stretch(positions.size(), -std::numeric_limits<double>::infinity());
+  for (std::size_t s = 0; s < springs.structural_count; ++s) {
+    const double value = stretch_of(springs, s, positions);
+    for (const Index v : springs.ends[s]) {
+      stretch[v] = std::max(stretch[v], value);
+    }
+  }
+  std::replace(stretch.begin(), stretch.end(), -std::numeric_limits<double>::infinity(), 0.0);
+  return stretch;
+}
+
+double convergence_of(const State& state, Index vertex) {
+  return glm::length(state.current[vertex] - state.previous[vertex]);
+}
+
+Convergence measure_convergence(const State& state) {
+  Convergence result;
+  double sum_of_squares = 0.0;
+  for (std::size_t v = 0; v < state.current.size(); ++v) {
+    const double moved_m = convergence_of(state, static_cast<Index>(v));
+    result.max_m = std::max(result.max_m, moved_m);
+    sum_of_squares += moved_m * moved_m;
+  }
+  if (!state.current.empty()) {
+    result.rms_m = std::sqrt(sum_of_squares / static_cast<double>(state.current.size()));
+  }
+  return result;
+}
+
+double rms_speed(const State& state) {
+  return state.time_step_s > 0.0 ? measure_convergence(state).rms_m / state.time_step_s : 0.0;
+}
+
+Energy measure_energy(const Garment& garment, const State& state, const Vec3& gravity_m_per_s2) {
+  Energy energy;
+  for (std::size_t v = 0; v < state.current.size(); ++v) {
+    const Vec3 speed = velocity(state, static_cast<Index>(v));
+    energy.kinetic_j += 0.5 * garment.masses_kg[v] * glm::dot(speed, speed);
+    energy.potential_j -= garment.masses_kg[v] * glm::dot(gravity_m_per_s2, state.current[v]);
+  }
+  return energy;
+}
+
+std::size_t first_non_finite(std::span<const Vec3> positions) {
+  std::size_t v = 0;
+  while (v < positions.size() && std::isfinite(positions[v].x) && std::isfinite(positions[v].y) &&
+         std::isfinite(positions[v].z)) {
+    ++v;
+  }
+  return v;
+}
+
+}  // namespace taut::sim

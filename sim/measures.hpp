@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+
+#include "sim/garment.hpp"
+#include "sim/state.hpp"
+
+namespace taut::sim {
+
+/// Of the structural springs; stretch is length / rest length - 1.
+struct Stretch {
+  double max = 0.0;              ///< of the longest; negative where every spring is shorter than at rest
+  double p99 = 0.0;              ///< the 99th percentile
+  double mean = 0.0;
+  double max_compression = 0.0;  ///< 1 - length / rest length of the shortest, at least 0
+};
+
+Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions);
+
+/// For each vertex the largest stretch of the structural springs that end there.
+std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3> positions);
+
+/// The length of p(t) - p(t - dt), which the paper calls the convergence; in metres.
+struct Convergence {
+  double max_m = 0.0;
+  double rms_m = 0.0;
+};
+
+double convergence_of(const State& state, Index vertex);
+Convergence measure_convergence(const State& state);
+
+/// Root mean square over the vertices, in m/s.
+double rms_speed(const State& state);
+
+/// In joules; the potential energy is gravity's, zero at the origin.
+struct Energy {
+  double kinetic_j = 0.0;
+  double potential_j = 0.0;
+};
+
+Energy measure_energy(const Garment& garment, const State& state, const Vec3& gravity_m_per_s2);
+
+/// The first vertex with a coordinate that is not finite, or the number of positions where all are.
+std::size_t first_non_finite(std::span<const Vec3> positions);
+
+}  // namespace taut::sim

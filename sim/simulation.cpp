@@ -1,0 +1,81 @@
+#include "sim/simulation.hpp"
+
+#include <string>
+#include <utility>
+
+#include "sim/measures.hpp"
+
+namespace taut::sim {
+namespace {
+
+void require_frame_rate(const SimulationSettings& settings) {
+  if (!(settings.frame_rate_hz > 0.0)) {
+    throw std::invalid_argument("the frame rate must be above 0 Hz");
+  }
+}
+
+}  // namespace
+
+Diverged::Diverged(Index vertex, double time_s)
+    : std::runtime_error("the simulation diverged: at " + std::to_string(time_s) + " s vertex " +
+                         std::to_string(vertex) +
+                         " has a position that is not finite; use more substeps, weaker springs or weaker forces") {}
+
+Simulation::Simulation(Garment garment, const SimulationSettings& settings, Surroundings surroundings)
+    : garment_(std::move(garment)),
+      settings_(settings),
+      surroundings_(std::move(surroundings)),
+      state_(make_state(garment_)),
+      solver_(make_solver(settings.solver)) {
+  require_frame_rate(settings);
+}
+
+void Simulation::advance_frame() {
+  if (state_.asleep) {
+    state_.time_s += frame_time_s();
+    return;
+  }
+  solver_->advance_frame(garment_, surroundings_, frame_time_s(), state_);
+  const std::size_t lost = first_non_finite(state_.current);
+  if (lost < state_.current.size()) {
+    throw Diverged(static_cast<Index>(lost), state_.time_s);
+  }
+  fall_asleep_at_rest();
+}
+
+void Simulation::set_surroundings(const Surroundings& surroundings) {
+  if (surroundings != surroundings_) {
+    surroundings_ = surroundings;
+    wake();
+  }
+}
+
+void Simulation::set_settings(const SimulationSettings& settings) {
+  if (settings != settings_) {
+    require_frame_rate(settings);
+    solver_ = make_solver(settings.solver);
+    settings_ = settings;
+    wake();
+  }
+}
+
+void Simulation::set_pins(std::vector<Index> pins) {
+  garment_ = with_pins(std::move(garment_), std::move(pins));
+  wake();
+}
+
+void Simulation::wake() {
+  state_.asleep = false;
+  state_.quiet_frames = 0;
+}
+
+void Simulation::fall_asleep_at_rest() {
+  const bool quiet = is_steady(surroundings_) && rms_speed(state_) < settings_.rest.speed_m_per_s;
+  state_.quiet_frames = quiet ? state_.quiet_frames + 1 : 0;
+  if (state_.quiet_frames >= settings_.rest.frames) {
+    state_.asleep = true;
+    state_.previous = state_.current;
+  }
+}
+
+}  // namespace taut::sim

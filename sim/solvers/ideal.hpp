@@ -1,0 +1,31 @@
+#pragma once
+
+#include "sim/step.hpp"
+
+namespace taut::sim {
+
+/// Of springs in N/m, by kind, and the damping of every spring in N s/m.
+struct SpringStiffness {
+  double structural_n_per_m = 200.0;
+  double shear_n_per_m = 100.0;
+  double flexural_n_per_m = 5.0;
+  double damping_n_s_per_m = 0.02;
+
+  bool operator==(const SpringStiffness&) const = default;
+};
+
+/// The ideal mass-spring model: elongation in proportion to stress (Hooke) and no constraint, so that cloth
+/// over-stretches (section III of the paper). Explicit: stable while dt < 2 sqrt(m / k) about every vertex.
+class IdealSprings : public SpringResponse {
+ public:
+  explicit IdealSprings(const SpringStiffness& stiffness) : stiffness_(stiffness) {}
+
+  void add_spring_forces(const Garment& garment, const State& state,
+                         std::span<Vec3> forces_n) const override;
+  void compensate(const Garment&, State&) const override {}
+
+ private:
+  SpringStiffness stiffness_;
+};
+
+}  // namespace taut::sim

@@ -1,0 +1,62 @@
+#include "sim/solvers/solver.hpp"
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "sim/solvers/strong.hpp"
+#include "sim/step.hpp"
+
+namespace taut::sim {
+namespace {
+
+/// Divides a frame into equal time steps.
+class SteppedSolver : public Solver {
+ public:
+  SteppedSolver(int substeps, std::unique_ptr<SpringResponse> springs)
+      : substeps_(substeps), springs_(std::move(springs)) {}
+
+  void advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
+                     State& state) override {
+    forces_n_.assign(state.current.size(), Vec3(0.0));
+    for (int substep = 0; substep < substeps_; ++substep) {
+      step(garment, surroundings, *springs_, frame_time_s / substeps_, state, forces_n_);
+    }
+  }
+
+ private:
+  int substeps_;
+  std::unique_ptr<SpringResponse> springs_;
+  std::vector<Vec3> forces_n_;
+};
+
+std::unique_ptr<SpringResponse> make_spring_response(const SolverSettings& settings) {
+  switch (settings.kind) {
+    case SolverKind::ideal:
+      return std::make_unique<IdealSprings>(settings.stiffness);
+    case SolverKind::strong:
+      return std::make_unique<StrongConstraint>(settings.iterations, settings.rigidity);
+  }
+  throw std::invalid_argument("unknown solver");
+}
+
+}  // namespace
+
+const char* name_of(SolverKind kind) {
+  switch (kind) {
+    case SolverKind::ideal:
+      return "ideal";
+    case SolverKind::strong:
+      return "strong";
+  }
+  return "";
+}
+
+std::unique_ptr<Solver> make_solver(const SolverSettings& settings) {
+  if (settings.substeps < 1 || settings.iterations < 1) {
+    throw std::invalid_argument("a solver needs at least 1 substep and 1 iteration");
+  }
+  return std::make_unique<SteppedSolver>(settings.substeps, make_spring_response(settings));
+}
+
+}  // namespace taut::sim

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "sim/garment.hpp"
+#include "sim/solvers/ideal.hpp"
+#include "sim/state.hpp"
+#include "sim/strong_constraint.hpp"
+#include "sim/surroundings.hpp"
+
+namespace taut::sim {
+
+enum class SolverKind { ideal, strong };
+
+inline constexpr std::array all_solver_kinds = {SolverKind::ideal, SolverKind::strong};
+
+const char* name_of(SolverKind kind);
+
+struct SolverSettings {
+  SolverKind kind = SolverKind::strong;
+  /// Time steps in a frame. More steps stretch less and cost in proportion; stretch falls about with their
+  /// square, far better than iterations do (Macklin and others 2019).
+  int substeps = 20;
+  /// `strong`: sweeps of the constraint in every time step.
+  int iterations = 4;
+  Rigidity rigidity;          ///< `strong`
+  SpringStiffness stiffness;  ///< `ideal`
+
+  bool operator==(const SolverSettings&) const = default;
+};
+
+/// Moves cloth from one frame to the next. How a frame is divided is the solver's own matter.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  /// Advances `state` by one frame.
+  virtual void advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
+                             State& state) = 0;
+};
+
+/// Throws std::invalid_argument on fewer than one substep or iteration.
+std::unique_ptr<Solver> make_solver(const SolverSettings& settings);
+
+}  // namespace taut::sim

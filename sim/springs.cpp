@@ -1,0 +1,178 @@
+#include "sim/springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace taut::sim {
+namespace {
+
+Edge make_edge(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+
+void sort_and_deduplicate(std::vector<Edge>& edges) {
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
+std::vector<Edge> without(const std::vector<Edge>& edges, const std::vector<Edge>& sorted_unwanted) {
+  std::vector<Edge> rest;
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(rest), [&](const Edge& e) {
+    return !std::binary_search(sorted_unwanted.begin(), sorted_unwanted.end(), e);
+  });
+  return rest;
+}
+
+std::vector<Edge> cell_diagonals(const Mesh& mesh) {
+  std::vector<Edge> diagonals;
+  diagonals.reserve(mesh.quads.size() * 2);
+  for (const Quad& q : mesh.quads) {
+    diagonals.push_back(make_edge(q[0], q[2]));
+    diagonals.push_back(make_edge(q[1], q[3]));
+  }
+  sort_and_deduplicate(diagonals);
+  return diagonals;
+}
+
+/// The neighbour of v in the direction most nearly opposite to neighbour a, or a itself where every other
+/// neighbour makes a smaller angle with a than the limit.
+Index straightest_neighbour(const std::vector<Vec3>& positions, Index v, Index a,
+                            std::span<const Index> neighbours, double largest_cosine) {
+  const Vec3 towards_a = glm::normalize(positions[a] - positions[v]);
+  Index best = a;
+  double best_cosine = largest_cosine;
+  for (const Index b : neighbours) {
+    if (b == a) {
+      continue;
+    }
+    const double cosine = glm::dot(towards_a, glm::normalize(positions[b] - positions[v]));
+    // The smaller index wins a tie, so that the mapping does not depend on the order of the edges.
+    if (cosine < best_cosine || (cosine == best_cosine && (best == a || b < best))) {
+      best = b;
+      best_cosine = cosine;
+    }
+  }
+  return best;
+}
+
+std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& structural,
+                                double smallest_angle_rad) {
+  const CompressedRows edges_at = edges_of_vertices(mesh.positions.size(), structural);
+  const double largest_cosine = std::cos(smallest_angle_rad);
+  std::vector<Edge> pairs;
+  std::vector<Index> neighbours;
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    neighbours.clear();
+    for (const Index e : edges_at[v]) {
+      neighbours.push_back(other_end(structural[e], v));
+    }
+    for (const Index a : neighbours) {
+      const Index b = straightest_neighbour(mesh.positions, v, a, neighbours, largest_cosine);
+      if (b != a) {
+        pairs.push_back(make_edge(a, b));
+      }
+    }
+  }
+  return pairs;
+}
+
+Index corner_opposite(const Triangle& t, const Edge& edge) {
+  for (const Index v : t) {
+    if (v != edge[0] && v != edge[1]) {
+      return v;
+    }
+  }
+  return t[0];
+}
+
+std::vector<Edge> opposite_vertex_pairs(const Mesh& mesh, const Adjacency& adjacency) {
+  std::vector<Edge> pairs;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    const auto triangles = adjacency.edge_triangles[e];
+    if (triangles.size() != 2) {
+      continue;
+    }
+    const Index a = corner_opposite(mesh.triangles[triangles[0]], adjacency.edges[e]);
+    const Index b = corner_opposite(mesh.triangles[triangles[1]], adjacency.edges[e]);
+    if (a != b) {
+      pairs.push_back(make_edge(a, b));
+    }
+  }
+  return pairs;
+}
+
+std::vector<Edge> flexural_pairs(const Mesh& mesh, const Adjacency& adjacency,
+                                 const std::vector<Edge>& structural, const MappingSettings& settings) {
+  switch (settings.flexural_rule) {
+    case FlexuralRule::angular:
+      return angular_pairs(mesh, structural, settings.smallest_flexural_angle_rad);
+    case FlexuralRule::opposite_vertex:
+      return opposite_vertex_pairs(mesh, adjacency);
+    case FlexuralRule::none:
+      break;
+  }
+  return {};
+}
+
+void append(Springs& springs, const std::vector<Edge>& ends, const std::vector<Vec3>& positions) {
+  for (const Edge& e : ends) {
+    springs.ends.push_back(e);
+    springs.rest_lengths_m.push_back(glm::length(positions[e[0]] - positions[e[1]]));
+  }
+}
+
+}  // namespace
+
+const char* name_of(SpringKind kind) {
+  switch (kind) {
+    case SpringKind::structural:
+      return "structural";
+    case SpringKind::shear:
+      return "shear";
+    case SpringKind::flexural:
+      return "flexural";
+  }
+  return "";
+}
+
+std::size_t Springs::begin_of(SpringKind kind) const {
+  switch (kind) {
+    case SpringKind::structural:
+      return 0;
+    case SpringKind::shear:
+      return structural_count;
+    case SpringKind::flexural:
+      return structural_count + shear_count;
+  }
+  return 0;
+}
+
+std::size_t Springs::end_of(SpringKind kind) const {
+  switch (kind) {
+    case SpringKind::structural:
+      return structural_count;
+    case SpringKind::shear:
+      return structural_count + shear_count;
+    case SpringKind::flexural:
+      return size();
+  }
+  return 0;
+}
+
+Springs map_to_springs(const Mesh& mesh, const Adjacency& adjacency, const MappingSettings& settings) {
+  const std::vector<Edge> shear = cell_diagonals(mesh);
+  const std::vector<Edge> structural = without(adjacency.edges, shear);
+  std::vector<Edge> flexural = flexural_pairs(mesh, adjacency, structural, settings);
+  sort_and_deduplicate(flexural);
+  // In a small ring two neighbours of a vertex can be neighbours themselves: they have their spring.
+  flexural = without(without(flexural, structural), shear);
+
+  Springs springs;
+  append(springs, structural, mesh.positions);
+  springs.structural_count = springs.size();
+  append(springs, shear, mesh.positions);
+  springs.shear_count = springs.size() - springs.structural_count;
+  append(springs, flexural, mesh.positions);
+  return springs;
+}
+
+}  // namespace taut::sim

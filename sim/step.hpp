@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/garment.hpp"
+#include "sim/state.hpp"
+#include "sim/surroundings.hpp"
+
+namespace taut::sim {
+
+/// What a step leaves to the solver: how springs answer, as forces before the prediction or as corrections
+/// after it.
+class SpringResponse {
+ public:
+  virtual ~SpringResponse() = default;
+
+  /// Adds the forces of the springs in the current state.
+  virtual void add_spring_forces(const Garment& garment, const State& state,
+                                 std::span<Vec3> forces_n) const = 0;
+
+  /// Corrects the predicted positions.
+  virtual void compensate(const Garment& garment, State& state) const = 0;
+};
+
+/// One time step: Steps 2 and 3 of the paper. `forces_n`, one entry per vertex, is all zero when the step
+/// begins and when it ends.
+void step(const Garment& garment, const Surroundings& surroundings, const SpringResponse& springs,
+          double time_step_s, State& state, std::vector<Vec3>& forces_n);
+
+}  // namespace taut::sim

@@ -1,0 +1,45 @@
+#include "sim/strong_constraint.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace taut::sim {
+namespace {
+
+struct Share {
+  double when_long;
+  double when_short;
+};
+
+Share share_of(SpringKind kind, const Rigidity& rigidity) {
+  if (kind == SpringKind::flexural) {
+    return {rigidity.flexural, rigidity.flexural};
+  }
+  return {1.0, rigidity.compression};
+}
+
+}  // namespace
+
+void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg,
+                        const Rigidity& rigidity, std::span<Vec3> predicted) {
+  for (const SpringKind kind : all_spring_kinds) {
+    const Share share = share_of(kind, rigidity);
+    for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+      const auto [i, j] = springs.ends[s];
+      const double w_i = inverse_masses_per_kg[i];
+      const double w_j = inverse_masses_per_kg[j];
+      const Vec3 spring = predicted[i] - predicted[j];
+      const double length = glm::length(spring);
+      if (!(w_i + w_j > 0.0) || !(length > 0.0)) {
+        continue;
+      }
+      const double error = length - springs.rest_lengths_m[s];
+      const double corrected = (error > 0.0 ? share.when_long : share.when_short) * error;
+      const Vec3 correction = spring * (corrected / (length * (w_i + w_j)));
+      predicted[i] -= w_i * correction;
+      predicted[j] += w_j * correction;
+    }
+  }
+}
+
+}  // namespace taut::sim

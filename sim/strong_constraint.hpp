@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+
+#include "sim/springs.hpp"
+#include "sim/types.hpp"
+
+namespace taut::sim {
+
+/// How much of its error each spring corrects when its turn comes. All 1: the paper's rigid springs.
+struct Rigidity {
+  /// Of springs that are too short, structural and shear. Below 1 lets a triangle mesh fold and shear,
+  /// which rigid triangles cannot; 0 makes the springs strings.
+  double compression = 1.0;
+  /// Of flexural springs, both ways. Rigid flexural springs make cloth a plate.
+  double flexural = 1.0;
+
+  bool operator==(const Rigidity&) const = default;
+};
+
+/// Eqs. (2)-(3), one sweep over all springs in their order: with L' = p'_i - p'_j and w the inverse masses,
+///   dp_i = -w_i / (w_i + w_j) (|L'| - |L|) L' / |L'|,   dp_j = +w_j / (w_i + w_j) (|L'| - |L|) L' / |L'|,
+/// which is the paper's one half where both masses are equal. Every correction is seen by the springs that
+/// follow. A spring with both ends pinned, or without a direction because its ends coincide, is left alone.
+void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg,
+                        const Rigidity& rigidity, std::span<Vec3> predicted);
+
+}  // namespace taut::sim

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/colliders.hpp"
+#include "sim/forces.hpp"
+
+namespace taut::sim {
+
+/// A harmonic motion of all pins about where the garment was modelled, as of a shaken hanger.
+struct PinMotion {
+  Vec3 amplitude_m = {0.0, 0.0, 0.0};
+  double frequency_hz = 1.0;
+
+  bool operator==(const PinMotion&) const = default;
+};
+
+Vec3 pin_offset(const PinMotion& motion, double time_s);
+
+/// Everything that acts on the cloth from outside.
+struct Surroundings {
+  ExternalForces forces;
+  std::vector<Collider> colliders;
+  double cloth_thickness_m = 0.001;  ///< kept between cloth and colliders
+  PinMotion pin_motion;
+
+  bool operator==(const Surroundings&) const = default;
+};
+
+/// Whether nothing outside changes with time, so that cloth can come to rest for good.
+bool is_steady(const Surroundings& surroundings);
+
+}  // namespace taut::sim

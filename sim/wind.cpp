@@ -1,0 +1,84 @@
+#include "sim/wind.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace taut::sim {
+namespace {
+
+/// A value in [-1, 1] for each whole number (the finaliser of MurmurHash3 by Appleby).
+double lattice_value(std::int64_t cell, std::uint64_t seed) {
+  std::uint64_t h = static_cast<std::uint64_t>(cell) * 0x9E3779B97F4A7C15ULL + seed;
+  h = (h ^ (h >> 33)) * 0xFF51AFD7ED558CCDULL;
+  h = (h ^ (h >> 33)) * 0xC4CEB9FE1A85EC53ULL;
+  h ^= h >> 33;
+  return static_cast<double>(h >> 11) * 0x1.0p-52 - 1.0;
+}
+
+/// Value noise, twice continuously differentiable (Perlin 2002's quintic).
+double smooth_noise(double x, std::uint64_t seed) {
+  const double cell = std::floor(x);
+  const double t = x - cell;
+  const double blend = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  const auto i = static_cast<std::int64_t>(cell);
+  const double left = lattice_value(i, seed);
+  return left + (lattice_value(i + 1, seed) - left) * blend;
+}
+
+/// Two directions at right angles to `direction` and to each other.
+void make_frame(const Vec3& direction, Vec3& sideways, Vec3& upwards) {
+  const Vec3 helper = std::abs(direction.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 0.0, 0.0);
+  sideways = glm::normalize(glm::cross(direction, helper));
+  upwards = glm::cross(sideways, direction);
+}
+
+}  // namespace
+
+Vec3 wind_velocity(const Wind& wind, double time_s) {
+  const double length = glm::length(wind.direction);
+  if (!(wind.speed_m_per_s != 0.0) || !(length > 0.0)) {
+    return Vec3(0.0);
+  }
+  const Vec3 direction = wind.direction / length;
+  // Neighbouring lattice values are independent, so one rise and fall takes about two cells.
+  const double phase = 2.0 * time_s / wind.gust_period_s;
+  const double strength = 1.0 + wind.gust_amplitude * smooth_noise(phase, wind.gust_seed);
+  Vec3 sideways, upwards;
+  make_frame(direction, sideways, upwards);
+  const Vec3 turn = sideways * smooth_noise(phase, wind.gust_seed + 1) +
+                    upwards * smooth_noise(phase, wind.gust_seed + 2);
+  return wind.speed_m_per_s * strength * (direction + wind.gust_turn * turn);
+}
+
+void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
+                     std::span<Vec3> forces_n) {
+  if (wind.speed_m_per_s == 0.0) {
+    return;
+  }
+  const Vec3 air_velocity = wind_velocity(wind, state.time_s);
+  const double half_rho = 0.5 * air_density_kg_per_m3;
+  for (const Triangle& t : garment.mesh.triangles) {
+    const Vec3 doubled_area = doubled_area_vector(state.current, t);
+    const double doubled_size = glm::length(doubled_area);
+    if (!(doubled_size > 0.0)) {
+      continue;
+    }
+    const Vec3 normal = doubled_area / doubled_size;
+    const Vec3 cloth_velocity =
+        (velocity(state, t[0]) + velocity(state, t[1]) + velocity(state, t[2])) / 3.0;
+    const Vec3 u = air_velocity - cloth_velocity;
+    const Vec3 u_n = normal * glm::dot(u, normal);
+    const double normal_drag = half_rho * wind.pressure_coefficient * glm::length(u_n);
+    const double tangential_drag = half_rho * wind.friction_coefficient * glm::length(u);
+    // F' / m of the linearised drag; per area, so that it holds for every triangle of the cloth.
+    const double per_density = time_step_s / garment.areal_density_kg_per_m2;
+    const Vec3 pressure = u_n * (normal_drag / (1.0 + 2.0 * per_density * normal_drag)) +
+                          (u - u_n) * (tangential_drag / (1.0 + 2.0 * per_density * tangential_drag));
+    const Vec3 share = pressure * (doubled_size / 6.0);
+    for (const Index v : t) {
+      forces_n[v] += share;
+    }
+  }
+}
+
+}  // namespace taut::sim

@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
+# time: when all is there it does nothing.
+set -euo pipefail
+
+packages=(
+  # build
+  build-essential
+  clang               # the tests compare the states that two compilers' programs end in
+  cmake
+  ninja-build
+  # libraries
+  libassimp-dev       # reads models
+  libcairo2-dev       # text and page composition
+  libcli11-dev
+  libdeflate-dev      # compresses PNG
+  libfmt-dev
+  libglm-dev
+  libosmesa6-dev      # OpenGL without a display or a GPU
+  libstb-dev          # writes PNG
+  libtomlplusplus-dev
+  nlohmann-json3-dev
+  python3-glad        # generates the OpenGL loader
+  # fonts
+  fontconfig
+  fonts-dejavu-core
+  # tests
+  libgtest-dev
+)
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  echo "setup.sh knows Debian and Ubuntu only. On this system, install the counterparts of:" >&2
+  printf '  %s\n' "${packages[@]}" >&2
+  exit 1
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "setup.sh: not root and no sudo here. Have an administrator install: ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "Installing: ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+  "${missing[@]}"

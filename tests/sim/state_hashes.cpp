@@ -1,0 +1,71 @@
+// Prints a hash of the state that each of a few small simulations ends in: together they go through every
+// part of the method.
+
+#include <cinttypes>
+#include <cstdio>
+
+#include "sim/grid.hpp"
+#include "sim/simulation.hpp"
+
+using namespace taut::sim;
+
+namespace {
+
+Mesh bumpy_sheet() {
+  GridSettings grid;
+  grid.columns = 24;
+  grid.rows = 17;
+  grid.top_centre_m = {0.0, 1.2, 0.0};
+  Mesh mesh = make_grid(grid);
+  mesh.quads.clear();
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const double offset = static_cast<double>((v * 2654435761U) % 1000) / 1000.0 - 0.5;
+    mesh.positions[v] += Vec3(0.013 * offset, -0.009 * offset, 0.02 * offset);
+  }
+  return mesh;
+}
+
+Surroundings storm_over_obstacles() {
+  Surroundings surroundings;
+  surroundings.forces.wind.speed_m_per_s = 7.0;
+  surroundings.forces.wind.gust_amplitude = 0.5;
+  surroundings.forces.wind.gust_turn = 0.2;
+  surroundings.forces.artificial_forces = {{100, {0.0, 0.1, 0.2}}};
+  surroundings.colliders = {{Plane{}, 0.4},
+                            {Sphere{{0.1, 0.5, -0.3}, 0.25}, 0.2},
+                            {Capsule{{-0.5, 0.3, -0.4}, {0.5, 0.4, -0.4}, 0.1, 0.05}, 0.3}};
+  surroundings.pin_motion = {{0.05, 0.0, 0.02}, 1.5};
+  return surroundings;
+}
+
+void print_hash(const char* name, const Garment& garment, const SolverSettings& solver,
+                const Surroundings& surroundings, int frames) {
+  SimulationSettings settings;
+  settings.solver = solver;
+  Simulation simulation(garment, settings, surroundings);
+  for (int frame = 0; frame < frames; ++frame) {
+    simulation.advance_frame();
+  }
+  std::printf("%016" PRIx64 " %s\n", hash(simulation.state()), name);
+}
+
+}  // namespace
+
+int main() {
+  const Garment square = make_garment(make_grid({}), {}, {0, 8});
+  GarmentSettings opposite;
+  opposite.mapping.flexural_rule = FlexuralRule::opposite_vertex;
+  const Garment sheet = make_garment(bumpy_sheet(), {}, {0, 23});
+  const Garment sheet_opposite = make_garment(bumpy_sheet(), opposite, {0, 23});
+
+  SolverSettings strong;
+  SolverSettings soft = strong;
+  soft.rigidity = {0.1, 0.02};
+  SolverSettings ideal;
+  ideal.kind = SolverKind::ideal;
+
+  print_hash("strong, 9x9 under gravity", square, strong, {}, 60);
+  print_hash("ideal, 9x9 under gravity", square, ideal, {}, 60);
+  print_hash("strong, irregular sheet in a storm over obstacles", sheet, soft, storm_over_obstacles(), 60);
+  print_hash("strong, opposite-vertex rule, same storm", sheet_opposite, soft, storm_over_obstacles(), 60);
+}

@@ -1,0 +1,230 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/adjacency.hpp"
+#include "sim/garment.hpp"
+#include "sim/grid.hpp"
+#include "sim/springs.hpp"
+
+namespace taut::sim {
+namespace {
+
+Springs springs_of(const Mesh& mesh, FlexuralRule rule = FlexuralRule::angular) {
+  MappingSettings settings;
+  settings.flexural_rule = rule;
+  return map_to_springs(mesh, make_adjacency(mesh), settings);
+}
+
+Mesh grid_of(Index columns, Index rows) {
+  GridSettings settings;
+  settings.columns = columns;
+  settings.rows = rows;
+  return make_grid(settings);
+}
+
+using Drawing = std::vector<std::string>;
+
+/// A 5x5 grid with `centre` as o and every mass point that a spring of the kind joins to it as x.
+Drawing draw_springs_at(const Springs& springs, SpringKind kind, Index centre) {
+  Drawing drawing(5, ".....");
+  drawing[centre / 5][centre % 5] = 'o';
+  for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+    const auto [a, b] = springs.ends[s];
+    if (a == centre || b == centre) {
+      const Index other = a == centre ? b : a;
+      drawing[other / 5][other % 5] = 'x';
+    }
+  }
+  return drawing;
+}
+
+// The paper's Figure 1, seen from the middle, from a corner and from beside the border.
+
+TEST(MappingOfA5x5Grid, StructuralSpringsJoinHorizontalAndVerticalNeighbours) {
+  const Springs springs = springs_of(grid_of(5, 5));
+  EXPECT_EQ(draw_springs_at(springs, SpringKind::structural, 12), (Drawing{".....",  //
+                                                                           "..x..",  //
+                                                                           ".xox.",  //
+                                                                           "..x..",  //
+                                                                           "....."}));
+  EXPECT_EQ(draw_springs_at(springs, SpringKind::structural, 0), (Drawing{"ox...",  //
+                                                                          "x....",  //
+                                                                          ".....",  //
+                                                                          ".....",  //
+                                                                          "....."}));
+}
+
+TEST(MappingOfA5x5Grid, ShearSpringsJoinDiagonalNeighbours) {
+  const Springs springs = springs_of(grid_of(5, 5));
+  EXPECT_EQ(draw_springs_at(springs, SpringKind::shear, 12), (Drawing{".....",  //
+                                                                      ".x.x.",  //
+                                                                      "..o..",  //
+                                                                      ".x.x.",  //
+                                                                      "....."}));
+  EXPECT_EQ(draw_springs_at(springs, SpringKind::shear, 10), (Drawing{".....",  //
+                                                                      ".x...",  //
+                                                                      "o....",  //
+                                                                      ".x...",  //
+                                                                      "....."}));
+}
+
+TEST(MappingOfA5x5Grid, FlexuralSpringsSkipOneMassPoint) {
+  const Springs springs = springs_of(grid_of(5, 5));
+  EXPECT_EQ(draw_springs_at(springs, SpringKind::flexural, 12), (Drawing{"..x..",  //
+                                                                         ".....",  //
+                                                                         "x.o.x",  //
+                                                                         ".....",  //
+                                                                         "..x.."}));
+  EXPECT_EQ(draw_springs_at(springs, SpringKind::flexural, 6), (Drawing{".....",  //
+                                                                        ".o.x.",  //
+                                                                        ".....",  //
+                                                                        ".x...",  //
+                                                                        "....."}));
+}
+
+TEST(MappingOfA5x5Grid, HasTheNumbersOfFigure1) {
+  const Springs springs = springs_of(grid_of(5, 5));
+  EXPECT_EQ(springs.count(SpringKind::structural), 2u * 5 * 4);
+  EXPECT_EQ(springs.count(SpringKind::shear), 2u * 4 * 4);
+  EXPECT_EQ(springs.count(SpringKind::flexural), 2u * 5 * 3);
+}
+
+TEST(Mapping, RestLengthsAreTheModelsOwn) {
+  const Mesh mesh = grid_of(3, 3);
+  const Springs springs = springs_of(mesh);
+  ASSERT_GT(springs.size(), 0u);
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    const auto [a, b] = springs.ends[s];
+    EXPECT_EQ(springs.rest_lengths_m[s], glm::length(mesh.positions[a] - mesh.positions[b]));
+  }
+}
+
+TEST(Mapping, JoinsNoTwoVerticesTwice) {
+  for (const FlexuralRule rule : {FlexuralRule::angular, FlexuralRule::opposite_vertex}) {
+    Mesh triangles = grid_of(6, 4);
+    triangles.quads.clear();
+    for (const Mesh& mesh : {grid_of(6, 4), triangles}) {
+      const Springs springs = springs_of(mesh, rule);
+      const std::set<Edge> distinct(springs.ends.begin(), springs.ends.end());
+      EXPECT_EQ(distinct.size(), springs.size());
+      for (const Edge& e : springs.ends) {
+        EXPECT_LT(e[0], e[1]);
+      }
+    }
+  }
+}
+
+/// Six triangles around vertex 0, the rim at these angles in degrees.
+Mesh fan(const std::vector<double>& angles_deg, bool closed) {
+  Mesh mesh;
+  mesh.positions.push_back({0, 0, 0});
+  for (const double angle : angles_deg) {
+    const double rad = angle * 3.14159265358979 / 180.0;
+    mesh.positions.push_back({std::cos(rad), std::sin(rad), 0});
+  }
+  const auto rim = static_cast<Index>(angles_deg.size());
+  for (Index k = 0; k + (closed ? 0 : 1) < rim; ++k) {
+    mesh.triangles.push_back({0, 1 + k, 1 + (k + 1) % rim});
+  }
+  return mesh;
+}
+
+std::set<Edge> flexural_springs(const Mesh& mesh, FlexuralRule rule = FlexuralRule::angular) {
+  const Springs springs = springs_of(mesh, rule);
+  return {springs.ends.begin() + static_cast<std::ptrdiff_t>(springs.begin_of(SpringKind::flexural)),
+          springs.ends.end()};
+}
+
+TEST(AngularRule, JoinsStraightOppositeNeighboursOfAHexagon) {
+  EXPECT_EQ(flexural_springs(fan({0, 60, 120, 180, 240, 300}, true)),
+            (std::set<Edge>{{1, 4}, {2, 5}, {3, 6}}));
+}
+
+TEST(AngularRule, JoinsNothingBelowTheAngle) {
+  // Opposite neighbours of a pentagon's corner are 144 degrees apart.
+  EXPECT_TRUE(flexural_springs(fan({0, 72, 144, 216, 288}, true)).empty());
+}
+
+TEST(AngularRule, TakesTheStraightestOfSeveral) {
+  // Opposite to vertex 1 at 0 degrees lie 155, 178 and 200: 178 it is. The others look back at 1 as well.
+  const auto springs = flexural_springs(fan({0, 80, 155, 178, 200, 280}, true));
+  EXPECT_TRUE(springs.count({1, 4}));
+  EXPECT_TRUE(springs.count({1, 3}));  // from 155 degrees nothing lies straighter than 0
+  EXPECT_TRUE(springs.count({1, 5}));
+  EXPECT_TRUE(springs.count({2, 6}));
+}
+
+TEST(AngularRule, AngleIsASetting) {
+  const Mesh mesh = fan({0, 140, 250}, true);
+  MappingSettings settings;
+  EXPECT_EQ(map_to_springs(mesh, make_adjacency(mesh), settings).count(SpringKind::flexural), 0u);
+  settings.flexural_rule = FlexuralRule::angular;
+  settings.smallest_flexural_angle_rad = 2.4;  // 137.5 degrees
+  // Around the fan's centre 1 and 2 are 140 degrees apart, but the rim joins them already.
+  EXPECT_EQ(map_to_springs(mesh, make_adjacency(mesh), settings).count(SpringKind::flexural), 0u);
+  const Mesh open = {{{0, 0, 0}, {1, 0, 0}, {-0.766, 0.643, 0}, {0, 1, 0}}, {{0, 1, 3}, {0, 3, 2}}, {}};
+  EXPECT_EQ(map_to_springs(open, make_adjacency(open), settings).ends.back(), (Edge{1, 2}));
+}
+
+TEST(OppositeVertexRule, JoinsAcrossInteriorEdgesOnly) {
+  EXPECT_EQ(flexural_springs(fan({0, 60, 120}, false), FlexuralRule::opposite_vertex),
+            (std::set<Edge>{{1, 3}}));
+}
+
+TEST(OppositeVertexRule, LeavesNonManifoldEdgesAlone) {
+  const Mesh three_pages = {
+      {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, {}};
+  EXPECT_TRUE(flexural_springs(three_pages, FlexuralRule::opposite_vertex).empty());
+}
+
+TEST(Mapping, OneTriangleHasThreeStructuralSprings) {
+  const Springs springs = springs_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}});
+  EXPECT_EQ(springs.ends, (std::vector<Edge>{{0, 1}, {0, 2}, {1, 2}}));
+  EXPECT_EQ(springs.structural_count, 3u);
+}
+
+TEST(Adjacency, ListsEdgesAndTheirTriangles) {
+  const Mesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}, {}};
+  const Adjacency adjacency = make_adjacency(mesh);
+  EXPECT_EQ(adjacency.edges, (std::vector<Edge>{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}}));
+  ASSERT_EQ(adjacency.edge_triangles.size(), 5u);
+  EXPECT_EQ(adjacency.edge_triangles[0].size(), 1u);
+  ASSERT_EQ(adjacency.edge_triangles[2].size(), 2u);
+  EXPECT_EQ(adjacency.edge_triangles[2][1], 1u);
+  ASSERT_EQ(adjacency.vertex_edges[1].size(), 3u);
+  EXPECT_EQ(adjacency.vertex_edges[1][0], 0u);
+  EXPECT_EQ(adjacency.vertex_edges[1][2], 3u);
+}
+
+TEST(Garment, SharesTheMassEvenlyAndKeepsPinsImmovable) {
+  GarmentSettings settings;
+  settings.areal_density_kg_per_m2 = 0.2;
+  const Garment garment = make_garment(grid_of(3, 3), settings, {2, 0, 2});
+  double total = 0.0;
+  for (const double mass : garment.masses_kg) {
+    total += mass;
+  }
+  EXPECT_NEAR(total, 0.2, 1e-15);
+  EXPECT_NEAR(garment.masses_kg[4], 4 * garment.masses_kg[0], 1e-15);
+  EXPECT_NEAR(garment.masses_kg[0], garment.masses_kg[2], 1e-15);
+  EXPECT_EQ(garment.pins, (std::vector<Index>{0, 2}));
+  EXPECT_EQ(garment.inverse_masses_per_kg[2], 0.0);
+  EXPECT_GT(garment.inverse_masses_per_kg[1], 0.0);
+  const Garment released = with_pins(garment, {1});
+  EXPECT_GT(released.inverse_masses_per_kg[2], 0.0);
+  EXPECT_EQ(released.inverse_masses_per_kg[1], 0.0);
+}
+
+TEST(Garment, RefusesPinsThatAreNoVertices) {
+  EXPECT_THROW(make_garment(grid_of(3, 3), {}, {9}), std::invalid_argument);
+  EXPECT_THROW(make_garment(grid_of(3, 3), {.mapping = {}, .areal_density_kg_per_m2 = 0.0}, {}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace taut::sim

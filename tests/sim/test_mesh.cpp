@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "sim/grid.hpp"
+#include "sim/mesh.hpp"
+
+namespace taut::sim {
+namespace {
+
+const Vec3 origin = {0, 0, 0};
+const Vec3 right = {1, 0, 0};
+const Vec3 up = {0, 1, 0};
+const Vec3 diagonal = {1, 1, 0};
+
+TEST(WeldAndValidate, KeepsACleanMeshAsItIs) {
+  const Mesh input = {{origin, right, up, diagonal}, {{0, 1, 2}, {2, 1, 3}}, {}};
+  const ValidatedMesh out = weld_and_validate(input);
+  EXPECT_EQ(out.mesh.positions, input.positions);
+  EXPECT_EQ(out.mesh.triangles, input.triangles);
+  EXPECT_EQ(out.report.input_vertices, 4u);
+  EXPECT_EQ(out.report.welded_vertices, 0u);
+}
+
+TEST(WeldAndValidate, WeldsATriangleSoupAtEqualPositions) {
+  const Mesh soup = {{origin, right, up, up, right, diagonal}, {{0, 1, 2}, {3, 4, 5}}, {}};
+  const ValidatedMesh out = weld_and_validate(soup);
+  EXPECT_EQ(out.mesh.positions, (std::vector<Vec3>{origin, right, up, diagonal}));
+  EXPECT_EQ(out.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(out.report.welded_vertices, 2u);
+  EXPECT_EQ(out.report.unused_vertices, 0u);
+}
+
+TEST(WeldAndValidate, TakesMinusZeroForZero) {
+  const Mesh soup = {{origin, right, up, {-0.0, 0.0, -0.0}}, {{0, 1, 2}, {3, 1, 2}}, {}};
+  const ValidatedMesh out = weld_and_validate(soup);
+  EXPECT_EQ(out.report.welded_vertices, 1u);
+  EXPECT_EQ(out.report.duplicate_triangles, 1u);
+}
+
+TEST(WeldAndValidate, DropsWhatHasNoAreaAndReportsIt) {
+  const Mesh input = {
+      {origin, right, up, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 0, 1}, {1, 2, 0}, {2, 1, 0}}, {}};
+  const ValidatedMesh out = weld_and_validate(input);
+  EXPECT_EQ(out.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(out.report.degenerate_triangles, 2u);
+  EXPECT_EQ(out.report.duplicate_triangles, 2u);
+  EXPECT_EQ(out.report.unused_vertices, 1u);
+}
+
+TEST(WeldAndValidate, RenumbersAroundUnusedVertices) {
+  const Mesh input = {{{9, 9, 9}, origin, {8, 8, 8}, right, up}, {{1, 3, 4}}, {}};
+  const ValidatedMesh out = weld_and_validate(input);
+  EXPECT_EQ(out.mesh.positions, (std::vector<Vec3>{origin, right, up}));
+  EXPECT_EQ(out.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(out.report.unused_vertices, 2u);
+}
+
+TEST(WeldAndValidate, KeepsTinyTriangles) {
+  const double s = 1e-9;
+  const ValidatedMesh out = weld_and_validate({{origin, {s, 0, 0}, {0, s, 0}}, {{0, 1, 2}}, {}});
+  EXPECT_EQ(out.mesh.triangles.size(), 1u);
+}
+
+std::string error_of(const Mesh& mesh) {
+  try {
+    weld_and_validate(mesh);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(WeldAndValidate, SaysWhatIsWrong) {
+  EXPECT_EQ(error_of({{origin, right, up}, {{0, 1, 3}}, {}}),
+            "triangle 0 uses vertex 3, but there are only 3 vertices");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(error_of({{origin, {0, nan, 0}, up}, {{0, 1, 2}}, {}}),
+            "vertex 1 has a coordinate that is not finite");
+  EXPECT_EQ(error_of({{origin, right}, {{0, 1, 1}}, {}}), "no triangle with an area remains of 1 triangles");
+  EXPECT_EQ(error_of({}), "no triangle with an area remains of 0 triangles");
+}
+
+TEST(Grid, HasItsSizeAndFacesTheViewer) {
+  GridSettings settings;
+  settings.columns = 4;
+  settings.rows = 3;
+  settings.width_m = 3.0;
+  settings.height_m = 1.0;
+  settings.top_centre_m = {0, 2, 0};
+  const Mesh mesh = make_grid(settings);
+  ASSERT_EQ(mesh.positions.size(), 12u);
+  EXPECT_EQ(mesh.positions[0], Vec3(-1.5, 2, 0));
+  EXPECT_EQ(mesh.positions[11], Vec3(1.5, 1, 0));
+  EXPECT_EQ(mesh.quads.size(), 6u);
+  EXPECT_NEAR(surface_area(mesh), 3.0, 1e-12);
+  for (const Triangle& t : mesh.triangles) {
+    EXPECT_GT(doubled_area_vector(mesh.positions, t).z, 0.0);
+  }
+  settings.plane = GridPlane::horizontal;
+  const Mesh lying = make_grid(settings);
+  EXPECT_EQ(lying.positions[11], Vec3(1.5, 2, 1));
+  for (const Triangle& t : lying.triangles) {
+    EXPECT_GT(doubled_area_vector(lying.positions, t).y, 0.0);
+  }
+}
+
+TEST(Grid, RefusesWhatIsNoGrid) {
+  EXPECT_THROW(make_grid({.columns = 1}), std::invalid_argument);
+  EXPECT_THROW(make_grid({.width_m = 0.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace taut::sim

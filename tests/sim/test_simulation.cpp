@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "sim/grid.hpp"
+#include "sim/measures.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::sim {
+namespace {
+
+Garment pinned_cloth() {
+  return make_garment(make_grid({}), {}, {0, 8});
+}
+
+void run(Simulation& simulation, int frames) {
+  for (int frame = 0; frame < frames; ++frame) {
+    simulation.advance_frame();
+  }
+}
+
+TEST(State, BeginsAtRestAndRotatesByChangingPlaces) {
+  State state = make_state(pinned_cloth());
+  EXPECT_EQ(state.previous, state.current);
+  EXPECT_EQ(state.predicted, state.current);
+  const Vec3* previous = state.previous.data();
+  const Vec3* current = state.current.data();
+  const Vec3* predicted = state.predicted.data();
+  rotate_positions(state);
+  EXPECT_EQ(state.previous.data(), current);
+  EXPECT_EQ(state.current.data(), predicted);
+  EXPECT_EQ(state.predicted.data(), previous);
+}
+
+TEST(State, KeepsVelocitiesWhenTheTimeStepChanges) {
+  State state = make_state(pinned_cloth());
+  set_time_step(state, 0.01);
+  state.previous[3] -= Vec3(0.02, 0, 0.01);
+  const Vec3 before = velocity(state, 3);
+  set_time_step(state, 0.0025);
+  EXPECT_NEAR(glm::length(velocity(state, 3) - before), 0.0, 1e-12);
+}
+
+TEST(State, HashTellsTheLastBitApart) {
+  State state = make_state(pinned_cloth());
+  const auto before = hash(state);
+  EXPECT_EQ(before, hash(make_state(pinned_cloth())));
+  state.current[80].z = std::nextafter(state.current[80].z, 1.0);
+  EXPECT_NE(before, hash(state));
+}
+
+TEST(Simulation, RepeatsBitForBit) {
+  Simulation first(pinned_cloth(), {}, {});
+  Simulation second(pinned_cloth(), {}, {});
+  run(first, 30);
+  run(second, 30);
+  EXPECT_EQ(hash(first.state()), hash(second.state()));
+}
+
+TEST(Simulation, PinsStayAndClothHangsBelowThem) {
+  Simulation simulation(pinned_cloth(), {}, {});
+  run(simulation, 60);
+  EXPECT_EQ(simulation.state().current[0], simulation.garment().mesh.positions[0]);
+  EXPECT_EQ(simulation.state().current[8], simulation.garment().mesh.positions[8]);
+}
+
+TEST(Simulation, MoreIterationsStretchLess) {
+  double before = 1.0;
+  for (const int iterations : {1, 4, 16}) {
+    SimulationSettings settings;
+    settings.solver.substeps = 2;
+    settings.solver.iterations = iterations;
+    Simulation simulation(pinned_cloth(), settings, {});
+    run(simulation, 240);
+    const double stretch = measure_stretch(simulation.garment().springs, simulation.state().current).max;
+    EXPECT_LT(stretch, 0.6 * before);
+    before = stretch;
+  }
+}
+
+TEST(Simulation, LosesEnergyOnly) {
+  SimulationSettings settings;
+  settings.solver.rigidity = {0.2, 0.05};
+  GridSettings lying;
+  lying.plane = GridPlane::horizontal;
+  Simulation simulation(make_garment(make_grid(lying), {}, {0, 8}), settings, {});
+  for (int frame = 0; frame < 300; ++frame) {
+    simulation.advance_frame();
+    const Energy energy = measure_energy(simulation.garment(), simulation.state(), {0, -9.81, 0});
+    EXPECT_LE(energy.kinetic_j + energy.potential_j, 1e-9) << "frame " << frame;
+  }
+}
+
+TEST(Simulation, AGarmentAtRestFallsAsleepUntilSomethingChanges) {
+  Simulation simulation(pinned_cloth(), {}, {});
+  run(simulation, 1200);
+  ASSERT_TRUE(simulation.state().asleep);
+  EXPECT_LT(rms_speed(simulation.state()), simulation.settings().rest.speed_m_per_s);
+  const auto at_rest = hash(simulation.state());
+  const auto steps = simulation.state().step_count;
+  run(simulation, 10);
+  EXPECT_EQ(hash(simulation.state()), at_rest);
+  EXPECT_EQ(simulation.state().step_count, steps) << "no work is done";
+
+  Surroundings same = simulation.surroundings();
+  simulation.set_surroundings(same);
+  EXPECT_TRUE(simulation.state().asleep);
+
+  Surroundings windy = same;
+  windy.forces.wind.speed_m_per_s = 3.0;
+  simulation.set_surroundings(windy);
+  EXPECT_FALSE(simulation.state().asleep);
+  run(simulation, 5);
+  EXPECT_NE(hash(simulation.state()), at_rest);
+}
+
+TEST(Simulation, PinsAndSettingsWakeItToo) {
+  Simulation simulation(pinned_cloth(), {}, {});
+  run(simulation, 1200);
+  ASSERT_TRUE(simulation.state().asleep);
+  simulation.set_pins({0});
+  EXPECT_FALSE(simulation.state().asleep);
+  run(simulation, 2400);
+  ASSERT_TRUE(simulation.state().asleep);
+  SimulationSettings settings = simulation.settings();
+  settings.solver.iterations += 1;
+  simulation.set_settings(settings);
+  EXPECT_FALSE(simulation.state().asleep);
+}
+
+TEST(Simulation, WithoutAnyForceNothingMoves) {
+  Surroundings nothing;
+  nothing.forces.gravity_m_per_s2 = {0, 0, 0};
+  Simulation simulation(pinned_cloth(), {}, nothing);
+  run(simulation, 100);
+  EXPECT_TRUE(simulation.state().asleep);
+  EXPECT_EQ(simulation.state().current, simulation.garment().mesh.positions);
+}
+
+TEST(Simulation, GustsAndMovingPinsKeepItAwake) {
+  Surroundings gusty;
+  gusty.forces.wind.speed_m_per_s = 1e-6;
+  gusty.forces.wind.gust_amplitude = 0.5;
+  Surroundings shaken;
+  shaken.pin_motion.amplitude_m = {1e-9, 0, 0};
+  for (const Surroundings& s : {gusty, shaken}) {
+    Simulation simulation(pinned_cloth(), {}, s);
+    run(simulation, 1200);
+    EXPECT_FALSE(simulation.state().asleep);
+  }
+}
+
+TEST(Simulation, MovesPinsHarmonically) {
+  Surroundings shaken;
+  shaken.pin_motion = {{0.1, 0, 0.05}, 1.0};
+  Simulation simulation(pinned_cloth(), {}, shaken);
+  run(simulation, 15);  // a quarter of a period
+  const Vec3 moved = simulation.state().current[0] - simulation.garment().mesh.positions[0];
+  EXPECT_NEAR(moved.x, 0.1, 1e-12);
+  EXPECT_NEAR(moved.z, 0.05, 1e-12);
+}
+
+TEST(Simulation, StopsWithAMessageWhenItDiverges) {
+  SimulationSettings settings;
+  settings.solver.kind = SolverKind::ideal;
+  settings.solver.substeps = 1;
+  settings.solver.stiffness.structural_n_per_m = 1e9;
+  Simulation simulation(pinned_cloth(), settings, {});
+  try {
+    run(simulation, 600);
+    FAIL() << "it should have diverged";
+  } catch (const Diverged& error) {
+    EXPECT_NE(std::string(error.what()).find("not finite"), std::string::npos);
+  }
+}
+
+TEST(Simulation, RefusesImpossibleSettings) {
+  SimulationSettings settings;
+  settings.solver.substeps = 0;
+  EXPECT_THROW(Simulation(pinned_cloth(), settings, {}), std::invalid_argument);
+  settings = {};
+  settings.frame_rate_hz = 0.0;
+  EXPECT_THROW(Simulation(pinned_cloth(), settings, {}), std::invalid_argument);
+}
+
+TEST(Measures, StretchOfAPulledCloth) {
+  const Garment garment = make_garment(make_grid({}), {}, {});
+  std::vector<Vec3> pulled = garment.mesh.positions;
+  for (Vec3& p : pulled) {
+    p.x *= 1.1;
+    p.y *= 0.9;
+  }
+  const Stretch stretch = measure_stretch(garment.springs, pulled);
+  EXPECT_NEAR(stretch.max, 0.1, 1e-12);
+  EXPECT_NEAR(stretch.p99, 0.1, 1e-12);
+  EXPECT_NEAR(stretch.mean, 0.0, 1e-12);
+  EXPECT_NEAR(stretch.max_compression, 0.1, 1e-12);
+  const std::vector<double> at_vertices = vertex_stretch(garment.springs, pulled);
+  EXPECT_NEAR(at_vertices[40], 0.1, 1e-12);
+}
+
+TEST(Measures, ConvergenceIsTheLengthOfTheLastMove) {
+  State state = make_state(pinned_cloth());
+  state.time_step_s = 0.5;
+  state.current[4] += Vec3(0.03, 0.04, 0);
+  EXPECT_NEAR(convergence_of(state, 4), 0.05, 1e-15);
+  EXPECT_NEAR(measure_convergence(state).max_m, 0.05, 1e-15);
+  EXPECT_NEAR(measure_convergence(state).rms_m, 0.05 / 9.0, 1e-15);
+  EXPECT_NEAR(rms_speed(state), 0.1 / 9.0, 1e-15);
+}
+
+TEST(Measures, FindTheFirstVertexThatIsNotFinite) {
+  std::vector<Vec3> positions(5, Vec3(1.0));
+  EXPECT_EQ(first_non_finite(positions), 5u);
+  positions[3].y = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(first_non_finite(positions), 3u);
+}
+
+}  // namespace
+}  // namespace taut::sim

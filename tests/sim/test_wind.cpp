@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "sim/forces.hpp"
+#include "sim/grid.hpp"
+#include "sim/wind.hpp"
+
+namespace taut::sim {
+namespace {
+
+Vec3 total_wind_force(const Garment& garment, const State& state, const Wind& wind,
+                      double time_step_s = 1e-9) {
+  std::vector<Vec3> forces(state.current.size(), Vec3(0.0));
+  add_wind_forces(garment, state, wind, time_step_s, forces);
+  Vec3 total(0.0);
+  for (const Vec3& f : forces) {
+    total += f;
+  }
+  return total;
+}
+
+TEST(Wind, PressesHeadOnByHalfRhoAreaSpeedSquared) {
+  GridSettings grid;
+  grid.width_m = 2.0;
+  grid.height_m = 1.5;
+  const Garment garment = make_garment(make_grid(grid), {}, {});
+  const State state = make_state(garment);
+  for (const double speed : {1.0, 10.0}) {
+    Wind wind;
+    wind.speed_m_per_s = speed;
+    wind.direction = {0, 0, -2};
+    const Vec3 force = total_wind_force(garment, state, wind);
+    EXPECT_NEAR(force.z, -0.5 * 1.2 * 3.0 * speed * speed * wind.pressure_coefficient, 1e-4);
+    EXPECT_NEAR(force.x, 0.0, 1e-12);
+    EXPECT_NEAR(force.y, 0.0, 1e-12);
+  }
+}
+
+TEST(Wind, OnlyStrokesAClothItBlowsAlong) {
+  const Garment garment = make_garment(make_grid({}), {}, {});
+  Wind wind;
+  wind.speed_m_per_s = 4.0;
+  wind.direction = {1, 0, 0};
+  const Vec3 force = total_wind_force(garment, make_state(garment), wind);
+  EXPECT_NEAR(force.x, 0.5 * 1.2 * 1.0 * 16.0 * wind.friction_coefficient, 1e-6);
+  EXPECT_NEAR(force.z, 0.0, 1e-12);
+}
+
+TEST(Wind, DoesNotPushAClothThatMovesWithTheAir) {
+  const Garment garment = make_garment(make_grid({}), {}, {});
+  State state = make_state(garment);
+  state.time_step_s = 0.01;
+  for (Vec3& p : state.previous) {
+    p -= Vec3(0, 0, -3.0) * 0.01;
+  }
+  Wind wind;
+  wind.speed_m_per_s = 3.0;
+  EXPECT_NEAR(glm::length(total_wind_force(garment, state, wind)), 0.0, 1e-9);
+}
+
+TEST(Wind, CannotBlowClothFasterThanAirInOneStep) {
+  const Garment garment = make_garment(make_grid({}), {}, {});
+  Wind wind;
+  wind.speed_m_per_s = 1000.0;
+  const double time_step_s = 1.0;
+  const Vec3 force = total_wind_force(garment, make_state(garment), wind, time_step_s);
+  const double mass_kg = 0.15;
+  EXPECT_LT(glm::length(force) / mass_kg * time_step_s, 1000.0);
+}
+
+TEST(Gusts, StayWithinTheirAmplitudeAndRepeatForTheSameSeed) {
+  Wind wind;
+  wind.speed_m_per_s = 10.0;
+  wind.gust_amplitude = 0.3;
+  Wind other = wind;
+  other.gust_seed = 2;
+  double lowest = 100.0, highest = 0.0, largest_change = 0.0, difference = 0.0, before = 0.0;
+  for (int k = 0; k < 3000; ++k) {
+    const double speed = glm::length(wind_velocity(wind, k * 0.01));
+    EXPECT_EQ(speed, glm::length(wind_velocity(wind, k * 0.01)));
+    lowest = std::min(lowest, speed);
+    highest = std::max(highest, speed);
+    largest_change = k > 0 ? std::max(largest_change, std::abs(speed - before)) : 0.0;
+    difference = std::max(difference, std::abs(speed - glm::length(wind_velocity(other, k * 0.01))));
+    before = speed;
+  }
+  EXPECT_GE(lowest, 7.0);
+  EXPECT_LE(highest, 13.0);
+  EXPECT_LT(lowest, 8.5);
+  EXPECT_GT(highest, 11.5);
+  EXPECT_LT(largest_change, 0.3) << "smooth";
+  EXPECT_GT(difference, 1.0) << "another seed, other gusts";
+}
+
+TEST(Gusts, TurnTheWindSidewaysWithoutChangingItsMainDirection) {
+  Wind wind;
+  wind.speed_m_per_s = 5.0;
+  wind.direction = {0, 0, -1};
+  wind.gust_turn = 0.2;
+  double widest = 0.0;
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 air = wind_velocity(wind, k * 0.01);
+    EXPECT_NEAR(air.z, -5.0, 1e-12);
+    widest = std::max(widest, std::abs(air.x));
+  }
+  EXPECT_GT(widest, 0.5);
+  EXPECT_LE(widest, 1.0);
+}
+
+TEST(ExternalForces, AddUp) {
+  const Garment garment = make_garment(make_grid({}), {}, {});
+  std::vector<Vec3> forces(81, Vec3(0.0));
+  ExternalForces external;
+  external.gravity_m_per_s2 = {0, -10, 0};
+  external.artificial_forces = {{5, {1, 2, 3}}, {5, {1, 0, 0}}};
+  add_external_forces(garment, make_state(garment), external, 0.01, forces);
+  const double weight = garment.masses_kg[5] * 10;
+  EXPECT_NEAR(forces[5].x, 2.0, 1e-15);
+  EXPECT_NEAR(forces[5].y, 2.0 - weight, 1e-15);
+  EXPECT_NEAR(forces[40].y, -garment.masses_kg[40] * 10, 1e-15);
+  external.artificial_forces = {{81, {1, 2, 3}}};
+  EXPECT_THROW(add_external_forces(garment, make_state(garment), external, 0.01, forces),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace taut::sim

@@ -21,9 +21,9 @@ struct CompressedRows {
 
 /// The paper's link list: which edges meet at a vertex, which triangles meet at an edge.
 struct Adjacency {
-  std::vector<Edge> edges;           ///< each once, in lexicographic order
-  CompressedRows vertex_edges;       ///< ascending within a row
-  CompressedRows edge_triangles;     ///< ascending within a row; more than two at a non-manifold edge
+  std::vector<Edge> edges;        ///< each once, in lexicographic order
+  CompressedRows vertex_edges;    ///< ascending within a row
+  CompressedRows edge_triangles;  ///< ascending within a row; more than two at a non-manifold edge
 };
 
 Adjacency make_adjacency(const Mesh& mesh);
@@ -32,6 +32,8 @@ Adjacency make_adjacency(const Mesh& mesh);
 CompressedRows edges_of_vertices(std::size_t vertex_count, std::span<const Edge> edges);
 
 /// The end of `edge` that is not `vertex`.
-inline Index other_end(const Edge& edge, Index vertex) { return edge[0] == vertex ? edge[1] : edge[0]; }
+inline Index other_end(const Edge& edge, Index vertex) {
+  return edge[0] == vertex ? edge[1] : edge[0];
+}
 
 }  // namespace taut::sim

@@ -25,10 +25,9 @@ SurfacePoint nearest(const Sphere& sphere, const Vec3& point) {
 SurfacePoint nearest(const Capsule& capsule, const Vec3& point) {
   const Vec3 axis = capsule.end_m - capsule.start_m;
   const double squared_length = glm::dot(axis, axis);
-  const double along =
-      squared_length > 0.0
-          ? std::clamp(glm::dot(point - capsule.start_m, axis) / squared_length, 0.0, 1.0)
-          : 0.0;
+  const double along = squared_length > 0.0
+                           ? std::clamp(glm::dot(point - capsule.start_m, axis) / squared_length, 0.0, 1.0)
+                           : 0.0;
   const double radius_m = capsule.start_radius_m + along * (capsule.end_radius_m - capsule.start_radius_m);
   return from_centre(capsule.start_m + along * axis, radius_m, point);
 }

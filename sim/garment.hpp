@@ -13,9 +13,9 @@ struct Garment {
   Mesh mesh;  ///< at rest; its edge lengths are the springs' rest lengths
   Adjacency adjacency;
   Springs springs;
-  std::vector<double> masses_kg;                 ///< of every vertex, pinned or not
-  std::vector<double> inverse_masses_per_kg;     ///< 0 where pinned: a pinned end has infinite mass
-  std::vector<Index> pins;                       ///< ascending, each once
+  std::vector<double> masses_kg;              ///< of every vertex, pinned or not
+  std::vector<double> inverse_masses_per_kg;  ///< 0 where pinned: a pinned end has infinite mass
+  std::vector<Index> pins;                    ///< ascending, each once
   double areal_density_kg_per_m2 = 0.0;
 };
 

@@ -12,8 +12,7 @@ Mesh make_grid(const GridSettings& s) {
     throw std::invalid_argument("a grid needs a width and a height above 0");
   }
   const Vec3 across = {s.width_m, 0.0, 0.0};
-  const Vec3 down =
-      s.plane == GridPlane::vertical ? Vec3{0.0, -s.height_m, 0.0} : Vec3{0.0, 0.0, s.height_m};
+  const Vec3 down = s.plane == GridPlane::vertical ? Vec3{0.0, -s.height_m, 0.0} : Vec3{0.0, 0.0, s.height_m};
 
   Mesh mesh;
   mesh.positions.reserve(std::size_t{s.columns} * s.rows);

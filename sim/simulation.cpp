@@ -17,9 +17,9 @@ void require_frame_rate(const SimulationSettings& settings) {
 }  // namespace
 
 Diverged::Diverged(Index vertex, double time_s)
-    : std::runtime_error("the simulation diverged: at " + std::to_string(time_s) + " s vertex " +
-                         std::to_string(vertex) +
-                         " has a position that is not finite; use more substeps, weaker springs or weaker forces") {}
+    : std::runtime_error(
+          "the simulation diverged: at " + std::to_string(time_s) + " s vertex " + std::to_string(vertex) +
+          " has a position that is not finite; use more substeps, weaker springs or weaker forces") {}
 
 Simulation::Simulation(Garment garment, const SimulationSettings& settings, Surroundings surroundings)
     : garment_(std::move(garment)),

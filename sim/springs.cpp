@@ -7,7 +7,9 @@
 namespace taut::sim {
 namespace {
 
-Edge make_edge(Index a, Index b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+Edge make_edge(Index a, Index b) {
+  return a < b ? Edge{a, b} : Edge{b, a};
+}
 
 void sort_and_deduplicate(std::vector<Edge>& edges) {
   std::sort(edges.begin(), edges.end());

@@ -32,8 +32,8 @@ void step(const Garment& garment, const Surroundings& surroundings, const Spring
 
   // Step 3: compensate the predicted positions, eqs. (2)-(3), and eliminate the forces.
   springs.compensate(garment, state);
-  push_out_of_colliders(surroundings.colliders, surroundings.cloth_thickness_m,
-                        garment.inverse_masses_per_kg, state.current, state.predicted);
+  push_out_of_colliders(surroundings.colliders, surroundings.cloth_thickness_m, garment.inverse_masses_per_kg,
+                        state.current, state.predicted);
   std::fill(forces_n.begin(), forces_n.end(), Vec3(0.0));
 
   rotate_positions(state);

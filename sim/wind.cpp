@@ -45,8 +45,8 @@ Vec3 wind_velocity(const Wind& wind, double time_s) {
   const double strength = 1.0 + wind.gust_amplitude * smooth_noise(phase, wind.gust_seed);
   Vec3 sideways, upwards;
   make_frame(direction, sideways, upwards);
-  const Vec3 turn = sideways * smooth_noise(phase, wind.gust_seed + 1) +
-                    upwards * smooth_noise(phase, wind.gust_seed + 2);
+  const Vec3 turn =
+      sideways * smooth_noise(phase, wind.gust_seed + 1) + upwards * smooth_noise(phase, wind.gust_seed + 2);
   return wind.speed_m_per_s * strength * (direction + wind.gust_turn * turn);
 }
 
@@ -64,8 +64,7 @@ void add_wind_forces(const Garment& garment, const State& state, const Wind& win
       continue;
     }
     const Vec3 normal = doubled_area / doubled_size;
-    const Vec3 cloth_velocity =
-        (velocity(state, t[0]) + velocity(state, t[1]) + velocity(state, t[2])) / 3.0;
+    const Vec3 cloth_velocity = (velocity(state, t[0]) + velocity(state, t[1]) + velocity(state, t[2])) / 3.0;
     const Vec3 u = air_velocity - cloth_velocity;
     const Vec3 u_n = normal * glm::dot(u, normal);
     const double normal_drag = half_rho * wind.pressure_coefficient * glm::length(u_n);

@@ -15,8 +15,8 @@ struct Wind {
   Vec3 direction = {0.0, 0.0, -1.0};  ///< where the air goes; need not be of length 1
   /// How much gusts raise and lower the speed, as a fraction of it: 0 is a steady wind.
   double gust_amplitude = 0.0;
-  double gust_period_s = 1.0;       ///< mean time from one gust to the next
-  double gust_turn = 0.0;           ///< how far gusts turn the wind sideways, as the tangent of the angle
+  double gust_period_s = 1.0;  ///< mean time from one gust to the next
+  double gust_turn = 0.0;      ///< how far gusts turn the wind sideways, as the tangent of the angle
   std::uint64_t gust_seed = 1;
   /// Force coefficient of the pressure on a face met head on: about 1.2 for a flat plate.
   double pressure_coefficient = 1.2;

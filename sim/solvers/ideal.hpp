@@ -20,8 +20,7 @@ class IdealSprings : public SpringResponse {
  public:
   explicit IdealSprings(const SpringStiffness& stiffness) : stiffness_(stiffness) {}
 
-  void add_spring_forces(const Garment& garment, const State& state,
-                         std::span<Vec3> forces_n) const override;
+  void add_spring_forces(const Garment& garment, const State& state, std::span<Vec3> forces_n) const override;
   void compensate(const Garment&, State&) const override {}
 
  private:

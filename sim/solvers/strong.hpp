@@ -9,8 +9,7 @@ namespace taut::sim {
 /// over all springs, in their order.
 class StrongConstraint : public SpringResponse {
  public:
-  StrongConstraint(int iterations, const Rigidity& rigidity)
-      : iterations_(iterations), rigidity_(rigidity) {}
+  StrongConstraint(int iterations, const Rigidity& rigidity) : iterations_(iterations), rigidity_(rigidity) {}
 
   void add_spring_forces(const Garment&, const State&, std::span<Vec3>) const override {}
   void compensate(const Garment& garment, State& state) const override;

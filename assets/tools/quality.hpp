@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+
+#include "sim/mesh.hpp"
+#include "sim/topology.hpp"
+
+namespace taut::tailor {
+
+struct MeshQuality {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  double smallest_angle_deg = 0.0;
+  double shortest_edge_m = 0.0;
+  double mean_edge_m = 0.0;
+  double longest_edge_m = 0.0;
+  double area_m2 = 0.0;
+  double volume_m3 = 0.0;  ///< enclosed when every opening is closed by a fan; positive where outside is out
+  std::size_t crossings = 0;  ///< edges that pass through a triangle
+  sim::Topology topology;
+};
+
+MeshQuality measure_quality(const sim::Mesh& mesh);
+
+}  // namespace taut::tailor

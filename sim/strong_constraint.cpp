@@ -20,24 +20,31 @@ Share share_of(SpringKind kind, const Rigidity& rigidity) {
 
 }  // namespace
 
+void compensate_spring(const Edge& ends, const Vec3& spring, double length_m, double error_m,
+                       std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted) {
+  const auto [i, j] = ends;
+  const double w_i = inverse_masses_per_kg[i];
+  const double w_j = inverse_masses_per_kg[j];
+  if (!(w_i + w_j > 0.0) || !(length_m > 0.0)) {
+    return;
+  }
+  const Vec3 correction = spring * (error_m / (length_m * (w_i + w_j)));
+  predicted[i] -= w_i * correction;
+  predicted[j] += w_j * correction;
+}
+
 void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg,
                         const Rigidity& rigidity, std::span<Vec3> predicted) {
   for (const SpringKind kind : all_spring_kinds) {
     const Share share = share_of(kind, rigidity);
     for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
       const auto [i, j] = springs.ends[s];
-      const double w_i = inverse_masses_per_kg[i];
-      const double w_j = inverse_masses_per_kg[j];
       const Vec3 spring = predicted[i] - predicted[j];
-      const double length = glm::length(spring);
-      if (!(w_i + w_j > 0.0) || !(length > 0.0)) {
-        continue;
-      }
-      const double error = length - springs.rest_lengths_m[s];
-      const double corrected = (error > 0.0 ? share.when_long : share.when_short) * error;
-      const Vec3 correction = spring * (corrected / (length * (w_i + w_j)));
-      predicted[i] -= w_i * correction;
-      predicted[j] += w_j * correction;
+      const double length_m = glm::length(spring);
+      const double error_m = length_m - springs.rest_lengths_m[s];
+      const double fraction = error_m > 0.0 ? share.when_long : share.when_short;
+      compensate_spring(springs.ends[s], spring, length_m, fraction * error_m, inverse_masses_per_kg,
+                        predicted);
     }
   }
 }

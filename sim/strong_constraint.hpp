@@ -18,10 +18,16 @@ struct Rigidity {
   bool operator==(const Rigidity&) const = default;
 };
 
+/// Eq. (3) for the spring with the vector L' = p'_i - p'_j of the given length: shortens it by `error_m`
+/// (negative: lengthens it), the lighter end moving more. A spring with both ends pinned, or without a
+/// direction because its ends coincide, is left alone.
+void compensate_spring(const Edge& ends, const Vec3& spring, double length_m, double error_m,
+                       std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted);
+
 /// Eqs. (2)-(3), one sweep over all springs in their order: with L' = p'_i - p'_j and w the inverse masses,
 ///   dp_i = -w_i / (w_i + w_j) (|L'| - |L|) L' / |L'|,   dp_j = +w_j / (w_i + w_j) (|L'| - |L|) L' / |L'|,
 /// which is the paper's one half where both masses are equal. Every correction is seen by the springs that
-/// follow. A spring with both ends pinned, or without a direction because its ends coincide, is left alone.
+/// follow.
 void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg,
                         const Rigidity& rigidity, std::span<Vec3> predicted);
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/solvers/provot.hpp"
 #include "sim/solvers/strong.hpp"
 #include "sim/step.hpp"
 
@@ -34,6 +35,8 @@ std::unique_ptr<SpringResponse> make_spring_response(const SolverSettings& setti
   switch (settings.kind) {
     case SolverKind::ideal:
       return std::make_unique<IdealSprings>(settings.stiffness);
+    case SolverKind::provot:
+      return std::make_unique<ProvotThreshold>(settings.stiffness, settings.max_stretch);
     case SolverKind::strong:
       return std::make_unique<StrongConstraint>(settings.iterations, settings.rigidity);
   }
@@ -46,6 +49,8 @@ const char* name_of(SolverKind kind) {
   switch (kind) {
     case SolverKind::ideal:
       return "ideal";
+    case SolverKind::provot:
+      return "provot";
     case SolverKind::strong:
       return "strong";
   }
@@ -55,6 +60,9 @@ const char* name_of(SolverKind kind) {
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings) {
   if (settings.substeps < 1 || settings.iterations < 1) {
     throw std::invalid_argument("a solver needs at least 1 substep and 1 iteration");
+  }
+  if (!(settings.max_stretch >= 0.0)) {
+    throw std::invalid_argument("the largest stretch must be at least 0");
   }
   return std::make_unique<SteppedSolver>(settings.substeps, make_spring_response(settings));
 }

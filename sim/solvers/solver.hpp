@@ -10,9 +10,9 @@
 
 namespace taut::sim {
 
-enum class SolverKind { ideal, strong };
+enum class SolverKind { ideal, provot, strong };
 
-inline constexpr std::array all_solver_kinds = {SolverKind::ideal, SolverKind::strong};
+inline constexpr std::array all_solver_kinds = {SolverKind::ideal, SolverKind::provot, SolverKind::strong};
 
 const char* name_of(SolverKind kind);
 
@@ -24,7 +24,9 @@ struct SolverSettings {
   /// `strong`: sweeps of the constraint in every time step.
   int iterations = 4;
   Rigidity rigidity;          ///< `strong`
-  SpringStiffness stiffness;  ///< `ideal`
+  SpringStiffness stiffness;  ///< `ideal`, `provot`
+  /// `provot`: the threshold above which a spring is pulled back. 0.1 is Provot's own.
+  double max_stretch = 0.1;
 
   bool operator==(const SolverSettings&) const = default;
 };
@@ -39,7 +41,7 @@ class Solver {
                              State& state) = 0;
 };
 
-/// Throws std::invalid_argument on fewer than one substep or iteration.
+/// Throws std::invalid_argument on fewer than one substep or iteration or a negative largest stretch.
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings);
 
 }  // namespace taut::sim

@@ -63,9 +63,13 @@ int main() {
   soft.rigidity = {0.1, 0.02};
   SolverSettings ideal;
   ideal.kind = SolverKind::ideal;
+  SolverSettings provot;
+  provot.kind = SolverKind::provot;
+  provot.stiffness.structural_n_per_m = 50.0;
 
   print_hash("strong, 9x9 under gravity", square, strong, {}, 60);
   print_hash("ideal, 9x9 under gravity", square, ideal, {}, 60);
+  print_hash("provot, 9x9 under gravity", square, provot, {}, 60);
   print_hash("strong, irregular sheet in a storm over obstacles", sheet, soft, storm_over_obstacles(), 60);
   print_hash("strong, opposite-vertex rule, same storm", sheet_opposite, soft, storm_over_obstacles(), 60);
 }

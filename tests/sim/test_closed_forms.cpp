@@ -97,6 +97,31 @@ TEST(TwoParticleSpring, SwingsAtTheFrequencyOfItsReducedMass) {
   }
 }
 
+TEST(TwoParticleSpring, LosesItsSwingToTheSpringsDamping) {
+  const double mass_kg = 0.02;
+  const double damping = 0.01;
+  Garment pair = chain({{0, 0, 0}, {1, 0, 0}}, mass_kg, {});
+  pair.mesh.positions[1].x = 1.1;
+  SimulationSettings settings = steps(SolverKind::ideal, 40, 1);
+  settings.solver.stiffness.structural_n_per_m = 8.0;
+  settings.solver.stiffness.damping_n_s_per_m = damping;
+  Simulation simulation(pair, settings, vacuum(0.0));
+  double widest_in_the_second_second = 0.0;
+  for (int frame = 1; frame <= 100; ++frame) {
+    simulation.advance_frame();
+    const State& state = simulation.state();
+    if (state.time_s > 1.0) {
+      widest_in_the_second_second = std::max(
+          widest_in_the_second_second, std::abs(glm::length(state.current[1] - state.current[0]) - 1.0));
+    }
+  }
+  // Amplitude falls as exp(-c t / 2 m) with the reduced mass. The first maximum past 1 s comes within half a
+  // period of 2 pi / 28.3 s; sampled once a frame, up to 4 % of its peak is missed.
+  const double rate = damping / (2.0 * mass_kg / 2.0);
+  EXPECT_LT(widest_in_the_second_second, 0.1 * std::exp(-rate * 1.0));
+  EXPECT_GT(widest_in_the_second_second, 0.096 * std::exp(-rate * 1.12));
+}
+
 /// Seconds from one passage through the vertical in +x direction to the next.
 double measured_period(const Garment& pendulum, const SimulationSettings& settings) {
   Simulation simulation(pendulum, settings, vacuum(gravity));

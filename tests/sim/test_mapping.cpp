@@ -220,6 +220,14 @@ TEST(Garment, SharesTheMassEvenlyAndKeepsPinsImmovable) {
   EXPECT_EQ(released.inverse_masses_per_kg[1], 0.0);
 }
 
+TEST(Garment, SharesATrianglesMassAmongItsCorners) {
+  const Mesh mesh = {{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}, {}};
+  const Garment garment = make_garment(mesh, {.mapping = {}, .areal_density_kg_per_m2 = 0.5}, {});
+  for (const double mass : garment.masses_kg) {
+    EXPECT_NEAR(mass, 0.5, 1e-15);
+  }
+}
+
 TEST(Garment, RefusesPinsThatAreNoVertices) {
   EXPECT_THROW(make_garment(grid_of(3, 3), {}, {9}), std::invalid_argument);
   EXPECT_THROW(make_garment(grid_of(3, 3), {.mapping = {}, .areal_density_kg_per_m2 = 0.0}, {}),

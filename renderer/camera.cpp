@@ -1,0 +1,119 @@
+#include "renderer/camera.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+
+namespace taut::renderer {
+
+namespace {
+
+// The axes of a camera that looks along -back.
+struct Axes {
+  glm::vec3 right;
+  glm::vec3 up;
+  glm::vec3 back;
+};
+
+Axes axes_of(const Framing& framing) {
+  const float flat = std::cos(framing.elevation_rad);
+  const glm::vec3 back{flat * std::sin(framing.azimuth_rad), std::sin(framing.elevation_rad),
+                       flat * std::cos(framing.azimuth_rad)};
+  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3{0.0F, 1.0F, 0.0F}, back));
+  return {right, glm::cross(back, right), back};
+}
+
+std::array<glm::vec3, 8> corners_of(const Box& box) {
+  std::array<glm::vec3, 8> corners;
+  for (unsigned i = 0; i < 8; ++i) {
+    corners[i] = {(i & 1U) != 0 ? box.upper.x : box.lower.x, (i & 2U) != 0 ? box.upper.y : box.lower.y,
+                  (i & 4U) != 0 ? box.upper.z : box.lower.z};
+  }
+  return corners;
+}
+
+struct Fit {
+  float centre;    // across, where the two limits balance
+  float distance;  // along the view, from the origin of the axes
+};
+
+// A point at `across` and `depth` (towards the camera) is inside the opening of tangent t when
+// |across - centre| <= t (distance - depth). The two tightest of these lines meet at the answer.
+Fit fit_across(const std::array<glm::vec3, 8>& corners, const glm::vec3& axis, const glm::vec3& back,
+               float tangent) {
+  float right_most = -INFINITY;
+  float left_most = -INFINITY;
+  for (const glm::vec3& corner : corners) {
+    const float across = glm::dot(corner, axis);
+    const float depth = tangent * glm::dot(corner, back);
+    right_most = std::max(right_most, across + depth);
+    left_most = std::max(left_most, -across + depth);
+  }
+  return {0.5F * (right_most - left_most), 0.5F * (right_most + left_most) / tangent};
+}
+
+void check(const Box& box, const Framing& framing, float aspect) {
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(box.lower[i]) || !std::isfinite(box.upper[i]) || box.lower[i] > box.upper[i]) {
+      throw std::invalid_argument("frame_box: the box is not finite or is inside out");
+    }
+  }
+  if (!(std::isfinite(aspect) && aspect > 0.0F)) {
+    throw std::invalid_argument("frame_box: the aspect has to be a positive number");
+  }
+  if (!(framing.margin >= 0.0F && framing.margin <= 0.49F)) {
+    throw std::invalid_argument("frame_box: the margin has to be from 0 to 0.49");
+  }
+}
+
+}  // namespace
+
+glm::mat4 Camera::view() const {
+  return glm::lookAt(eye, target, up);
+}
+
+glm::mat4 Camera::projection(float aspect) const {
+  return glm::perspective(vertical_fov_rad, aspect, near_m, far_m);
+}
+
+Box bounding_box(std::span<const glm::vec3> points) {
+  if (points.empty()) throw std::invalid_argument("bounding_box: there are no points");
+  Box box{points.front(), points.front()};
+  for (const glm::vec3& point : points) {
+    box.lower = glm::min(box.lower, point);
+    box.upper = glm::max(box.upper, point);
+  }
+  return box;
+}
+
+Box united(const Box& a, const Box& b) {
+  return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
+}
+
+Camera frame_box(const Box& box, const Framing& framing, float aspect) {
+  check(box, framing, aspect);
+  const glm::vec3 middle = 0.5F * (box.lower + box.upper);
+  const glm::vec3 half = glm::max(0.5F * (box.upper - box.lower), glm::vec3{0.0005F});
+  const auto corners = corners_of({-half, half});
+  const Axes axes = axes_of(framing);
+  const float opening = std::tan(0.5F * framing.vertical_fov_rad) * (1.0F - 2.0F * framing.margin);
+  const Fit vertical = fit_across(corners, axes.up, axes.back, opening);
+  const Fit horizontal = fit_across(corners, axes.right, axes.back, opening * aspect);
+  const float distance = std::max(vertical.distance, horizontal.distance);
+
+  Camera camera;
+  camera.target = middle + horizontal.centre * axes.right + vertical.centre * axes.up;
+  camera.eye = camera.target + distance * axes.back;
+  camera.vertical_fov_rad = framing.vertical_fov_rad;
+  const float radius = glm::length(half);
+  camera.near_m = std::max(0.02F * distance, distance - 2.0F * radius);
+  camera.far_m = distance + 20.0F * radius;
+  return camera;
+}
+
+}  // namespace taut::renderer

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+
+#include "renderer/frame_view.hpp"
+
+namespace taut::renderer {
+
+/// What every shader of a frame shares: the std140 block `Frame` of shaders/frame.glsl, member by member.
+struct FrameBlock {
+  glm::mat4 world_to_clip;
+  glm::mat4 world_to_shadow;
+  glm::vec4 eye;
+  glm::vec4 towards_key;
+  glm::vec4 towards_fill;
+  glm::vec4 towards_rim;
+  glm::vec4 upper_colour;
+  glm::vec4 lower_colour;
+  glm::vec4 ground;
+  glm::vec4 viewport;
+  glm::vec4 shadow;
+  glm::vec4 ground_light_area;
+  glm::vec4 backdrop_horizon;
+};
+
+/// A part of the picture that is drawn at once, in pixels of the finished picture; y counts from the top.
+struct Tile {
+  int x_px = 0;
+  int y_px = 0;
+  int width_px = 0;
+  int height_px = 0;
+};
+
+/// `casters` is the box around everything that throws a shadow; none when nothing does. The block is complete
+/// but for what depends on the tile.
+FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& settings,
+                            const std::optional<Box>& casters);
+
+/// Fills in what depends on the tile.
+void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile);
+
+/// Clip space of the tile to a direction from the eye, in world space (w is to be ignored).
+glm::mat4 clip_to_direction(const Camera& camera, const PictureSettings& settings, const Tile& tile);
+
+/// An orthographic view of the sphere around the box, from the given direction: world to 0..1 in all three
+/// axes. Depth grows away from where `towards` points.
+glm::mat4 world_to_unit_cube(const Box& box, const glm::vec3& towards);
+
+/// 0..1 in all three axes to OpenGL clip space.
+glm::mat4 unit_cube_to_clip();
+
+}  // namespace taut::renderer

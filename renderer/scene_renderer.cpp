@@ -1,0 +1,339 @@
+#include "renderer/scene_renderer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <map>
+
+#include "renderer/bindings.hpp"
+#include "renderer/frame_block.hpp"
+#include "renderer/frame_check.hpp"
+#include "renderer/mark_pass.hpp"
+#include "renderer/picture_target.hpp"
+#include "renderer/primitives.hpp"
+#include "renderer/shadow_pass.hpp"
+#include "renderer/sky_pass.hpp"
+
+namespace taut::renderer {
+
+namespace {
+
+glm::vec3 linear(const Colour& colour) {
+  return {srgb_to_linear(colour.r), srgb_to_linear(colour.g), srgb_to_linear(colour.b)};
+}
+
+// All balls of one group in one mesh. A few large ones need a round outline, many small ones need to be
+// cheap.
+TriangleMesh merged_spheres(const SphereView& spheres) {
+  const TriangleMesh one =
+      make_sphere(glm::vec3{0.0F}, spheres.radius_m, spheres.centres.size() > 8 ? 20 : 64);
+  TriangleMesh all;
+  for (const glm::vec3& centre : spheres.centres) {
+    const auto first = static_cast<std::uint32_t>(all.positions.size());
+    for (const glm::vec3& position : one.positions) all.positions.push_back(position + centre);
+    all.normals.insert(all.normals.end(), one.normals.begin(), one.normals.end());
+    for (const std::uint32_t index : one.triangles) all.triangles.push_back(first + index);
+  }
+  return all;
+}
+
+SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres) {
+  SurfaceView view;
+  view.positions = mesh.positions;
+  view.normals = mesh.normals;
+  view.triangles = mesh.triangles;
+  view.style.outside_colour = view.style.inside_colour = spheres.colour;
+  view.style.roughness = 0.45F;
+  view.style.sheen = 0.0F;
+  view.style.translucency = 0.0F;
+  view.casts_shadow = spheres.casts_shadow;
+  return view;
+}
+
+std::optional<Box> box_around_casters(const std::vector<SurfaceView>& surfaces) {
+  std::optional<Box> box;
+  for (const SurfaceView& surface : surfaces) {
+    if (!surface.casts_shadow || !surface.filled || surface.triangles.empty()) continue;
+    const Box own = bounding_box(surface.positions);
+    box = box ? united(*box, own) : own;
+  }
+  return box;
+}
+
+std::vector<Tile> tiles_of(const PictureSettings& settings) {
+  const int side_px = PictureTarget::max_side_px / settings.supersampling;
+  std::vector<Tile> tiles;
+  for (int y = 0; y < settings.height_px; y += side_px) {
+    for (int x = 0; x < settings.width_px; x += side_px) {
+      tiles.push_back(
+          {x, y, std::min(side_px, settings.width_px - x), std::min(side_px, settings.height_px - y)});
+    }
+  }
+  return tiles;
+}
+
+}  // namespace
+
+struct SceneRenderer::Parts {
+  Context& context;
+  const GladGLContext& gl;
+  Program surface;
+  Program backdrop;
+  Program ground;
+  ShadowPass shadow_pass;
+  SkyPass sky_pass;
+  MarkPass mark_pass;
+  PictureTarget target;
+  DepthSamplers samplers;
+  Buffer block_buffer;
+  VertexArray no_arrays;
+  std::map<ColourMap, Texture> colour_maps;
+  std::deque<SurfaceBuffers> buffers;  // one for each surface, kept from frame to frame
+  std::vector<SurfaceView> surfaces;   // those of the frame and the balls
+
+  explicit Parts(Context& made);
+  void draw_to(GLuint framebuffer, const FrameView& frame, const PictureSettings& settings, bool top_first);
+  void reset_state() const;
+  void fill_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls);
+  void prepare_light(FrameBlock& block, const std::optional<Box>& casters, const FrameView& frame,
+                     const PictureSettings& settings);
+  void bind_light() const;
+  void unbind_light() const;
+  void send(const FrameBlock& block) const;
+  void draw_tile(const FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
+                 const Tile& tile);
+  void draw_backdrop(const glm::mat4& to_direction) const;
+  void draw_surfaces();
+  void draw_ground() const;
+  void draw_marks(const FrameView& frame);
+  const Texture& texture_of(ColourMap map);
+};
+
+SceneRenderer::Parts::Parts(Context& made)
+    : context(made),
+      gl(made.gl()),
+      surface(gl, embedded_shaders(), "surface.vert", "surface.frag"),
+      backdrop(gl, embedded_shaders(), "fullscreen.vert", "backdrop.frag"),
+      ground(gl, embedded_shaders(), "ground.vert", "ground.frag"),
+      shadow_pass(gl, embedded_shaders()),
+      sky_pass(gl, embedded_shaders()),
+      mark_pass(gl, embedded_shaders()),
+      target(gl, embedded_shaders()),
+      samplers(gl),
+      block_buffer(gl),
+      no_arrays(gl) {
+  for (const Program* program : {&surface, &backdrop, &ground}) bind_shared_inputs(*program);
+  check_errors(gl, "starting the renderer");
+}
+
+// The context may be shared with a user interface that leaves its own settings behind.
+void SceneRenderer::Parts::reset_state() const {
+  for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL,
+                           GL_FRAMEBUFFER_SRGB, GL_RASTERIZER_DISCARD, GL_PRIMITIVE_RESTART}) {
+    gl.Disable(off);
+  }
+  gl.Enable(GL_MULTISAMPLE);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LEQUAL);
+  gl.DepthMask(GL_TRUE);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.ClearDepth(1.0);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  unbind_light();
+}
+
+void SceneRenderer::Parts::fill_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls) {
+  surfaces = frame.surfaces;
+  balls.reserve(frame.spheres.size());
+  for (const SphereView& spheres : frame.spheres) {
+    balls.push_back(merged_spheres(spheres));
+    surfaces.push_back(view_of(balls.back(), spheres));
+  }
+  while (buffers.size() < surfaces.size()) buffers.emplace_back(gl);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i].filled) buffers[i].fill(surfaces[i]);
+  }
+}
+
+void SceneRenderer::Parts::send(const FrameBlock& block) const {
+  gl.BindBuffer(GL_UNIFORM_BUFFER, block_buffer.name());
+  gl.BufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
+}
+
+void SceneRenderer::Parts::prepare_light(FrameBlock& block, const std::optional<Box>& casters,
+                                         const FrameView& frame, const PictureSettings& settings) {
+  std::vector<const SurfaceBuffers*> casting;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i].casts_shadow && surfaces[i].filled) casting.push_back(&buffers[i]);
+  }
+  if (!settings.shadows) casting.clear();
+  shadow_pass.draw(casting, block.world_to_shadow, settings.shadow_map_px);
+  sky_pass.draw_atlas(casting, settings.shadows ? casters : std::nullopt, settings.sky_directions);
+  send(block);
+  bind_light();
+  if (frame.ground_height_m) sky_pass.draw_ground_light();
+  bind_texture(gl, ground_light_unit, GL_TEXTURE_2D, sky_pass.ground_light());
+}
+
+void SceneRenderer::Parts::bind_light() const {
+  bind_texture(gl, shadow_compare_unit, GL_TEXTURE_2D, shadow_pass.texture());
+  bind_texture(gl, shadow_depth_unit, GL_TEXTURE_2D, shadow_pass.texture());
+  bind_texture(gl, sky_atlas_unit, GL_TEXTURE_2D, sky_pass.atlas());
+  gl.BindSampler(shadow_compare_unit, samplers.compare.name());
+  gl.BindSampler(shadow_depth_unit, samplers.plain.name());
+  gl.BindSampler(sky_atlas_unit, samplers.compare.name());
+}
+
+// Nothing may be read while it is drawn to, and what comes after must not meet these samplers.
+void SceneRenderer::Parts::unbind_light() const {
+  for (unsigned unit = 0; unit <= drawn_unit; ++unit) {
+    gl.BindSampler(unit, 0);
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+  }
+  gl.ActiveTexture(GL_TEXTURE0);
+}
+
+void SceneRenderer::Parts::draw_backdrop(const glm::mat4& to_direction) const {
+  gl.Disable(GL_DEPTH_TEST);
+  gl.DepthMask(GL_FALSE);
+  backdrop.use();
+  backdrop.set("clip_to_direction", to_direction);
+  gl.BindVertexArray(no_arrays.name());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthMask(GL_TRUE);
+}
+
+const Texture& SceneRenderer::Parts::texture_of(ColourMap map) {
+  const auto found = colour_maps.find(map);
+  if (found != colour_maps.end()) return found->second;
+  constexpr int width = 256;
+  std::array<std::uint8_t, 3 * width> texels{};
+  for (int i = 0; i < width; ++i) {
+    const Colour colour = colour_at(map, static_cast<float>(i) / static_cast<float>(width - 1));
+    for (int k = 0; k < 3; ++k) {
+      texels[static_cast<std::size_t>(3 * i + k)] = static_cast<std::uint8_t>(colour[k] * 255.0F + 0.5F);
+    }
+  }
+  const Texture& texture = colour_maps.emplace(map, Texture(gl)).first->second;
+  bind_texture(gl, scalar_map_unit, GL_TEXTURE_2D, texture);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, width, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, texels.data());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+void SceneRenderer::Parts::draw_surfaces() {
+  // Pushed back a little, more where slanted: wireframes lie on them.
+  gl.Enable(GL_POLYGON_OFFSET_FILL);
+  gl.PolygonOffset(1.5F, 4.0F);
+  surface.use();
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const SurfaceView& view = surfaces[i];
+    if (!view.filled) continue;
+    bind_texture(gl, scalar_map_unit, GL_TEXTURE_2D,
+                 texture_of(view.scalars ? view.scalars->map : ColourMap::viridis));
+    surface.set("outside_colour", linear(view.style.outside_colour));
+    surface.set("inside_colour", linear(view.style.inside_colour));
+    surface.set("finish", glm::vec4{std::clamp(view.style.roughness, 0.05F, 1.0F), view.style.sheen,
+                                    view.style.translucency, view.scalars ? 1.0F : 0.0F});
+    buffers[i].draw();
+  }
+}
+
+void SceneRenderer::Parts::draw_ground() const {
+  // Behind cloth that lies on it.
+  gl.PolygonOffset(2.0F, 8.0F);
+  gl.Enable(GL_BLEND);
+  ground.use();
+  gl.BindVertexArray(no_arrays.name());
+  gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
+  gl.DepthMask(GL_FALSE);
+  gl.Enable(GL_BLEND);
+  for (const SurfaceView& view : frame.surfaces) {
+    if (view.wireframe) mark_pass.draw_wireframe(view.positions, *view.wireframe);
+  }
+  for (const LineView& lines : frame.lines) mark_pass.draw_lines(lines);
+  for (const PointView& points : frame.points) mark_pass.draw_points(points);
+  gl.Disable(GL_BLEND);
+  gl.DepthMask(GL_TRUE);
+}
+
+void SceneRenderer::Parts::draw_tile(const FrameBlock& block, const FrameView& frame,
+                                     const PictureSettings& settings, const Tile& tile) {
+  send(block);
+  target.begin(tile.width_px * settings.supersampling, tile.height_px * settings.supersampling,
+               settings.samples);
+  gl.Enable(GL_FRAMEBUFFER_SRGB);
+  draw_backdrop(clip_to_direction(frame.camera, settings, tile));
+  draw_surfaces();
+  const bool above = frame.ground_height_m && frame.camera.eye.y > *frame.ground_height_m;
+  if (above && !frame.backdrop.plain) draw_ground();
+  draw_marks(frame);
+  gl.Disable(GL_FRAMEBUFFER_SRGB);
+  gl.Disable(GL_DEPTH_TEST);
+}
+
+void SceneRenderer::Parts::draw_to(GLuint framebuffer, const FrameView& frame,
+                                   const PictureSettings& settings, bool top_first) {
+  reset_state();
+  std::vector<TriangleMesh> balls;
+  fill_surfaces(frame, balls);
+  const std::optional<Box> casters = box_around_casters(surfaces);
+  FrameBlock block = make_frame_block(frame, settings, casters);
+  prepare_light(block, casters, frame, settings);
+  for (const Tile& tile : tiles_of(settings)) {
+    set_tile(block, frame.camera, settings, tile);
+    gl.Enable(GL_DEPTH_TEST);
+    draw_tile(block, frame, settings, tile);
+    target.resolve(framebuffer, tile, settings.height_px, settings.supersampling, top_first);
+  }
+  unbind_light();
+  gl.BindVertexArray(0);
+  gl.UseProgram(0);
+  check_errors(gl, "drawing a frame");
+}
+
+SceneRenderer::SceneRenderer(Context& context) {
+  context.make_current();
+  parts = std::make_unique<Parts>(context);
+}
+
+SceneRenderer::~SceneRenderer() {
+  try {
+    parts->context.make_current();
+  } catch (const ContextError&) {
+    // Deleting names without their context is undefined; they go when the process does.
+    static_cast<void>(parts.release());
+  }
+}
+
+Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& settings) {
+  check_frame(frame);
+  check_settings(settings);
+  parts->context.make_current();
+  const GLuint framebuffer = parts->target.picture_framebuffer(settings.width_px, settings.height_px);
+  parts->draw_to(framebuffer, frame, settings, true);
+  return parts->target.read(settings.width_px, settings.height_px);
+}
+
+void SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings) {
+  check_frame(frame);
+  check_settings(settings);
+  parts->context.make_current();
+  parts->draw_to(framebuffer, frame, settings, false);
+}
+
+}  // namespace taut::renderer

@@ -1,0 +1,38 @@
+// What every shader of a frame shares; mirrored by FrameBlock in renderer/frame_block.hpp. Linear light throughout.
+layout(std140) uniform Frame {
+  mat4 world_to_clip;
+  mat4 world_to_shadow;     // to texture coordinates and depth, each 0..1
+  vec4 eye;                 // xyz: position, m
+  vec4 towards_key;         // xyz: unit; w: strength
+  vec4 towards_fill;
+  vec4 towards_rim;
+  vec4 upper_colour;        // rgb; w: ambient strength
+  vec4 lower_colour;        // rgb; w: 1 for a plain backdrop
+  vec4 ground;              // x, z: middle of the lit floor, m; y: height, m; w: its radius, m
+  vec4 viewport;            // xy: size of this tile in drawn pixels; z: drawn pixels for one of the picture
+  vec4 shadow;              // x: side of a texel, m; y: 1 / texels; z: depth range, m; w: tangent of the light's
+                            // angular radius, 0 for no shadows
+  vec4 ground_light_area;   // xy: lower x and z, m; zw: 1 / extent, 1/m
+  vec4 backdrop_horizon;    // x: sine of the elevation where the backdrop starts to change; y: where it ends
+};
+
+const float pi = 3.14159265358979;
+
+vec3 srgb_to_linear(vec3 encoded) {
+  return mix(encoded / 12.92, pow((encoded + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), encoded));
+}
+
+vec3 linear_to_srgb(vec3 linear) {
+  vec3 c = clamp(linear, 0.0, 1.0);
+  return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), c));
+}
+
+// Exact below the knee, so that colours that carry data stay what the legend says; above it the brightest channel
+// approaches 1 and takes the others along, so that highlights keep their hue.
+vec3 tone_mapped(vec3 linear) {
+  const float knee = 0.6;
+  float peak = max(max(linear.r, linear.g), max(linear.b, 1e-4));
+  float over = max(peak - knee, 0.0) / (1.0 - knee);
+  float mapped = peak > knee ? knee + (1.0 - knee) * (1.0 - exp(-over)) : peak;
+  return linear * (mapped / peak);
+}

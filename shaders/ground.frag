@@ -1,0 +1,17 @@
+#version 330 core
+#include "frame.glsl"
+#include "shadow.glsl"
+uniform sampler2D ground_light;  // share of the sky each spot of the floor sees
+in vec3 world;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  float key_share = 0.46;
+  float lit = key_visibility(world, vec3(0.0, 1.0, 0.0));
+  float open = texture(ground_light, (world.xz - ground_light_area.xy) * ground_light_area.zw).r;
+  // What bounces around in the studio keeps the darkest contact from going black.
+  float light = key_share * lit + (1.0 - key_share) * mix(0.22, 1.0, open);
+  vec3 shaded = lower_colour.rgb * mix(vec3(0.96, 0.98, 1.03), vec3(1.0), light) * light;
+  float away = length(world.xz - ground.xz) / ground.w;
+  colour = vec4(shaded, 1.0 - smoothstep(0.35, 0.95, away));
+}

@@ -1,0 +1,76 @@
+#version 330 core
+#include "frame.glsl"
+#include "shadow.glsl"
+#include "sky.glsl"
+uniform vec3 outside_colour;   // linear
+uniform vec3 inside_colour;    // linear
+uniform vec4 finish;           // x: roughness, y: sheen, z: translucency, w: 1 to show the scalar
+uniform sampler2D scalar_map;
+in vec3 world;
+in vec3 world_normal;
+in float shown_scalar;
+in vec2 sky_light;
+layout(location = 0) out vec4 colour;
+
+// A lamp with some extent: light reaches a little around the edge of a form.
+float wrapped(float cosine, float wrap) {
+  float light = max((cosine + wrap) / (1.0 + wrap), 0.0);
+  return light * light * (1.0 - 0.5 * wrap) + light * 0.5 * wrap;
+}
+
+// GGX (Walter et al. 2007) with the visibility approximated after Kelemen and Szirmay-Kalos (2001).
+float highlight(vec3 normal, vec3 towards_light, vec3 towards_eye, float roughness) {
+  vec3 halfway = normalize(towards_light + towards_eye);
+  float a2 = pow(roughness, 4.0);
+  float nh = max(dot(normal, halfway), 0.0);
+  float lh = max(dot(towards_light, halfway), 0.1);
+  float d = nh * nh * (a2 - 1.0) + 1.0;
+  return 0.04 * a2 / (4.0 * d * d * lh * lh);
+}
+
+struct Light {
+  float diffuse;   // times the surface's own colour
+  float fringe;    // of cloth fibres and rim, nearly white
+  float gloss;
+};
+
+Light gathered(vec3 normal, vec3 towards_eye, float open) {
+  float key_cosine = dot(normal, towards_key.xyz);
+  float key_light = towards_key.w * key_visibility(world, key_cosine >= 0.0 ? normal : -normal);
+  float facing = max(dot(normal, towards_eye), 0.0);
+  float grazing = pow(1.0 - facing, 3.0);
+  float direct = 0.80 * key_light * wrapped(key_cosine, 0.15);
+  float through = 0.80 * key_light * finish.z * max(-key_cosine, 0.0);
+  // The fill has no shadow map; what is closed to the sky is closed to it too.
+  float openness = clamp(open / max(open_sky(normal), 0.05), 0.0, 1.0);
+  float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), 0.3) * openness;
+  float around = upper_colour.w * mix(0.16, 1.0, open);
+  float rim = towards_rim.w * grazing * max(dot(normal, towards_rim.xyz), 0.0) * openness;
+  Light light;
+  light.diffuse = direct + through + fill + around;
+  light.fringe = rim + finish.y * grazing * 0.55 * (around + 0.6 * direct + fill);
+  light.gloss = key_light * max(key_cosine, 0.0) * highlight(normal, towards_key.xyz, towards_eye, finish.x);
+  return light;
+}
+
+vec3 data_colour() {
+  if (shown_scalar < -0.5) return vec3(0.21);
+  float width = float(textureSize(scalar_map, 0).x);
+  float t = (clamp(shown_scalar, 0.0, 1.0) * (width - 1.0) + 0.5) / width;
+  return textureLod(scalar_map, vec2(t, 0.5), 0.0).rgb;
+}
+
+void main() {
+  vec3 towards_eye = normalize(eye.xyz - world);
+  vec3 normal = normalize(world_normal);
+  float side = gl_FrontFacing ? 1.0 : -1.0;
+  normal *= side;
+  // Near a silhouette an interpolated normal can turn away from the eye; it is brought back to grazing.
+  normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
+  Light light = gathered(normal, towards_eye, gl_FrontFacing ? sky_light.x : sky_light.y);
+  vec3 base = gl_FrontFacing ? outside_colour : inside_colour;
+  vec3 cloth = base * light.diffuse + mix(vec3(1.0), base, 0.45) * light.fringe + vec3(light.gloss);
+  // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
+  vec3 data = data_colour() * mix(1.0, light.diffuse / 1.15, 0.55);
+  colour = vec4(tone_mapped(finish.w > 0.5 ? data : cloth), 1.0);
+}

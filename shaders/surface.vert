@@ -1,0 +1,28 @@
+#version 330 core
+#include "frame.glsl"
+#include "sky.glsl"
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float scalar;  // 0..1, below 0 for not a number
+out vec3 world;
+out vec3 world_normal;
+out float shown_scalar;
+out vec2 sky_light;  // x: outside, y: inside
+
+void main() {
+  world = position;
+  world_normal = normal;
+  shown_scalar = scalar;
+  sky_light = vec2(open_sky(normal), open_sky(-normal));
+  if (sky_info.x > 0.0) {
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < int(sky_info.x); ++i) {
+      float cosine = dot(normal, sky_directions[i].xyz);
+      // Each direction lights one side, and starts from that side.
+      float seen = sky_visibility(i, position + normal * sign(cosine) * sky_info.w) * sky_directions[i].w;
+      sum += vec2(max(cosine, 0.0), max(-cosine, 0.0)) * seen;
+    }
+    sky_light = sum * 4.0 / sky_info.x;
+  }
+  gl_Position = world_to_clip * vec4(position, 1.0);
+}

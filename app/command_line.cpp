@@ -1,0 +1,246 @@
+#include "app/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <memory>
+
+#include "app/errors.hpp"
+#include "app/figures/figures.hpp"
+#include "app/version.hpp"
+#include "renderer/context/context.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr const char* scene_help_text =
+    "a scene file (TOML), a built-in scene (see taut scenes), or a garment file";
+
+// What several commands take, as written.
+struct SceneArguments {
+  std::string scene;
+  std::vector<std::string> set;
+  std::string statistics;
+};
+
+void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, scene_help_text)->required();
+  command
+      .add_option("--set", arguments.set,
+                  "KEY=VALUE, any key of the scene; can be repeated (taut help scene)")
+      ->allow_extra_args(false);
+  command.add_option("--stats", arguments.statistics, "write measurements of every frame to this JSON file");
+}
+
+std::vector<Override> overrides_of(const SceneArguments& arguments) {
+  std::vector<Override> overrides;
+  for (const std::string& text : arguments.set) {
+    overrides.push_back(parse_override(text));
+  }
+  return overrides;
+}
+
+std::string joined_names(const std::vector<std::string>& names, const std::string& separator) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : separator) + name;
+  }
+  return text;
+}
+
+void add_backend(CLI::App& command, std::string& backend) {
+  std::vector<std::string> names = renderer::context_names();
+  names.insert(names.begin(), "auto");
+  command.add_option("--backend", backend, "how to get OpenGL: " + joined_names(names, " or "))
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+}
+
+std::function<Command()> add_figures(CLI::App& app) {
+  auto options = std::make_shared<FiguresOptions>();
+  CLI::App* command = app.add_subcommand("figures", "Draw the figures of the paper");
+  command->add_option("--only", options->only, "some of them: " + joined_names(figure_names(), ","))
+      ->delimiter(',')
+      ->check(CLI::IsMember(figure_names()));
+  command->add_option("--output", options->output, "folder for the pictures")->capture_default_str();
+  add_backend(*command, options->backend);
+  command->footer("Examples:\n  taut figures\n  taut figures --only fig4 --output /tmp/figures\n");
+  return [options] { return Command(*options); };
+}
+
+// Options of `render` that stand for keys of the scene.
+struct PictureShortcuts {
+  std::string resolution;
+  std::string samples;
+  std::string supersampling;
+  bool wireframe = false;
+  bool stretch = false;
+};
+
+void append_shortcuts(const PictureShortcuts& shortcuts, std::vector<Override>& overrides) {
+  if (!shortcuts.resolution.empty()) {
+    const std::string option = "--resolution " + shortcuts.resolution;
+    const std::size_t comma = shortcuts.resolution.find(',');
+    if (comma == std::string::npos) {
+      throw UsageError(option + ": expected WIDTH,HEIGHT in pixels, such as 1280,720");
+    }
+    overrides.push_back({"picture.width", shortcuts.resolution.substr(0, comma), option});
+    overrides.push_back({"picture.height", shortcuts.resolution.substr(comma + 1), option});
+  }
+  if (!shortcuts.samples.empty()) {
+    overrides.push_back({"picture.samples", shortcuts.samples, "--samples " + shortcuts.samples});
+  }
+  if (!shortcuts.supersampling.empty()) {
+    overrides.push_back(
+        {"picture.supersampling", shortcuts.supersampling, "--supersampling " + shortcuts.supersampling});
+  }
+  if (shortcuts.wireframe) {
+    overrides.push_back({"picture.wireframe", "true", "--wireframe"});
+  }
+  if (shortcuts.stretch) {
+    overrides.push_back({"picture.surface", "stretch", "--stretch"});
+  }
+}
+
+void add_picture_shortcuts(CLI::App& command, PictureShortcuts& shortcuts) {
+  command.add_option("--resolution", shortcuts.resolution, "WIDTH,HEIGHT in pixels (default 1280,720)");
+  command.add_flag("--wireframe", shortcuts.wireframe, "draw the springs over the surface");
+  command.add_flag("--stretch", shortcuts.stretch, "colour the surface by its stretch");
+  command.add_option("--samples", shortcuts.samples, "samples in a pixel, 1 to 16 (default 4)");
+  command.add_option("--supersampling", shortcuts.supersampling,
+                     "draw N times as wide and high and average, 1 to 8 (default 1)");
+}
+
+std::function<Command()> add_render(CLI::App& app) {
+  struct Arguments {
+    SceneArguments scene;
+    PictureShortcuts shortcuts;
+    std::string frames;
+    RenderOptions options;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("render", "Simulate a scene and draw pictures of it");
+  add_scene_arguments(*command, arguments->scene);
+  command->add_option("--output", arguments->options.output,
+                      "file, or pattern such as frames/frame_{frame:04}.png (default SCENE.png)");
+  command->add_option("--frames", arguments->frames,
+                      "A:B or A; frame 0 is before the first step (default: the last)");
+  add_picture_shortcuts(*command, arguments->shortcuts);
+  add_backend(*command, arguments->options.backend);
+  command->footer(
+      "Examples:\n  taut render tshirt-wind-10\n"
+      "  taut render cloth-fall --frames 0:120 --output 'frames/frame_{frame:04}.png'\n"
+      "  taut render shirt.obj --set wind.speed=4 --stretch --resolution 1920,1080\n");
+  return [arguments] {
+    RenderOptions options = arguments->options;
+    options.scene = arguments->scene.scene;
+    options.statistics = arguments->scene.statistics;
+    options.overrides = overrides_of(arguments->scene);
+    append_shortcuts(arguments->shortcuts, options.overrides);
+    if (!arguments->frames.empty()) {
+      options.frames = parse_frame_range(arguments->frames);
+    }
+    return Command(options);
+  };
+}
+
+std::function<Command()> add_simulate(CLI::App& app) {
+  struct Arguments {
+    SceneArguments scene;
+    SimulateOptions options;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("simulate", "Simulate a scene without drawing and print measurements");
+  add_scene_arguments(*command, arguments->scene);
+  command->add_option("--frames", arguments->options.frames, "how many (default: as many as the scene says)")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--export", arguments->options.shapes,
+                      "write the shape of every frame, pattern such as shapes/{frame:04}.obj");
+  command->footer(
+      "Examples:\n  taut simulate pinned-9x9-5\n"
+      "  taut simulate tshirt-gravity --frames 60 --set solver.substeps=40 --stats run.json\n");
+  return [arguments] {
+    SimulateOptions options = arguments->options;
+    options.scene = arguments->scene.scene;
+    options.statistics = arguments->scene.statistics;
+    options.overrides = overrides_of(arguments->scene);
+    return Command(options);
+  };
+}
+
+std::function<Command()> add_inspect(CLI::App& app) {
+  auto options = std::make_shared<InspectOptions>();
+  CLI::App* command = app.add_subcommand("inspect", "Say what is in a 3D model and how it maps to springs");
+  command->add_option("GARMENT", options->garment, "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, ...")
+      ->required();
+  command->add_option("--scale", options->scale, "the model's unit in metres")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "for programs");
+  command->footer(
+      "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt_in_mm.fbx --scale 0.001 --json\n");
+  return [options] { return Command(*options); };
+}
+
+std::function<Command()> add_scenes(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
+  command->footer("Example:\n  taut scenes\n");
+  return [] { return Command(ScenesOptions{}); };
+}
+
+std::function<Command()> add_help(CLI::App& app) {
+  auto options = std::make_shared<HelpOptions>();
+  CLI::App* command = app.add_subcommand("help", "Explain the keys of scene files");
+  command->add_option("TOPIC", options->topic, "scene")->required();
+  command->footer("Example:\n  taut help scene\n");
+  return [options] { return Command(*options); };
+}
+
+int whole_frame(const std::string& digits, const std::string& text) {
+  int frame = -1;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, frame);
+  if (error != std::errc() || stop != end || frame < 0 || frame > 1000000) {
+    throw UsageError("--frames " + text + ": expected A:B, the first and the last frame, such as 0:120");
+  }
+  return frame;
+}
+
+}  // namespace
+
+FrameRange parse_frame_range(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const int first = whole_frame(text.substr(0, colon), text);
+  const int last = colon == std::string::npos ? first : whole_frame(text.substr(colon + 1), text);
+  if (last < first) {
+    throw UsageError("--frames " + text + ": the last frame comes before the first");
+  }
+  return {first, last};
+}
+
+Command parse_command_line(int argument_count, const char* const* arguments) {
+  CLI::App app("Taut simulates garments that do not over-stretch and draws them.", "taut");
+  app.set_version_flag("--version", "taut " + program_version());
+  app.require_subcommand(1);
+  app.footer(
+      "taut COMMAND --help says more. Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
+  const std::vector<std::function<Command()>> commands = {
+      add_figures(app), add_render(app), add_simulate(app), add_inspect(app), add_scenes(app), add_help(app)};
+  try {
+    app.parse(argument_count, arguments);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      return Answered{app.exit(error)};
+    }
+    throw UsageError(std::string(error.what()) + "; taut --help says what there is");
+  }
+  const std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i]->parsed()) {
+      return commands[i]();
+    }
+  }
+  return Answered{};
+}
+
+}  // namespace taut::app

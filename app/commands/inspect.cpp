@@ -1,0 +1,18 @@
+#include <fmt/core.h>
+
+#include "app/commands/options.hpp"
+#include "app/inspection.hpp"
+#include "app/run_report.hpp"
+
+namespace taut::app {
+
+int run(const InspectOptions& options) {
+  Scene scene;
+  scene.garment.file = options.garment;
+  scene.garment.scale = options.scale;
+  const Inspection inspection = inspect_garment(scene);
+  fmt::print("{}", options.json ? inspection_json(inspection) : describe(inspection));
+  return 0;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/scene_file.hpp"
+
+namespace taut::app {
+
+// What each command was asked for. Functions return the exit code of the program.
+
+struct FiguresOptions {
+  std::vector<std::string> only;  ///< empty: all
+  std::filesystem::path output = "figures";
+  std::string backend = "auto";
+};
+
+/// Frames A to B.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+};
+
+struct RenderOptions {
+  std::string scene;
+  std::string output;  ///< empty: SCENE_NAME.png
+  std::optional<FrameRange> frames;
+  std::vector<Override> overrides;
+  std::filesystem::path statistics;
+  std::string backend = "auto";
+};
+
+struct SimulateOptions {
+  std::string scene;
+  std::optional<int> frames;
+  std::string shapes;  ///< pattern of OBJ files; empty: none
+  std::vector<Override> overrides;
+  std::filesystem::path statistics;
+};
+
+struct InspectOptions {
+  std::filesystem::path garment;
+  double scale = 1.0;
+  bool json = false;
+};
+
+struct ScenesOptions {};
+
+/// Help about something that is no command.
+struct HelpOptions {
+  std::string topic;
+};
+
+/// The command line was answered by itself, as --version is.
+struct Answered {
+  int exit_code = 0;
+};
+
+using Command = std::variant<Answered, FiguresOptions, RenderOptions, SimulateOptions, InspectOptions,
+                             ScenesOptions, HelpOptions>;
+
+int run(const FiguresOptions& options);
+int run(const RenderOptions& options);
+int run(const SimulateOptions& options);
+int run(const InspectOptions& options);
+int run(const ScenesOptions& options);
+int run(const HelpOptions& options);
+inline int run(const Answered& answered) {
+  return answered.exit_code;
+}
+
+/// "A:B", or "A" for one frame. Throws UsageError.
+FrameRange parse_frame_range(const std::string& text);
+
+}  // namespace taut::app

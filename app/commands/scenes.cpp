@@ -1,0 +1,31 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/commands/options.hpp"
+#include "app/errors.hpp"
+#include "app/scene_lookup.hpp"
+
+namespace taut::app {
+
+int run(const ScenesOptions&) {
+  const std::vector<BuiltInScene> scenes = built_in_scenes();
+  if (scenes.empty()) {
+    throw InputError("no built-in scenes were found; set TAUT_ASSETS to the folder that holds scenes/");
+  }
+  for (const BuiltInScene& scene : scenes) {
+    fmt::print("{:<16} {}\n", scene.name, read_scene_file(scene.file).title);
+  }
+  return 0;
+}
+
+int run(const HelpOptions& options) {
+  if (options.topic != "scene") {
+    throw UsageError("help " + options.topic +
+                     ": there is help about 'scene'; about a command: taut COMMAND --help");
+  }
+  fmt::print("{}", scene_help());
+  return 0;
+}
+
+}  // namespace taut::app

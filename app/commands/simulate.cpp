@@ -1,0 +1,69 @@
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <numeric>
+
+#include "app/commands/options.hpp"
+#include "app/files.hpp"
+#include "app/frame_loop.hpp"
+#include "app/garment_loading.hpp"
+#include "app/obj_export.hpp"
+#include "app/output_pattern.hpp"
+#include "app/run_report.hpp"
+#include "app/scene_lookup.hpp"
+
+namespace taut::app {
+namespace {
+
+void print_record(const FrameRecord& record) {
+  fmt::print("frame {:5}  time {:8.4f} s  max stretch {:8.4f} %  p99 {:8.4f} %  rms speed {:9.6f} m/s{}\n",
+             record.frame, record.time_s, 100.0 * record.stretch.max, 100.0 * record.stretch.p99,
+             record.rms_speed_m_per_s, record.asleep ? "  asleep" : "");
+}
+
+void print_summary(const RunSummary& summary) {
+  fmt::print("{} frames, {:.2f} ms each; largest stretch {:.4f} % (frame {}), at the end {:.4f} %{}\n",
+             summary.frames, summary.mean_sim_ms, 100.0 * summary.max_stretch, summary.max_stretch_frame,
+             100.0 * summary.final_max_stretch,
+             summary.asleep_since_frame < 0
+                 ? ""
+                 : fmt::format("; at rest since frame {}", summary.asleep_since_frame));
+}
+
+}  // namespace
+
+int run(const SimulateOptions& options) {
+  const Scene scene = find_scene(options.scene, options.overrides);
+  const int frame_count = options.frames.value_or(scene.frames);
+  FrameOutputs outputs;
+  outputs.report = print_record;
+  std::optional<OutputPattern> shapes;
+  if (!options.shapes.empty()) {
+    shapes.emplace(options.shapes, ".obj");
+    shapes->require_distinct_names(static_cast<std::size_t>(frame_count));
+    prepare_folder_of(shapes->path_of(1));
+    outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
+      write_text_file(shapes->path_of(frame), obj_text(moment.garment().mesh, moment.state().current));
+    };
+  }
+  if (!options.statistics.empty()) {
+    prepare_folder_of(options.statistics);
+  }
+
+  sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
+  const std::vector<FrameRecord> records = run_frames(simulation, frame_count, outputs);
+
+  print_summary(summarise(records));
+  if (shapes) {
+    std::vector<int> frames(static_cast<std::size_t>(frame_count));
+    std::iota(frames.begin(), frames.end(), 1);
+    fmt::print("{}\n", describe_written(*shapes, frames));
+  }
+  if (!options.statistics.empty()) {
+    write_text_file(options.statistics, statistics_json(scene, simulation.garment(), "", records));
+    fmt::print("wrote {}\n", options.statistics.string());
+  }
+  return 0;
+}
+
+}  // namespace taut::app

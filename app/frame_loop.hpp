@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "app/frame_record.hpp"
+#include "renderer/image.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+
+/// What becomes of the frames of a run; every part may be left empty.
+struct FrameOutputs {
+  std::span<const int> pictures;  ///< frames to be drawn, ascending
+  std::function<renderer::Image(const sim::Simulation&)> draw_picture;
+  std::function<void(int frame, const renderer::Image&)> write_picture;
+  std::function<void(int frame, const sim::Simulation&)> write_shape;
+  std::function<void(const FrameRecord&)> report;
+};
+
+/// Simulates frames 1 to `last_frame`; frame n is the cloth n / frame rate seconds after the clock started,
+/// frame 0 the cloth as it was modelled. Returns what was measured of every frame from 1 on, and of frame 0
+/// where that is drawn. Throws sim::Diverged, Interrupted and what the outputs throw; the pictures written
+/// before are complete.
+std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame, const FrameOutputs& outputs);
+
+}  // namespace taut::app

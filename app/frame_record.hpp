@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/measures.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+
+/// What was measured of one frame.
+struct FrameRecord {
+  int frame = 0;
+  double time_s = 0.0;
+  sim::Stretch stretch;
+  double rms_speed_m_per_s = 0.0;
+  sim::Energy energy;
+  double convergence_m = 0.0;  ///< the largest |p(t) - p(t - dt)| of any vertex
+  std::uint64_t state_hash = 0;
+  bool asleep = false;
+  double sim_ms = 0.0;
+  double draw_ms = 0.0;
+  double encode_ms = 0.0;  ///< of the picture or the shape, writing included
+};
+
+/// Everything but the times it took.
+FrameRecord measure_frame(const sim::Simulation& simulation, int frame);
+
+struct RunSummary {
+  int frames = 0;
+  double max_stretch = 0.0;  ///< of all frames
+  int max_stretch_frame = 0;
+  double max_p99_stretch = 0.0;
+  double final_max_stretch = 0.0;
+  double final_rms_speed_m_per_s = 0.0;
+  int asleep_since_frame = -1;  ///< none: -1
+  double mean_sim_ms = 0.0;     ///< of frames that were simulated
+  double total_sim_ms = 0.0;
+  double total_draw_ms = 0.0;
+  double total_encode_ms = 0.0;
+};
+
+RunSummary summarise(const std::vector<FrameRecord>& records);
+
+}  // namespace taut::app

@@ -1,0 +1,36 @@
+#include <cstdio>
+#include <exception>
+#include <variant>
+
+#include "app/command_line.hpp"
+#include "app/errors.hpp"
+#include "app/interruption.hpp"
+
+// A command reads a scene (scene_lookup, scene_file), loads its garment (garment_loading), and hands a
+// simulation to run_frames (frame_loop), which calls the outputs the command has chosen for it.
+
+namespace {
+
+int report(const std::exception& error, int exit_code) {
+  std::fflush(stdout);
+  std::fprintf(stderr, "taut: error: %s\n", error.what());
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  using namespace taut::app;
+  try {
+    watch_for_interruption();
+    const Command command = parse_command_line(argument_count, arguments);
+    return std::visit([](const auto& options) { return run(options); }, command);
+  } catch (const Interrupted& interrupted) {
+    report(interrupted, 1);
+    end_by_signal(interrupted.signal);
+  } catch (const UsageError& error) {
+    return report(error, 2);
+  } catch (const std::exception& error) {
+    return report(error, 1);
+  }
+}

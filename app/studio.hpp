@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "renderer/context/context.hpp"
+#include "renderer/scene_renderer.hpp"
+
+namespace taut::app {
+
+/// A place to draw without a window.
+class Studio {
+ public:
+  /// `backend` as in renderer::create_context. Throws renderer::ContextError.
+  explicit Studio(const std::string& backend)
+      : context_(renderer::create_context(backend)), renderer_(*context_) {}
+
+  renderer::SceneRenderer& renderer() { return renderer_; }
+  const std::string& gl_renderer() const { return context_->renderer(); }
+
+ private:
+  std::unique_ptr<renderer::Context> context_;
+  renderer::SceneRenderer renderer_;
+};
+
+}  // namespace taut::app

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/scene_value.hpp"
+
+namespace taut::app {
+
+/// The table in a TOML file. Throws InputError naming file, line and reason.
+Value read_toml(const std::filesystem::path& path);
+
+/// What stands behind `key=` on the command line: a TOML value, or else plain text, so that a shell user need
+/// not quote twice.
+Value read_toml_value(const std::string& text);
+
+}  // namespace taut::app

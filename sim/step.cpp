@@ -17,10 +17,18 @@ void move_pins(const Garment& garment, const PinMotion& motion, double time_step
   }
 }
 
+void keep_layers_apart(const Garment& garment, double layer_distance_m, State& state, NeighbourList& layers) {
+  if (layer_distance_m > 0.0) {
+    layers.update(garment.mesh.positions, state.predicted, layer_distance_m);
+    push_layers_apart(layers.pairs(), layer_distance_m, garment.inverse_masses_per_kg, state.predicted);
+  }
+}
+
 }  // namespace
 
 void step(const Garment& garment, const Surroundings& surroundings, const SpringResponse& springs,
-          double time_step_s, State& state, std::vector<Vec3>& forces_n) {
+          double time_step_s, State& state, StepBuffers& buffers) {
+  std::vector<Vec3>& forces_n = buffers.forces_n;
   set_time_step(state, time_step_s);
 
   // Step 2: impose the forces on the mass points and predict where they go, eq. (1).
@@ -29,6 +37,8 @@ void step(const Garment& garment, const Surroundings& surroundings, const Spring
   predict_positions(state.previous, state.current, forces_n, garment.inverse_masses_per_kg, time_step_s,
                     state.predicted);
   move_pins(garment, surroundings.pin_motion, time_step_s, state);
+
+  keep_layers_apart(garment, surroundings.layer_distance_m, state, buffers.layers);
 
   // Step 3: compensate the predicted positions, eqs. (2)-(3), and eliminate the forces.
   springs.compensate(garment, state);

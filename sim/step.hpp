@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/garment.hpp"
+#include "sim/self_collision.hpp"
 #include "sim/state.hpp"
 #include "sim/surroundings.hpp"
 
@@ -23,9 +24,14 @@ class SpringResponse {
   virtual void compensate(const Garment& garment, State& state) const = 0;
 };
 
-/// One time step: Steps 2 and 3 of the paper. `forces_n`, one entry per vertex, is all zero when the step
-/// begins and when it ends.
+/// What steps hand on to each other besides the state; none of it changes a result.
+struct StepBuffers {
+  std::vector<Vec3> forces_n;  ///< one per vertex; all zero when a step begins and when it ends
+  NeighbourList layers;
+};
+
+/// One time step: Steps 2 and 3 of the paper.
 void step(const Garment& garment, const Surroundings& surroundings, const SpringResponse& springs,
-          double time_step_s, State& state, std::vector<Vec3>& forces_n);
+          double time_step_s, State& state, StepBuffers& buffers);
 
 }  // namespace taut::sim

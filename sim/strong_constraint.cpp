@@ -20,19 +20,6 @@ Share share_of(SpringKind kind, const Rigidity& rigidity) {
 
 }  // namespace
 
-void compensate_spring(const Edge& ends, const Vec3& spring, double length_m, double error_m,
-                       std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted) {
-  const auto [i, j] = ends;
-  const double w_i = inverse_masses_per_kg[i];
-  const double w_j = inverse_masses_per_kg[j];
-  if (!(w_i + w_j > 0.0) || !(length_m > 0.0)) {
-    return;
-  }
-  const Vec3 correction = spring * (error_m / (length_m * (w_i + w_j)));
-  predicted[i] -= w_i * correction;
-  predicted[j] += w_j * correction;
-}
-
 void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg,
                         const Rigidity& rigidity, std::span<Vec3> predicted) {
   for (const SpringKind kind : all_spring_kinds) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <span>
 
 #include "sim/springs.hpp"
@@ -21,8 +22,18 @@ struct Rigidity {
 /// Eq. (3) for the spring with the vector L' = p'_i - p'_j of the given length: shortens it by `error_m`
 /// (negative: lengthens it), the lighter end moving more. A spring with both ends pinned, or without a
 /// direction because its ends coincide, is left alone.
-void compensate_spring(const Edge& ends, const Vec3& spring, double length_m, double error_m,
-                       std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted);
+inline void compensate_spring(const Edge& ends, const Vec3& spring, double length_m, double error_m,
+                              std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted) {
+  const auto [i, j] = ends;
+  const double w_i = inverse_masses_per_kg[i];
+  const double w_j = inverse_masses_per_kg[j];
+  if (!(w_i + w_j > 0.0) || !(length_m > 0.0)) {
+    return;
+  }
+  const Vec3 correction = spring * (error_m / (length_m * (w_i + w_j)));
+  predicted[i] -= w_i * correction;
+  predicted[j] += w_j * correction;
+}
 
 /// Eqs. (2)-(3), one sweep over all springs in their order: with L' = p'_i - p'_j and w the inverse masses,
 ///   dp_i = -w_i / (w_i + w_j) (|L'| - |L|) L' / |L'|,   dp_j = +w_j / (w_i + w_j) (|L'| - |L|) L' / |L'|,

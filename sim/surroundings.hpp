@@ -22,6 +22,9 @@ struct Surroundings {
   ExternalForces forces;
   std::vector<Collider> colliders;
   double cloth_thickness_m = 0.001;  ///< kept between cloth and colliders
+  /// Kept between vertices of different layers of the cloth; 0 lets layers pass through each other. About
+  /// the mesh's mean edge length holds layers apart; less leaks, more stiffens folds.
+  double layer_distance_m = 0.0;
   PinMotion pin_motion;
 
   bool operator==(const Surroundings&) const = default;

@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "sim/solvers/provot.hpp"
 #include "sim/solvers/strong.hpp"
@@ -19,16 +18,16 @@ class SteppedSolver : public Solver {
 
   void advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
                      State& state) override {
-    forces_n_.assign(state.current.size(), Vec3(0.0));
+    buffers_.forces_n.assign(state.current.size(), Vec3(0.0));
     for (int substep = 0; substep < substeps_; ++substep) {
-      step(garment, surroundings, *springs_, frame_time_s / substeps_, state, forces_n_);
+      step(garment, surroundings, *springs_, frame_time_s / substeps_, state, buffers_);
     }
   }
 
  private:
   int substeps_;
   std::unique_ptr<SpringResponse> springs_;
-  std::vector<Vec3> forces_n_;
+  StepBuffers buffers_;
 };
 
 std::unique_ptr<SpringResponse> make_spring_response(const SolverSettings& settings) {

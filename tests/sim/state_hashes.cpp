@@ -34,6 +34,7 @@ Surroundings storm_over_obstacles() {
   surroundings.colliders = {{Plane{}, 0.4},
                             {Sphere{{0.1, 0.5, -0.3}, 0.25}, 0.2},
                             {Capsule{{-0.5, 0.3, -0.4}, {0.5, 0.4, -0.4}, 0.1, 0.05}, 0.3}};
+  surroundings.layer_distance_m = 0.03;
   surroundings.pin_motion = {{0.05, 0.0, 0.02}, 1.5};
   return surroundings;
 }

@@ -10,7 +10,9 @@ namespace {
 
 using sim::Edge;
 
-Edge edge_between(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+Edge edge_between(Index a, Index b) {
+  return {std::min(a, b), std::max(a, b)};
+}
 
 struct FlatEdge {
   Edge ends;
@@ -29,8 +31,8 @@ std::vector<FlatEdge> flat_edges(const Panel& panel) {
   point_pairs.erase(std::unique(point_pairs.begin(), point_pairs.end()), point_pairs.end());
   std::vector<FlatEdge> edges;
   for (const auto& [a, b] : point_pairs) {
-    edges.push_back({edge_between(panel.vertices[a], panel.vertices[b]),
-                     glm::length(panel.flat_m[a] - panel.flat_m[b])});
+    edges.push_back(
+        {edge_between(panel.vertices[a], panel.vertices[b]), glm::length(panel.flat_m[a] - panel.flat_m[b])});
   }
   return edges;
 }
@@ -54,8 +56,7 @@ Lengths mean_flat_lengths(const Shirt& shirt) {
 
 /// Where the third corner of a triangle lies when its side of length `base` is put on the x axis; y >= 0.
 Vec2 laid_out(double base_m, double from_start_m, double from_end_m) {
-  const double x =
-      (from_start_m * from_start_m + base_m * base_m - from_end_m * from_end_m) / (2.0 * base_m);
+  const double x = (from_start_m * from_start_m + base_m * base_m - from_end_m * from_end_m) / (2.0 * base_m);
   return {x, std::sqrt(std::max(0.0, from_start_m * from_start_m - x * x))};
 }
 

@@ -1,15 +1,16 @@
 #include "pattern.hpp"
 
+#include <toml++/toml.h>
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <stdexcept>
-#include <toml++/toml.h>
 
 namespace taut::tailor {
 namespace {
 
-constexpr double largest_gap_m = 1e-5;               // what rounding in the file may leave between segments
-constexpr double largest_seam_difference_m = 1e-3;   // more would show as a pucker
+constexpr double largest_gap_m = 1e-5;              // what rounding in the file may leave between segments
+constexpr double largest_seam_difference_m = 1e-3;  // more would show as a pucker
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
   throw std::runtime_error(file.string() + ": " + what);
@@ -62,8 +63,7 @@ HalfBody read_body(const std::filesystem::path& file, const toml::table& root, c
   HalfBody body = {read_line(file, root, piece + ".hem"), read_line(file, root, piece + ".side_seam"),
                    read_line(file, root, piece + ".armhole"), read_line(file, root, piece + ".shoulder_seam"),
                    read_line(file, root, piece + ".neckline")};
-  check_joined(file, piece,
-               {&body.hem, &body.side_seam, &body.armhole, &body.shoulder_seam, &body.neckline});
+  check_joined(file, piece, {&body.hem, &body.side_seam, &body.armhole, &body.shoulder_seam, &body.neckline});
   if (std::abs(body.hem.front().x) > largest_gap_m || std::abs(body.neckline.back().x) > largest_gap_m) {
     fail(file, piece + " does not begin and end on its fold, x = 0");
   }

@@ -22,7 +22,7 @@ struct Pattern {
   HalfBody front;
   HalfBody back;
   RightSleeve sleeve;
-  std::string source;   ///< who drafted it, for the header of what is made from it
+  std::string source;  ///< who drafted it, for the header of what is made from it
   std::string licence;
 };
 

@@ -37,8 +37,7 @@ bool is_inside(std::span<const Vec2> polygon, const Vec2& point) {
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const Vec2& a = polygon[i];
     const Vec2& b = polygon[j];
-    if ((a.y > point.y) != (b.y > point.y) &&
-        point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y))) {
+    if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y))) {
       inside = !inside;
     }
   }

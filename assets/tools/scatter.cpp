@@ -9,19 +9,22 @@
 namespace taut::tailor {
 namespace {
 
-constexpr double first_spacing = 0.85;      // of the edge length: nearly as dense as random points get
-constexpr double spacing_decay = 0.98;      // taken where no more points fit
+constexpr double first_spacing = 0.85;  // of the edge length: nearly as dense as random points get
+constexpr double spacing_decay = 0.98;  // taken where no more points fit
 constexpr int misses_before_decay = 2000;
 // Nearer to the outline a point would take an outline edge out of the triangulation: it must not lie in the
 // circle over that edge.
-constexpr double outline_clearance = 0.6;   // of the edge length
-constexpr int smoothing_rounds = 12;        // more would approach a regular hexagonal grid
+constexpr double outline_clearance = 0.6;  // of the edge length
+constexpr int smoothing_rounds = 12;       // more would approach a regular hexagonal grid
 
 /// Points by square cells, for finding whether any lies within a cell's width.
 class PointGrid {
  public:
   PointGrid(const Vec2& low, const Vec2& high, double cell_m)
-      : low_(low), cell_m_(cell_m), columns_(cell(high.x - low.x) + 1), rows_(cell(high.y - low.y) + 1),
+      : low_(low),
+        cell_m_(cell_m),
+        columns_(cell(high.x - low.x) + 1),
+        rows_(cell(high.y - low.y) + 1),
         cells_(columns_ * rows_) {}
 
   void add(const Vec2& p) { cells_[row(p) * columns_ + column(p)].push_back(p); }

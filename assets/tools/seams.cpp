@@ -14,8 +14,8 @@ std::vector<std::pair<std::string, double>> name_seams(const std::array<Piece, p
   std::vector<std::pair<std::string, double>> named;
   for (const Piece& piece : pieces) {
     for (const Side& side : piece.sides) {
-      const bool is_known = std::any_of(named.begin(), named.end(),
-                                        [&](const auto& seam) { return seam.first == side.seam; });
+      const bool is_known =
+          std::any_of(named.begin(), named.end(), [&](const auto& seam) { return seam.first == side.seam; });
       if (!is_known) {
         named.emplace_back(side.seam, length_of(side.line));
       }

@@ -41,9 +41,9 @@ void check_complete(std::span<const Vec2> points, std::size_t outline_count,
   }
   const double outline_area_m2 = polygon_area(points.first(outline_count));
   if (triangles.size() != expected || std::abs(area_m2 - outline_area_m2) > 1e-9 * outline_area_m2) {
-    throw std::runtime_error("the triangulation of a piece does not fill its outline: " +
-                             std::to_string(triangles.size()) + " triangles, expected " +
-                             std::to_string(expected));
+    throw std::runtime_error(
+        "the triangulation of a piece does not fill its outline: " + std::to_string(triangles.size()) +
+        " triangles, expected " + std::to_string(expected));
   }
 }
 
@@ -57,7 +57,8 @@ class Qhull {
 
   /// The triangles of the lower hull, which are the Delaunay triangles, in no particular order.
   std::vector<sim::Triangle> delaunay(std::vector<double>& coordinates) {
-    // d: Delaunay; Qbb: scaled for precision; Qt: triangles only; Qz: a point at infinity, for rows of points.
+    // d: Delaunay; Qbb: scaled for precision; Qt: triangles only; Qz: a point at infinity, for rows of
+    // points.
     char command[] = "qhull d Qbb Qt Qz";
     const int count = static_cast<int>(coordinates.size() / 2);
     if (qh_new_qhull(&qh_, 2, count, coordinates.data(), False, command, nullptr, stderr) != 0) {

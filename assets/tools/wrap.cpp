@@ -58,9 +58,15 @@ QuarterEllipse ellipse_of_length(double depth_m, double length_m) {
 }
 
 /// From the top of the shoulder down: how far below it and how far in front of it the cloth lies.
-constexpr std::array<Vec2, 9> profile_m = {{{0.000, 0.000}, {0.004, 0.022}, {0.015, 0.042}, {0.035, 0.060},
-                                            {0.080, 0.085}, {0.160, 0.118}, {0.260, 0.138}, {0.450, 0.138},
-                                            {0.900, 0.128}}};
+constexpr std::array<Vec2, 9> profile_m = {{{0.000, 0.000},
+                                            {0.004, 0.022},
+                                            {0.015, 0.042},
+                                            {0.035, 0.060},
+                                            {0.080, 0.080},
+                                            {0.160, 0.102},
+                                            {0.260, 0.120},
+                                            {0.450, 0.120},
+                                            {0.900, 0.112}}};
 
 /// Half the width of the body pieces at a height of the pattern, 0 at the neck point and negative below:
 /// wide at the chest, narrower at the hem.
@@ -85,8 +91,9 @@ double half_width(const Panel& body, double flat_y) {
 
 Vec3 wrap_on_trunk(const Panel& panel, const Vec2& flat, const Stance& stance) {
   const double across_m = std::abs(flat.x);
-  // The shoulder seam's line through the shirt, level with the neck point at 83 mm from the centre.
-  const double ridge_y = -stance.shoulder_slope * (across_m - 0.0833);
+  // The shoulder seam's line through the shirt, level with the neck point at 83 mm from the centre. It begins
+  // 128 mm from the centre; carried on to the centre it would put a crease down the middle.
+  const double ridge_y = -stance.shoulder_slope * (std::max(across_m, 0.128) - 0.0833);
   const Vec2 fall = point_at_fraction(profile_m, std::max(0.0, ridge_y - flat.y) / length_of(profile_m));
   const Vec2 around = ellipse_of_length(fall.y, half_width(panel, flat.y)).at(across_m);
   const bool is_front = panel.kind == PieceKind::front;
@@ -110,7 +117,8 @@ Vec3 wrap_on_arm(const Panel& panel, const Vec2& flat, const Stance& stance) {
   const Vec3 centre = shoulder - radius_m * up + (cap_height_m - flat.y) * stance.left_arm;
   const bool is_left = panel.kind == PieceKind::left_sleeve;
   const bool is_front = (flat.x > 0.0) != is_left;
-  const Vec3 on_left = centre + (is_below ? -round.y : round.y) * up + Vec3(0.0, 0.0, is_front ? round.x : -round.x);
+  const Vec3 on_left =
+      centre + (is_below ? -round.y : round.y) * up + Vec3(0.0, 0.0, is_front ? round.x : -round.x);
   return {is_left ? on_left.x : -on_left.x, on_left.y, on_left.z};
 }
 

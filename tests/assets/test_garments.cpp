@@ -1,0 +1,218 @@
+// The committed garments, as files: whatever made them, they have to be these.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "garment_file.hpp"
+#include "sim/adjacency.hpp"
+#include "sim/topology.hpp"
+#include "tailor/pieces.hpp"
+#include "tailor/quality.hpp"
+
+namespace taut::test {
+namespace {
+
+using sim::Edge;
+using sim::Index;
+using sim::Triangle;
+using sim::Vec3;
+
+const std::filesystem::path assets = TAUT_ASSETS_DIR;
+
+class Garment : public testing::TestWithParam<std::size_t> {
+ protected:
+  Garment() {
+    const std::string name = "tshirt_" + std::to_string(GetParam());
+    mesh = read_obj(assets / "garments" / (name + ".obj"));
+    landmarks = read_landmarks(assets / "garments" / (name + ".landmarks.toml"));
+    adjacency = sim::make_adjacency(mesh);
+  }
+
+  const std::vector<Index>& landmark(const std::string& name) const { return landmarks.at(name); }
+
+  const Vec3& at(Index vertex) const { return mesh.positions.at(vertex); }
+
+  /// The triangles at the edge between two vertices; 0 where there is no edge.
+  std::size_t triangles_between(Index a, Index b) const {
+    const Edge edge = {std::min(a, b), std::max(a, b)};
+    const auto found = std::lower_bound(adjacency.edges.begin(), adjacency.edges.end(), edge);
+    if (found == adjacency.edges.end() || *found != edge) {
+      return 0;
+    }
+    return adjacency.edge_triangles[static_cast<std::size_t>(found - adjacency.edges.begin())].size();
+  }
+
+  /// Every step of the walk has to be an edge with that many triangles.
+  void expect_walk(const std::string& name, bool is_loop, std::size_t triangles) const {
+    const std::vector<Index>& walk = landmark(name);
+    ASSERT_GE(walk.size(), 3U) << name;
+    for (std::size_t i = is_loop ? 0 : 1; i < walk.size(); ++i) {
+      const Index from = walk[i == 0 ? walk.size() - 1 : i - 1];
+      ASSERT_EQ(triangles_between(from, walk[i]), triangles) << name << ", step " << i;
+    }
+  }
+
+  double length_of(const std::string& name, bool is_loop) const {
+    const std::vector<Index>& walk = landmark(name);
+    double length_m = is_loop ? glm::length(at(walk.front()) - at(walk.back())) : 0.0;
+    for (std::size_t i = 1; i < walk.size(); ++i) {
+      length_m += glm::length(at(walk[i]) - at(walk[i - 1]));
+    }
+    return length_m;
+  }
+
+  Vec3 mean_of(const std::string& name) const {
+    Vec3 sum(0.0);
+    for (const Index v : landmark(name)) {
+      sum += at(v);
+    }
+    return sum / static_cast<double>(landmark(name).size());
+  }
+
+  sim::Mesh mesh;
+  sim::Adjacency adjacency;
+  std::map<std::string, std::vector<Index>> landmarks;
+};
+
+TEST_P(Garment, HasExactlyTheTrianglesOfItsName) {
+  EXPECT_EQ(mesh.triangles.size(), GetParam());
+}
+
+TEST_P(Garment, IsOneOrientedSurfaceWithFourOpenings) {
+  const sim::Topology topology = sim::measure_topology(mesh, adjacency);
+  EXPECT_EQ(topology.components, 1U);
+  EXPECT_EQ(topology.boundary_loops, 4U);
+  EXPECT_EQ(topology.euler_characteristic, -2);
+  EXPECT_EQ(topology.non_manifold_edges, 0U);
+  EXPECT_EQ(topology.non_manifold_vertices, 0U);
+  EXPECT_EQ(topology.misoriented_edges, 0U);
+}
+
+TEST_P(Garment, NeedsNoRepair) {
+  const sim::MeshReport report = sim::weld_and_validate(mesh).report;
+  EXPECT_EQ(report.welded_vertices, 0U);
+  EXPECT_EQ(report.unused_vertices, 0U);
+  EXPECT_EQ(report.degenerate_triangles, 0U);
+  EXPECT_EQ(report.duplicate_triangles, 0U);
+}
+
+TEST_P(Garment, HasTheOutsideOutside) {
+  EXPECT_GT(tailor::measure_quality(mesh).volume_m3, 0.03);
+  // On the chest the cloth faces forwards, on the back backwards.
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 centre = (at(t[0]) + at(t[1]) + at(t[2])) / 3.0;
+    if (std::abs(centre.x) < 0.1 && std::abs(centre.y - 1.3) < 0.1) {
+      EXPECT_GT(sim::doubled_area_vector(mesh.positions, t).z * centre.z, 0.0);
+    }
+  }
+}
+
+TEST_P(Garment, HasNoNeedles) {
+  EXPECT_GE(tailor::measure_quality(mesh).smallest_angle_deg, 10.0);
+}
+
+TEST_P(Garment, DoesNotPassThroughItself) {
+  EXPECT_EQ(tailor::measure_quality(mesh).crossings, 0U);
+}
+
+TEST_P(Garment, HasEvenEdges) {
+  const tailor::MeshQuality quality = tailor::measure_quality(mesh);
+  EXPECT_GT(quality.shortest_edge_m, 0.4 * quality.mean_edge_m);
+  EXPECT_LT(quality.longest_edge_m, 1.8 * quality.mean_edge_m);
+}
+
+TEST_P(Garment, IsIrregular) {
+  // In a regular grid nearly every vertex has six edges.
+  std::size_t other_than_six = 0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    other_than_six += adjacency.vertex_edges[v].size() != 6 ? 1 : 0;
+  }
+  EXPECT_GT(static_cast<double>(other_than_six), 0.25 * static_cast<double>(mesh.positions.size()));
+}
+
+TEST_P(Garment, HasTheAreaOfItsPattern) {
+  double flat_area_m2 = 0.0;
+  for (const auto& piece : tailor::cut_pieces(tailor::read_pattern(assets / "patterns/tshirt/teagan.toml"))) {
+    flat_area_m2 += tailor::polygon_area(piece.outline());
+  }
+  EXPECT_NEAR(sim::surface_area(mesh), flat_area_m2, 0.01 * flat_area_m2);
+}
+
+TEST_P(Garment, StandsAtWearingHeightAndFacesForwards) {
+  for (const Vec3& p : mesh.positions) {
+    EXPECT_GT(p.y, 0.90);
+    EXPECT_LT(p.y, 1.70);
+    EXPECT_LT(std::abs(p.x), 0.45);
+    EXPECT_LT(std::abs(p.z), 0.20);
+  }
+  EXPECT_GT(mean_of("front_neckline").z, 0.02);
+  EXPECT_LT(mean_of("back_neckline").z, -0.02);
+  EXPECT_GT(mean_of("left_cuff").x, 0.2);
+  EXPECT_LT(mean_of("right_cuff").x, -0.2);
+  EXPECT_LT(mean_of("hem").y, 1.0);
+}
+
+TEST_P(Garment, HasContiguousSeams) {
+  for (const char* seam :
+       {"left_shoulder_seam", "right_shoulder_seam", "left_side_seam", "right_side_seam"}) {
+    expect_walk(seam, false, 2);
+  }
+}
+
+TEST_P(Garment, HasItsBordersNamed) {
+  std::size_t named = 0;
+  for (const char* border : {"hem", "left_cuff", "right_cuff"}) {
+    expect_walk(border, true, 1);
+    named += landmark(border).size();
+  }
+  for (const char* border : {"front_neckline", "back_neckline"}) {
+    expect_walk(border, false, 1);
+    named += landmark(border).size() - 1;
+  }
+  EXPECT_EQ(named, sim::measure_topology(mesh, adjacency).boundary_edges);
+}
+
+TEST_P(Garment, HasSeamsThatMeet) {
+  // Shoulder seams end where front and back neckline meet, side seams begin at the hem.
+  EXPECT_EQ(landmark("left_shoulder_seam").back(), landmark("front_neckline").front());
+  EXPECT_EQ(landmark("left_shoulder_seam").back(), landmark("back_neckline").back());
+  EXPECT_EQ(landmark("right_shoulder_seam").back(), landmark("front_neckline").back());
+  EXPECT_EQ(landmark("right_shoulder_seam").back(), landmark("back_neckline").front());
+  for (const char* seam : {"left_side_seam", "right_side_seam"}) {
+    const std::vector<Index>& hem = landmark("hem");
+    EXPECT_NE(std::find(hem.begin(), hem.end(), landmark(seam).front()), hem.end()) << seam;
+  }
+}
+
+TEST_P(Garment, HasSeamsAsLongAsThePattern) {
+  // From the pattern, in metres. Coarse edges cut the corners of curved seams.
+  for (const char* side : {"left_", "right_"}) {
+    EXPECT_NEAR(length_of(std::string(side) + "shoulder_seam", false), 0.10716, 0.002);
+    EXPECT_NEAR(length_of(std::string(side) + "side_seam", false), 0.43626, 0.008);
+    EXPECT_NEAR(length_of(std::string(side) + "cuff", true), 0.43096, 0.008);
+  }
+  EXPECT_NEAR(length_of("hem", true), 1.04312, 0.02);
+  EXPECT_NEAR(length_of("front_neckline", false), 0.35938, 0.007);
+  EXPECT_NEAR(length_of("back_neckline", false), 0.27958, 0.007);
+}
+
+TEST_P(Garment, IsAboutSymmetrical) {
+  const auto mirrored = [](const Vec3& p) { return Vec3(-p.x, p.y, p.z); };
+  for (const char* seam : {"shoulder_seam", "side_seam"}) {
+    const std::vector<Index>& left = landmark(std::string("left_") + seam);
+    const std::vector<Index>& right = landmark(std::string("right_") + seam);
+    EXPECT_EQ(left.size(), right.size()) << seam;
+    EXPECT_LT(glm::length(at(left.front()) - mirrored(at(right.front()))), 0.02) << seam;
+    EXPECT_LT(glm::length(at(left.back()) - mirrored(at(right.back()))), 0.02) << seam;
+  }
+  EXPECT_LT(glm::length(mean_of("left_cuff") - mirrored(mean_of("right_cuff"))), 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(TShirt, Garment, testing::Values(10600, 5280, 1028),
+                         [](const auto& triangles) { return std::to_string(triangles.param); });
+
+}  // namespace
+}  // namespace taut::test

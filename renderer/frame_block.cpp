@@ -53,7 +53,7 @@ void set_ground(FrameBlock& block, const FrameView& frame, const std::optional<B
   const glm::vec3 middle = middle_of(box);
   const float height = frame.ground_height_m.value_or(0.0F);
   const float radius = radius_of(box);
-  block.ground = {middle.x, middle.z, height, floor_radius * radius};
+  block.ground = {middle.x, height, middle.z, floor_radius * radius};
   // A thing up high darkens a wider and fainter patch; beyond that the floor sees the whole sky.
   const float reach = radius + 1.5F * std::max(middle.y - height, 0.0F);
   block.ground_light_area = {middle.x - reach, middle.z - reach, 0.5F / reach, 0.5F / reach};

@@ -9,9 +9,9 @@ namespace taut::renderer {
 
 namespace {
 
-// 1, 2 or 5 times a power of ten: the step that gives about five ticks.
+// 1, 2 or 5 times a power of ten: the step that gives about six ticks.
 float round_step(float range) {
-  const float rough = range / 5.0F;
+  const float rough = range / 6.0F;
   const float power = std::pow(10.0F, std::floor(std::log10(rough)));
   for (const float factor : {1.0F, 2.0F, 5.0F}) {
     if (factor * power >= rough * 0.999F) return factor * power;

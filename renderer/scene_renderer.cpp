@@ -182,14 +182,16 @@ void SceneRenderer::Parts::bind_light() const {
   bind_texture(gl, shadow_compare_unit, GL_TEXTURE_2D, shadow_pass.texture());
   bind_texture(gl, shadow_depth_unit, GL_TEXTURE_2D, shadow_pass.texture());
   bind_texture(gl, sky_atlas_unit, GL_TEXTURE_2D, sky_pass.atlas());
+  bind_texture(gl, sky_depth_unit, GL_TEXTURE_2D, sky_pass.atlas());
   gl.BindSampler(shadow_compare_unit, samplers.compare.name());
   gl.BindSampler(shadow_depth_unit, samplers.plain.name());
   gl.BindSampler(sky_atlas_unit, samplers.compare.name());
+  gl.BindSampler(sky_depth_unit, samplers.plain.name());
 }
 
 // Nothing may be read while it is drawn to, and what comes after must not meet these samplers.
 void SceneRenderer::Parts::unbind_light() const {
-  for (unsigned unit = 0; unit <= drawn_unit; ++unit) {
+  for (unsigned unit = 0; unit < unit_count; ++unit) {
     gl.BindSampler(unit, 0);
     gl.ActiveTexture(GL_TEXTURE0 + unit);
     gl.BindTexture(GL_TEXTURE_2D, 0);
@@ -252,13 +254,15 @@ void SceneRenderer::Parts::draw_surfaces() {
 void SceneRenderer::Parts::draw_ground() const {
   // Behind cloth that lies on it.
   gl.PolygonOffset(2.0F, 8.0F);
-  gl.Enable(GL_BLEND);
   ground.use();
   gl.BindVertexArray(no_arrays.name());
   gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
+// Blending has to happen in linear light, so marks are encoded by the framebuffer. Everything opaque encodes
+// in its shader: once for each pixel instead of once for each sample.
 void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
+  gl.Enable(GL_FRAMEBUFFER_SRGB);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
@@ -268,6 +272,7 @@ void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
   for (const LineView& lines : frame.lines) mark_pass.draw_lines(lines);
   for (const PointView& points : frame.points) mark_pass.draw_points(points);
   gl.Disable(GL_BLEND);
+  gl.Disable(GL_FRAMEBUFFER_SRGB);
   gl.DepthMask(GL_TRUE);
 }
 
@@ -276,13 +281,11 @@ void SceneRenderer::Parts::draw_tile(const FrameBlock& block, const FrameView& f
   send(block);
   target.begin(tile.width_px * settings.supersampling, tile.height_px * settings.supersampling,
                settings.samples);
-  gl.Enable(GL_FRAMEBUFFER_SRGB);
   draw_backdrop(clip_to_direction(frame.camera, settings, tile));
   draw_surfaces();
   const bool above = frame.ground_height_m && frame.camera.eye.y > *frame.ground_height_m;
   if (above && !frame.backdrop.plain) draw_ground();
   draw_marks(frame);
-  gl.Disable(GL_FRAMEBUFFER_SRGB);
   gl.Disable(GL_DEPTH_TEST);
 }
 

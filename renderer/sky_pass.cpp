@@ -1,5 +1,6 @@
 #include "renderer/sky_pass.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -16,9 +17,9 @@ constexpr int max_directions = 64;  // as max_sky_directions in shaders/sky.glsl
 constexpr int columns = 8;
 constexpr int rows = max_directions / columns;
 // Side of one direction's map. Larger keeps finer folds dark, and costs time to fill.
-constexpr int map_px = 192;
+constexpr int map_px = 128;
 // Side of the floor's light texture; its contents are smooth.
-constexpr int ground_px = 160;
+constexpr int ground_px = 112;
 // Brightness of the studio's floor against its ceiling, as seen by the underside of things.
 constexpr float floor_brightness = 0.5F;
 
@@ -30,11 +31,18 @@ glm::vec3 direction(int i, int count) {
   return {flat * std::cos(turn), y, flat * std::sin(turn)};
 }
 
+// Of the cone that is a direction's share of the whole sphere.
+float cone_tangent(int count) {
+  const float cosine = std::max(1.0F - 2.0F / static_cast<float>(count), 0.3F);
+  return std::sqrt(1.0F - cosine * cosine) / cosine;
+}
+
 }  // namespace
 
 // Mirrors the std140 block `Sky` of shaders/sky.glsl.
 struct SkyPass::Block {
   glm::vec4 info;
+  glm::vec4 blur;
   std::array<glm::vec4, max_directions> directions;
   std::array<glm::mat4, max_directions> world_to_sky;
 };
@@ -71,6 +79,7 @@ void SkyPass::draw_atlas(Casters casters, const std::optional<Box>& box, int dir
     const float side_m = glm::length(box->upper - box->lower);
     block.info = {static_cast<float>(directions_drawn), static_cast<float>(columns), static_cast<float>(rows),
                   1.5F * side_m / static_cast<float>(map_px)};
+    block.blur = {cone_tangent(directions_drawn), 1.0F / static_cast<float>(map_px), 0.0F, 0.0F};
     for (int i = 0; i < directions_drawn; ++i) {
       const glm::vec3 towards = direction(i, directions_drawn);
       const auto k = static_cast<std::size_t>(i);

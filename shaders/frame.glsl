@@ -22,6 +22,17 @@ vec3 srgb_to_linear(vec3 encoded) {
   return mix(encoded / 12.92, pow((encoded + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), encoded));
 }
 
+// Exact to a fifth of a step of 255 (coefficients: I. Taylor, "sRGB approximations for HLSL", 2012); square roots are
+// machine instructions where powers are long polynomials.
+vec3 linear_to_srgb_fast(vec3 linear) {
+  vec3 c = clamp(linear, 0.0, 1.0);
+  vec3 root2 = sqrt(c);
+  vec3 root4 = sqrt(root2);
+  vec3 root8 = sqrt(root4);
+  vec3 upper = 0.662002687 * root2 + 0.684122060 * root4 - 0.323583601 * root8 - 0.0225411470 * c;
+  return mix(c * 12.92, upper, step(vec3(0.0031308), c));
+}
+
 vec3 linear_to_srgb(vec3 linear) {
   vec3 c = clamp(linear, 0.0, 1.0);
   return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), c));
@@ -30,9 +41,9 @@ vec3 linear_to_srgb(vec3 linear) {
 // Exact below the knee, so that colours that carry data stay what the legend says; above it the brightest channel
 // approaches 1 and takes the others along, so that highlights keep their hue.
 vec3 tone_mapped(vec3 linear) {
-  const float knee = 0.6;
+  const float knee = 0.65;
   float peak = max(max(linear.r, linear.g), max(linear.b, 1e-4));
   float over = max(peak - knee, 0.0) / (1.0 - knee);
-  float mapped = peak > knee ? knee + (1.0 - knee) * (1.0 - exp(-over)) : peak;
+  float mapped = peak > knee ? knee + (1.0 - knee) * over / (1.0 + over) : peak;
   return linear * (mapped / peak);
 }

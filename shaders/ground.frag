@@ -1,9 +1,10 @@
 #version 330 core
 #include "frame.glsl"
+#include "backdrop.glsl"
 #include "shadow.glsl"
 uniform sampler2D ground_light;  // share of the sky each spot of the floor sees
 in vec3 world;
-layout(location = 0) out vec4 colour;
+layout(location = 0) out vec4 colour;  // encoded
 
 void main() {
   float key_share = 0.46;
@@ -13,5 +14,6 @@ void main() {
   float light = key_share * lit + (1.0 - key_share) * mix(0.22, 1.0, open);
   vec3 shaded = lower_colour.rgb * mix(vec3(0.96, 0.98, 1.03), vec3(1.0), light) * light;
   float away = length(world.xz - ground.xz) / ground.w;
-  colour = vec4(shaded, 1.0 - smoothstep(0.35, 0.95, away));
+  vec3 behind = backdrop_colour(normalize(world - eye.xyz));
+  colour = vec4(linear_to_srgb_fast(mix(shaded, behind, smoothstep(0.35, 0.95, away))), 1.0);
 }

@@ -6,11 +6,11 @@ uniform vec3 outside_colour;   // linear
 uniform vec3 inside_colour;    // linear
 uniform vec4 finish;           // x: roughness, y: sheen, z: translucency, w: 1 to show the scalar
 uniform sampler2D scalar_map;
-in vec3 world;
-in vec3 world_normal;
-in float shown_scalar;
-in vec2 sky_light;
-layout(location = 0) out vec4 colour;
+centroid in vec3 world;
+centroid in vec3 world_normal;
+centroid in float shown_scalar;
+centroid in vec2 sky_light;
+layout(location = 0) out vec4 colour;  // encoded
 
 // A lamp with some extent: light reaches a little around the edge of a form.
 float wrapped(float cosine, float wrap) {
@@ -21,7 +21,7 @@ float wrapped(float cosine, float wrap) {
 // GGX (Walter et al. 2007) with the visibility approximated after Kelemen and Szirmay-Kalos (2001).
 float highlight(vec3 normal, vec3 towards_light, vec3 towards_eye, float roughness) {
   vec3 halfway = normalize(towards_light + towards_eye);
-  float a2 = pow(roughness, 4.0);
+  float a2 = roughness * roughness * roughness * roughness;
   float nh = max(dot(normal, halfway), 0.0);
   float lh = max(dot(towards_light, halfway), 0.1);
   float d = nh * nh * (a2 - 1.0) + 1.0;
@@ -38,7 +38,7 @@ Light gathered(vec3 normal, vec3 towards_eye, float open) {
   float key_cosine = dot(normal, towards_key.xyz);
   float key_light = towards_key.w * key_visibility(world, key_cosine >= 0.0 ? normal : -normal);
   float facing = max(dot(normal, towards_eye), 0.0);
-  float grazing = pow(1.0 - facing, 3.0);
+  float grazing = (1.0 - facing) * (1.0 - facing) * (1.0 - facing);
   float direct = 0.80 * key_light * wrapped(key_cosine, 0.15);
   float through = 0.80 * key_light * finish.z * max(-key_cosine, 0.0);
   // The fill has no shadow map; what is closed to the sky is closed to it too.
@@ -72,5 +72,5 @@ void main() {
   vec3 cloth = base * light.diffuse + mix(vec3(1.0), base, 0.45) * light.fringe + vec3(light.gloss);
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
   vec3 data = data_colour() * mix(1.0, light.diffuse / 1.15, 0.55);
-  colour = vec4(tone_mapped(finish.w > 0.5 ? data : cloth), 1.0);
+  colour = vec4(linear_to_srgb_fast(tone_mapped(finish.w > 0.5 ? data : cloth)), 1.0);
 }

@@ -4,10 +4,10 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float scalar;  // 0..1, below 0 for not a number
-out vec3 world;
-out vec3 world_normal;
-out float shown_scalar;
-out vec2 sky_light;  // x: outside, y: inside
+centroid out vec3 world;
+centroid out vec3 world_normal;
+centroid out float shown_scalar;
+centroid out vec2 sky_light;  // x: outside, y: inside
 
 void main() {
   world = position;
@@ -19,7 +19,8 @@ void main() {
     for (int i = 0; i < int(sky_info.x); ++i) {
       float cosine = dot(normal, sky_directions[i].xyz);
       // Each direction lights one side, and starts from that side.
-      float seen = sky_visibility(i, position + normal * sign(cosine) * sky_info.w) * sky_directions[i].w;
+      vec3 from = position + normal * sign(cosine) * sky_info.w;
+      float seen = sky_directions[i].w * sky_visibility(i, from, 2.5 * sky_blur.y, 4);
       sum += vec2(max(cosine, 0.0), max(-cosine, 0.0)) * seen;
     }
     sky_light = sum * 4.0 / sky_info.x;

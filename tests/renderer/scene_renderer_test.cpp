@@ -1,0 +1,366 @@
+#include "renderer/scene_renderer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "renderer/mesh_normals.hpp"
+
+namespace taut::renderer {
+namespace {
+
+// Light from everywhere alike and nothing else: a surface whose normals point up shows its own colour.
+Lighting flat_light() {
+  Lighting lighting;
+  lighting.key = lighting.fill = lighting.rim = 0.0F;
+  lighting.ambient = 1.0F;
+  return lighting;
+}
+
+// Looks along -z at a region two metres high around the origin.
+Camera front_camera() {
+  Camera camera;
+  camera.eye = {0.0F, 0.0F, 4.0F};
+  camera.vertical_fov_rad = 2.0F * std::atan(0.25F);
+  return camera;
+}
+
+constexpr std::array<glm::vec3, 3> triangle_positions{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}};
+constexpr std::array<glm::vec3, 3> up_normals{{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}};
+constexpr std::array<std::uint32_t, 3> triangle_indices{0, 1, 2};
+
+FrameView triangle_frame() {
+  FrameView frame;
+  SurfaceView surface;
+  surface.positions = triangle_positions;
+  surface.normals = up_normals;
+  surface.triangles = triangle_indices;
+  surface.style.outside_colour = rgb(0x2E8B57);
+  surface.style.inside_colour = rgb(0xC05020);
+  surface.style.sheen = 0.0F;
+  frame.surfaces.push_back(surface);
+  frame.camera = front_camera();
+  frame.lighting = flat_light();
+  frame.backdrop.plain = true;
+  frame.backdrop.lower_colour = rgb(0xFFFFFF);
+  return frame;
+}
+
+PictureSettings small_picture() {
+  PictureSettings settings;
+  settings.width_px = 96;
+  settings.height_px = 64;
+  settings.shadow_map_px = 256;
+  settings.sky_directions = 0;
+  return settings;
+}
+
+void expect_colour(const Image& image, int x, int y, Colour expected, float tolerance) {
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(image.at(x, y)[i], std::round(expected[i] * 255.0F), tolerance)
+        << "channel " << i << " at " << x << "," << y;
+  }
+}
+
+struct SceneRendererTest : testing::Test {
+  std::unique_ptr<Context> context = create_context();
+  SceneRenderer renderer{*context};
+};
+
+TEST_F(SceneRendererTest, TriangleHasItsColourAndStandsUpright) {
+  const Image image = renderer.draw(triangle_frame(), small_picture());
+  ASSERT_EQ(image.width_px, 96);
+  ASSERT_EQ(image.channels, 3);
+  expect_colour(image, 48, 40, rgb(0x2E8B57), 1.0F);
+  expect_colour(image, 26, 60, rgb(0x2E8B57), 1.0F);
+  expect_colour(image, 26, 4, rgb(0xFFFFFF), 0.0F);
+  expect_colour(image, 2, 60, rgb(0xFFFFFF), 0.0F);
+}
+
+TEST_F(SceneRendererTest, TheOtherSideHasTheInsideColour) {
+  FrameView frame = triangle_frame();
+  frame.camera.eye.z = -4.0F;
+  const Image image = renderer.draw(frame, small_picture());
+  // Seen from inside, the normal points down, to the studio's floor: 0.16 + 0.84 * 0.5 of the light.
+  const Colour inside = rgb(0xC05020);
+  Colour expected;
+  for (int i = 0; i < 3; ++i) expected[i] = linear_to_srgb(0.58F * srgb_to_linear(inside[i]));
+  expect_colour(image, 48, 40, expected, 2.0F);
+}
+
+TEST_F(SceneRendererTest, EveryGreyComesOutAsItWentIn) {
+  for (int byte = 0; byte < 256; byte += 5) {
+    FrameView frame;
+    frame.camera = front_camera();
+    frame.backdrop.plain = true;
+    frame.backdrop.lower_colour = Colour{static_cast<float>(byte) / 255.0F};
+    const Image image = renderer.draw(frame, small_picture());
+    EXPECT_EQ(image.at(50, 30)[1], byte);
+  }
+}
+
+TEST_F(SceneRendererTest, BlendingIsInLinearLight) {
+  FrameView frame = triangle_frame();
+  frame.surfaces.clear();
+  const std::array<glm::vec3, 2> ends{{{-2, 0, 0}, {2, 0, 0}}};
+  const Colour black{0.0F};
+  frame.lines.push_back({ends, {&black, 1}, 20.0F, 0.5F});
+  const Image image = renderer.draw(frame, small_picture());
+  // Half the light of white is 188, not 128.
+  EXPECT_NEAR(image.at(48, 32)[0], 188, 1);
+}
+
+TEST_F(SceneRendererTest, SamplesAndSupersamplingAverageInLinearLight) {
+  for (const auto& [samples, supersampling] : {std::pair{4, 1}, std::pair{1, 4}}) {
+    PictureSettings settings = small_picture();
+    settings.samples = samples;
+    settings.supersampling = supersampling;
+    FrameView frame = triangle_frame();
+    frame.surfaces[0].style.outside_colour = Colour{0.0F};
+    const Image image = renderer.draw(frame, settings);
+    // Where the slanted edge passes, coverage has in-between steps, whose light is a multiple of a quarter.
+    int between = 0;
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 96; ++x) {
+        const float light = srgb_to_linear(static_cast<float>(image.at(x, y)[0]) / 255.0F);
+        const bool edge = light > 0.02F && light < 0.98F;
+        between += edge ? 1 : 0;
+        const float steps = light * (samples == 4 ? 4.0F : 16.0F);
+        if (edge) {
+          EXPECT_NEAR(steps, std::round(steps), 0.1F) << x << "," << y;
+        }
+      }
+    }
+    EXPECT_GT(between, 60);
+  }
+}
+
+TEST_F(SceneRendererTest, LineHasItsWidth) {
+  for (const float width_px : {1.0F, 3.0F, 7.0F}) {
+    FrameView frame = triangle_frame();
+    frame.surfaces.clear();
+    const std::array<glm::vec3, 2> ends{{{-2, 0, 0}, {2, 0, 0}}};
+    const Colour black{0.0F};
+    frame.lines.push_back({ends, {&black, 1}, width_px});
+    const Image image = renderer.draw(frame, small_picture());
+    float covered = 0.0F;
+    for (int y = 0; y < 64; ++y) {
+      covered += 1.0F - srgb_to_linear(static_cast<float>(image.at(40, y)[0]) / 255.0F);
+    }
+    EXPECT_NEAR(covered, width_px, 0.15F);
+  }
+}
+
+TEST_F(SceneRendererTest, WireframeLiesOnBothSides) {
+  constexpr std::array<std::uint32_t, 2> edge{0, 2};
+  for (const float side : {1.0F, -1.0F}) {
+    FrameView frame = triangle_frame();
+    frame.camera.eye = {side * 3.0F, 0.3F, side * 2.5F};
+    frame.surfaces[0].wireframe = Wireframe{edge, Colour{1.0F, 0.0F, 1.0F}, 6.0F, 1.0F};
+    const Image image = renderer.draw(frame, small_picture());
+    int magenta = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+      magenta += image.pixels[i] > 250 && image.pixels[i + 1] < 5 && image.pixels[i + 2] > 250 ? 1 : 0;
+    }
+    EXPECT_GT(magenta, 150) << "seen from side " << side;
+  }
+}
+
+TEST_F(SceneRendererTest, LinesAreHiddenBehindSurfacesUnlessAskedFor) {
+  FrameView frame = triangle_frame();
+  const std::array<glm::vec3, 2> ends{{{-2, -0.3F, -0.5F}, {2, -0.3F, -0.5F}}};
+  const Colour black{0.0F};
+  frame.lines.push_back({ends, {&black, 1}, 5.0F});
+  const int row = 41;
+  Image image = renderer.draw(frame, small_picture());
+  EXPECT_GT(image.at(48, row)[1], 100);
+  EXPECT_LT(image.at(10, row)[1], 5);
+  frame.lines[0].hidden_by_surfaces = false;
+  image = renderer.draw(frame, small_picture());
+  EXPECT_LT(image.at(48, row)[1], 5);
+}
+
+// A square sheet above a floor, seen from above at a slant.
+struct Sheet {
+  std::array<glm::vec3, 4> positions{
+      {{-0.5F, 0.6F, 0.5F}, {0.5F, 0.6F, 0.5F}, {0.5F, 0.6F, -0.5F}, {-0.5F, 0.6F, -0.5F}}};
+  std::array<glm::vec3, 4> normals{{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}}};
+  std::array<std::uint32_t, 6> triangles{0, 1, 2, 0, 2, 3};
+
+  FrameView frame() const {
+    FrameView view;
+    SurfaceView surface;
+    surface.positions = positions;
+    surface.normals = normals;
+    surface.triangles = triangles;
+    view.surfaces.push_back(surface);
+    view.ground_height_m = 0.0F;
+    view.camera.eye = {0.0F, 3.0F, 3.0F};
+    view.camera.target = {0.0F, 0.3F, 0.0F};
+    view.camera.vertical_fov_rad = 0.9F;
+    view.lighting.towards_key = {-1.0F, 1.0F, 0.0F};
+    return view;
+  }
+};
+
+// The pixel that shows a point of the world.
+glm::ivec2 pixel_of(const glm::vec3& point, const Camera& camera, const PictureSettings& settings) {
+  const float aspect = static_cast<float>(settings.width_px) / static_cast<float>(settings.height_px);
+  const glm::vec4 clip = camera.projection(aspect) * camera.view() * glm::vec4{point, 1.0F};
+  return {static_cast<int>((0.5F + 0.5F * clip.x / clip.w) * static_cast<float>(settings.width_px)),
+          static_cast<int>((0.5F - 0.5F * clip.y / clip.w) * static_cast<float>(settings.height_px))};
+}
+
+TEST_F(SceneRendererTest, ShadowFallsAwayFromTheKeyLight) {
+  const Sheet sheet;
+  const FrameView frame = sheet.frame();
+  PictureSettings settings = small_picture();
+  settings.shadow_map_px = 512;
+  // The light is at 45 degrees on the left: the shadow's middle is as far to the right as the sheet is high.
+  const glm::ivec2 in_shadow = pixel_of({0.7F, 0.0F, 0.2F}, frame.camera, settings);
+  const glm::ivec2 in_light = pixel_of({-0.8F, 0.0F, 0.2F}, frame.camera, settings);
+  const Image with = renderer.draw(frame, settings);
+  settings.shadows = false;
+  const Image without = renderer.draw(frame, settings);
+  EXPECT_LT(with.at(in_shadow.x, in_shadow.y)[1], without.at(in_shadow.x, in_shadow.y)[1] - 30);
+  EXPECT_GT(with.at(in_shadow.x, in_shadow.y)[1], 60) << "shadows are not black";
+  EXPECT_EQ(with.at(in_light.x, in_light.y)[1], without.at(in_light.x, in_light.y)[1]);
+}
+
+TEST_F(SceneRendererTest, SkyDarkensTheFloorUnderneath) {
+  const Sheet sheet;
+  FrameView frame = sheet.frame();
+  frame.lighting.towards_key = {-1.0F, 0.05F, 0.0F};  // its shadow falls far outside the picture
+  frame.surfaces[0].filled = true;
+  frame.camera.eye = {0.0F, 0.35F, 4.0F};  // looks under the sheet
+  frame.camera.target = {0.0F, 0.25F, 0.0F};
+  PictureSettings settings = small_picture();
+  const glm::ivec2 below = pixel_of({0.0F, 0.0F, 0.0F}, frame.camera, settings);
+  const Image open = renderer.draw(frame, settings);
+  settings.sky_directions = 32;
+  const Image closed = renderer.draw(frame, settings);
+  EXPECT_LT(closed.at(below.x, below.y)[1], open.at(below.x, below.y)[1] - 10);
+}
+
+TEST_F(SceneRendererTest, LitSheetHasNoAcne) {
+  const Sheet sheet;
+  FrameView frame = sheet.frame();
+  PictureSettings settings = small_picture();
+  frame.lighting.towards_key = {-1.0F, 0.3F, 0.2F};  // grazing: the hard case
+  const Image with = renderer.draw(frame, settings);
+  settings.shadows = false;
+  const Image without = renderer.draw(frame, settings);
+  for (float x = -0.45F; x <= 0.45F; x += 0.05F) {
+    for (float z = -0.45F; z <= 0.45F; z += 0.05F) {
+      const glm::ivec2 p = pixel_of({x, 0.6F, z}, frame.camera, settings);
+      EXPECT_NEAR(with.at(p.x, p.y)[2], without.at(p.x, p.y)[2], 1) << x << "," << z;
+    }
+  }
+}
+
+TEST_F(SceneRendererTest, SameBytesEveryTimeAndFromEveryRenderer) {
+  const Sheet sheet;
+  const FrameView frame = sheet.frame();
+  PictureSettings settings = small_picture();
+  settings.sky_directions = 24;
+  const Image first = renderer.draw(frame, settings);
+  EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels);
+  PictureSettings other = settings;
+  other.width_px = 50;
+  other.samples = 1;
+  other.shadow_map_px = 300;
+  renderer.draw(triangle_frame(), other);
+  EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels) << "after something different";
+  const auto second_context = create_context();
+  SceneRenderer second(*second_context);
+  EXPECT_EQ(second.draw(frame, settings).pixels, first.pixels);
+  EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels) << "with two contexts alive";
+}
+
+TEST_F(SceneRendererTest, TilesOfALargePictureFitTogether) {
+  const Sheet sheet;
+  const FrameView frame = sheet.frame();
+  PictureSettings settings = small_picture();
+  settings.width_px = 2100;  // two tiles across
+  settings.height_px = 150;
+  const Image tiled = renderer.draw(frame, settings);
+  settings.supersampling = 2;  // three tiles across, cut elsewhere
+  const Image differently = renderer.draw(frame, settings);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < tiled.pixels.size(); ++i) {
+    sum += std::abs(static_cast<int>(tiled.pixels[i]) - static_cast<int>(differently.pixels[i]));
+  }
+  EXPECT_LT(sum / static_cast<double>(tiled.pixels.size()), 0.3);
+}
+
+TEST_F(SceneRendererTest, ScalarsShowTheColourMap) {
+  constexpr std::array low{0.0F, 0.0F, 0.0F};
+  constexpr std::array high{5.0F, 5.0F, 5.0F};
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  constexpr std::array none{nan, nan, nan};
+  FrameView frame = triangle_frame();
+  const auto centre = [&](std::span<const float> values) {
+    frame.surfaces[0].scalars = ScalarColours{values, 1.0F, 2.0F, ColourMap::viridis};
+    const Image image = renderer.draw(frame, small_picture());
+    const std::uint8_t* p = image.at(48, 40);
+    return glm::ivec3{p[0], p[1], p[2]};
+  };
+  const glm::ivec3 dark = centre(low);
+  EXPECT_GT(dark.b, dark.g + 40);
+  const glm::ivec3 bright = centre(high);
+  EXPECT_GT(bright.r, 200);
+  EXPECT_LT(bright.b, 80);
+  const glm::ivec3 grey = centre(none);
+  EXPECT_EQ(grey.r, grey.b);
+}
+
+TEST_F(SceneRendererTest, PinsAreSeen) {
+  FrameView frame = triangle_frame();
+  const std::array centres{glm::vec3{0.0F, 0.0F, 0.3F}};
+  frame.spheres.push_back({centres, 0.2F, rgb(0xC0392B)});
+  const Image image = renderer.draw(frame, small_picture());
+  EXPECT_GT(image.at(48, 32)[0], image.at(48, 32)[1] + 60);
+}
+
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(SceneRendererTest, BadFramesAreRefusedByName) {
+  constexpr std::array<std::uint32_t, 3> too_high{0, 1, 3};
+  FrameView frame = triangle_frame();
+  frame.surfaces.push_back(frame.surfaces[0]);
+  frame.surfaces[1].triangles = too_high;
+  const auto draw = [&] { renderer.draw(frame, small_picture()); };
+  EXPECT_NE(refusal(draw).find("surface 1: index 3"), std::string::npos) << refusal(draw);
+
+  frame = triangle_frame();
+  auto positions = triangle_positions;
+  positions[2].y = std::numeric_limits<float>::infinity();
+  frame.surfaces[0].positions = positions;
+  EXPECT_NE(refusal(draw).find("surface 0: position 2"), std::string::npos) << refusal(draw);
+
+  frame = triangle_frame();
+  frame.surfaces[0].normals = frame.surfaces[0].normals.first(2);
+  EXPECT_NE(refusal(draw).find("2 normals, expected 3"), std::string::npos) << refusal(draw);
+
+  PictureSettings settings = small_picture();
+  settings.width_px = 0;
+  const auto draw_nothing = [&] { renderer.draw(triangle_frame(), settings); };
+  EXPECT_NE(refusal(draw_nothing).find("width_px is 0"), std::string::npos) << refusal(draw_nothing);
+}
+
+}  // namespace
+}  // namespace taut::renderer

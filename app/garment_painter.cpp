@@ -12,6 +12,7 @@ namespace taut::app {
 namespace {
 
 const renderer::Colour obstacle_colour = renderer::rgb(0xB9B4AC);
+const renderer::Colour outline_colour = renderer::rgb(0xC0392B);
 
 std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
   std::vector<std::uint32_t> indices;
@@ -28,6 +29,18 @@ std::vector<std::uint32_t> structural_edges(const sim::Springs& springs) {
     indices.insert(indices.end(), springs.ends[s].begin(), springs.ends[s].end());
   }
   return indices;
+}
+
+std::vector<glm::vec3> borders(const sim::Garment& garment) {
+  std::vector<glm::vec3> points;
+  for (std::size_t e = 0; e < garment.adjacency.edges.size(); ++e) {
+    if (garment.adjacency.edge_triangles[e].size() == 1) {
+      for (const sim::Index end : garment.adjacency.edges[e]) {
+        points.emplace_back(garment.mesh.positions[end]);
+      }
+    }
+  }
+  return points;
 }
 
 // A capsule whose radius changes is drawn as the balls at its ends and the larger of them between.
@@ -67,10 +80,10 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const Scene& s
   frame_.lighting = renderer::studio_lighting(frame_.camera);
   frame_.ground_height_m = ground_height(scene, reach);
   pin_radius_m_ = 0.008F * glm::distance(reach.lower, reach.upper);
-  make_fixed_parts(scene);
+  make_fixed_parts(scene, garment);
 }
 
-void GarmentPainter::make_fixed_parts(const Scene& scene) {
+void GarmentPainter::make_fixed_parts(const Scene& scene, const sim::Garment& garment) {
   for (const sim::Collider& collider : scene.surroundings.colliders) {
     std::visit(ObstacleMaker{obstacles_}, collider.shape);
   }
@@ -82,6 +95,14 @@ void GarmentPainter::make_fixed_parts(const Scene& scene) {
     surface.style.outside_colour = surface.style.inside_colour = obstacle_colour;
     surface.style.translucency = 0.0F;
     frame_.surfaces.push_back(surface);
+  }
+  if (style_.rest_outline) {
+    rest_outline_ = borders(garment);
+    renderer::LineView outline;
+    outline.points = rest_outline_;
+    outline.colours = std::span(&outline_colour, 1);
+    outline.hidden_by_surfaces = false;
+    frame_.lines.push_back(outline);
   }
 }
 

@@ -27,7 +27,7 @@ class GarmentPainter {
   const renderer::FrameView& view(const std::vector<sim::Vec3>& positions);
 
  private:
-  void make_fixed_parts(const Scene& scene);
+  void make_fixed_parts(const Scene& scene, const sim::Garment& garment);
   renderer::SurfaceView garment_view() const;
 
   renderer::SceneRenderer& renderer_;
@@ -37,6 +37,7 @@ class GarmentPainter {
   std::vector<std::uint32_t> triangles_;
   std::vector<std::uint32_t> structural_edges_;
   std::vector<renderer::TriangleMesh> obstacles_;
+  std::vector<glm::vec3> rest_outline_;
   renderer::FrameView frame_;
   float pin_radius_m_ = 0.0F;
   // Of the frame at hand.

@@ -63,6 +63,7 @@ struct PictureStyle {
   std::array<double, 2> stretch_range = {0.0, 0.05};
   renderer::SurfaceStyle cloth;
   Ground ground;
+  bool rest_outline = false;  ///< where the garment's borders were modelled
   bool show_pins = true;
   bool legend = true;  ///< where the surface shows the stretch
 };

@@ -76,6 +76,8 @@ void add_run(SceneKeys& keys) {
                         "strong: how much of its error a too short spring corrects; less folds more easily"));
   keys.push_back(number("solver.flexural", "", fraction, MEMBER(simulation.solver.rigidity.flexural),
                         "strong: how much of its error a flexural spring corrects; less bends more easily"));
+  keys.push_back(number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.max_stretch),
+                        "provot: the stretch above which a spring is pulled back"));
   keys.push_back(number("solver.stiffness.structural", "N/m", not_negative,
                         MEMBER(simulation.solver.stiffness.structural_n_per_m), "ideal: of mesh edges"));
   keys.push_back(number("solver.stiffness.shear", "N/m", not_negative,
@@ -117,6 +119,9 @@ void add_forces(SceneKeys& keys) {
   keys.push_back(colliders_key());
   keys.push_back(number("cloth.thickness", "m", not_negative, MEMBER(surroundings.cloth_thickness_m),
                         "kept between cloth and colliders"));
+  keys.push_back(
+      number("cloth.layer_distance", "m", not_negative, MEMBER(surroundings.layer_distance_m),
+             "kept between layers of the cloth, about its mesh's edge length; 0: they pass through"));
 }
 
 void add_camera(SceneKeys& keys) {
@@ -155,6 +160,8 @@ void add_picture(SceneKeys& keys) {
                                    "of the cloth's outside"));
   keys.push_back(colour_key<Scene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour),
                                    "of the cloth's inside"));
+  keys.push_back(switch_key<Scene>("picture.rest_outline", MEMBER(picture.rest_outline),
+                                   "draws the garment's borders where they were modelled"));
   keys.push_back(switch_key<Scene>("picture.show_pins", MEMBER(picture.show_pins), "as red balls"));
   keys.push_back(switch_key<Scene>("picture.legend", MEMBER(picture.legend),
                                    "a colour bar where the cloth shows its stretch"));

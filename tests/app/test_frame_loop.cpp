@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "app/errors.hpp"
+#include "app/frame_loop.hpp"
+#include "app/interruption.hpp"
+#include "sim/grid.hpp"
+
+namespace taut::app {
+namespace {
+
+sim::Simulation small_cloth() {
+  sim::Mesh mesh = sim::make_grid({.columns = 3, .rows = 3});
+  return {sim::make_garment(std::move(mesh), {}, {0, 2}), {}, {}};
+}
+
+TEST(FrameLoop, MeasuresEveryFrameFromOneOn) {
+  sim::Simulation simulation = small_cloth();
+  const auto records = run_frames(simulation, 5, {});
+  ASSERT_EQ(records.size(), 5U);
+  EXPECT_EQ(records.front().frame, 1);
+  EXPECT_NEAR(records.back().time_s, 5.0 / 60.0, 1e-12);
+  EXPECT_EQ(records.back().state_hash, sim::hash(simulation.state()));
+  EXPECT_NE(records[0].state_hash, records[1].state_hash);
+  EXPECT_GT(records.back().rms_speed_m_per_s, 0.0);
+}
+
+TEST(FrameLoop, DrawsAndWritesTheFramesAskedFor) {
+  sim::Simulation simulation = small_cloth();
+  const std::vector<int> pictures = {0, 2, 3};
+  std::vector<int> written;
+  std::vector<double> drawn_at_s;
+  int reported = 0;
+  FrameOutputs outputs;
+  outputs.pictures = pictures;
+  outputs.draw_picture = [&](const sim::Simulation& moment) {
+    drawn_at_s.push_back(moment.state().time_s);
+    return renderer::Image{};
+  };
+  outputs.write_picture = [&](int frame, const renderer::Image&) { written.push_back(frame); };
+  outputs.report = [&](const FrameRecord&) { ++reported; };
+  const auto records = run_frames(simulation, 4, outputs);
+  EXPECT_EQ(written, pictures);
+  EXPECT_EQ(drawn_at_s[0], 0.0);
+  EXPECT_NEAR(drawn_at_s[2], 0.05, 1e-12);
+  ASSERT_EQ(records.size(), 5U);
+  EXPECT_EQ(records.front().frame, 0);
+  EXPECT_EQ(reported, 5);
+}
+
+TEST(FrameLoop, HandsOutEveryShape) {
+  sim::Simulation simulation = small_cloth();
+  std::vector<int> frames;
+  FrameOutputs outputs;
+  outputs.write_shape = [&](int frame, const sim::Simulation&) { frames.push_back(frame); };
+  run_frames(simulation, 3, outputs);
+  EXPECT_EQ(frames, (std::vector{1, 2, 3}));
+}
+
+TEST(FrameLoopDeathTest, StopsAtTheNextFrameWhenInterrupted) {
+  const auto interrupted_run = [] {
+    watch_for_interruption();
+    sim::Simulation simulation = small_cloth();
+    int frames = 0;
+    FrameOutputs outputs;
+    outputs.report = [&](const FrameRecord& record) {
+      frames = record.frame;
+      if (record.frame == 2) {
+        std::raise(SIGTERM);
+      }
+    };
+    try {
+      run_frames(simulation, 1000, outputs);
+    } catch (const Interrupted& interrupted) {
+      std::exit(interrupted.signal == SIGTERM && frames == 2 ? 42 : 1);
+    }
+    std::exit(1);
+  };
+  EXPECT_EXIT(interrupted_run(), testing::ExitedWithCode(42), "");
+}
+
+TEST(RunSummary, FindsTheWorstFrameAndTheRest) {
+  std::vector<FrameRecord> records(4);
+  for (int i = 0; i < 4; ++i) {
+    records[static_cast<std::size_t>(i)].frame = i + 1;
+    records[static_cast<std::size_t>(i)].sim_ms = 2.0;
+  }
+  records[1].stretch.max = 0.3;
+  records[3].stretch.max = 0.1;
+  records[2].asleep = records[3].asleep = true;
+  const RunSummary summary = summarise(records);
+  EXPECT_EQ(summary.max_stretch, 0.3);
+  EXPECT_EQ(summary.max_stretch_frame, 2);
+  EXPECT_EQ(summary.final_max_stretch, 0.1);
+  EXPECT_EQ(summary.asleep_since_frame, 3);
+  EXPECT_EQ(summary.mean_sim_ms, 2.0);
+  records.back().asleep = false;
+  EXPECT_EQ(summarise(records).asleep_since_frame, -1);
+}
+
+}  // namespace
+}  // namespace taut::app

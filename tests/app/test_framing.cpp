@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "app/framing.hpp"
+#include "sim/grid.hpp"
+
+namespace taut::app {
+namespace {
+
+Scene horizontal_cloth() {
+  Scene scene;
+  scene.garment.grid = {.columns = 3, .rows = 3, .plane = sim::GridPlane::horizontal};
+  return scene;
+}
+
+sim::Garment garment_of(const Scene& scene, std::vector<sim::Index> pins) {
+  return sim::make_garment(sim::make_grid(scene.garment.grid), scene.mapping, std::move(pins));
+}
+
+TEST(Framing, ExpectsClothToHangBelowItsPins) {
+  const Scene scene = horizontal_cloth();
+  const renderer::Box reach = expected_reach(scene, garment_of(scene, {0, 2}));
+  EXPECT_NEAR(reach.lower.y, -std::sqrt(1.25), 1e-6);
+  EXPECT_EQ(reach.upper.y, 0.0F);
+  EXPECT_EQ(expected_reach(scene, garment_of(scene, {})).lower.y, 0.0F);
+}
+
+TEST(Framing, SeesWhatClothFallsOnto) {
+  Scene scene = horizontal_cloth();
+  scene.surroundings.colliders = {{sim::Sphere{sim::Vec3(0, -2, 0), 0.5}}, {sim::Plane{sim::Vec3(0, -3, 0)}}};
+  const renderer::Box reach = expected_reach(scene, garment_of(scene, {}));
+  EXPECT_EQ(reach.lower.y, -3.0F);
+  EXPECT_EQ(*ground_height(scene, reach), -3.0F);
+}
+
+TEST(Framing, PutsTheGroundBelowEverything) {
+  Scene scene;
+  const renderer::Box reach{{-1, -1, -1}, {1, 1, 1}};
+  EXPECT_LT(*ground_height(scene, reach), -1.0F);
+  scene.picture.ground = {GroundKind::fixed, 0.5};
+  EXPECT_EQ(*ground_height(scene, reach), 0.5F);
+  scene.picture.ground = {GroundKind::none, 0.0};
+  EXPECT_FALSE(ground_height(scene, reach).has_value());
+}
+
+TEST(Framing, TakesTheEyeAsGiven) {
+  Scene scene;
+  scene.camera.eye = glm::vec3(1, 2, 3);
+  scene.camera.target = glm::vec3(0, 1, 0);
+  const renderer::Camera camera = scene_camera(scene, {{-1, -1, -1}, {1, 1, 1}}, 1.5F);
+  EXPECT_EQ(camera.eye, *scene.camera.eye);
+  EXPECT_EQ(camera.target, *scene.camera.target);
+}
+
+}  // namespace
+}  // namespace taut::app

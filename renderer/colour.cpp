@@ -44,6 +44,10 @@ float linear_to_srgb(float linear) {
   return c <= 0.0031308F ? c * 12.92F : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
 }
 
+glm::vec3 linear_light(const Colour& colour) {
+  return {srgb_to_linear(colour.r), srgb_to_linear(colour.g), srgb_to_linear(colour.b)};
+}
+
 Colour colour_at(ColourMap map, float t) {
   if (std::isnan(t)) return Colour{0.5F};
   const std::span<const Colour> samples = samples_of(map);

@@ -21,6 +21,9 @@ constexpr Colour rgb(std::uint32_t hex) {
 float srgb_to_linear(float encoded);
 float linear_to_srgb(float linear);
 
+/// All three channels in linear light.
+glm::vec3 linear_light(const Colour& colour);
+
 /// Colour maps whose lightness tells the order to every reader, colour-blind or printing in grey.
 enum class ColourMap {
   viridis,      ///< dark violet to yellow, lightness rises throughout

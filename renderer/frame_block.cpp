@@ -17,10 +17,6 @@ constexpr float key_softness = 0.06F;
 // Radius of the lit floor in units of the scene's radius. Smaller shows where the floor ends.
 constexpr float floor_radius = 9.0F;
 
-glm::vec3 linear(const Colour& colour) {
-  return {srgb_to_linear(colour.r), srgb_to_linear(colour.g), srgb_to_linear(colour.b)};
-}
-
 glm::vec4 light(const glm::vec3& towards, float strength) {
   const float length = glm::length(towards);
   const glm::vec3 unit = length > 0.0F ? towards / length : glm::vec3{0.0F, 1.0F, 0.0F};
@@ -85,8 +81,9 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   block.towards_key = light(lighting.towards_key, lighting.key);
   block.towards_fill = light(lighting.towards_fill, lighting.fill);
   block.towards_rim = light(lighting.towards_rim, lighting.rim);
-  block.upper_colour = glm::vec4{linear(frame.backdrop.upper_colour), lighting.ambient};
-  block.lower_colour = glm::vec4{linear(frame.backdrop.lower_colour), frame.backdrop.plain ? 1.0F : 0.0F};
+  block.upper_colour = glm::vec4{linear_light(frame.backdrop.upper_colour), lighting.ambient};
+  block.lower_colour =
+      glm::vec4{linear_light(frame.backdrop.lower_colour), frame.backdrop.plain ? 1.0F : 0.0F};
   set_shadow(block, lighting, settings, casters);
   set_ground(block, frame, casters);
   // The backdrop's gradient starts at the middle of the picture, wherever the camera points.

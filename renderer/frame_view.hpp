@@ -19,7 +19,7 @@ struct SurfaceStyle {
   Colour outside_colour = rgb(0x3F6FA8);  ///< seen where triangles run counter-clockwise
   Colour inside_colour = rgb(0xD9A066);   ///< seen on the other side
   float roughness = 0.75F;                ///< 0.05 glossy to 1 matt; of the highlight
-  float sheen = 0.35F;                    ///< 0 to 1; the soft bright fringe of cotton at grazing angles
+  float sheen = 0.4F;                     ///< 0 to 1; the soft bright fringe of cotton at grazing angles
   float translucency = 0.12F;             ///< 0 to 1; light that comes through from the other side
 };
 

@@ -1,54 +1,21 @@
 #include "renderer/scene_renderer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <deque>
-#include <map>
 
 #include "renderer/bindings.hpp"
+#include "renderer/colour_map_textures.hpp"
 #include "renderer/frame_block.hpp"
 #include "renderer/frame_check.hpp"
 #include "renderer/mark_pass.hpp"
+#include "renderer/merged_spheres.hpp"
 #include "renderer/picture_target.hpp"
-#include "renderer/primitives.hpp"
 #include "renderer/shadow_pass.hpp"
 #include "renderer/sky_pass.hpp"
 
 namespace taut::renderer {
 
 namespace {
-
-glm::vec3 linear(const Colour& colour) {
-  return {srgb_to_linear(colour.r), srgb_to_linear(colour.g), srgb_to_linear(colour.b)};
-}
-
-// All balls of one group in one mesh. A few large ones need a round outline, many small ones need to be
-// cheap.
-TriangleMesh merged_spheres(const SphereView& spheres) {
-  const TriangleMesh one =
-      make_sphere(glm::vec3{0.0F}, spheres.radius_m, spheres.centres.size() > 8 ? 20 : 64);
-  TriangleMesh all;
-  for (const glm::vec3& centre : spheres.centres) {
-    const auto first = static_cast<std::uint32_t>(all.positions.size());
-    for (const glm::vec3& position : one.positions) all.positions.push_back(position + centre);
-    all.normals.insert(all.normals.end(), one.normals.begin(), one.normals.end());
-    for (const std::uint32_t index : one.triangles) all.triangles.push_back(first + index);
-  }
-  return all;
-}
-
-SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres) {
-  SurfaceView view;
-  view.positions = mesh.positions;
-  view.normals = mesh.normals;
-  view.triangles = mesh.triangles;
-  view.style.outside_colour = view.style.inside_colour = spheres.colour;
-  view.style.roughness = 0.45F;
-  view.style.sheen = 0.0F;
-  view.style.translucency = 0.0F;
-  view.casts_shadow = spheres.casts_shadow;
-  return view;
-}
 
 std::optional<Box> box_around_casters(const std::vector<SurfaceView>& surfaces) {
   std::optional<Box> box;
@@ -87,7 +54,7 @@ struct SceneRenderer::Parts {
   DepthSamplers samplers;
   Buffer block_buffer;
   VertexArray no_arrays;
-  std::map<ColourMap, Texture> colour_maps;
+  ColourMapTextures colour_maps;
   std::deque<SurfaceBuffers> buffers;  // one for each surface, kept from frame to frame
   std::vector<SurfaceView> surfaces;   // those of the frame and the balls
 
@@ -106,7 +73,6 @@ struct SceneRenderer::Parts {
   void draw_surfaces();
   void draw_ground() const;
   void draw_marks(const FrameView& frame);
-  const Texture& texture_of(ColourMap map);
 };
 
 SceneRenderer::Parts::Parts(Context& made)
@@ -121,7 +87,8 @@ SceneRenderer::Parts::Parts(Context& made)
       target(gl, embedded_shaders()),
       samplers(gl),
       block_buffer(gl),
-      no_arrays(gl) {
+      no_arrays(gl),
+      colour_maps(gl) {
   for (const Program* program : {&surface, &backdrop, &ground}) bind_shared_inputs(*program);
   check_errors(gl, "starting the renderer");
 }
@@ -211,28 +178,6 @@ void SceneRenderer::Parts::draw_backdrop(const glm::mat4& to_direction) const {
   gl.DepthMask(GL_TRUE);
 }
 
-const Texture& SceneRenderer::Parts::texture_of(ColourMap map) {
-  const auto found = colour_maps.find(map);
-  if (found != colour_maps.end()) return found->second;
-  constexpr int width = 256;
-  std::array<std::uint8_t, 3 * width> texels{};
-  for (int i = 0; i < width; ++i) {
-    const Colour colour = colour_at(map, static_cast<float>(i) / static_cast<float>(width - 1));
-    for (int k = 0; k < 3; ++k) {
-      texels[static_cast<std::size_t>(3 * i + k)] = static_cast<std::uint8_t>(colour[k] * 255.0F + 0.5F);
-    }
-  }
-  const Texture& texture = colour_maps.emplace(map, Texture(gl)).first->second;
-  bind_texture(gl, scalar_map_unit, GL_TEXTURE_2D, texture);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, width, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, texels.data());
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  return texture;
-}
-
 void SceneRenderer::Parts::draw_surfaces() {
   // Pushed back a little, more where slanted: wireframes lie on them.
   gl.Enable(GL_POLYGON_OFFSET_FILL);
@@ -242,9 +187,9 @@ void SceneRenderer::Parts::draw_surfaces() {
     const SurfaceView& view = surfaces[i];
     if (!view.filled) continue;
     bind_texture(gl, scalar_map_unit, GL_TEXTURE_2D,
-                 texture_of(view.scalars ? view.scalars->map : ColourMap::viridis));
-    surface.set("outside_colour", linear(view.style.outside_colour));
-    surface.set("inside_colour", linear(view.style.inside_colour));
+                 colour_maps.get(view.scalars ? view.scalars->map : ColourMap::viridis));
+    surface.set("outside_colour", linear_light(view.style.outside_colour));
+    surface.set("inside_colour", linear_light(view.style.inside_colour));
     surface.set("finish", glm::vec4{std::clamp(view.style.roughness, 0.05F, 1.0F), view.style.sheen,
                                     view.style.translucency, view.scalars ? 1.0F : 0.0F});
     buffers[i].draw();

@@ -9,7 +9,7 @@ layout(location = 0) out vec4 light;
 float soft_visibility(int i, vec3 position) {
   vec3 place = (world_to_sky[i] * vec4(position, 1.0)).xyz;
   vec4 cell = sky_cell(i);
-  const int search_taps = 8;
+  const int search_taps = 10;
   float widest = min(sky_blur.x * place.z, 0.5);
   vec2 direction = disc_direction(float(i));
   float blockers = 0.0;
@@ -25,7 +25,7 @@ float soft_visibility(int i, vec3 position) {
   }
   if (blockers < 0.5) return 1.0;
   float radius = clamp(sky_blur.x * (place.z - depth_sum / blockers), 1.5 * sky_blur.y, 0.5);
-  return sky_visibility(i, position, radius, 12);
+  return sky_visibility(i, position, radius, 16);
 }
 
 void main() {

@@ -1,11 +1,12 @@
-#include "disc.glsl"
 // Percentage-closer soft shadows (Fernando 2005): the penumbra widens with the distance to what casts it.
+#include "disc.glsl"
 uniform sampler2DShadow shadow_compare;
 uniform sampler2D shadow_depth;
 
 const int search_taps = 6;
 const int filter_taps = 14;
 const float widest = 24.0;  // largest blur radius, texels
+
 // Interleaved gradient noise (Jimenez 2014): neighbours differ as much as possible, so the eye averages them.
 // Around a square instead of a circle, then back to length 1: near enough to all directions alike.
 vec2 pixel_direction() {

@@ -1,6 +1,6 @@
-#include "disc.glsl"
 // Light from the whole studio around: bright from above, weaker from below, reduced by what stands in the way. Each
 // direction has a small depth map in one atlas.
+#include "disc.glsl"
 const int max_sky_directions = 64;
 layout(std140) uniform Sky {
   vec4 sky_info;                               // x: number of directions; y: columns; z: rows; w: lift, m

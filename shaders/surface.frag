@@ -44,11 +44,11 @@ Light gathered(vec3 normal, vec3 towards_eye, float open) {
   // The fill has no shadow map; what is closed to the sky is closed to it too.
   float openness = clamp(open / max(open_sky(normal), 0.05), 0.0, 1.0);
   float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), 0.3) * openness;
-  float around = upper_colour.w * mix(0.16, 1.0, open);
+  float around = upper_colour.w * mix(0.25, 1.0, open);
   float rim = towards_rim.w * grazing * max(dot(normal, towards_rim.xyz), 0.0) * openness;
   Light light;
   light.diffuse = direct + through + fill + around;
-  light.fringe = rim + finish.y * grazing * 0.55 * (around + 0.6 * direct + fill);
+  light.fringe = rim + finish.y * grazing * 0.85 * (around + 0.6 * direct + fill);
   light.gloss = key_light * max(key_cosine, 0.0) * highlight(normal, towards_key.xyz, towards_eye, finish.x);
   return light;
 }
@@ -69,8 +69,9 @@ void main() {
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
   Light light = gathered(normal, towards_eye, gl_FrontFacing ? sky_light.x : sky_light.y);
   vec3 base = gl_FrontFacing ? outside_colour : inside_colour;
-  vec3 cloth = base * light.diffuse + mix(vec3(1.0), base, 0.45) * light.fringe + vec3(light.gloss);
+  vec3 cloth = base * light.diffuse + mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
-  vec3 data = data_colour() * mix(1.0, light.diffuse / 1.15, 0.55);
+  // A dark colour cannot show form by getting darker, so a little light from the edges is added.
+  vec3 data = data_colour() * mix(1.0, light.diffuse / 1.15, 0.5) + vec3(0.1 * light.fringe);
   colour = vec4(linear_to_srgb_fast(tone_mapped(finish.w > 0.5 ? data : cloth)), 1.0);
 }

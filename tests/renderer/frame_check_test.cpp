@@ -1,0 +1,47 @@
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "scene_support.hpp"
+
+namespace taut::renderer {
+namespace {
+
+using FrameCheckTest = SceneRendererTest;
+
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(FrameCheckTest, BadFramesAreRefusedByName) {
+  constexpr std::array<std::uint32_t, 3> too_high{0, 1, 3};
+  FrameView frame = triangle_frame();
+  frame.surfaces.push_back(frame.surfaces[0]);
+  frame.surfaces[1].triangles = too_high;
+  const auto draw = [&] { renderer.draw(frame, small_picture()); };
+  EXPECT_NE(refusal(draw).find("surface 1: index 3"), std::string::npos) << refusal(draw);
+
+  frame = triangle_frame();
+  auto positions = triangle_positions;
+  positions[2].y = std::numeric_limits<float>::infinity();
+  frame.surfaces[0].positions = positions;
+  EXPECT_NE(refusal(draw).find("surface 0: position 2"), std::string::npos) << refusal(draw);
+
+  frame = triangle_frame();
+  frame.surfaces[0].normals = frame.surfaces[0].normals.first(2);
+  EXPECT_NE(refusal(draw).find("2 normals, expected 3"), std::string::npos) << refusal(draw);
+
+  PictureSettings settings = small_picture();
+  settings.width_px = 0;
+  const auto draw_nothing = [&] { renderer.draw(triangle_frame(), settings); };
+  EXPECT_NE(refusal(draw_nothing).find("width_px is 0"), std::string::npos) << refusal(draw_nothing);
+}
+
+}  // namespace
+}  // namespace taut::renderer

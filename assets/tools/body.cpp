@@ -19,8 +19,10 @@ struct TrunkSection {
 // About twice as wide as deep. Girths from chest to hem: 1.10, 1.01, 1.01 m, where the shirt has 1.18, 1.08
 // and 1.04 m: enough ease to slide, too little for the cloth to stand off in a ridge.
 constexpr TrunkSection trunk[] = {
-    {0.12, 0.100, 0.050, 0.075}, {0.22, 0.125, 0.075, 0.100}, {0.30, 0.140, 0.085, 0.110},
-    {0.48, 0.125, 0.080, 0.105}, {0.70, 0.125, 0.080, 0.105}, {0.80, 0.125, 0.080, 0.105},
+    {0.12, 0.100, 0.050, 0.075},
+    {0.30, 0.140, 0.085, 0.110},
+    {0.48, 0.125, 0.080, 0.105},
+    {0.80, 0.125, 0.080, 0.105},
 };
 
 void add(std::vector<sim::Collider>& body, const Vec3& start_m, const Vec3& end_m, double start_radius_m,

@@ -24,8 +24,8 @@ const std::array<FitLevel, 3>& fit_levels() {
       {1500, {{.frames = 600, .flexural = 0.03, .air_drag_per_s = 5.0}}},
       {6000, {{.frames = 120, .flexural = 0.05, .air_drag_per_s = 10.0}}},
       {24000,
-       {{.frames = 60, .flexural = 0.05, .air_drag_per_s = 10.0},
-        {.frames = 30, .flexural = 0.02, .air_drag_per_s = 20.0}}},
+       {{.frames = 30, .flexural = 0.05, .air_drag_per_s = 10.0},
+        {.frames = 15, .flexural = 0.02, .air_drag_per_s = 20.0}}},
   }};
   return levels;
 }

@@ -169,21 +169,26 @@ TEST(Sew, DependsOnItsSeedAlone) {
   EXPECT_NE(flat(7), flat(8));
 }
 
-TEST(Lift, PutsFlatPiecesOntoThemselves) {
-  // A coarse shirt whose every panel lies flat: any finer meshing lifted onto it has no strain inside panels.
+TEST(Lift, KeepsEveryPointsPlaceOnThePiece) {
+  // The coarse front is bent into a bowl, so that only the triangle a point lies in gives nearly its height.
   const auto pieces = tailor::cut_pieces(tailor::read_pattern(pattern_file));
   const tailor::Shirt coarse = tailor::sew_shirt(pieces, 700, 1);
   const tailor::Shirt fine = tailor::sew_shirt(pieces, 2000, 1);
-  const tailor::Panel& coarse_front = coarse.panels[0];
+  const auto bowl = [](const Vec2& p) { return Vec3(p, p.x * p.x + p.y * p.y); };
   std::vector<Vec3> positions(coarse.vertex_count);
+  const tailor::Panel& coarse_front = coarse.panels[0];
   for (std::size_t i = 0; i < coarse_front.flat_m.size(); ++i) {
-    positions[coarse_front.vertices[i]] = Vec3(coarse_front.flat_m[i], 0.0);
+    positions[coarse_front.vertices[i]] = bowl(coarse_front.flat_m[i]);
   }
   const std::vector<Vec3> lifted = tailor::lift_onto(fine, coarse, positions);
   const tailor::Panel& front = fine.panels[0];
   for (std::size_t i = front.outline_count; i < front.flat_m.size(); ++i) {
-    EXPECT_NEAR(lifted[front.vertices[i]].x, front.flat_m[i].x, 1e-12);
-    EXPECT_NEAR(lifted[front.vertices[i]].y, front.flat_m[i].y, 1e-12);
+    const Vec3 expected = bowl(front.flat_m[i]);
+    const Vec3& found = lifted[front.vertices[i]];
+    EXPECT_NEAR(found.x, expected.x, 1e-12);
+    EXPECT_NEAR(found.y, expected.y, 1e-12);
+    // A triangle of edges of at most 8 cm lies at most its circumradius squared above the bowl.
+    EXPECT_NEAR(found.z, expected.z, 0.08 * 0.08 / 3.0);
   }
 }
 

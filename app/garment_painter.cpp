@@ -14,6 +14,10 @@ namespace {
 const renderer::Colour obstacle_colour = renderer::rgb(0xB9B4AC);
 const renderer::Colour outline_colour = renderer::rgb(0xC0392B);
 
+// Lines are one pixel wide up to this height of the picture and grow with it beyond, so that a large picture
+// looks like a small one.
+constexpr float full_line_height_px = 600.0F;
+
 std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
   std::vector<std::uint32_t> indices;
   indices.reserve(triangles.size() * 3);
@@ -79,6 +83,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const Scene& s
   frame_.camera = scene_camera(scene, reach, aspect);
   frame_.lighting = renderer::studio_lighting(frame_.camera);
   frame_.ground_height_m = ground_height(scene, reach);
+  line_width_px_ = std::max(1.0F, static_cast<float>(style_.settings.height_px) / full_line_height_px);
   pin_radius_m_ = 0.008F * glm::distance(reach.lower, reach.upper);
   make_fixed_parts(scene, garment);
 }
@@ -101,6 +106,7 @@ void GarmentPainter::make_fixed_parts(const Scene& scene, const sim::Garment& ga
     renderer::LineView outline;
     outline.points = rest_outline_;
     outline.colours = std::span(&outline_colour, 1);
+    outline.width_px = 1.5F * line_width_px_;
     outline.hidden_by_surfaces = false;
     frame_.lines.push_back(outline);
   }
@@ -118,7 +124,7 @@ renderer::SurfaceView GarmentPainter::garment_view() const {
                                               static_cast<float>(style_.stretch_range[1])};
   }
   if (style_.wireframe || !surface.filled) {
-    surface.wireframe = renderer::Wireframe{.edges = structural_edges_};
+    surface.wireframe = renderer::Wireframe{.edges = structural_edges_, .width_px = line_width_px_};
   }
   return surface;
 }

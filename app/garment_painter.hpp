@@ -40,6 +40,7 @@ class GarmentPainter {
   std::vector<glm::vec3> rest_outline_;
   renderer::FrameView frame_;
   float pin_radius_m_ = 0.0F;
+  float line_width_px_ = 1.0F;
   // Of the frame at hand.
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;

@@ -17,7 +17,7 @@ Scene scene_for_print(const std::string& name, int width_px, int height_px) {
   renderer::PictureSettings& settings = scene.picture.settings;
   settings.width_px = width_px;
   settings.height_px = height_px;
-  settings.supersampling = 3;
+  settings.supersampling = 2;
   settings.shadow_map_px = 4096;
   settings.sky_directions = 64;
   return scene;

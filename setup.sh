@@ -16,7 +16,8 @@ packages=(
   libdeflate-dev      # compresses PNG
   libfmt-dev
   libglm-dev
-  libosmesa6-dev      # OpenGL without a display or a GPU
+  libegl1             # OpenGL without a display or a GPU
+  libegl-mesa0
   libstb-dev          # writes PNG
   libtomlplusplus-dev
   nlohmann-json3-dev
@@ -28,16 +29,27 @@ packages=(
   libgtest-dev
 )
 
+# Another way to OpenGL without a display, gone from distributions with Mesa 25.1 or newer.
+packages_if_offered=(
+  libosmesa6
+)
+
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup.sh knows Debian and Ubuntu only. On this system, install the counterparts of:" >&2
   printf '  %s\n' "${packages[@]}" >&2
   exit 1
 fi
 
+is_installed() {
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]
+}
+
 missing=()
 for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$status" = installed ] || missing+=("$package")
+  is_installed "$package" || missing+=("$package")
+done
+for package in "${packages_if_offered[@]}"; do
+  is_installed "$package" || [ -z "$(apt-cache --names-only search "^$package\$")" ] || missing+=("$package")
 done
 if [ ${#missing[@]} -eq 0 ]; then
   exit 0

@@ -14,7 +14,7 @@ struct Loader {
 };
 
 // Best first: "auto" tries them in this order.
-constexpr Loader loaders[] = {{"osmesa", create_osmesa_context}};
+constexpr Loader loaders[] = {{"osmesa", create_osmesa_context}, {"egl", create_egl_context}};
 
 std::string gl_string(const GladGLContext& gl, GLenum name) {
   const auto* text = reinterpret_cast<const char*>(gl.GetString(name));

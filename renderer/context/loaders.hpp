@@ -10,5 +10,7 @@ namespace taut::renderer {
 
 /// Mesa's off-screen library (removed from Mesa in 25.1, so it may be absent at run time).
 std::unique_ptr<Context> create_osmesa_context();
+/// EGL without a surface: needs neither a display nor a window system.
+std::unique_ptr<Context> create_egl_context();
 
 }  // namespace taut::renderer

@@ -1,8 +1,8 @@
-#include <dlfcn.h>
 #include <glad/gl.h>
 
 #include <array>
 
+#include "renderer/context/dynamic_library.hpp"
 #include "renderer/context/loaders.hpp"
 
 namespace taut::renderer {
@@ -27,27 +27,13 @@ struct Library {
   Procedure (*lookup)(const char* name) = nullptr;
 };
 
-template <typename Function>
-void find(void* library, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(dlsym(library, name));
-  if (function == nullptr) throw ContextError(std::string("libOSMesa has no ") + name);
-}
-
 Library load_library() {
-  void* library = nullptr;
-  std::string reason;
-  for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
-    // Never closed: Mesa leaves thread-local destructors behind that run when the program ends.
-    library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-    if (library != nullptr) break;
-    if (reason.empty()) reason = dlerror();
-  }
-  if (library == nullptr) throw ContextError(reason);
+  void* library = open_library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
   Library functions;
-  find(library, "OSMesaCreateContextAttribs", functions.create);
-  find(library, "OSMesaDestroyContext", functions.destroy);
-  find(library, "OSMesaMakeCurrent", functions.make_current);
-  find(library, "OSMesaGetProcAddress", functions.lookup);
+  find_function(library, "OSMesaCreateContextAttribs", functions.create);
+  find_function(library, "OSMesaDestroyContext", functions.destroy);
+  find_function(library, "OSMesaMakeCurrent", functions.make_current);
+  find_function(library, "OSMesaGetProcAddress", functions.lookup);
   return functions;
 }
 

@@ -9,6 +9,7 @@
 // The C interface: Qhull's C++ headers are not valid C++20.
 extern "C" {
 #include <libqhull_r/libqhull_r.h>
+#include <libqhull_r/mem_r.h>
 #include <libqhull_r/poly_r.h>
 }
 
@@ -51,7 +52,12 @@ void check_complete(std::span<const Vec2> points, std::size_t outline_count,
 class Qhull {
  public:
   Qhull() { qh_zero(&qh_, stderr); }
-  ~Qhull() { qh_freeqhull(&qh_, qh_ALL); }
+  ~Qhull() {
+    int long_blocks = 0;
+    int long_bytes = 0;
+    qh_freeqhull(&qh_, !qh_ALL);
+    qh_memfreeshort(&qh_, &long_blocks, &long_bytes);
+  }
   Qhull(const Qhull&) = delete;
   Qhull& operator=(const Qhull&) = delete;
 

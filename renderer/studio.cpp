@@ -12,7 +12,7 @@ Lighting studio_lighting(const Camera& camera) {
   const glm::vec3 right{towards.z, 0.0F, -towards.x};
   const glm::vec3 up{0.0F, 1.0F, 0.0F};
   Lighting lighting;
-  lighting.towards_key = -0.62F * right + 0.95F * up + 0.62F * towards;
+  lighting.towards_key = -0.60F * right + 1.15F * up + 0.60F * towards;
   lighting.towards_fill = 0.95F * right + 0.30F * up + 0.55F * towards;
   lighting.towards_rim = 0.45F * right + 0.60F * up - 1.0F * towards;
   return lighting;

@@ -10,7 +10,7 @@ namespace taut::app {
 renderer::Image draw_figure5(Studio& studio) {
   std::vector<Panel> panels;
   for (const char* name : {"tshirt-gravity", "tshirt-wind-1", "tshirt-wind-10"}) {
-    const Scene scene = scene_for_print(name, 920, 1100);
+    const Scene scene = scene_for_print(name, 980, 860);
     Shot shot = take_last_shot(studio, scene);
     const double speed_m_per_s = scene.surroundings.forces.wind.speed_m_per_s;
     panels.push_back({std::move(shot.picture),

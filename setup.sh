@@ -9,6 +9,7 @@ packages=(
   clang               # the tests compare the states that two compilers' programs end in
   cmake
   ninja-build
+  pkg-config
   # libraries
   libassimp-dev       # reads models
   libcairo2-dev       # text and page composition
@@ -16,9 +17,10 @@ packages=(
   libdeflate-dev      # compresses PNG
   libfmt-dev
   libglm-dev
+  libqhull-dev        # triangulates the sewing pattern
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0
-  libstb-dev          # writes PNG
+  libstb-dev          # reads and writes PNG
   libtomlplusplus-dev
   nlohmann-json3-dev
   python3-glad        # generates the OpenGL loader

@@ -26,6 +26,7 @@ TEST(SceneLookup, FindsBuiltInScenes) {
 }
 
 TEST(SceneLookup, ReadsEveryBuiltInScene) {
+  ASSERT_FALSE(built_in_scenes().empty());
   for (const BuiltInScene& scene : built_in_scenes()) {
     EXPECT_NO_THROW({
       const Scene found = find_scene(scene.name, {});

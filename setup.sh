@@ -20,6 +20,7 @@ packages=(
   libqhull-dev        # triangulates the sewing pattern
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0
+  libgl1-mesa-dri
   libstb-dev          # reads and writes PNG
   libtomlplusplus-dev
   nlohmann-json3-dev

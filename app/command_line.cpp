@@ -120,15 +120,19 @@ std::function<Command()> add_render(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("render", "Simulate a scene and draw pictures of it");
   add_scene_arguments(*command, arguments->scene);
+  command->get_option("SCENE")->description(std::string(scene_help_text) +
+                                            ", or a picture of taut render, to make it again");
   command->add_option("--output", arguments->options.output,
-                      "file, or pattern such as frames/frame_{frame:04}.png (default SCENE.png)");
+                      "file, or pattern such as frames/frame_{frame:04}.png, or a video, .mp4 or .gif "
+                      "(default SCENE.png)");
   command->add_option("--frames", arguments->frames,
-                      "A:B or A; frame 0 is before the first step (default: the last)");
+                      "A:B or A; frame 0 is before the first step (default: the last; of a video: all)");
   add_picture_shortcuts(*command, arguments->shortcuts);
   add_backend(*command, arguments->options.backend);
   command->footer(
       "Examples:\n  taut render tshirt-wind-10\n"
       "  taut render cloth-fall --frames 0:120 --output 'frames/frame_{frame:04}.png'\n"
+      "  taut render cloth-fall --output fall.mp4\n"
       "  taut render shirt.obj --set wind.speed=4 --stretch --resolution 1920,1080\n");
   return [arguments] {
     RenderOptions options = arguments->options;
@@ -237,7 +241,11 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   const std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i]->parsed()) {
-      return commands[i]();
+      Command command = commands[i]();
+      if (auto* render = std::get_if<RenderOptions>(&command)) {
+        render->arguments.assign(arguments + 1, arguments + argument_count);
+      }
+      return command;
     }
   }
   return Answered{};

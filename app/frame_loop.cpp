@@ -2,48 +2,88 @@
 
 #include <algorithm>
 
+#include "app/frame_pipeline.hpp"
 #include "app/interruption.hpp"
 #include "app/stopwatch.hpp"
 
 namespace taut::app {
+namespace {
+
+bool is_drawn(int frame, const FrameOutputs& outputs) {
+  return std::binary_search(outputs.pictures.begin(), outputs.pictures.end(), frame);
+}
+
+FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOutputs& outputs) {
+  FrameInWork work;
+  Stopwatch simulating;
+  if (frame > 0) {
+    simulation.advance_frame();
+  }
+  const double sim_ms = simulating.elapsed_ms();
+  work.record = measure_frame(simulation, frame);
+  work.record.sim_ms = sim_ms;
+
+  if (outputs.write_shape) {
+    Stopwatch writing;
+    outputs.write_shape(frame, simulation);
+    work.record.encode_ms = writing.elapsed_ms();
+  }
+  if (is_drawn(frame, outputs)) {
+    work.positions = simulation.state().current;
+  }
+  return work;
+}
+
+void draw_frame(FrameInWork& work, const sim::Simulation& simulation, const FrameOutputs& outputs) {
+  Stopwatch drawing;
+  work.picture =
+      outputs.draw_positions ? outputs.draw_positions(work.positions) : outputs.draw_picture(simulation);
+  work.record.draw_ms = drawing.elapsed_ms();
+}
+
+void write_frame(FrameInWork& work, const FrameOutputs& outputs) {
+  Stopwatch writing;
+  if (outputs.write_frame) {
+    outputs.write_frame(work.record, work.picture);
+  } else {
+    outputs.write_picture(work.record.frame, work.picture);
+  }
+  work.record.encode_ms += writing.elapsed_ms();
+}
+
+}  // namespace
 
 std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
                                     const FrameOutputs& outputs) {
-  const auto is_drawn = [&](int frame) {
-    return std::binary_search(outputs.pictures.begin(), outputs.pictures.end(), frame);
-  };
   std::vector<FrameRecord> records;
-  for (int frame = is_drawn(0) ? 0 : 1; frame <= last_frame; ++frame) {
+  int next_frame = is_drawn(0, outputs) ? 0 : 1;
+
+  FrameStages stages;
+  stages.simulate = [&]() -> std::optional<FrameInWork> {
     throw_if_interrupted();
-
-    Stopwatch simulating;
-    if (frame > 0) {
-      simulation.advance_frame();
+    return next_frame > last_frame ? std::nullopt
+                                   : std::optional(simulate_frame(simulation, next_frame++, outputs));
+  };
+  stages.draw = [&](FrameInWork& work) {
+    throw_if_interrupted();
+    if (is_drawn(work.record.frame, outputs)) {
+      draw_frame(work, simulation, outputs);
     }
-    const double sim_ms = simulating.elapsed_ms();
-
-    FrameRecord record = measure_frame(simulation, frame);
-    record.sim_ms = sim_ms;
-
-    if (is_drawn(frame)) {
-      Stopwatch drawing;
-      const renderer::Image picture = outputs.draw_picture(simulation);
-      record.draw_ms = drawing.elapsed_ms();
-
-      Stopwatch writing;
-      outputs.write_picture(frame, picture);
-      record.encode_ms = writing.elapsed_ms();
+  };
+  stages.write = [&](FrameInWork& work) {
+    throw_if_interrupted();
+    if (is_drawn(work.record.frame, outputs)) {
+      write_frame(work, outputs);
     }
-    if (outputs.write_shape) {
-      Stopwatch writing;
-      outputs.write_shape(frame, simulation);
-      record.encode_ms += writing.elapsed_ms();
-    }
-
-    records.push_back(record);
+    records.push_back(work.record);
     if (outputs.report) {
-      outputs.report(record);
+      outputs.report(work.record);
     }
+  };
+  if (outputs.draw_positions && outputs.pictures.size() > 1) {
+    run_overlapped(stages);
+  } else {
+    run_in_turn(stages);
   }
   return records;
 }

@@ -68,11 +68,14 @@ Value convert(const toml::node& node) {
 }  // namespace
 
 Value read_toml(const std::filesystem::path& path) {
-  const std::string text = read_text_file(path);
+  return read_toml_text(read_text_file(path), path.string());
+}
+
+Value read_toml_text(const std::string& text, const std::string& name) {
   try {
-    return convert_table(toml::parse(text, path.string()));
+    return convert_table(toml::parse(text, name));
   } catch (const toml::parse_error& error) {
-    fail({path.string()}, static_cast<int>(error.source().begin.line),
+    fail({name}, static_cast<int>(error.source().begin.line),
          "this is not TOML: " + std::string(error.description()));
   }
 }

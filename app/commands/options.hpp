@@ -25,12 +25,13 @@ struct FrameRange {
 };
 
 struct RenderOptions {
-  std::string scene;
+  std::string scene;   ///< or a picture that is to be made again
   std::string output;  ///< empty: SCENE_NAME.png
   std::optional<FrameRange> frames;
   std::vector<Override> overrides;
   std::filesystem::path statistics;
   std::string backend = "auto";
+  std::vector<std::string> arguments;  ///< as given to the program; every picture keeps them
 };
 
 struct SimulateOptions {

@@ -1,65 +1,159 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <memory>
 #include <numeric>
 
 #include "app/commands/options.hpp"
+#include "app/errors.hpp"
 #include "app/files.hpp"
 #include "app/frame_loop.hpp"
 #include "app/garment_loading.hpp"
 #include "app/garment_painter.hpp"
 #include "app/output_pattern.hpp"
+#include "app/picture_record.hpp"
 #include "app/progress.hpp"
 #include "app/run_report.hpp"
 #include "app/scene_lookup.hpp"
+#include "app/scene_text.hpp"
 #include "app/studio.hpp"
-#include "app/version.hpp"
+#include "app/video_writer.hpp"
 
 namespace taut::app {
 namespace {
 
-std::vector<int> frames_to_draw(const RenderOptions& options, const Scene& scene) {
-  const FrameRange range = options.frames.value_or(FrameRange{scene.frames, scene.frames});
+// What is to be drawn, whether it is a scene that was given or a picture.
+struct Job {
+  Scene scene;
+  std::vector<int> frames;
+  std::string output;
+  std::optional<PictureRecord> again;  ///< the picture that is made again
+};
+
+std::vector<int> frames_to_draw(const RenderOptions& options, const Job& job) {
+  const int last = job.again ? job.again->frame : job.scene.frames;
+  const int first = is_video(job.output) && !job.again ? 0 : last;
+  const FrameRange range = options.frames.value_or(FrameRange{first, last});
   std::vector<int> frames(static_cast<std::size_t>(range.last - range.first) + 1);
   std::iota(frames.begin(), frames.end(), range.first);
   return frames;
 }
 
+Job job_of(const RenderOptions& options) {
+  Job job;
+  if (is_picture(options.scene)) {
+    job.again = read_picture_record(options.scene, options.overrides);
+    job.scene = job.again->scene;
+  } else {
+    job.scene = find_scene(options.scene, options.overrides);
+  }
+  // Made again, a picture never takes the place of the one it is made from unasked.
+  const std::string name = job.scene.name + (job.again ? "-again.png" : ".png");
+  job.output = options.output.empty() ? name : options.output;
+  job.frames = frames_to_draw(options, job);
+  return job;
+}
+
+// Where pictures go: a file each, or one video.
+class PictureOutput {
+ public:
+  explicit PictureOutput(const Job& job) : job_(job) {
+    const std::filesystem::path file = job.output;
+    if (is_video(file)) {
+      const renderer::PictureSettings& size = job.scene.picture.settings;
+      const VideoSettings settings{size.width_px, size.height_px, job.scene.simulation.frame_rate_hz};
+      require_video_size(file, settings);
+      prepare_folder_of(file);
+      video_ = std::make_unique<VideoWriter>(file, settings);
+      return;
+    }
+    if (file.extension() != ".png") {
+      throw UsageError("output '" + job.output + "': expected a file name that ends in .png, .mp4 or .gif");
+    }
+    pattern_.emplace(job.output, ".png");
+    pattern_->require_distinct_names(job.frames.size());
+    prepare_folder_of(pattern_->path_of(job.frames.front()));
+  }
+
+  void write(const PictureOrigin& origin, const FrameRecord& record, const renderer::Image& picture) {
+    if (video_) {
+      video_->add(picture);
+    } else {
+      renderer::write_png(pattern_->path_of(record.frame), picture, picture_texts(origin, record));
+    }
+  }
+
+  /// Says what was written.
+  std::string finish() {
+    if (!video_) {
+      return describe_written(*pattern_, job_.frames);
+    }
+    video_->finish();
+    return fmt::format("wrote {}, {} frames", job_.output, job_.frames.size());
+  }
+
+ private:
+  const Job& job_;
+  std::optional<OutputPattern> pattern_;
+  std::unique_ptr<VideoWriter> video_;
+};
+
+// A picture made again may differ where the program, the garment's file or OpenGL has changed since.
+void compare_with_record(const Job& job, const std::vector<FrameRecord>& records,
+                         const std::string& gl_renderer) {
+  const auto same_frame = std::find_if(records.begin(), records.end(),
+                                       [&](const auto& record) { return record.frame == job.again->frame; });
+  if (same_frame != records.end() && same_frame->state_hash != job.again->state_hash) {
+    fmt::print(stderr,
+               "taut: warning: the cloth is not where it was in the picture (state {:016x}, then {:016x}): "
+               "made by {}, or from another garment file\n",
+               same_frame->state_hash, job.again->state_hash, job.again->program);
+  }
+  if (gl_renderer != job.again->gl_renderer) {
+    fmt::print(stderr, "taut: warning: drawn by '{}', then by '{}': pixels may differ\n", gl_renderer,
+               job.again->gl_renderer);
+  }
+}
+
+std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Studio& studio,
+                              PictureOutput& output, const PictureOrigin& origin) {
+  GarmentPainter painter(studio.renderer(), job.scene, simulation.garment());
+  FrameOutputs outputs;
+  outputs.pictures = job.frames;
+  outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions) { return painter.draw(positions); };
+  outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
+    output.write(origin, record, picture);
+  };
+  Progress progress(job.scene.name, job.frames.back());
+  outputs.report = [&](const FrameRecord& record) { progress.show(record.frame, record.stretch.max); };
+  return run_frames(simulation, job.frames.back(), outputs);
+}
+
 }  // namespace
 
 int run(const RenderOptions& options) {
-  const Scene scene = find_scene(options.scene, options.overrides);
-  const std::vector<int> frames = frames_to_draw(options, scene);
-  const OutputPattern pattern(options.output.empty() ? scene.name + ".png" : options.output, ".png");
-  pattern.require_distinct_names(frames.size());
-  prepare_folder_of(pattern.path_of(frames.front()));
+  const Job job = job_of(options);
+  PictureOutput output(job);
   if (!options.statistics.empty()) {
     prepare_folder_of(options.statistics);
   }
 
-  sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
+  sim::Simulation simulation(load_garment(job.scene).garment, job.scene.simulation, job.scene.surroundings);
   Studio studio(options.backend);
-  GarmentPainter painter(studio.renderer(), scene, simulation.garment());
-  const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
+  const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
+  const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin);
+  const std::string written = output.finish();
 
-  FrameOutputs outputs;
-  outputs.pictures = frames;
-  outputs.draw_picture = [&](const sim::Simulation& moment) { return painter.draw(moment.state().current); };
-  outputs.write_picture = [&](int frame, const renderer::Image& picture) {
-    renderer::write_png(pattern.path_of(frame), picture, texts);
-  };
-  std::vector<FrameRecord> records;
-  {
-    Progress progress(scene.name, frames.back());
-    outputs.report = [&](const FrameRecord& record) { progress.show(record.frame, record.stretch.max); };
-    records = run_frames(simulation, frames.back(), outputs);
+  if (job.again && options.overrides.empty()) {
+    compare_with_record(job, records, studio.gl_renderer());
   }
-
   if (!options.statistics.empty()) {
     write_text_file(options.statistics,
-                    statistics_json(scene, simulation.garment(), studio.gl_renderer(), records));
+                    statistics_json(job.scene, simulation.garment(), studio.gl_renderer(), records));
     fmt::print("wrote {}\n", options.statistics.string());
   }
-  fmt::print("{}\n", describe_written(pattern, frames));
+  fmt::print("{}\n", written);
   return 0;
 }
 

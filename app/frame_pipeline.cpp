@@ -1,0 +1,75 @@
+#include "app/frame_pipeline.hpp"
+
+#include <array>
+#include <exception>
+#include <thread>
+
+namespace taut::app {
+namespace {
+
+// Frames that wait between two stages: enough to even out frames of different cost, and little memory.
+constexpr std::size_t waiting_frames = 3;
+
+template <class Stage>
+std::exception_ptr error_of(const Stage& stage) {
+  try {
+    stage();
+  } catch (...) {
+    return std::current_exception();
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void run_in_turn(const FrameStages& stages) {
+  while (std::optional<FrameInWork> frame = stages.simulate()) {
+    stages.draw(*frame);
+    stages.write(*frame);
+  }
+}
+
+void run_overlapped(const FrameStages& stages) {
+  BoundedQueue<FrameInWork> simulated(waiting_frames);
+  BoundedQueue<FrameInWork> drawn(waiting_frames);
+  std::exception_ptr simulating_failed;
+  std::exception_ptr writing_failed;
+
+  std::thread simulating([&] {
+    simulating_failed = error_of([&] {
+      std::optional<FrameInWork> frame = stages.simulate();
+      while (frame && simulated.push(std::move(*frame))) {
+        frame = stages.simulate();
+      }
+    });
+    simulated.close();
+  });
+  std::thread writing([&] {
+    writing_failed = error_of([&] {
+      while (std::optional<FrameInWork> frame = drawn.pop()) {
+        stages.write(*frame);
+      }
+    });
+    drawn.abandon();
+  });
+  const std::exception_ptr drawing_failed = error_of([&] {
+    std::optional<FrameInWork> frame = simulated.pop();
+    while (frame) {
+      stages.draw(*frame);
+      frame = drawn.push(std::move(*frame)) ? simulated.pop() : std::nullopt;
+    }
+  });
+  drawn.close();
+  simulated.abandon();
+  simulating.join();
+  writing.join();
+
+  // A later stage works on an earlier frame.
+  for (const std::exception_ptr& error : std::array{writing_failed, drawing_failed, simulating_failed}) {
+    if (error != nullptr) {
+      std::rethrow_exception(error);
+    }
+  }
+}
+
+}  // namespace taut::app

@@ -28,6 +28,8 @@ packages=(
   # fonts
   fontconfig
   fonts-dejavu-core
+  # videos
+  ffmpeg
   # tests
   libgtest-dev
 )

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -92,6 +93,19 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   block.backdrop_horizon = {
       std::sin(pitch), std::sin(std::min(pitch + 0.65F * frame.camera.vertical_fov_rad, 1.57F)), 0.0F, 0.0F};
   return block;
+}
+
+void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> casters) {
+  glm::vec2 lower{1.0F};
+  glm::vec2 upper{0.0F};
+  for (const SurfaceView* caster : casters) {
+    for (const glm::vec3& position : caster->positions) {
+      const glm::vec2 place{block.world_to_shadow * glm::vec4{position, 1.0F}};
+      lower = glm::min(lower, place);
+      upper = glm::max(upper, place);
+    }
+  }
+  block.shadow_bounds = {lower, upper};
 }
 
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {

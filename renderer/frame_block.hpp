@@ -3,10 +3,14 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
+#include <span>
 
 #include "renderer/frame_view.hpp"
 
 namespace taut::renderer {
+
+/// Radius of the widest blur of a shadow, in texels of its map; `widest` in shaders/shadow.glsl.
+inline constexpr float widest_penumbra_texels = 24.0F;
 
 /// What every shader of a frame shares: the std140 block `Frame` of shaders/frame.glsl, member by member.
 struct FrameBlock {
@@ -21,6 +25,7 @@ struct FrameBlock {
   glm::vec4 ground;
   glm::vec4 viewport;
   glm::vec4 shadow;
+  glm::vec4 shadow_bounds;
   glm::vec4 ground_light_area;
   glm::vec4 backdrop_horizon;
 };
@@ -37,6 +42,9 @@ struct Tile {
 /// but for what depends on the tile.
 FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& settings,
                             const std::optional<Box>& casters);
+
+/// Fills in where in the shadow map the casters are.
+void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> casters);
 
 /// Fills in what depends on the tile.
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile);

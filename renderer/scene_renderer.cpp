@@ -1,12 +1,15 @@
 #include "renderer/scene_renderer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 
 #include "renderer/bindings.hpp"
 #include "renderer/colour_map_textures.hpp"
 #include "renderer/frame_block.hpp"
 #include "renderer/frame_check.hpp"
+#include "renderer/ground_pass.hpp"
+#include "renderer/key_decision.hpp"
 #include "renderer/mark_pass.hpp"
 #include "renderer/merged_spheres.hpp"
 #include "renderer/picture_target.hpp"
@@ -16,6 +19,8 @@
 namespace taut::renderer {
 
 namespace {
+
+constexpr std::array<std::string_view, 1> shaded{"SHADED"};
 
 std::optional<Box> box_around_casters(const std::vector<SurfaceView>& surfaces) {
   std::optional<Box> box;
@@ -44,16 +49,18 @@ std::vector<Tile> tiles_of(const PictureSettings& settings) {
 struct SceneRenderer::Parts {
   Context& context;
   const GladGLContext& gl;
-  Program surface;
+  Program decided_surface;
+  Program open_surface;
   Program backdrop;
-  Program ground;
   ShadowPass shadow_pass;
   SkyPass sky_pass;
+  GroundPass ground_pass;
   MarkPass mark_pass;
   PictureTarget target;
   DepthSamplers samplers;
   Buffer block_buffer;
   VertexArray no_arrays;
+  KeyDecision key_decision;
   ColourMapTextures colour_maps;
   std::deque<SurfaceBuffers> buffers;  // one for each surface, kept from frame to frame
   std::vector<SurfaceView> surfaces;   // those of the frame and the balls
@@ -61,7 +68,8 @@ struct SceneRenderer::Parts {
   explicit Parts(Context& made);
   void draw_to(GLuint framebuffer, const FrameView& frame, const PictureSettings& settings, bool top_first);
   void reset_state() const;
-  void fill_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls);
+  void collect_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls);
+  void fill_buffers(const glm::vec3& eye);
   void prepare_light(FrameBlock& block, const std::optional<Box>& casters, const FrameView& frame,
                      const PictureSettings& settings);
   void bind_light() const;
@@ -70,26 +78,27 @@ struct SceneRenderer::Parts {
   void draw_tile(const FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
                  const Tile& tile);
   void draw_backdrop(const glm::mat4& to_direction) const;
+  void use_surface_program(const Program& program, const SurfaceView& view) const;
   void draw_surfaces();
-  void draw_ground() const;
   void draw_marks(const FrameView& frame);
 };
 
 SceneRenderer::Parts::Parts(Context& made)
     : context(made),
       gl(made.gl()),
-      surface(gl, embedded_shaders(), "surface.vert", "surface.frag"),
+      decided_surface(gl, embedded_shaders(), "surface.vert", "surface.frag"),
+      open_surface(gl, embedded_shaders(), "surface.vert", "surface.frag", shaded),
       backdrop(gl, embedded_shaders(), "fullscreen.vert", "backdrop.frag"),
-      ground(gl, embedded_shaders(), "ground.vert", "ground.frag"),
       shadow_pass(gl, embedded_shaders()),
       sky_pass(gl, embedded_shaders()),
+      ground_pass(gl, embedded_shaders()),
       mark_pass(gl, embedded_shaders()),
       target(gl, embedded_shaders()),
       samplers(gl),
       block_buffer(gl),
       no_arrays(gl),
       colour_maps(gl) {
-  for (const Program* program : {&surface, &backdrop, &ground}) bind_shared_inputs(*program);
+  for (const Program* program : {&decided_surface, &open_surface, &backdrop}) bind_shared_inputs(*program);
   check_errors(gl, "starting the renderer");
 }
 
@@ -111,16 +120,22 @@ void SceneRenderer::Parts::reset_state() const {
   unbind_light();
 }
 
-void SceneRenderer::Parts::fill_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls) {
+void SceneRenderer::Parts::collect_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls) {
   surfaces = frame.surfaces;
   balls.reserve(frame.spheres.size());
   for (const SphereView& spheres : frame.spheres) {
     balls.push_back(merged_spheres(spheres));
     surfaces.push_back(view_of(balls.back(), spheres));
   }
+}
+
+void SceneRenderer::Parts::fill_buffers(const glm::vec3& eye) {
+  std::vector<float> decided;
   while (buffers.size() < surfaces.size()) buffers.emplace_back(gl);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (surfaces[i].filled) buffers[i].fill(surfaces[i]);
+    if (!surfaces[i].filled) continue;
+    key_decision.decide(surfaces[i], decided);
+    buffers[i].fill(surfaces[i], decided, eye);
   }
 }
 
@@ -132,13 +147,20 @@ void SceneRenderer::Parts::send(const FrameBlock& block) const {
 
 void SceneRenderer::Parts::prepare_light(FrameBlock& block, const std::optional<Box>& casters,
                                          const FrameView& frame, const PictureSettings& settings) {
-  std::vector<const SurfaceBuffers*> casting;
+  std::vector<const SurfaceView*> casting_views;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (surfaces[i].casts_shadow && surfaces[i].filled) casting.push_back(&buffers[i]);
+    if (!settings.shadows || !surfaces[i].casts_shadow || !surfaces[i].filled) continue;
+    casting_views.push_back(&surfaces[i]);
   }
-  if (!settings.shadows) casting.clear();
+  set_shadow_bounds(block, casting_views);
+  key_decision.look(casting_views, block);
+  fill_buffers(frame.camera.eye);
+  std::vector<const SurfaceBuffers*> casting;
+  for (const SurfaceView* view : casting_views) {
+    casting.push_back(&buffers[static_cast<std::size_t>(view - surfaces.data())]);
+  }
   shadow_pass.draw(casting, block.world_to_shadow, settings.shadow_map_px);
-  sky_pass.draw_atlas(casting, settings.shadows ? casters : std::nullopt, settings.sky_directions);
+  sky_pass.draw_atlas(casting_views, settings.shadows ? casters : std::nullopt, settings.sky_directions);
   send(block);
   bind_light();
   if (frame.ground_height_m) sky_pass.draw_ground_light();
@@ -168,40 +190,38 @@ void SceneRenderer::Parts::unbind_light() const {
 }
 
 void SceneRenderer::Parts::draw_backdrop(const glm::mat4& to_direction) const {
-  gl.Disable(GL_DEPTH_TEST);
+  // On the far plane and last: only where nothing else is.
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
   gl.DepthMask(GL_FALSE);
   backdrop.use();
   backdrop.set("clip_to_direction", to_direction);
   gl.BindVertexArray(no_arrays.name());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
+}
+
+void SceneRenderer::Parts::use_surface_program(const Program& program, const SurfaceView& view) const {
+  program.use();
+  program.set("outside_colour", linear_light(view.style.outside_colour));
+  program.set("inside_colour", linear_light(view.style.inside_colour));
+  program.set("finish", glm::vec4{std::clamp(view.style.roughness, 0.05F, 1.0F), view.style.sheen,
+                                  view.style.translucency, view.scalars ? 1.0F : 0.0F});
 }
 
 void SceneRenderer::Parts::draw_surfaces() {
   // Pushed back a little, more where slanted: wireframes lie on them.
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   gl.PolygonOffset(1.5F, 4.0F);
-  surface.use();
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const SurfaceView& view = surfaces[i];
     if (!view.filled) continue;
     bind_texture(gl, scalar_map_unit, GL_TEXTURE_2D,
                  colour_maps.get(view.scalars ? view.scalars->map : ColourMap::viridis));
-    surface.set("outside_colour", linear_light(view.style.outside_colour));
-    surface.set("inside_colour", linear_light(view.style.inside_colour));
-    surface.set("finish", glm::vec4{std::clamp(view.style.roughness, 0.05F, 1.0F), view.style.sheen,
-                                    view.style.translucency, view.scalars ? 1.0F : 0.0F});
-    buffers[i].draw();
+    use_surface_program(decided_surface, view);
+    buffers[i].draw_decided();
+    use_surface_program(open_surface, view);
+    buffers[i].draw_open();
   }
-}
-
-void SceneRenderer::Parts::draw_ground() const {
-  // Behind cloth that lies on it.
-  gl.PolygonOffset(2.0F, 8.0F);
-  ground.use();
-  gl.BindVertexArray(no_arrays.name());
-  gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 // Blending has to happen in linear light, so marks are encoded by the framebuffer. Everything opaque encodes
@@ -226,10 +246,10 @@ void SceneRenderer::Parts::draw_tile(const FrameBlock& block, const FrameView& f
   send(block);
   target.begin(tile.width_px * settings.supersampling, tile.height_px * settings.supersampling,
                settings.samples);
-  draw_backdrop(clip_to_direction(frame.camera, settings, tile));
   draw_surfaces();
   const bool above = frame.ground_height_m && frame.camera.eye.y > *frame.ground_height_m;
-  if (above && !frame.backdrop.plain) draw_ground();
+  if (above && !frame.backdrop.plain) ground_pass.draw(block);
+  draw_backdrop(clip_to_direction(frame.camera, settings, tile));
   draw_marks(frame);
   gl.Disable(GL_DEPTH_TEST);
 }
@@ -238,7 +258,7 @@ void SceneRenderer::Parts::draw_to(GLuint framebuffer, const FrameView& frame,
                                    const PictureSettings& settings, bool top_first) {
   reset_state();
   std::vector<TriangleMesh> balls;
-  fill_surfaces(frame, balls);
+  collect_surfaces(frame, balls);
   const std::optional<Box> casters = box_around_casters(surfaces);
   FrameBlock block = make_frame_block(frame, settings, casters);
   prepare_light(block, casters, frame, settings);

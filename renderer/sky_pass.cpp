@@ -19,7 +19,7 @@ constexpr int rows = max_directions / columns;
 // Side of one direction's map. Larger keeps finer folds dark, and costs time to fill.
 constexpr int map_px = 128;
 // Side of the floor's light texture; its contents are smooth.
-constexpr int ground_px = 112;
+constexpr int ground_px = 72;
 // Brightness of the studio's floor against its ceiling, as seen by the underside of things.
 constexpr float floor_brightness = 0.5F;
 
@@ -49,16 +49,14 @@ struct SkyPass::Block {
 
 SkyPass::SkyPass(const GladGLContext& context, std::span<const ShaderFile> files)
     : gl(&context),
-      depth(context, files, "depth.vert", "depth.frag"),
       ground(context, files, "fullscreen.vert", "ground_light.frag"),
+      maps(columns, rows, map_px),
       atlas_map(context),
-      atlas_framebuffer(context),
       ground_texture(context),
       ground_framebuffer(context),
       block_buffer(context),
       no_arrays(context) {
   allocate_depth(*gl, atlas_map, columns * map_px, rows * map_px);
-  attach_depth(*gl, atlas_framebuffer, atlas_map);
   gl->BindTexture(GL_TEXTURE_2D, ground_texture.name());
   gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R16F, ground_px, ground_px, 0, GL_RED, GL_FLOAT, nullptr);
   for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
@@ -72,7 +70,8 @@ SkyPass::SkyPass(const GladGLContext& context, std::span<const ShaderFile> files
   bind_shared_inputs(ground);
 }
 
-void SkyPass::draw_atlas(Casters casters, const std::optional<Box>& box, int directions) {
+void SkyPass::draw_atlas(std::span<const SurfaceView* const> casters, const std::optional<Box>& box,
+                         int directions) {
   Block block{};
   directions_drawn = box ? directions : 0;
   if (directions_drawn > 0) {
@@ -93,16 +92,18 @@ void SkyPass::draw_atlas(Casters casters, const std::optional<Box>& box, int dir
   gl->BindBufferBase(GL_UNIFORM_BUFFER, sky_block_binding, block_buffer.name());
 }
 
-void SkyPass::draw_maps(Casters casters, const Block& block, int directions) {
-  gl->BindFramebuffer(GL_FRAMEBUFFER, atlas_framebuffer.name());
-  gl->Viewport(0, 0, columns * map_px, rows * map_px);
-  gl->Clear(GL_DEPTH_BUFFER_BIT);
-  depth.use();
+void SkyPass::draw_maps(std::span<const SurfaceView* const> casters, const Block& block, int directions) {
+  maps.clear();
   for (int i = 0; i < directions; ++i) {
-    gl->Viewport((i % columns) * map_px, (i / columns) * map_px, map_px, map_px);
-    depth.set("world_to_map", unit_cube_to_clip() * block.world_to_sky[static_cast<std::size_t>(i)]);
-    for (const SurfaceBuffers* caster : casters) caster->draw();
+    const glm::mat4& world_to_map = block.world_to_sky[static_cast<std::size_t>(i)];
+    for (const SurfaceView* caster : casters) {
+      maps.draw(i, world_to_map, caster->positions, caster->triangles);
+    }
   }
+  gl->BindTexture(GL_TEXTURE_2D, atlas_map.name());
+  gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, maps.width_px(), maps.height_px(), GL_DEPTH_COMPONENT, GL_FLOAT,
+                    maps.depths().data());
 }
 
 void SkyPass::clear_ground() {

@@ -4,9 +4,10 @@
 #include <span>
 
 #include "renderer/camera.hpp"
+#include "renderer/depth_atlas.hpp"
+#include "renderer/frame_view.hpp"
 #include "renderer/gl_objects.hpp"
 #include "renderer/shader.hpp"
-#include "renderer/shadow_pass.hpp"
 
 namespace taut::renderer {
 
@@ -17,7 +18,7 @@ class SkyPass {
   SkyPass(const GladGLContext& context, std::span<const ShaderFile> files);
 
   /// Draws the atlas and binds the block `Sky`; no directions when there is no box around casters.
-  void draw_atlas(Casters casters, const std::optional<Box>& box, int directions);
+  void draw_atlas(std::span<const SurfaceView* const> casters, const std::optional<Box>& box, int directions);
   /// Gathers the light on the floor; the atlas, block `Frame` and block `Sky` have to be bound.
   void draw_ground_light();
 
@@ -26,14 +27,13 @@ class SkyPass {
 
  private:
   struct Block;
-  void draw_maps(Casters casters, const Block& block, int directions);
+  void draw_maps(std::span<const SurfaceView* const> casters, const Block& block, int directions);
   void clear_ground();
 
   const GladGLContext* gl;
-  Program depth;
   Program ground;
+  DepthAtlas maps;
   Texture atlas_map;
-  Framebuffer atlas_framebuffer;
   Texture ground_texture;
   Framebuffer ground_framebuffer;
   Buffer block_buffer;

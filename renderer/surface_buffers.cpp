@@ -2,8 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+
+#include "renderer/near_first.hpp"
 
 namespace taut::renderer {
+
+namespace {
+
+// Triangles whose vertices agree, after all the others.
+void sort_decided_last(std::span<const std::uint32_t> triangles, std::span<const float> decided,
+                       std::vector<std::uint32_t>& open, std::vector<std::uint32_t>& agreed) {
+  open.clear();
+  agreed.clear();
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    const float first = decided[triangles[i]];
+    const bool agree =
+        first != 0.5F && decided[triangles[i + 1]] == first && decided[triangles[i + 2]] == first;
+    std::vector<std::uint32_t>& list = agree ? agreed : open;
+    list.insert(list.end(), triangles.begin() + static_cast<std::ptrdiff_t>(i),
+                triangles.begin() + static_cast<std::ptrdiff_t>(i + 3));
+  }
+}
+
+}  // namespace
 
 SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
     : gl(&context),
@@ -11,16 +33,18 @@ SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
       positions(context),
       normals(context),
       scalars(context),
+      decisions(context),
       indices(context) {
   gl->BindVertexArray(arrays.name());
   set_attribute(*gl, 0, positions, 3, 3, 0);
   set_attribute(*gl, 1, normals, 3, 3, 0);
   set_attribute(*gl, 2, scalars, 1, 1, 0);
+  set_attribute(*gl, 3, decisions, 1, 1, 0);
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
   gl->BindVertexArray(0);
 }
 
-void SurfaceBuffers::fill(const SurfaceView& surface) {
+void SurfaceBuffers::fill(const SurfaceView& surface, std::span<const float> decided, const glm::vec3& eye) {
   gl->BindVertexArray(arrays.name());
   upload(*gl, GL_ARRAY_BUFFER, positions, surface.positions);
   upload(*gl, GL_ARRAY_BUFFER, normals, surface.normals);
@@ -33,15 +57,33 @@ void SurfaceBuffers::fill(const SurfaceView& surface) {
     });
   }
   upload(*gl, GL_ARRAY_BUFFER, scalars, std::span<const float>(shown));
-  upload(*gl, GL_ELEMENT_ARRAY_BUFFER, indices, surface.triangles);
-  index_count = static_cast<GLsizei>(surface.triangles.size());
+  upload(*gl, GL_ARRAY_BUFFER, decisions, decided);
+  near_first(surface.positions, surface.triangles, eye, ordered);
+  sort_decided_last(ordered, decided, open, agreed);
+  open_count = static_cast<GLsizei>(open.size());
+  open.insert(open.end(), agreed.begin(), agreed.end());
+  upload(*gl, GL_ELEMENT_ARRAY_BUFFER, indices, std::span<const std::uint32_t>(open));
+  index_count = static_cast<GLsizei>(open.size());
   gl->BindVertexArray(0);
 }
 
 void SurfaceBuffers::draw() const {
-  if (index_count == 0) return;
+  draw_range(0, index_count);
+}
+
+void SurfaceBuffers::draw_open() const {
+  draw_range(0, open_count);
+}
+
+void SurfaceBuffers::draw_decided() const {
+  draw_range(open_count, index_count - open_count);
+}
+
+void SurfaceBuffers::draw_range(GLsizei first, GLsizei count) const {
+  if (count == 0) return;
   gl->BindVertexArray(arrays.name());
-  gl->DrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
+  const auto offset = static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t);
+  gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
 }
 
 }  // namespace taut::renderer

@@ -1,14 +1,20 @@
 #version 330 core
 #include "frame.glsl"
 #include "backdrop.glsl"
+#ifdef SHADED
 #include "shadow.glsl"
+#endif
 uniform sampler2D ground_light;  // share of the sky each spot of the floor sees
 in vec3 world;
 layout(location = 0) out vec4 colour;  // encoded
 
 void main() {
   float key_share = 0.42;
+#ifdef SHADED
   float lit = key_visibility(world, vec3(0.0, 1.0, 0.0));
+#else
+  float lit = 1.0;
+#endif
   float open = texture(ground_light, (world.xz - ground_light_area.xy) * ground_light_area.zw).r;
   // What bounces around in the studio keeps the darkest contact from going black.
   float light = key_share * lit + (1.0 - key_share) * mix(0.2, 1.0, open);

@@ -10,6 +10,7 @@ float soft_visibility(int i, vec3 position) {
   vec3 place = (world_to_sky[i] * vec4(position, 1.0)).xyz;
   vec4 cell = sky_cell(i);
   const int search_taps = 10;
+  const int taps = 24;
   float widest = min(sky_blur.x * place.z, 0.5);
   vec2 direction = disc_direction(float(i));
   float blockers = 0.0;
@@ -25,7 +26,7 @@ float soft_visibility(int i, vec3 position) {
   }
   if (blockers < 0.5) return 1.0;
   float radius = clamp(sky_blur.x * (place.z - depth_sum / blockers), 1.5 * sky_blur.y, 0.5);
-  return sky_visibility(i, position, radius, 16);
+  return sky_visibility(i, position, radius, taps);
 }
 
 void main() {
@@ -34,7 +35,8 @@ void main() {
   float seen = 0.0;
   float all = 0.0;
   for (int i = 0; i < int(sky_info.x); ++i) {
-    float weight = max(sky_directions[i].y, 0.0);
+    float weight = sky_directions[i].y;
+    if (weight <= 0.0) break;  // directions come from the top down
     seen += weight * soft_visibility(i, world);
     all += weight;
   }

@@ -1,7 +1,9 @@
 #version 330 core
 #include "frame.glsl"
-#include "shadow.glsl"
 #include "sky.glsl"
+#ifdef SHADED
+#include "shadow.glsl"
+#endif
 uniform vec3 outside_colour;   // linear
 uniform vec3 inside_colour;    // linear
 uniform vec4 finish;           // x: roughness, y: sheen, z: translucency, w: 1 to show the scalar
@@ -10,6 +12,7 @@ centroid in vec3 world;
 centroid in vec3 world_normal;
 centroid in float shown_scalar;
 centroid in vec2 sky_light;
+centroid in float decided_shadow;
 layout(location = 0) out vec4 colour;  // encoded
 
 // A lamp with some extent: light reaches a little around the edge of a form.
@@ -36,7 +39,11 @@ struct Light {
 
 Light gathered(vec3 normal, vec3 towards_eye, float open) {
   float key_cosine = dot(normal, towards_key.xyz);
+#ifdef SHADED
   float key_light = towards_key.w * key_visibility(world, key_cosine >= 0.0 ? normal : -normal);
+#else
+  float key_light = towards_key.w * step(0.5, decided_shadow);
+#endif
   float facing = max(dot(normal, towards_eye), 0.0);
   float grazing = (1.0 - facing) * (1.0 - facing) * (1.0 - facing);
   float direct = 0.80 * key_light * wrapped(key_cosine, 0.15);

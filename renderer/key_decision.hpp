@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "renderer/depth_atlas.hpp"
+#include "renderer/frame_block.hpp"
+
+namespace taut::renderer {
+
+/// Whether the key light reaches all that is near a vertex. Most triangles lie wholly in the light or in the
+/// shadow; when their vertices say so, their pixels need not look into the shadow map, which is what most of
+/// a picture's time would go into.
+class KeyDecision {
+ public:
+  KeyDecision();
+
+  /// Draws the casters as the light sees them.
+  void look(std::span<const SurfaceView* const> casters, const FrameBlock& block);
+  /// One number for each position: 1 in the light, 0 in the shadow, 0.5 where pixels have to look themselves.
+  void decide(const SurfaceView& surface, std::vector<float>& decided);
+
+ private:
+  float decide_vertex(const glm::vec3& position, const glm::vec3& normal, float reach_m) const;
+
+  DepthAtlas map;
+  glm::mat4 world_to_map{1.0F};
+  glm::vec3 towards_key{0.0F};
+  float side_m = 0.0F;  // 0: nothing casts a shadow
+  float softness_m = 0.0F;
+  std::vector<float> reaches_m;  // scratch
+};
+
+}  // namespace taut::renderer

@@ -1,0 +1,127 @@
+#include "renderer/key_decision.hpp"
+
+#include <gtest/gtest.h>
+
+#include "renderer/ground_pass.hpp"
+
+namespace taut::renderer {
+namespace {
+
+// A level square grid around the y axis.
+struct Grid {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<std::uint32_t> triangles;
+
+  Grid(int cells, float side_m, float height_m) {
+    for (int z = 0; z <= cells; ++z) {
+      for (int x = 0; x <= cells; ++x) {
+        const glm::vec2 place = glm::vec2(x, z) / static_cast<float>(cells) - 0.5F;
+        positions.emplace_back(side_m * place.x, height_m, side_m * place.y);
+        normals.emplace_back(0, 1, 0);
+      }
+    }
+    const auto row = static_cast<std::uint32_t>(cells + 1);
+    for (std::uint32_t z = 0; z + 1 < row; ++z) {
+      for (std::uint32_t x = 0; x + 1 < row; ++x) {
+        const std::uint32_t i = z * row + x;
+        triangles.insert(triangles.end(), {i, i + row, i + 1, i + 1, i + row, i + row + 1});
+      }
+    }
+  }
+  SurfaceView view() const {
+    SurfaceView surface;
+    surface.positions = positions;
+    surface.normals = normals;
+    surface.triangles = triangles;
+    return surface;
+  }
+};
+
+// A small sheet above a large one, lit from straight above.
+struct TwoSheets {
+  Grid low;
+  Grid high{8, 0.4F, 0.3F};
+  FrameView frame;
+  FrameBlock block;
+
+  explicit TwoSheets(int cells) : low(cells, 1.0F, 0.0F) {
+    frame.surfaces = {low.view(), high.view()};
+    frame.lighting.towards_key = {0, 1, 0};
+    frame.ground_height_m = -0.2F;
+    frame.camera.eye = {0, 2, 3};
+    const Box box = united(bounding_box(low.positions), bounding_box(high.positions));
+    block = make_frame_block(frame, PictureSettings{}, box);
+  }
+  std::vector<float> decided() {
+    const std::array casters{&frame.surfaces[0], &frame.surfaces[1]};
+    KeyDecision decision;
+    decision.look(casters, block);
+    std::vector<float> numbers;
+    decision.decide(frame.surfaces[0], numbers);
+    return numbers;
+  }
+};
+
+TEST(KeyDecision, FineMeshKnowsLightShadowAndTheirEdge) {
+  TwoSheets scene(50);
+  const std::vector<float> decided = scene.decided();
+  int dark = 0;
+  int open = 0;
+  for (std::size_t i = 0; i < decided.size(); ++i) {
+    const glm::vec3 p = scene.low.positions[i];
+    const float from_middle = std::max(std::abs(p.x), std::abs(p.z));
+    if (from_middle < 0.12F) {
+      EXPECT_EQ(decided[i], 0.0F) << p.x << "," << p.z;
+    }
+    if (from_middle > 0.28F && from_middle < 0.45F) {
+      EXPECT_EQ(decided[i], 1.0F) << p.x << "," << p.z;
+    }
+    if (std::abs(from_middle - 0.2F) < 0.005F) {
+      EXPECT_EQ(decided[i], 0.5F) << p.x << "," << p.z;
+    }
+    dark += decided[i] == 0.0F ? 1 : 0;
+    open += decided[i] == 0.5F ? 1 : 0;
+  }
+  EXPECT_GT(dark, 100);
+  EXPECT_LT(open, 700);
+}
+
+// The shadow lies between the vertices, where they cannot see it.
+TEST(KeyDecision, CoarseMeshLeavesItToThePixels) {
+  TwoSheets scene(1);
+  for (const float number : scene.decided()) EXPECT_EQ(number, 0.5F);
+}
+
+TEST(KeyDecision, WithoutCastersEverythingIsInTheLight) {
+  TwoSheets scene(4);
+  KeyDecision decision;
+  decision.look({}, scene.block);
+  std::vector<float> decided;
+  decision.decide(scene.frame.surfaces[0], decided);
+  for (const float number : decided) EXPECT_EQ(number, 1.0F);
+}
+
+TEST(ShadedFloor, HoldsTheShadowAndLittleElse) {
+  TwoSheets scene(4);
+  const std::array casters{&scene.frame.surfaces[0], &scene.frame.surfaces[1]};
+  set_shadow_bounds(scene.block, casters);
+  const PictureSettings settings;
+  set_tile(scene.block, scene.frame.camera, settings, {0, 0, settings.width_px, settings.height_px});
+  const PixelRect part = shaded_floor(scene.block);
+  for (const float x : {-0.5F, 0.5F}) {
+    for (const float z : {-0.5F, 0.5F}) {
+      const glm::vec4 clip = scene.block.world_to_clip * glm::vec4{x, -0.2F, z, 1.0F};
+      const glm::vec2 pixel = (0.5F + 0.5F * glm::vec2{clip} / clip.w) * glm::vec2{1280.0F, 720.0F};
+      EXPECT_GT(pixel.x, static_cast<float>(part.x_px));
+      EXPECT_LT(pixel.x, static_cast<float>(part.x_px + part.width_px));
+      EXPECT_GT(pixel.y, static_cast<float>(part.y_px));
+      EXPECT_LT(pixel.y, static_cast<float>(part.y_px + part.height_px));
+    }
+  }
+  EXPECT_LT(part.width_px, 1000);
+  EXPECT_LT(part.height_px, 600);
+}
+
+}  // namespace
+}  // namespace taut::renderer

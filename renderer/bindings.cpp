@@ -11,7 +11,6 @@ void bind_shared_inputs(const Program& program) {
   program.set("sky_atlas", static_cast<int>(sky_atlas_unit));
   program.set("ground_light", static_cast<int>(ground_light_unit));
   program.set("scalar_map", static_cast<int>(scalar_map_unit));
-  program.set("sky_depth", static_cast<int>(sky_depth_unit));
   program.set("drawn", static_cast<int>(drawn_unit));
 }
 

@@ -53,6 +53,10 @@ void check_surface(const std::string& part, const SurfaceView& surface) {
   check_finite(part, "position", surface.positions);
   check_count(part, "normals", surface.normals.size(), count);
   check_finite(part, "normal", surface.normals);
+  if (!surface.material_coordinates.empty()) {
+    check_count(part, "material coordinates", surface.material_coordinates.size(), count);
+    check_finite(part, "material coordinate", surface.material_coordinates);
+  }
   check_indices(part, "triangles", surface.triangles, 3, count);
   if (surface.wireframe) check_indices(part, "wireframe edges", surface.wireframe->edges, 2, count);
   if (surface.scalars) {

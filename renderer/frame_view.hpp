@@ -21,6 +21,7 @@ struct SurfaceStyle {
   float roughness = 0.75F;                ///< 0.05 glossy to 1 matt; of the highlight
   float sheen = 0.4F;                     ///< 0 to 1; the soft bright fringe of cotton at grazing angles
   float translucency = 0.12F;             ///< 0 to 1; light that comes through from the other side
+  float weave = 1.0F;  ///< 0 none to 1; contrast of the knit, seen where material coordinates are given
 };
 
 /// Numbers shown as colours instead of the style's colours, on both sides.
@@ -44,6 +45,9 @@ struct SurfaceView {
   std::span<const glm::vec3> positions;      ///< metres
   std::span<const glm::vec3> normals;        ///< unit, one for each position, on the outside
   std::span<const std::uint32_t> triangles;  ///< three indices each
+  /// Where each position lies in the material, metres: the garment's rest positions. Carries the weave, which
+  /// moves with the cloth; empty: smooth.
+  std::span<const glm::vec3> material_coordinates;
   SurfaceStyle style;
   std::optional<ScalarColours> scalars;
   std::optional<Wireframe> wireframe;

@@ -171,11 +171,9 @@ void SceneRenderer::Parts::bind_light() const {
   bind_texture(gl, shadow_compare_unit, GL_TEXTURE_2D, shadow_pass.texture());
   bind_texture(gl, shadow_depth_unit, GL_TEXTURE_2D, shadow_pass.texture());
   bind_texture(gl, sky_atlas_unit, GL_TEXTURE_2D, sky_pass.atlas());
-  bind_texture(gl, sky_depth_unit, GL_TEXTURE_2D, sky_pass.atlas());
   gl.BindSampler(shadow_compare_unit, samplers.compare.name());
   gl.BindSampler(shadow_depth_unit, samplers.plain.name());
   gl.BindSampler(sky_atlas_unit, samplers.compare.name());
-  gl.BindSampler(sky_depth_unit, samplers.plain.name());
 }
 
 // Nothing may be read while it is drawn to, and what comes after must not meet these samplers.
@@ -206,6 +204,8 @@ void SceneRenderer::Parts::use_surface_program(const Program& program, const Sur
   program.set("inside_colour", linear_light(view.style.inside_colour));
   program.set("finish", glm::vec4{std::clamp(view.style.roughness, 0.05F, 1.0F), view.style.sheen,
                                   view.style.translucency, view.scalars ? 1.0F : 0.0F});
+  const bool woven = !view.material_coordinates.empty() && !view.scalars;
+  program.set("weave", glm::vec4{woven ? view.style.weave : 0.0F, 0.0F, 0.0F, 0.0F});
 }
 
 void SceneRenderer::Parts::draw_surfaces() {

@@ -19,7 +19,7 @@ constexpr int rows = max_directions / columns;
 // Side of one direction's map. Larger keeps finer folds dark, and costs time to fill.
 constexpr int map_px = 128;
 // Side of the floor's light texture; its contents are smooth.
-constexpr int ground_px = 72;
+constexpr int ground_px = 56;
 // Brightness of the studio's floor against its ceiling, as seen by the underside of things.
 constexpr float floor_brightness = 0.5F;
 

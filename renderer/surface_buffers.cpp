@@ -34,12 +34,14 @@ SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
       normals(context),
       scalars(context),
       decisions(context),
+      materials(context),
       indices(context) {
   gl->BindVertexArray(arrays.name());
   set_attribute(*gl, 0, positions, 3, 3, 0);
   set_attribute(*gl, 1, normals, 3, 3, 0);
   set_attribute(*gl, 2, scalars, 1, 1, 0);
   set_attribute(*gl, 3, decisions, 1, 1, 0);
+  set_attribute(*gl, 4, materials, 3, 3, 0);
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
   gl->BindVertexArray(0);
 }
@@ -58,6 +60,9 @@ void SurfaceBuffers::fill(const SurfaceView& surface, std::span<const float> dec
   }
   upload(*gl, GL_ARRAY_BUFFER, scalars, std::span<const float>(shown));
   upload(*gl, GL_ARRAY_BUFFER, decisions, decided);
+  // Any coordinates do where there is no weave, but an array without contents must not be read.
+  const bool woven = !surface.material_coordinates.empty();
+  upload(*gl, GL_ARRAY_BUFFER, materials, woven ? surface.material_coordinates : surface.positions);
   near_first(surface.positions, surface.triangles, eye, ordered);
   sort_decided_last(ordered, decided, open, agreed);
   open_count = static_cast<GLsizei>(open.size());

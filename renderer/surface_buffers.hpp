@@ -29,6 +29,7 @@ class SurfaceBuffers {
   Buffer normals;
   Buffer scalars;
   Buffer decisions;
+  Buffer materials;
   Buffer indices;
   GLsizei index_count = 0;
   GLsizei open_count = 0;

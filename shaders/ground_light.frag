@@ -1,32 +1,16 @@
 #version 330 core
 #include "frame.glsl"
 #include "sky.glsl"
-uniform sampler2D sky_depth;
 in vec2 place;
 layout(location = 0) out vec4 light;
 
-// A direction stands for a whole cone of sky, so its shadow softens with the distance to what casts it.
+// A direction stands for a whole cone of sky, so its shadow softens with the distance to what casts it. That distance
+// is taken as if all casters stood in the middle of the map: searching for them gives every spot another softness,
+// which shows as clouds. Wider than the cone, so that neighbouring directions run into each other.
 float soft_visibility(int i, vec3 position) {
-  vec3 place = (world_to_sky[i] * vec4(position, 1.0)).xyz;
-  vec4 cell = sky_cell(i);
-  const int search_taps = 10;
-  const int taps = 24;
-  float widest = min(sky_blur.x * place.z, 0.5);
-  vec2 direction = disc_direction(float(i));
-  float blockers = 0.0;
-  float depth_sum = 0.0;
-  for (int k = 0; k < search_taps; ++k) {
-    vec2 tap = place.xy + widest * disc_radius(k, search_taps) * direction;
-    tap = clamp(tap, sky_blur.y, 1.0 - sky_blur.y);
-    direction = golden_turn * direction;
-    float depth = textureLod(sky_depth, cell.xy + tap * cell.zw, 0.0).r;
-    float closer = step(depth, place.z - 0.002);
-    blockers += closer;
-    depth_sum += closer * depth;
-  }
-  if (blockers < 0.5) return 1.0;
-  float radius = clamp(sky_blur.x * (place.z - depth_sum / blockers), 1.5 * sky_blur.y, 0.5);
-  return sky_visibility(i, position, radius, taps);
+  float depth = (world_to_sky[i] * vec4(position, 1.0)).z;
+  float radius = clamp(1.7 * sky_blur.x * (depth - 0.5), 1.5 * sky_blur.y, 0.5);
+  return sky_visibility(i, position, radius, 32);
 }
 
 void main() {

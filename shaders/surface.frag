@@ -1,18 +1,21 @@
 #version 330 core
 #include "frame.glsl"
 #include "sky.glsl"
+#include "weave.glsl"
 #ifdef SHADED
 #include "shadow.glsl"
 #endif
 uniform vec3 outside_colour;   // linear
 uniform vec3 inside_colour;    // linear
 uniform vec4 finish;           // x: roughness, y: sheen, z: translucency, w: 1 to show the scalar
+uniform vec4 weave;            // x: strength
 uniform sampler2D scalar_map;
 centroid in vec3 world;
 centroid in vec3 world_normal;
 centroid in float shown_scalar;
 centroid in vec2 sky_light;
 centroid in float decided_shadow;
+in vec3 material;  // not centroid: its derivatives are used
 layout(location = 0) out vec4 colour;  // encoded
 
 // A lamp with some extent: light reaches a little around the edge of a form.
@@ -51,7 +54,8 @@ Light gathered(vec3 normal, vec3 towards_eye, float open) {
   // The fill has no shadow map; what is closed to the sky is closed to it too.
   float openness = clamp(open / max(open_sky(normal), 0.05), 0.0, 1.0);
   float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), 0.3) * openness;
-  float around = upper_colour.w * mix(0.25, 1.0, open);
+  // Closed folds lose more than their share, so that they read beside lit ones.
+  float around = upper_colour.w * mix(0.25, 1.0, open) * mix(0.7, 1.0, openness);
   float rim = towards_rim.w * grazing * max(dot(normal, towards_rim.xyz), 0.0) * openness;
   Light light;
   light.diffuse = direct + through + fill + around;
@@ -76,7 +80,7 @@ void main() {
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
   Light light = gathered(normal, towards_eye, gl_FrontFacing ? sky_light.x : sky_light.y);
   vec3 base = gl_FrontFacing ? outside_colour : inside_colour;
-  vec3 cloth = base * light.diffuse + mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
+  vec3 cloth = base * light.diffuse * weave_brightness(material, weave.x) + mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
   // A dark colour cannot show form by getting darker, so a little light from the edges is added.
   vec3 data = data_colour() * mix(1.0, light.diffuse / 1.15, 0.5) + vec3(0.1 * light.fringe);

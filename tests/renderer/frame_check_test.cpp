@@ -37,6 +37,15 @@ TEST_F(FrameCheckTest, BadFramesAreRefusedByName) {
   frame.surfaces[0].normals = frame.surfaces[0].normals.first(2);
   EXPECT_NE(refusal(draw).find("2 normals, expected 3"), std::string::npos) << refusal(draw);
 
+  frame = triangle_frame();
+  const std::array<glm::vec3, 2> too_few{};
+  frame.surfaces[0].material_coordinates = too_few;
+  EXPECT_NE(refusal(draw).find("2 material coordinates, expected 3"), std::string::npos) << refusal(draw);
+  auto unbounded = triangle_positions;
+  unbounded[1].x = std::numeric_limits<float>::quiet_NaN();
+  frame.surfaces[0].material_coordinates = unbounded;
+  EXPECT_NE(refusal(draw).find("material coordinate 1"), std::string::npos) << refusal(draw);
+
   PictureSettings settings = small_picture();
   settings.width_px = 0;
   const auto draw_nothing = [&] { renderer.draw(triangle_frame(), settings); };

@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scene_support.hpp"
+
+namespace taut::renderer {
+namespace {
+
+using WeaveTest = SceneRendererTest;
+
+struct Brightness {
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+// Of the inside of the triangle, in steps of 255.
+Brightness brightness(const Image& image) {
+  double sum = 0.0;
+  double squares = 0.0;
+  int count = 0;
+  for (int y = 44; y < 60; ++y) {
+    for (int x = 36; x < 60; ++x) {
+      const double value = image.at(x, y)[1];
+      sum += value;
+      squares += value * value;
+      ++count;
+    }
+  }
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0))};
+}
+
+// The material is shrunk instead of the camera moved: only what the threads look like changes.
+std::array<glm::vec3, 3> material(float scale) {
+  auto coordinates = triangle_positions;
+  for (glm::vec3& coordinate : coordinates) coordinate *= scale;
+  return coordinates;
+}
+
+TEST_F(WeaveTest, ShowsUpCloseAndKeepsTheMean) {
+  FrameView frame = triangle_frame();
+  const Brightness smooth = brightness(renderer.draw(frame, small_picture()));
+  EXPECT_LT(smooth.deviation, 0.1);
+  const auto close = material(0.004F);  // a stitch is 13 pixels wide
+  frame.surfaces[0].material_coordinates = close;
+  const Brightness woven = brightness(renderer.draw(frame, small_picture()));
+  EXPECT_GT(woven.deviation, 1.5);
+  EXPECT_NEAR(woven.mean, smooth.mean, 1.5);
+  frame.surfaces[0].style.weave = 0.0F;
+  EXPECT_LT(brightness(renderer.draw(frame, small_picture())).deviation, 0.1);
+}
+
+TEST_F(WeaveTest, FadesBeforeItCouldAlias) {
+  FrameView frame = triangle_frame();
+  const Brightness smooth = brightness(renderer.draw(frame, small_picture()));
+  for (const float scale : {0.5F, 1.0F, 10.0F, 1000.0F}) {
+    const auto far = material(scale);
+    frame.surfaces[0].material_coordinates = far;
+    const Brightness woven = brightness(renderer.draw(frame, small_picture()));
+    EXPECT_LT(woven.deviation, 0.1) << scale;
+    EXPECT_NEAR(woven.mean, smooth.mean, 0.2) << scale;
+  }
+}
+
+TEST_F(WeaveTest, ColoursThatCarryNumbersStaySmooth) {
+  constexpr std::array values{0.5F, 0.5F, 0.5F};
+  FrameView frame = triangle_frame();
+  frame.surfaces[0].scalars = ScalarColours{values};
+  const Image smooth = renderer.draw(frame, small_picture());
+  const auto close = material(0.004F);
+  frame.surfaces[0].material_coordinates = close;
+  EXPECT_EQ(renderer.draw(frame, small_picture()).pixels, smooth.pixels);
+}
+
+}  // namespace
+}  // namespace taut::renderer

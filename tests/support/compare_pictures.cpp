@@ -1,9 +1,14 @@
-// compare_pictures EXPECTED.png ACTUAL.png DIFFERENCE.png
-// Exit code 0: alike; 1: different, then DIFFERENCE.png shows expected, actual and the difference.
+// compare_pictures EXPECTED.png ACTUAL.png FOLDER [CHANNEL FRACTION MEAN]
+//     Compares within the limits of PictureLimit, or those given. Where the pictures differ, prints how and
+//     writes FOLDER/difference.png and FOLDER/side_by_side.png. Exit code 0: alike; 1: different; 2: error.
+// compare_pictures repack FROM.png TO.png
+//     The same pixels in the fewest bytes and without texts, for a baseline.
 
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
+#include <string>
 
 #include "support/picture_difference.hpp"
 
@@ -11,40 +16,51 @@ using namespace taut;
 
 namespace {
 
-int compare_files(const char* expected_path, const char* actual_path, const char* difference_path) {
-  const renderer::Image actual = renderer::read_png(actual_path);
-  if (!std::filesystem::exists(expected_path)) {
-    std::printf("There is no baseline %s.\nLook at the candidate and accept it: cp %s %s\n", expected_path,
-                actual_path, expected_path);
-    return 1;
+tests::PictureLimit limit_of(int argc, char** argv) {
+  tests::PictureLimit limit;
+  if (argc == 7) {
+    limit = {std::stoi(argv[4]), std::stod(argv[5]), std::stod(argv[6])};
   }
+  return limit;
+}
+
+int compare_files(const std::string& expected_path, const std::string& actual_path,
+                  const std::filesystem::path& folder, const tests::PictureLimit& limit) {
+  const renderer::Image actual = renderer::read_png(actual_path);
   const renderer::Image expected = renderer::read_png(expected_path);
-  const tests::PictureLimit limit;
   const tests::PictureDifference difference = tests::compare(expected, actual, limit);
   if (tests::passes(difference, limit)) {
     return 0;
   }
   std::printf("%s", tests::describe(difference, limit).c_str());
   if (difference.same_size) {
-    renderer::write_png(difference_path, tests::side_by_side(expected, actual));
-    std::printf("expected, actual, difference x16: %s\n", difference_path);
+    renderer::write_png(folder / "difference.png", tests::amplified_difference(expected, actual));
+    renderer::write_png(folder / "side_by_side.png", tests::side_by_side(expected, actual));
   }
-  std::printf("If the picture was meant to change, look at it and accept it: cp %s %s\n", actual_path,
-              expected_path);
   return 1;
+}
+
+int repack(const char* from, const char* to) {
+  constexpr renderer::PngEffort smallest = {.deflate_level = 12, .filter = -1};
+  renderer::write_png(to, renderer::read_png(from), {}, smallest);
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::fprintf(stderr, "usage: compare_pictures EXPECTED.png ACTUAL.png DIFFERENCE.png\n");
-    return 2;
-  }
   try {
-    return compare_files(argv[1], argv[2], argv[3]);
+    if (argc == 4 && std::string(argv[1]) == "repack") {
+      return repack(argv[2], argv[3]);
+    }
+    if (argc == 4 || argc == 7) {
+      return compare_files(argv[1], argv[2], argv[3], limit_of(argc, argv));
+    }
+    std::fprintf(stderr,
+                 "usage: compare_pictures EXPECTED.png ACTUAL.png FOLDER [CHANNEL FRACTION MEAN]\n"
+                 "       compare_pictures repack FROM.png TO.png\n");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "compare_pictures: %s\n", error.what());
-    return 1;
   }
+  return 2;
 }

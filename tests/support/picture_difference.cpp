@@ -78,20 +78,24 @@ std::string describe(const PictureDifference& difference, const PictureLimit& li
   return text.str();
 }
 
+renderer::Image amplified_difference(const renderer::Image& expected, const renderer::Image& actual) {
+  renderer::Image difference = renderer::make_image(expected.width_px, expected.height_px);
+  for (std::size_t k = 0; k < expected.pixels.size(); ++k) {
+    const int distance = std::abs(int{expected.pixels[k]} - int{actual.pixels[k]});
+    difference.pixels[k] = static_cast<std::uint8_t>(std::min(255, difference_amplification * distance));
+  }
+  return difference;
+}
+
 renderer::Image side_by_side(const renderer::Image& expected, const renderer::Image& actual) {
-  constexpr int amplification = 16;
+  const renderer::Image difference = amplified_difference(expected, actual);
   renderer::Image sheet = renderer::make_image(3 * expected.width_px, expected.height_px);
-  for (int y = 0; y < expected.height_px; ++y) {
-    for (int x = 0; x < expected.width_px; ++x) {
-      for (int channel = 0; channel < 3; ++channel) {
-        const std::uint8_t e = expected.at(x, y)[channel];
-        const std::uint8_t a = actual.at(x, y)[channel];
-        sheet.at(x, y)[channel] = e;
-        sheet.at(x + expected.width_px, y)[channel] = a;
-        sheet.at(x + 2 * expected.width_px, y)[channel] =
-            static_cast<std::uint8_t>(std::min(255, amplification * std::abs(int{e} - int{a})));
-      }
+  int left_px = 0;
+  for (const renderer::Image* part : {&expected, &actual, &difference}) {
+    for (int y = 0; y < part->height_px; ++y) {
+      std::copy_n(part->at(0, y), 3 * part->width_px, sheet.at(left_px, y));
     }
+    left_px += part->width_px;
   }
   return sheet;
 }

@@ -39,7 +39,13 @@ bool passes(const PictureDifference& difference, const PictureLimit& limit);
 /// Says in words what differs, the ten worst pixels included.
 std::string describe(const PictureDifference& difference, const PictureLimit& limit);
 
-/// Expected, actual and their difference, amplified, side by side. Both have to be of the same size.
+/// How many times larger than they are differences are shown.
+inline constexpr int difference_amplification = 16;
+
+/// Black where both are equal. Both have to be of the same size.
+renderer::Image amplified_difference(const renderer::Image& expected, const renderer::Image& actual);
+
+/// Expected, actual and their amplified difference. Both have to be of the same size.
 renderer::Image side_by_side(const renderer::Image& expected, const renderer::Image& actual);
 
 }  // namespace taut::tests

@@ -44,6 +44,41 @@ TEST(PictureDifference, OtherSizesFail) {
   EXPECT_FALSE(alike(grey(100, 100), grey(100, 99)));
 }
 
+TEST(PictureDifference, ANegativeDifferenceCountsAsAPositiveOne) {
+  renderer::Image actual = grey();
+  for (int x = 0; x < 2; ++x) {
+    actual.at(x, 0)[x] = 125;
+  }
+  EXPECT_FALSE(alike(grey(), actual));
+}
+
+TEST(PictureDifference, EachLimitAloneFails) {
+  renderer::Image one_pixel = grey();
+  one_pixel.at(5, 5)[0] = 131;
+  EXPECT_FALSE(passes(compare(grey(), one_pixel, {.differing_fraction = 0.0}), {.differing_fraction = 0.0}));
+  const PictureLimit none = {.channel_difference = 0, .differing_fraction = 0.0, .mean_difference = 0.0};
+  EXPECT_TRUE(passes(compare(grey(), grey(), none), none));
+  renderer::Image by_one = grey();
+  by_one.pixels.back() = 129;
+  EXPECT_TRUE(alike(grey(), by_one));
+  EXPECT_FALSE(passes(compare(grey(), by_one, none), none));
+  EXPECT_FALSE(passes(compare(by_one, grey(), none), none));
+}
+
+TEST(PictureDifference, APictureShiftedByOnePixelFails) {
+  renderer::Image expected = grey();
+  renderer::Image actual = grey();
+  for (int y = 0; y < 100; ++y) {
+    expected.at(50, y)[0] = 140;
+    actual.at(51, y)[0] = 140;
+  }
+  EXPECT_FALSE(alike(expected, actual));
+}
+
+TEST(PictureDifference, ABlackPictureFails) {
+  EXPECT_FALSE(alike(grey(), renderer::make_image(100, 100)));
+}
+
 TEST(PictureDifference, NamesTheTenWorstPixels) {
   renderer::Image actual = grey();
   for (int x = 0; x < 20; ++x) {
@@ -67,6 +102,10 @@ TEST(PictureDifference, SheetShowsExpectedActualAndAmplifiedDifference) {
   EXPECT_EQ(sheet.at(5, 1)[0], 133);
   EXPECT_EQ(sheet.at(9, 1)[0], 80);
   EXPECT_EQ(sheet.at(9, 0)[0], 0);
+  EXPECT_EQ(sheet.at(3, 1)[0], 128);
+  EXPECT_EQ(sheet.at(4, 0)[2], 128);
+  EXPECT_EQ(amplified_difference(grey(4, 2), actual).at(1, 1)[0], 80);
+  EXPECT_EQ(amplified_difference(grey(4, 2), renderer::make_image(4, 2)).at(0, 0)[0], 255);
 }
 
 }  // namespace

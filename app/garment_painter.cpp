@@ -75,6 +75,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const Scene& s
       springs_(garment.springs),
       pins_(garment.pins),
       triangles_(flat(garment.mesh.triangles)),
+      rest_positions_(to_float(garment.mesh.positions)),
       structural_edges_(structural_edges(garment.springs)),
       normals_(garment.mesh.positions.size()) {
   const renderer::Box reach = expected_reach(scene, garment);
@@ -117,6 +118,7 @@ renderer::SurfaceView GarmentPainter::garment_view() const {
   surface.positions = positions_;
   surface.normals = normals_;
   surface.triangles = triangles_;
+  surface.material_coordinates = rest_positions_;
   surface.style = style_.cloth;
   surface.filled = style_.surface != SurfaceLook::wireframe;
   if (style_.surface == SurfaceLook::stretch) {

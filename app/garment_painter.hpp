@@ -35,6 +35,7 @@ class GarmentPainter {
   sim::Springs springs_;
   std::vector<sim::Index> pins_;
   std::vector<std::uint32_t> triangles_;
+  std::vector<glm::vec3> rest_positions_;
   std::vector<std::uint32_t> structural_edges_;
   std::vector<renderer::TriangleMesh> obstacles_;
   std::vector<glm::vec3> rest_outline_;

@@ -1,24 +1,27 @@
 #include <fmt/core.h>
 
-#include <array>
-
 #include "app/figures/figures.hpp"
-#include "app/figures/sheet.hpp"
-#include "app/figures/shots.hpp"
+#include "app/figures/print.hpp"
 
 namespace taut::app {
 
 // Simulation of cloth falling under the effect of gravity.
-renderer::Image draw_figure2(Studio& studio) {
-  const Scene scene = scene_for_print("cloth-fall", 720, 620);
-  // The fall, the swing to the far side and back, and the cloth at rest.
-  const std::array moments = {0, 12, 21, 30, 40, 54, 80, scene.frames};
-  std::vector<Panel> panels;
-  for (Shot& shot : take_shots(studio, scene, moments)) {
-    panels.push_back({std::move(shot.picture), fmt::format("{:.2f} s", shot.record.time_s),
-                      fmt::format("largest stretch {:.1f} %", 100.0 * shot.record.stretch.max)});
+Drawing draw_figure2(const Results& results, StudioDoor& studio) {
+  const Recording& fall = results.fall->frames;
+  std::vector<PrintedMoment> moments;
+  for (const Moment& moment : fall.moments) {
+    moments.push_back({&fall, &moment, false});
   }
-  return compose_sheet(panels, {.columns = 4});
+  Prints prints = print_moments(studio.open(), moments, {720, 620});
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const FrameRecord& record = moments[i].moment->record;
+    panels.push_back({std::move(prints.pictures[i]),
+                      {static_cast<char>('a' + static_cast<int>(i)),
+                       fmt::format("{:.2f} s{}", record.time_s, record.asleep ? ", at rest" : ""),
+                       fmt::format("largest stretch {:.1f} %", 100.0 * record.stretch.max)}});
+  }
+  return sheet_of(std::move(panels), {.columns = 4}, {0.5F * prints.metre_px, "0.5 m"});
 }
 
 }  // namespace taut::app

@@ -1,23 +1,28 @@
 #include <fmt/core.h>
 
 #include "app/figures/figures.hpp"
-#include "app/figures/sheet.hpp"
-#include "app/figures/shots.hpp"
+#include "app/figures/print.hpp"
 
 namespace taut::app {
 
 // The T-shirt without wind and in two winds.
-renderer::Image draw_figure5(Studio& studio) {
-  std::vector<Panel> panels;
-  for (const char* name : {"tshirt-gravity", "tshirt-wind-1", "tshirt-wind-10"}) {
-    const Scene scene = scene_for_print(name, 980, 860);
-    Shot shot = take_last_shot(studio, scene);
-    const double speed_m_per_s = scene.surroundings.forces.wind.speed_m_per_s;
-    panels.push_back({std::move(shot.picture),
-                      speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s),
-                      fmt::format("largest stretch {:.1f} %", 100.0 * shot.record.stretch.max)});
+Drawing draw_figure5(const Results& results, StudioDoor& studio) {
+  std::vector<PrintedMoment> moments;
+  for (const auto& recording : results.shirts) {
+    moments.push_back({&*recording, &recording->last(), false});
   }
-  return compose_sheet(panels, {.columns = 3});
+  Prints prints = print_moments(studio.open(), moments, {980, 860});
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const double speed_m_per_s = moments[i].recording->scene.surroundings.forces.wind.speed_m_per_s;
+    const FrameRecord& record = moments[i].moment->record;
+    panels.push_back({std::move(prints.pictures[i]),
+                      {static_cast<char>('a' + static_cast<int>(i)),
+                       speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s),
+                       fmt::format("after {:.1f} s; largest stretch {:.1f} %", record.time_s,
+                                   100.0 * record.stretch.max)}});
+  }
+  return sheet_of(std::move(panels), {.columns = 3}, {0.2F * prints.metre_px, "20 cm"});
 }
 
 }  // namespace taut::app

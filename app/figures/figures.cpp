@@ -1,18 +1,32 @@
 #include "app/figures/figures.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-
-#include "app/commands/options.hpp"
-#include "app/files.hpp"
-#include "app/interruption.hpp"
-#include "app/version.hpp"
-
 namespace taut::app {
 
-std::vector<Figure> all_figures() {
-  return {{"fig2", draw_figure2}, {"fig4", draw_figure4}, {"fig5", draw_figure5}};
+const std::vector<Figure>& all_figures() {
+  using enum Experiment;
+  static const std::vector<Figure> figures = {
+      {"fig1",
+       "The mass-spring model and its types of springs, as the mapping makes them",
+       {mapping},
+       draw_figure1},
+      {"fig2", "A cloth falls under gravity, held by two corners", {fall}, draw_figure2},
+      {"fig3", "One mass point converges", {fall}, draw_figure3, figure3_csv},
+      {"fig4",
+       "Over-stretch of up to 5 % and up to 20 %, and where it is",
+       {pinned_5, pinned_20},
+       draw_figure4},
+      {"fig5",
+       "The T-shirt under gravity and in two winds",
+       {shirt_still, shirt_wind_1, shirt_wind_10},
+       draw_figure5},
+      {"fig6", "What a frame costs for models of different precision", {}, draw_figure6, figure6_csv, true},
+      {"fig7",
+       "Ideal springs, a threshold and the strong constraint: stretch and unrest",
+       {methods},
+       draw_figure7,
+       figure7_csv},
+  };
+  return figures;
 }
 
 std::vector<std::string> figure_names() {
@@ -21,27 +35,6 @@ std::vector<std::string> figure_names() {
     names.push_back(figure.name);
   }
   return names;
-}
-
-int run(const FiguresOptions& options) {
-  prepare_folder_of(options.output / "fig.png");
-  Studio studio(options.backend);
-  const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
-  // Figures are written once and kept: better packed than frames.
-  constexpr renderer::PngEffort effort = {.deflate_level = 9, .filter = -1};
-  for (const Figure& figure : all_figures()) {
-    const bool is_wanted = options.only.empty() || std::find(options.only.begin(), options.only.end(),
-                                                             figure.name) != options.only.end();
-    if (!is_wanted) {
-      continue;
-    }
-    throw_if_interrupted();
-    const std::filesystem::path path = options.output / (figure.name + ".png");
-    renderer::write_png(path, figure.draw(studio), texts, effort);
-    fmt::print("wrote {}\n", path.string());
-    std::fflush(stdout);
-  }
-  return 0;
 }
 
 }  // namespace taut::app

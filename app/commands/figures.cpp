@@ -1,0 +1,139 @@
+#include "app/figures/figures.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <thread>
+
+#include "app/commands/options.hpp"
+#include "app/figures/job_runner.hpp"
+#include "app/files.hpp"
+#include "app/interruption.hpp"
+#include "app/report/report.hpp"
+#include "app/version.hpp"
+
+namespace taut::app {
+namespace {
+
+// Enough for a median that one disturbance does not move; a few seconds.
+constexpr int frame_time_repeats = 15;
+
+class FigureWriter {
+ public:
+  explicit FigureWriter(const FiguresOptions& options) : options_(options), studio_(options.backend) {}
+
+  void write(const Figure& figure, const Results& results) {
+    throw_if_interrupted();
+    const Drawing drawing = figure.draw(results, studio_);
+    renderer::Image picture = to_image(drawing);
+    // Packed better than frames, which have to be written sixty times a second.
+    constexpr renderer::PngEffort effort = {.deflate_level = 6, .filter = 4};
+    const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
+    renderer::write_png(noted(figure.name + ".png"), picture, texts, effort);
+    write_pdf(noted(figure.name + ".pdf"), drawing);
+    if (figure.csv != nullptr) {
+      write_text_file(noted(figure.name + ".csv"), figure.csv(results));
+    }
+    drawn_.push_back({figure.name, figure.title, std::move(picture)});
+    std::sort(drawn_.begin(), drawn_.end(), [](auto& a, auto& b) { return a.name < b.name; });
+    tell();
+  }
+
+  void write_report(const Results& results) {
+    const Report report = make_report(results, drawn_, studio_.gl_renderer());
+    write_text_file(noted("claims.json"), report.claims_json);
+    write_text_file(noted("report.html"), report.html);
+    renderer::write_png(noted("contact_sheet.png"), contact_sheet(drawn_), {},
+                        {.deflate_level = 6, .filter = 4});
+    tell();
+  }
+
+ private:
+  std::filesystem::path noted(const std::string& name) {
+    written_.push_back(options_.output / name);
+    return written_.back();
+  }
+
+  // Over the line of progress, if there is one.
+  void tell() {
+    for (const std::filesystem::path& path : written_) {
+      fmt::print("wrote {}\n", path.string());
+    }
+    std::fflush(stdout);
+    written_.clear();
+  }
+
+  const FiguresOptions& options_;
+  StudioDoor studio_;
+  std::vector<DrawnFigure> drawn_;
+  std::vector<std::filesystem::path> written_;
+};
+
+std::vector<Figure> wanted_figures(const std::vector<std::string>& only) {
+  std::vector<Figure> wanted;
+  for (const Figure& figure : all_figures()) {
+    if (only.empty() || std::find(only.begin(), only.end(), figure.name) != only.end()) {
+      wanted.push_back(figure);
+    }
+  }
+  return wanted;
+}
+
+std::vector<Experiment> experiments_for(const std::vector<Figure>& figures, bool with_report) {
+  std::set<Experiment> needed;
+  for (const Figure& figure : figures) {
+    needed.insert(figure.needs.begin(), figure.needs.end());
+  }
+  if (with_report) {
+    needed.insert({Experiment::mapping, Experiment::sweeps, Experiment::restart});
+  }
+  return {needed.begin(), needed.end()};
+}
+
+// Draws every figure as soon as the last of what it needs is there.
+void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Experiment>& experiments,
+                       Results& results, FigureWriter& writer) {
+  std::vector<Job> jobs;
+  for (const Experiment experiment : experiments) {
+    jobs.push_back(job_of(experiment, results));
+  }
+  std::set<Experiment> done;
+  run_jobs(jobs, std::thread::hardware_concurrency(), [&](std::size_t job) {
+    done.insert(experiments[job]);
+    for (const Figure& figure : figures) {
+      const bool is_ready =
+          std::find(figure.needs.begin(), figure.needs.end(), experiments[job]) != figure.needs.end() &&
+          std::all_of(figure.needs.begin(), figure.needs.end(),
+                      [&](Experiment e) { return done.contains(e); });
+      if (is_ready) {
+        writer.write(figure, results);
+      }
+    }
+  });
+}
+
+}  // namespace
+
+int run(const FiguresOptions& options) {
+  prepare_folder_of(options.output / "fig.png");
+  const bool with_report = options.only.empty();
+  const std::vector<Figure> figures = wanted_figures(options.only);
+  Results results;
+  FigureWriter writer(options);
+  simulate_and_draw(figures, experiments_for(figures, with_report), results, writer);
+  for (const Figure& figure : figures) {
+    if (figure.needs_frame_times) {
+      // Only now, with every other thread gone: they would take from what is measured.
+      results.frame_times = measure_frame_times(frame_time_repeats, [](double) { throw_if_interrupted(); });
+      writer.write(figure, results);
+    }
+  }
+  if (with_report) {
+    writer.write_report(results);
+  }
+  return 0;
+}
+
+}  // namespace taut::app

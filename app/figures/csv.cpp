@@ -1,0 +1,50 @@
+#include "app/figures/csv.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace taut::app {
+namespace {
+
+std::string line_of(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    line += (i == 0 ? "" : ",") + cells[i];
+  }
+  return line + "\n";
+}
+
+}  // namespace
+
+CsvTable::CsvTable(std::vector<std::string> columns) : width_(columns.size()), text_(line_of(columns)) {}
+
+void CsvTable::add(std::vector<std::string> cells) {
+  if (cells.size() != width_) {
+    throw std::invalid_argument(
+        fmt::format("a row of {} cells in a table of {} columns", cells.size(), width_));
+  }
+  text_ += line_of(cells);
+}
+
+std::string cell(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    quoted += letter;
+    if (letter == '"') {
+      quoted += '"';
+    }
+  }
+  return quoted + '"';
+}
+
+}  // namespace taut::app

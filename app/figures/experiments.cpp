@@ -1,0 +1,187 @@
+#include "app/figures/experiments.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "app/figures/moments.hpp"
+#include "app/garment_loading.hpp"
+#include "app/pins.hpp"
+#include "app/scene_lookup.hpp"
+#include "sim/measures.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double methods_duration_s = 10.0;
+
+MappedModel map_model(int triangles) {
+  const Scene scene = shirt_scene("tshirt-gravity", triangles);
+  const sim::Garment garment = load_garment(scene).garment;
+  const auto springs_of = sim::edges_of_vertices(garment.mesh.positions.size(), garment.springs.ends);
+  MappedModel model;
+  model.file = scene.garment.file.filename().string();
+  model.vertices = garment.mesh.positions.size();
+  model.triangles = garment.mesh.triangles.size();
+  model.edges = garment.adjacency.edges.size();
+  model.structural = garment.springs.count(sim::SpringKind::structural);
+  model.flexural = garment.springs.count(sim::SpringKind::flexural);
+  for (std::size_t v = 0; v < springs_of.size(); ++v) {
+    model.loose_vertices += springs_of[v].empty() ? 1 : 0;
+  }
+  return model;
+}
+
+void map_models(Results& results) {
+  results.grid_patch = whole_patch(sim::make_garment(sim::make_grid({.columns = 5, .rows = 5}), {}, {}));
+  const sim::Garment shirt = load_garment(shirt_scene("tshirt-gravity", model_sizes.front())).garment;
+  // The middle of the chest: flat, and away from every seam.
+  const sim::Vec3 chest_m(0.06, 1.25, 0.11);
+  results.shirt_patch = patch_around(shirt, nearest_vertex(shirt.mesh.positions, chest_m).vertex, 2);
+  for (const int triangles : model_sizes) {
+    results.models.push_back(map_model(triangles));
+  }
+}
+
+StepRecording record_fall(const Checkpoint& checkpoint) {
+  Scene scene = find_scene("cloth-fall", {});
+  scene.simulation.rest.speed_m_per_s = fall_rest_m_per_s;
+  const sim::GridSettings& grid = scene.garment.grid;
+  const sim::Index middle_of_free_edge = (grid.rows - 1) * grid.columns + grid.columns / 2;
+  return record_steps(scene, fall_frames, middle_of_free_edge, checkpoint);
+}
+
+void run_methods(Results& results, const Checkpoint& checkpoint) {
+  for (const double rate_hz : method_rates_hz) {
+    for (const sim::SolverKind kind : sim::all_solver_kinds) {
+      results.methods.push_back(run_method(kind, rate_hz, methods_duration_s));
+      checkpoint(static_cast<double>(results.methods.size()) / 6.0);
+    }
+  }
+}
+
+void run_sweeps(Results& results, const Checkpoint& checkpoint) {
+  constexpr std::array sweeps = {10, 50, 200};
+  constexpr int frames = 45;
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    Scene scene = find_scene("tshirt-gravity", {});
+    scene.simulation.solver.substeps = 1;
+    scene.simulation.solver.iterations = sweeps[i];
+    const Recording run = record_frames(scene, std::array{frames}, [&](double fraction) {
+      checkpoint((static_cast<double>(i) + fraction) / sweeps.size());
+    });
+    results.sweeps[i] = {sweeps[i], run.last().record.stretch.max, run.largest_stretch};
+  }
+}
+
+Job recording_job(const std::string& scene_name, double cost, std::optional<Recording>& place,
+                  int most_frames = std::numeric_limits<int>::max()) {
+  return {scene_name, cost, [scene_name, most_frames, &place](const Checkpoint& checkpoint) {
+            const Scene scene = find_scene(scene_name, {});
+            place = record_frames(scene, std::array{std::min(scene.frames, most_frames)}, checkpoint);
+          }};
+}
+
+}  // namespace
+
+Job job_of(Experiment experiment, Results& results) {
+  switch (experiment) {
+    case Experiment::mapping:
+      return {"mapping", 0.1, [&results](const Checkpoint&) { map_models(results); }};
+    case Experiment::fall:
+      return {"cloth-fall", 10.0,
+              [&results](const Checkpoint& checkpoint) { results.fall = record_fall(checkpoint); }};
+    case Experiment::pinned_5:
+      return recording_job("pinned-9x9-5", 0.1, results.pinned[0]);
+    case Experiment::pinned_20:
+      return recording_job("pinned-9x9-20", 0.1, results.pinned[1]);
+    case Experiment::shirt_still:
+      return recording_job("tshirt-gravity", 16.0, results.shirts[0]);
+    case Experiment::shirt_wind_1:
+      return recording_job("tshirt-wind-1", 16.0, results.shirts[1]);
+    case Experiment::shirt_wind_10:
+      return recording_job("tshirt-wind-10", 26.0, results.shirts[2], strong_wind_frames);
+    case Experiment::methods:
+      return {"methods", 0.3, [&results](const Checkpoint& checkpoint) { run_methods(results, checkpoint); }};
+    case Experiment::sweeps:
+      return {"few long steps", 4.0,
+              [&results](const Checkpoint& checkpoint) { run_sweeps(results, checkpoint); }};
+    case Experiment::restart:
+      return {"restart", 0.05, [&results](const Checkpoint&) {
+                results.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60);
+              }};
+  }
+  return {};
+}
+
+Scene shirt_scene(const std::string& name, int triangles) {
+  Scene scene = find_scene(name, {});
+  scene.garment.file = scene.garment.file.parent_path() / fmt::format("tshirt_{}.obj", triangles);
+  return scene;
+}
+
+MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s) {
+  Scene scene = find_scene("pinned-9x9-methods", {});
+  scene.simulation.solver.kind = kind;
+  scene.simulation.frame_rate_hz = steps_per_s;
+  sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
+  MethodRun run;
+  run.kind = kind;
+  run.time_step_s = simulation.frame_time_s();
+  const auto steps = static_cast<int>(std::lround(duration_s * steps_per_s));
+  try {
+    for (int step = 0; step < steps; ++step) {
+      simulation.advance_frame();
+      const sim::State& state = simulation.state();
+      run.max_stretch.push_back(sim::measure_stretch(simulation.garment().springs, state.current).max);
+      run.moved_rms_m.push_back(sim::measure_convergence(state).rms_m);
+    }
+  } catch (const sim::Diverged&) {
+    run.diverged_at_s = run.time_step_s * static_cast<double>(run.max_stretch.size() + 1);
+  }
+  return run;
+}
+
+std::optional<Unrest> measure_unrest(const MethodRun& run) {
+  if (run.diverged_at_s || run.moved_rms_m.empty()) {
+    return std::nullopt;
+  }
+  const std::size_t begin = run.moved_rms_m.size() - (run.moved_rms_m.size() + 3) / 4;
+  double squares = 0.0;
+  for (std::size_t i = begin; i < run.moved_rms_m.size(); ++i) {
+    squares += run.moved_rms_m[i] * run.moved_rms_m[i];
+  }
+  const auto [low, high] = std::minmax_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin),
+                                               run.max_stretch.end());
+  const auto count = static_cast<double>(run.moved_rms_m.size() - begin);
+  return Unrest{std::sqrt(squares / count) / run.time_step_s, *low, *high};
+}
+
+RestartRun run_restart(const Scene& scene, int steps_before, int steps_after) {
+  const Scene stepped = with_steps_as_frames(scene);
+  const sim::Garment garment = load_garment(stepped).garment;
+  const double time_step_s = 1.0 / stepped.simulation.frame_rate_hz;
+  const auto go_on = [&](sim::State& state, int steps) {
+    const auto solver = sim::make_solver(stepped.simulation.solver);
+    for (int step = 0; step < steps; ++step) {
+      solver->advance_frame(garment, stepped.surroundings, time_step_s, state);
+    }
+  };
+  sim::State state = sim::make_state(garment);
+  go_on(state, steps_before);
+  // Nothing but positions goes over, and the length of the step that lies between them.
+  sim::State restarted = sim::make_state(garment);
+  restarted.previous = state.previous;
+  restarted.current = state.current;
+  restarted.time_step_s = state.time_step_s;
+  go_on(state, steps_after);
+  go_on(restarted, steps_after);
+  return {sim::hash(state), sim::hash(restarted), steps_before, steps_after};
+}
+
+}  // namespace taut::app

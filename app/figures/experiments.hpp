@@ -1,0 +1,124 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/figures/job_runner.hpp"
+#include "app/figures/recording.hpp"
+#include "app/figures/spring_patch.hpp"
+#include "sim/solvers/solver.hpp"
+
+namespace taut::app {
+
+/// A method run on the cloth of figure 7, measured after every time step.
+struct MethodRun {
+  sim::SolverKind kind = sim::SolverKind::strong;
+  double time_step_s = 0.0;
+  std::vector<double> max_stretch;
+  std::vector<double> moved_rms_m;  ///< root mean square of |p(t) - p(t - dt)| over the vertices
+  std::optional<double> diverged_at_s;
+};
+
+/// How the springs of a method behave when the cloth should long be at rest: over the last quarter of a run.
+struct Unrest {
+  double speed_m_per_s = 0.0;     ///< root mean square movement of a step over the step
+  double smallest_stretch = 0.0;  ///< of the largest stretch, which goes up and down where springs vibrate
+  double largest_stretch = 0.0;
+};
+
+/// Nothing for a run that diverged.
+std::optional<Unrest> measure_unrest(const MethodRun& run);
+
+/// What a run with few sweeps in one long step leaves of the bound.
+struct SweepRun {
+  int sweeps = 0;
+  double final_stretch = 0.0;
+  double largest_stretch = 0.0;
+};
+
+/// How one of the shirts maps to springs.
+struct MappedModel {
+  std::string file;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::size_t edges = 0;
+  std::size_t structural = 0;
+  std::size_t flexural = 0;
+  std::size_t loose_vertices = 0;  ///< that no spring holds
+};
+
+/// A run that was taken up in the middle from nothing but p(t) and p(t - dt).
+struct RestartRun {
+  std::uint64_t uninterrupted_hash = 0;
+  std::uint64_t restarted_hash = 0;
+  int steps_before = 0;
+  int steps_after = 0;
+};
+
+/// Frame times of one model and one setting of the solver.
+struct FrameTimes {
+  int triangles = 0;
+  int substeps = 0;
+  int sweeps = 0;
+  std::vector<double> frame_ms;
+
+  double median_ms() const;
+  double shortest_ms() const;
+  double longest_ms() const;
+};
+
+/// Everything the figures and the report are made from. A part is there once its experiment has been made.
+struct Results {
+  SpringPatch grid_patch;
+  SpringPatch shirt_patch;
+  std::vector<MappedModel> models;
+  std::optional<StepRecording> fall;
+  std::array<std::optional<Recording>, 2> pinned;
+  std::array<std::optional<Recording>, 3> shirts;
+  std::vector<MethodRun> methods;  ///< three methods with the short step, then with the long one
+  std::array<SweepRun, 3> sweeps;
+  RestartRun restart;
+  std::vector<FrameTimes> frame_times;
+};
+
+enum class Experiment {
+  mapping,
+  fall,
+  pinned_5,
+  pinned_20,
+  shirt_still,
+  shirt_wind_1,
+  shirt_wind_10,
+  methods,
+  sweeps,
+  restart,
+};
+
+/// The experiment as a job that fills its own part of the results and touches no other.
+Job job_of(Experiment experiment, Results& results);
+
+/// Steps a second of figure 7.
+inline constexpr std::array method_rates_hz = {640.0, 160.0};
+MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s);
+
+/// Runs the scene to the middle, copies its two position arrays into a new state, and goes on from both.
+RestartRun run_restart(const Scene& scene, int steps_before, int steps_after);
+
+/// The three shirts under gravity, without layers, in turn and several times over. To be measured while
+/// nothing else runs.
+std::vector<FrameTimes> measure_frame_times(int repeats, const Checkpoint& checkpoint);
+
+/// The exponent p of ms = c * triangles^p by least squares on the medians' logarithms, and c.
+struct PowerLaw {
+  double exponent = 0.0;
+  double factor_ms = 0.0;
+};
+PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps);
+
+/// A built-in scene with another model of the shirt.
+Scene shirt_scene(const std::string& name, int triangles);
+inline constexpr std::array model_sizes = {1028, 5280, 10600};
+
+}  // namespace taut::app

@@ -1,0 +1,127 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/figures/csv.hpp"
+#include "app/figures/figures.hpp"
+#include "app/figures/plot.hpp"
+
+namespace taut::app {
+namespace {
+
+Stroke stroke_of(sim::SolverKind kind) {
+  switch (kind) {
+    case sim::SolverKind::ideal:
+      return {palette::orange, 4.0F, {1.2F, 1.8F}};
+    case sim::SolverKind::provot:
+      return {palette::vermilion, 4.0F, {5.0F, 2.0F}};
+    case sim::SolverKind::strong:
+      return {palette::blue, 4.5F, {}};
+  }
+  return {};
+}
+
+std::string legend_name(const MethodRun& run) {
+  constexpr std::array names = {"ideal springs", "threshold of 5 %", "strong constraint"};
+  std::string name = names[static_cast<std::size_t>(run.kind)];
+  if (run.diverged_at_s) {
+    name += fmt::format(" (diverges after {:.2f} s)", *run.diverged_at_s);
+  }
+  return name;
+}
+
+Curve curve_of(const MethodRun& run, const std::vector<double>& values, double factor) {
+  Curve curve;
+  curve.name = legend_name(run);
+  curve.stroke = stroke_of(run.kind);
+  // Between two figures of a vibration there is nothing to see: one line for the largest in a 64th second.
+  const auto window = static_cast<std::size_t>(std::max(1L, std::lround(1.0 / 64.0 / run.time_step_s)));
+  for (std::size_t i = 0; i < values.size(); i += window) {
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(std::min(values.size(), i + window));
+    const double largest = *std::max_element(values.begin() + static_cast<std::ptrdiff_t>(i), end);
+    curve.points.push_back({static_cast<double>(i + 1) * run.time_step_s, factor * largest});
+  }
+  return curve;
+}
+
+std::vector<MethodRun> runs_with(const Results& results, std::size_t rate) {
+  return {results.methods.begin() + static_cast<std::ptrdiff_t>(3 * rate),
+          results.methods.begin() + static_cast<std::ptrdiff_t>(3 * rate + 3)};
+}
+
+Plot stretch_plot(const std::vector<MethodRun>& runs) {
+  Plot plot;
+  plot.x = {"time in s", 0.0, 10.0};
+  plot.y = {"largest stretch", 0.0, 20.0, false, " %"};
+  for (const MethodRun& run : runs) {
+    plot.curves.push_back(curve_of(run, run.max_stretch, 100.0));
+  }
+  plot.levels = {{5.0, ""}};
+  return plot;
+}
+
+Plot unrest_plot(const std::vector<MethodRun>& runs) {
+  Plot plot;
+  plot.x = {"time in s", 0.0, 10.0};
+  plot.y = {"RMS of |p(t) − p(t − Δt)|  in metres", 1e-18, 1.0, true};
+  for (const MethodRun& run : runs) {
+    plot.curves.push_back(curve_of(run, run.moved_rms_m, 1.0));
+  }
+  plot.legend = LegendCorner::none;
+  return plot;
+}
+
+std::string speed_text(const MethodRun& run) {
+  const auto unrest = measure_unrest(run);
+  return unrest ? scientific(unrest->speed_m_per_s) : "lost";
+}
+
+std::string unrest_text(const std::vector<MethodRun>& runs) {
+  return fmt::format("speed at the end in m/s: threshold {}, strong {}",
+                     speed_text(runs[static_cast<std::size_t>(sim::SolverKind::provot)]),
+                     speed_text(runs[static_cast<std::size_t>(sim::SolverKind::strong)]));
+}
+
+}  // namespace
+
+std::string figure7_csv(const Results& results) {
+  CsvTable table({"method", "time_step_s", "time_s", "max_stretch", "moved_rms_m"});
+  for (const MethodRun& run : results.methods) {
+    for (std::size_t i = 0; i < run.max_stretch.size(); ++i) {
+      table.add({name_of(run.kind), cell(run.time_step_s), cell(static_cast<double>(i + 1) * run.time_step_s),
+                 cell(run.max_stretch[i]), cell(run.moved_rms_m[i])});
+    }
+  }
+  return table.text();
+}
+
+// Section III: do springs that are pulled back to a threshold vibrate, and does the strong constraint not?
+Drawing draw_figure7(const Results& results, StudioDoor&) {
+  const CaptionStyle style = {.text_px = 38.0F, .measured_px = 32.0F};
+  constexpr float width_px = 1200.0F, height_px = 800.0F;
+  std::vector<Plot> plots;
+  std::vector<Caption> captions;
+  for (std::size_t rate = 0; rate < method_rates_hz.size(); ++rate) {
+    const std::vector<MethodRun> runs = runs_with(results, rate);
+    const std::string step = fmt::format("steps of 1/{:.0f} s", method_rates_hz[rate]);
+    const char letter = rate == 0 ? 'a' : 'b';
+    plots.push_back(stretch_plot(runs));
+    captions.push_back({letter, "stretch, " + step, ""});
+    plots.push_back(unrest_plot(runs));
+    captions.push_back({static_cast<char>(letter + 2), "movement in a step, " + step, unrest_text(runs)});
+  }
+  const float row_px = height_px + style.height_px();
+  Drawing drawing{2440, static_cast<int>(2.0F * row_px) + 30, {}};
+  drawing.draw = [=](renderer::Canvas& canvas) {
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+      const float x_px = 20.0F + static_cast<float>(i / 2) * width_px;
+      const float y_px = 15.0F + static_cast<float>(i % 2) * row_px;
+      draw_plot(canvas, plots[i], {x_px, y_px, width_px - 40.0F, height_px});
+      draw_caption(canvas, captions[i], x_px + 0.53F * width_px, y_px + height_px, style);
+    }
+  };
+  return drawing;
+}
+
+}  // namespace taut::app

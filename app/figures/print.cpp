@@ -1,0 +1,165 @@
+#include "app/figures/print.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+
+#include "app/framing.hpp"
+#include "app/garment_painter.hpp"
+
+namespace taut::app {
+namespace {
+
+// Of the picture's width and height, left free around everything.
+constexpr float print_margin = 0.045F;
+
+Scene scene_for_print(const PrintedMoment& moment, const PictureSize& size) {
+  Scene scene = moment.recording->scene;
+  renderer::PictureSettings& settings = scene.picture.settings;
+  settings.width_px = size.width_px;
+  settings.height_px = size.height_px;
+  settings.supersampling = 2;
+  settings.shadow_map_px = 4096;
+  settings.sky_directions = 64;
+  if (!moment.has_floor) {
+    scene.picture.ground.kind = GroundKind::none;
+  }
+  if (moment.shows_stretch) {
+    scene.picture.surface = SurfaceLook::stretch;
+    scene.picture.stretch_range = {0.0, printed_stretch};
+    scene.picture.legend = false;
+  }
+  return scene;
+}
+
+// What the camera has to see: every vertex and where the key light throws its shadow.
+void add_points(const PrintedMoment& moment, const glm::vec3& towards_light, std::optional<float> ground_m,
+                std::vector<glm::vec3>& points) {
+  for (const glm::vec3& point : to_float(moment.moment->positions)) {
+    points.push_back(point);
+    if (ground_m) {
+      points.push_back(point - towards_light * ((point.y - *ground_m) / towards_light.y));
+    }
+  }
+}
+
+// Where points fall on a picture that reaches from -1 to 1 both ways.
+struct Extent {
+  glm::vec2 lower{INFINITY};
+  glm::vec2 upper{-INFINITY};
+};
+
+Extent projected(std::span<const glm::vec3> points, const renderer::Camera& camera, float aspect) {
+  const glm::mat4 to_clip = camera.projection(aspect) * camera.view();
+  Extent extent;
+  for (const glm::vec3& point : points) {
+    const glm::vec4 clip = to_clip * glm::vec4(point, 1.0F);
+    const glm::vec2 place = glm::vec2(clip) / clip.w;
+    extent.lower = glm::min(extent.lower, place);
+    extent.upper = glm::max(extent.upper, place);
+  }
+  return extent;
+}
+
+// Moves the camera sideways and along its view until the points fill the picture.
+renderer::Camera fitted(renderer::Camera camera, std::span<const glm::vec3> points, float aspect) {
+  for (int round = 0; round < 12; ++round) {
+    const Extent extent = projected(points, camera, aspect);
+    const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::vec3 up = glm::cross(right, forward);
+    const float distance_m = glm::distance(camera.eye, camera.target);
+    const float half_height_m = distance_m * std::tan(0.5F * camera.vertical_fov_rad);
+    const glm::vec2 middle = 0.5F * (extent.lower + extent.upper);
+    const glm::vec3 shift = half_height_m * (aspect * middle.x * right + middle.y * up);
+    const glm::vec2 half = 0.5F * (extent.upper - extent.lower);
+    const float filled = std::max(half.x, half.y) / (1.0F - 2.0F * print_margin);
+    camera.target += shift;
+    camera.eye = camera.target - forward * distance_m * filled;
+  }
+  return camera;
+}
+
+renderer::Camera camera_for(std::span<const PrintedMoment> moments, const PictureSize& size) {
+  const Scene scene = scene_for_print(moments.front(), size);
+  const renderer::Box reach = expected_reach(scene, *moments.front().recording->garment);
+  const auto aspect = static_cast<float>(size.width_px) / static_cast<float>(size.height_px);
+  const renderer::Camera first = scene_camera(scene, reach, aspect);
+  const glm::vec3 towards_light = renderer::studio_lighting(first).towards_key;
+  std::vector<glm::vec3> points;
+  for (const PrintedMoment& moment : moments) {
+    add_points(moment, towards_light, ground_height(scene, reach), points);
+  }
+  return fitted(first, points, aspect);
+}
+
+void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::vec2& at, float text_px) {
+  const float end_px = at.x + bar.length_px;
+  canvas.line(at.x, at.y, end_px, at.y, palette::ink, 4.0F);
+  for (const float x_px : {at.x, end_px}) {
+    canvas.line(x_px, at.y - 9.0F, x_px, at.y + 9.0F, palette::ink, 4.0F);
+  }
+  renderer::TextStyle text = text_style(text_px);
+  text.horizontal = renderer::HorizontalAlign::centre;
+  canvas.text(0.5F * (at.x + end_px), at.y - 0.5F * text_px, bar.label, text);
+}
+
+}  // namespace
+
+Prints print_moments(Studio& studio, std::span<const PrintedMoment> moments, const PictureSize& size) {
+  const renderer::Camera camera = camera_for(moments, size);
+  Prints prints;
+  for (const PrintedMoment& moment : moments) {
+    Scene scene = scene_for_print(moment, size);
+    scene.camera.eye = camera.eye;
+    scene.camera.target = camera.target;
+    GarmentPainter painter(studio.renderer(), scene, *moment.recording->garment);
+    prints.pictures.push_back(painter.draw(moment.moment->positions));
+  }
+  const float seen_m =
+      2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
+  prints.metre_px = static_cast<float>(size.height_px) / seen_m;
+  return prints;
+}
+
+glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std::size_t panel) {
+  const auto column = static_cast<float>(panel % style.columns);
+  const auto row = static_cast<float>(panel / style.columns);
+  return {style.border_px + column * (static_cast<float>(picture.width_px) + style.gap_px),
+          style.border_px +
+              row * (static_cast<float>(picture.height_px) + style.caption.height_px() + style.gap_px)};
+}
+
+Drawing sheet_of(std::vector<Panel> panels, const SheetStyle& style, const ScaleBar& bar) {
+  const PictureSize size = {panels.front().picture.width_px, panels.front().picture.height_px};
+  const std::size_t columns = std::min(style.columns, panels.size());
+  const glm::vec2 last_in_row = panel_corner(style, size, columns - 1);
+  const glm::vec2 last = panel_corner(style, size, panels.size() - 1);
+  Drawing drawing;
+  drawing.width_px = size.width_px + static_cast<int>(last_in_row.x + style.right_px + style.border_px);
+  drawing.height_px =
+      size.height_px + static_cast<int>(last.y + style.caption.height_px() + 0.5F * style.border_px);
+  const auto shared = std::make_shared<const std::vector<Panel>>(std::move(panels));
+  drawing.draw = [shared, style, size, bar](renderer::Canvas& canvas) {
+    for (std::size_t i = 0; i < shared->size(); ++i) {
+      const Panel& panel = (*shared)[i];
+      const glm::vec2 corner = panel_corner(style, size, i);
+      canvas.image(corner.x, corner.y, panel.picture);
+      draw_caption(canvas, panel.caption, corner.x + 0.5F * static_cast<float>(size.width_px),
+                   corner.y + static_cast<float>(size.height_px), style.caption);
+    }
+    if (bar.length_px > 0.0F) {
+      const float inset_px = 0.045F * static_cast<float>(size.width_px);
+      const glm::vec2 corner = panel_corner(style, size, 0);
+      draw_scale_bar(canvas, bar,
+                     {corner.x + inset_px, corner.y + static_cast<float>(size.height_px) - inset_px},
+                     style.caption.measured_px);
+    }
+  };
+  return drawing;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,12 @@
+#include "app/report/report.hpp"
+
+namespace taut::app {
+
+Report make_report(const Results& results, std::span<const DrawnFigure> figures,
+                   const std::string& gl_renderer) {
+  const std::vector<Claim> claims = judge_claims(results);
+  const Machine machine = this_machine(gl_renderer);
+  return {report_html(claims, figures, machine), claims_json(claims, machine)};
+}
+
+}  // namespace taut::app

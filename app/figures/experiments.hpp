@@ -110,7 +110,8 @@ RestartRun run_restart(const Scene& scene, int steps_before, int steps_after);
 /// nothing else runs.
 std::vector<FrameTimes> measure_frame_times(int repeats, const Checkpoint& checkpoint);
 
-/// The exponent p of ms = c * triangles^p by least squares on the medians' logarithms, and c.
+/// The exponent p of ms = c * triangles^p by least squares on the logarithms of the shortest times, and c.
+/// Other programs can only lengthen a time: on a busy machine medians bend the law, the shortest hardly do.
 struct PowerLaw {
   double exponent = 0.0;
   double factor_ms = 0.0;

@@ -104,10 +104,10 @@ Drawing draw_figure6(const Results& results, StudioDoor&) {
     draw_caption(
         canvas,
         {'\0',
-         fmt::format("one frame of 1/60 s under gravity, one thread: medians of {} frames, bars from "
+         fmt::format("one frame of 1/60 s with the strong constraint, one thread: medians of {}, bars from "
                      "shortest to longest",
                      times.front().frame_ms.size()),
-         "medians in the legend's order, small to large model: " + medians_of(times)},
+         "gravity alone, no layers; lines are fitted to the shortest times; medians " + medians_of(times)},
         1200.0F, 1300.0F, style);
   };
   return drawing;

@@ -69,7 +69,7 @@ PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps) {
   double n = 0.0, sum_x = 0.0, sum_y = 0.0, sum_xx = 0.0, sum_xy = 0.0;
   for (const FrameTimes& time : times) {
     if (time.substeps == substeps) {
-      const double x = std::log(time.triangles), y = std::log(time.median_ms());
+      const double x = std::log(time.triangles), y = std::log(time.shortest_ms());
       n += 1.0;
       sum_x += x;
       sum_y += y;

@@ -138,7 +138,8 @@ Claim judge_cost(const Results& results) {
   claim.section = "IV";
   claim.claim = "Computation grows geometrically as the model is refined.";
   claim.test =
-      "A power of the number of triangles is fitted to the median times of a frame of the three shirts, for "
+      "A power of the number of triangles is fitted to the shortest times of a frame of the three shirts, "
+      "for "
       "each of two settings: 1 step of 10 sweeps a frame, 100 steps of 1 sweep. The larger exponent is "
       "judged.";
   claim.threshold =

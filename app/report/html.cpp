@@ -114,7 +114,7 @@ std::string claim_html(const Claim& claim) {
 
 std::string figure_html(const DrawnFigure& figure) {
   const std::vector<std::uint8_t> png = renderer::encode_png(
-      scaled_to_width(figure.picture, picture_width_px), {}, {.deflate_level = 9, .filter = 4});
+      scaled_to_width(figure.picture, picture_width_px), {}, {.deflate_level = 6, .filter = 4});
   return fmt::format(
       "<figure id=\"{0}\">\n<img alt=\"{1}\" src=\"data:image/png;base64,{2}\">\n"
       "<figcaption>{0}. {1}. Also as {0}.png and, with text and lines that scale, {0}.pdf.</figcaption>\n"

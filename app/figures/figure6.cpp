@@ -67,7 +67,7 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
     done.push_back(time.substeps);
   }
   plot.levels = {{frame_at_60_hz_ms, "60 frames a second: 16.7 ms"}};
-  plot.legend = LegendCorner::upper_left;
+  plot.legend = LegendCorner::lower_right;
   return plot;
 }
 

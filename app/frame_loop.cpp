@@ -34,20 +34,15 @@ FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOu
   return work;
 }
 
-void draw_frame(FrameInWork& work, const sim::Simulation& simulation, const FrameOutputs& outputs) {
+void draw_frame(FrameInWork& work, const FrameOutputs& outputs) {
   Stopwatch drawing;
-  work.picture =
-      outputs.draw_positions ? outputs.draw_positions(work.positions) : outputs.draw_picture(simulation);
+  work.picture = outputs.draw_positions(work.positions);
   work.record.draw_ms = drawing.elapsed_ms();
 }
 
 void write_frame(FrameInWork& work, const FrameOutputs& outputs) {
   Stopwatch writing;
-  if (outputs.write_frame) {
-    outputs.write_frame(work.record, work.picture);
-  } else {
-    outputs.write_picture(work.record.frame, work.picture);
-  }
+  outputs.write_frame(work.record, work.picture);
   work.record.encode_ms += writing.elapsed_ms();
 }
 
@@ -67,7 +62,7 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
   stages.draw = [&](FrameInWork& work) {
     throw_if_interrupted();
     if (is_drawn(work.record.frame, outputs)) {
-      draw_frame(work, simulation, outputs);
+      draw_frame(work, outputs);
     }
   };
   stages.write = [&](FrameInWork& work) {
@@ -80,7 +75,7 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
       outputs.report(work.record);
     }
   };
-  if (outputs.draw_positions && outputs.pictures.size() > 1) {
+  if (outputs.overlap && outputs.pictures.size() > 1) {
     run_overlapped(stages);
   } else {
     run_in_turn(stages);

@@ -13,17 +13,15 @@ namespace taut::app {
 /// What becomes of the frames of a run; every part may be left empty.
 struct FrameOutputs {
   std::span<const int> pictures;  ///< frames to be drawn, ascending
-  /// Draws from the positions alone, while later frames are simulated and earlier ones written. Called on the
-  /// thread that called run_frames.
+  /// Called on the thread that called run_frames.
   std::function<renderer::Image(const std::vector<sim::Vec3>& positions)> draw_positions;
-  /// Instead of `draw_positions`, for those who need more of the simulation: it waits, nothing overlaps.
-  std::function<renderer::Image(const sim::Simulation&)> draw_picture;
-  /// This, write_frame and report are called frame after frame, but not always on the caller's thread.
-  std::function<void(int frame, const renderer::Image&)> write_picture;
-  /// As write_picture, for those who write more than the picture. The record lacks only `encode_ms`.
+  /// This and report are called frame after frame, but not always on the caller's thread. The record lacks
+  /// only `encode_ms`.
   std::function<void(const FrameRecord&, const renderer::Image&)> write_frame;
   std::function<void(int frame, const sim::Simulation&)> write_shape;  ///< the simulation waits
   std::function<void(const FrameRecord&)> report;
+  /// Later frames are simulated while earlier ones are drawn and written; never changes what comes out.
+  bool overlap = true;
 };
 
 /// Simulates frames 1 to `last_frame`; frame n is the cloth n / frame rate seconds after the clock started,

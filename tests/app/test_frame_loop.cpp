@@ -30,20 +30,24 @@ TEST(FrameLoop, DrawsAndWritesTheFramesAskedFor) {
   sim::Simulation simulation = small_cloth();
   const std::vector<int> pictures = {0, 2, 3};
   std::vector<int> written;
-  std::vector<double> drawn_at_s;
+  std::vector<std::vector<sim::Vec3>> drawn;
   int reported = 0;
   FrameOutputs outputs;
   outputs.pictures = pictures;
-  outputs.draw_picture = [&](const sim::Simulation& moment) {
-    drawn_at_s.push_back(moment.state().time_s);
+  outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions) {
+    drawn.push_back(positions);
     return renderer::Image{};
   };
-  outputs.write_picture = [&](int frame, const renderer::Image&) { written.push_back(frame); };
+  outputs.write_frame = [&](const FrameRecord& record, const renderer::Image&) {
+    written.push_back(record.frame);
+  };
   outputs.report = [&](const FrameRecord&) { ++reported; };
   const auto records = run_frames(simulation, 4, outputs);
   EXPECT_EQ(written, pictures);
-  EXPECT_EQ(drawn_at_s[0], 0.0);
-  EXPECT_NEAR(drawn_at_s[2], 0.05, 1e-12);
+  ASSERT_EQ(drawn.size(), 3U);
+  EXPECT_EQ(drawn[0], simulation.garment().mesh.positions) << "frame 0 is the cloth as modelled";
+  EXPECT_NE(drawn[1], drawn[0]);
+  EXPECT_NE(drawn[2], simulation.state().current) << "frame 3, not the last one";
   ASSERT_EQ(records.size(), 5U);
   EXPECT_EQ(records.front().frame, 0);
   EXPECT_EQ(reported, 5);

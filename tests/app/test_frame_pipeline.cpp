@@ -142,11 +142,8 @@ Outcome run_with(bool overlap) {
   const std::vector<int> frames = {0, 1, 2, 3, 5, 8, 13, 14};
   FrameOutputs outputs;
   outputs.pictures = frames;
-  if (overlap) {
-    outputs.draw_positions = picture_of;
-  } else {
-    outputs.draw_picture = [](const sim::Simulation& moment) { return picture_of(moment.state().current); };
-  }
+  outputs.overlap = overlap;
+  outputs.draw_positions = picture_of;
   outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
     run.reported.push_back(record.frame);
     run.pictures.push_back(picture.pixels);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "app/frame_record.hpp"
+#include "app/output/frame_record.hpp"
 #include "renderer/image.hpp"
 #include "sim/simulation.hpp"
 

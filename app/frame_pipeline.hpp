@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "app/frame_record.hpp"
+#include "app/output/frame_record.hpp"
 #include "renderer/image.hpp"
 
 namespace taut::app {

@@ -9,8 +9,8 @@
 
 #include "app/commands/options.hpp"
 #include "app/figures/job_runner.hpp"
-#include "app/files.hpp"
 #include "app/interruption.hpp"
+#include "app/output/files.hpp"
 #include "app/report/report.hpp"
 #include "app/version.hpp"
 

@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
 #include "app/commands/options.hpp"
-#include "app/inspection.hpp"
-#include "app/run_report.hpp"
+#include "app/garment/inspection.hpp"
+#include "app/output/run_report.hpp"
 
 namespace taut::app {
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/scene_file.hpp"
+#include "app/scene/scene_file.hpp"
 
 namespace taut::app {
 

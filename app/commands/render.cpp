@@ -6,19 +6,19 @@
 #include <numeric>
 
 #include "app/commands/options.hpp"
+#include "app/drawing/garment_painter.hpp"
+#include "app/drawing/studio.hpp"
 #include "app/errors.hpp"
-#include "app/files.hpp"
 #include "app/frame_loop.hpp"
-#include "app/garment_loading.hpp"
-#include "app/garment_painter.hpp"
-#include "app/output_pattern.hpp"
-#include "app/picture_record.hpp"
-#include "app/progress.hpp"
-#include "app/run_report.hpp"
-#include "app/scene_lookup.hpp"
-#include "app/scene_text.hpp"
-#include "app/studio.hpp"
-#include "app/video_writer.hpp"
+#include "app/garment/garment_loading.hpp"
+#include "app/output/files.hpp"
+#include "app/output/output_pattern.hpp"
+#include "app/output/picture_record.hpp"
+#include "app/output/progress.hpp"
+#include "app/output/run_report.hpp"
+#include "app/output/video_writer.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_text.hpp"
 
 namespace taut::app {
 namespace {

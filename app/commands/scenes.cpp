@@ -4,7 +4,7 @@
 
 #include "app/commands/options.hpp"
 #include "app/errors.hpp"
-#include "app/scene_lookup.hpp"
+#include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {
 

@@ -4,13 +4,13 @@
 #include <numeric>
 
 #include "app/commands/options.hpp"
-#include "app/files.hpp"
 #include "app/frame_loop.hpp"
-#include "app/garment_loading.hpp"
-#include "app/obj_export.hpp"
-#include "app/output_pattern.hpp"
-#include "app/run_report.hpp"
-#include "app/scene_lookup.hpp"
+#include "app/garment/garment_loading.hpp"
+#include "app/garment/obj_export.hpp"
+#include "app/output/files.hpp"
+#include "app/output/output_pattern.hpp"
+#include "app/output/run_report.hpp"
+#include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {
 namespace {

@@ -9,9 +9,9 @@
 #include <numeric>
 
 #include "app/figures/moments.hpp"
-#include "app/garment_loading.hpp"
-#include "app/pins.hpp"
-#include "app/scene_lookup.hpp"
+#include "app/garment/garment_loading.hpp"
+#include "app/scene/pins.hpp"
+#include "app/scene/scene_lookup.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "app/drawing/studio.hpp"
 #include "app/figures/drawing.hpp"
 #include "app/figures/experiments.hpp"
-#include "app/studio.hpp"
 
 namespace taut::app {
 

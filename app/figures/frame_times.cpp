@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "app/figures/experiments.hpp"
-#include "app/garment_loading.hpp"
+#include "app/garment/garment_loading.hpp"
 #include "app/stopwatch.hpp"
 #include "sim/simulation.hpp"
 

@@ -7,8 +7,8 @@
 #include <glm/vec4.hpp>
 #include <memory>
 
-#include "app/framing.hpp"
-#include "app/garment_painter.hpp"
+#include "app/drawing/framing.hpp"
+#include "app/drawing/garment_painter.hpp"
 
 namespace taut::app {
 namespace {

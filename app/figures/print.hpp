@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "app/drawing/studio.hpp"
 #include "app/figures/drawing.hpp"
 #include "app/figures/recording.hpp"
-#include "app/studio.hpp"
 #include "renderer/image.hpp"
 
 namespace taut::app {

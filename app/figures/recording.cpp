@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/frame_loop.hpp"
-#include "app/garment_loading.hpp"
+#include "app/garment/garment_loading.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
 

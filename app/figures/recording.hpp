@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/figures/job_runner.hpp"
-#include "app/frame_record.hpp"
-#include "app/scene.hpp"
+#include "app/output/frame_record.hpp"
+#include "app/scene/scene.hpp"
 #include "sim/garment.hpp"
 
 namespace taut::app {

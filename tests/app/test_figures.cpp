@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "app/figures/figures.hpp"
-#include "app/scene_lookup.hpp"
+#include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {
 namespace {

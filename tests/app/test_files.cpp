@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/errors.hpp"
-#include "app/files.hpp"
+#include "app/output/files.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

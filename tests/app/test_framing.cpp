@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/framing.hpp"
+#include "app/drawing/framing.hpp"
 #include "sim/grid.hpp"
 
 namespace taut::app {

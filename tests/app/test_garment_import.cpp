@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "app/errors.hpp"
-#include "app/garment_import.hpp"
-#include "app/garment_loading.hpp"
+#include "app/garment/garment_import.hpp"
+#include "app/garment/garment_loading.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/errors.hpp"
-#include "app/output_pattern.hpp"
+#include "app/output/output_pattern.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

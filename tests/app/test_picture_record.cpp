@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "app/errors.hpp"
-#include "app/files.hpp"
-#include "app/picture_record.hpp"
-#include "app/scene_lookup.hpp"
-#include "app/scene_text.hpp"
+#include "app/output/files.hpp"
+#include "app/output/picture_record.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_text.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

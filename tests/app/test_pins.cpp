@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/errors.hpp"
-#include "app/pins.hpp"
+#include "app/scene/pins.hpp"
 #include "sim/grid.hpp"
 #include "temporary_folder.hpp"
 

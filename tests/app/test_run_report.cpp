@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/frame_loop.hpp"
-#include "app/garment_loading.hpp"
-#include "app/inspection.hpp"
-#include "app/run_report.hpp"
+#include "app/garment/garment_loading.hpp"
+#include "app/garment/inspection.hpp"
+#include "app/output/run_report.hpp"
 
 namespace taut::app {
 namespace {

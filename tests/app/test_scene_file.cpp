@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "app/errors.hpp"
-#include "app/scene_file.hpp"
-#include "app/scene_keys.hpp"
-#include "app/scene_lookup.hpp"
+#include "app/scene/scene_file.hpp"
+#include "app/scene/scene_keys.hpp"
+#include "app/scene/scene_lookup.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

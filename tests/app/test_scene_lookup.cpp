@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/errors.hpp"
-#include "app/scene_lookup.hpp"
+#include "app/scene/scene_lookup.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

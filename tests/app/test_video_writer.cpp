@@ -4,9 +4,9 @@
 #include <cstdlib>
 
 #include "app/errors.hpp"
-#include "app/files.hpp"
 #include "app/interruption.hpp"
-#include "app/video_writer.hpp"
+#include "app/output/files.hpp"
+#include "app/output/video_writer.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

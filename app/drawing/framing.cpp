@@ -1,0 +1,101 @@
+#include "app/drawing/framing.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace taut::app {
+namespace {
+
+// The floor stands off by this fraction of the height, so that cloth is seen to hang, not to stand.
+constexpr float ground_gap = 0.06F;
+
+double distance_to_nearest_pin(const sim::Garment& garment, const sim::Vec3& point, sim::Vec3& pin_m) {
+  double nearest_m = INFINITY;
+  for (const sim::Index pin : garment.pins) {
+    const double distance_m = glm::distance(garment.mesh.positions[pin], point);
+    if (distance_m < nearest_m) {
+      nearest_m = distance_m;
+      pin_m = garment.mesh.positions[pin];
+    }
+  }
+  return nearest_m;
+}
+
+std::optional<float> level_plane(const Scene& scene) {
+  for (const sim::Collider& collider : scene.surroundings.colliders) {
+    const auto* plane = std::get_if<sim::Plane>(&collider.shape);
+    if (plane != nullptr && plane->normal.y > 0.999) {
+      return static_cast<float>(plane->point_m.y);
+    }
+  }
+  return std::nullopt;
+}
+
+struct ShapeBox {
+  std::optional<renderer::Box> operator()(const sim::Plane&) const { return std::nullopt; }
+  std::optional<renderer::Box> operator()(const sim::Sphere& ball) const {
+    const glm::vec3 centre(ball.centre_m);
+    const glm::vec3 half(static_cast<float>(ball.radius_m));
+    return renderer::Box{centre - half, centre + half};
+  }
+  std::optional<renderer::Box> operator()(const sim::Capsule& capsule) const {
+    return renderer::united(*(*this)(sim::Sphere{capsule.start_m, capsule.start_radius_m}),
+                            *(*this)(sim::Sphere{capsule.end_m, capsule.end_radius_m}));
+  }
+};
+
+}  // namespace
+
+std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
+  return {points.begin(), points.end()};
+}
+
+renderer::Box expected_reach(const Scene& scene, const sim::Garment& garment) {
+  renderer::Box reach = renderer::bounding_box(to_float(garment.mesh.positions));
+  for (const sim::Vec3& position : garment.pins.empty() ? std::vector<sim::Vec3>{} : garment.mesh.positions) {
+    sim::Vec3 pin(0.0);
+    const double distance_m = distance_to_nearest_pin(garment, position, pin);
+    reach.lower.y = std::min(reach.lower.y, static_cast<float>(pin.y - distance_m));
+  }
+  for (const sim::Collider& collider : scene.surroundings.colliders) {
+    if (const auto box = std::visit(ShapeBox{}, collider.shape)) {
+      reach = renderer::united(reach, *box);
+    }
+  }
+  if (const auto height_m = level_plane(scene)) {
+    reach.lower.y = std::min(reach.lower.y, *height_m);
+  }
+  const glm::vec3 swing(glm::abs(glm::vec3(scene.surroundings.pin_motion.amplitude_m)));
+  return {reach.lower - swing, reach.upper + swing};
+}
+
+renderer::Camera scene_camera(const Scene& scene, const renderer::Box& reach, float aspect) {
+  renderer::Camera camera =
+      renderer::frame_box(scene.camera.box.value_or(reach), scene.camera.framing, aspect);
+  if (scene.camera.eye) {
+    camera.eye = *scene.camera.eye;
+    camera.target = *scene.camera.target;
+    camera.vertical_fov_rad = scene.camera.framing.vertical_fov_rad;
+    const float distance_m = glm::distance(camera.eye, camera.target);
+    camera.near_m = 0.02F * distance_m;
+    camera.far_m = 20.0F * distance_m;
+  }
+  return camera;
+}
+
+std::optional<float> ground_height(const Scene& scene, const renderer::Box& reach) {
+  switch (scene.picture.ground.kind) {
+    case GroundKind::none:
+      return std::nullopt;
+    case GroundKind::fixed:
+      return static_cast<float>(scene.picture.ground.height_m);
+    case GroundKind::automatic:
+      break;
+  }
+  const renderer::Box box = scene.camera.box.value_or(reach);
+  const float below = box.lower.y - ground_gap * (box.upper.y - box.lower.y);
+  return level_plane(scene).value_or(below);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,182 @@
+#include "app/drawing/garment_painter.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "app/drawing/framing.hpp"
+#include "renderer/canvas.hpp"
+#include "renderer/mesh_normals.hpp"
+#include "sim/measures.hpp"
+
+namespace taut::app {
+namespace {
+
+const renderer::Colour obstacle_colour = renderer::rgb(0xB9B4AC);
+const renderer::Colour outline_colour = renderer::rgb(0xC0392B);
+
+// Lines are one pixel wide up to this height of the picture and grow with it beyond, so that a large picture
+// looks like a small one.
+constexpr float full_line_height_px = 600.0F;
+
+std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(triangles.size() * 3);
+  for (const sim::Triangle& t : triangles) {
+    indices.insert(indices.end(), t.begin(), t.end());
+  }
+  return indices;
+}
+
+std::vector<std::uint32_t> structural_edges(const sim::Springs& springs) {
+  std::vector<std::uint32_t> indices;
+  for (std::size_t s = 0; s < springs.structural_count; ++s) {
+    indices.insert(indices.end(), springs.ends[s].begin(), springs.ends[s].end());
+  }
+  return indices;
+}
+
+std::vector<glm::vec3> borders(const sim::Garment& garment) {
+  std::vector<glm::vec3> points;
+  for (std::size_t e = 0; e < garment.adjacency.edges.size(); ++e) {
+    if (garment.adjacency.edge_triangles[e].size() == 1) {
+      for (const sim::Index end : garment.adjacency.edges[e]) {
+        points.emplace_back(garment.mesh.positions[end]);
+      }
+    }
+  }
+  return points;
+}
+
+// A capsule whose radius changes is drawn as the balls at its ends and the larger of them between.
+struct ObstacleMaker {
+  std::vector<renderer::TriangleMesh>& meshes;
+
+  void operator()(const sim::Plane&) const {}
+  void operator()(const sim::Sphere& ball) const {
+    meshes.push_back(renderer::make_sphere(glm::vec3(ball.centre_m), static_cast<float>(ball.radius_m)));
+  }
+  void operator()(const sim::Capsule& limb) const {
+    meshes.push_back(
+        renderer::make_capsule(glm::vec3(limb.start_m), glm::vec3(limb.end_m),
+                               static_cast<float>(std::min(limb.start_radius_m, limb.end_radius_m))));
+    if (limb.start_radius_m != limb.end_radius_m) {
+      (*this)(sim::Sphere{limb.start_m, limb.start_radius_m});
+      (*this)(sim::Sphere{limb.end_m, limb.end_radius_m});
+    }
+  }
+};
+
+}  // namespace
+
+GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const Scene& scene,
+                               const sim::Garment& garment)
+    : renderer_(renderer),
+      style_(scene.picture),
+      springs_(garment.springs),
+      pins_(garment.pins),
+      triangles_(flat(garment.mesh.triangles)),
+      rest_positions_(to_float(garment.mesh.positions)),
+      structural_edges_(structural_edges(garment.springs)),
+      normals_(garment.mesh.positions.size()) {
+  const renderer::Box reach = expected_reach(scene, garment);
+  const auto aspect =
+      static_cast<float>(style_.settings.width_px) / static_cast<float>(style_.settings.height_px);
+  frame_.camera = scene_camera(scene, reach, aspect);
+  frame_.lighting = renderer::studio_lighting(frame_.camera);
+  frame_.ground_height_m = ground_height(scene, reach);
+  line_width_px_ = std::max(1.0F, static_cast<float>(style_.settings.height_px) / full_line_height_px);
+  pin_radius_m_ = 0.008F * glm::distance(reach.lower, reach.upper);
+  make_fixed_parts(scene, garment);
+}
+
+void GarmentPainter::make_fixed_parts(const Scene& scene, const sim::Garment& garment) {
+  for (const sim::Collider& collider : scene.surroundings.colliders) {
+    std::visit(ObstacleMaker{obstacles_}, collider.shape);
+  }
+  for (const renderer::TriangleMesh& obstacle : obstacles_) {
+    renderer::SurfaceView surface;
+    surface.positions = obstacle.positions;
+    surface.normals = obstacle.normals;
+    surface.triangles = obstacle.triangles;
+    surface.style.outside_colour = surface.style.inside_colour = obstacle_colour;
+    surface.style.translucency = 0.0F;
+    frame_.surfaces.push_back(surface);
+  }
+  if (style_.rest_outline) {
+    rest_outline_ = borders(garment);
+    renderer::LineView outline;
+    outline.points = rest_outline_;
+    outline.colours = std::span(&outline_colour, 1);
+    outline.width_px = 1.5F * line_width_px_;
+    outline.hidden_by_surfaces = false;
+    frame_.lines.push_back(outline);
+  }
+}
+
+renderer::SurfaceView GarmentPainter::garment_view() const {
+  renderer::SurfaceView surface;
+  surface.positions = positions_;
+  surface.normals = normals_;
+  surface.triangles = triangles_;
+  surface.material_coordinates = rest_positions_;
+  surface.style = style_.cloth;
+  surface.filled = style_.surface != SurfaceLook::wireframe;
+  if (style_.surface == SurfaceLook::stretch) {
+    surface.scalars = renderer::ScalarColours{stretch_, static_cast<float>(style_.stretch_range[0]),
+                                              static_cast<float>(style_.stretch_range[1])};
+  }
+  if (style_.wireframe || !surface.filled) {
+    surface.wireframe = renderer::Wireframe{.edges = structural_edges_, .width_px = line_width_px_};
+  }
+  return surface;
+}
+
+const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions) {
+  positions_ = to_float(positions);
+  renderer::vertex_normals(positions_, triangles_, normals_);
+  if (style_.surface == SurfaceLook::stretch) {
+    const std::vector<double> stretch = sim::vertex_stretch(springs_, positions);
+    stretch_.assign(stretch.begin(), stretch.end());
+  }
+  frame_.surfaces.resize(obstacles_.size());
+  frame_.surfaces.push_back(garment_view());
+  frame_.spheres.clear();
+  if (style_.show_pins && !pins_.empty()) {
+    pin_positions_.clear();
+    for (const sim::Index pin : pins_) {
+      pin_positions_.push_back(positions_[pin]);
+    }
+    frame_.spheres.push_back({.centres = pin_positions_, .radius_m = pin_radius_m_});
+  }
+  return frame_;
+}
+
+renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions) {
+  renderer::Image image = renderer_.draw(view(positions), style_.settings);
+  if (style_.surface != SurfaceLook::stretch || !style_.legend) {
+    return image;
+  }
+  const auto height = static_cast<float>(image.height_px);
+  renderer::Canvas canvas(image);
+  renderer::LegendPlace place;
+  place.x_px = 0.04F * height;
+  place.y_px = 0.1F * height;
+  place.bar_width_px = 0.022F * height;
+  place.bar_height_px = 0.35F * height;
+  place.text.size_px = 0.025F * height;
+  renderer::draw_legend(canvas, stretch_legend(style_), place);
+  return canvas.to_image();
+}
+
+renderer::Legend stretch_legend(const PictureStyle& style) {
+  renderer::Legend legend;
+  legend.title = "stretch";
+  legend.minimum = static_cast<float>(style.stretch_range[0]);
+  legend.maximum = static_cast<float>(style.stretch_range[1]);
+  legend.factor = 100.0F;
+  legend.suffix = " %";
+  legend.more_above = true;
+  return legend;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "app/garment/garment_import.hpp"
+#include "app/garment/landmarks.hpp"
+#include "app/scene/scene.hpp"
+#include "sim/garment.hpp"
+
+namespace taut::app {
+
+/// A scene's garment and how it came about.
+struct LoadedGarment {
+  sim::Garment garment;
+  Landmarks landmarks;
+  // Of a model file; a grid is made, not read.
+  std::optional<ImportedModel> model;
+  std::optional<sim::MeshReport> repairs;
+};
+
+/// Reads or makes the garment, maps it to springs, finds its landmarks and pins it.
+/// Throws InputError naming the file or the key.
+LoadedGarment load_garment(const Scene& scene);
+
+}  // namespace taut::app

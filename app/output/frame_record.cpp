@@ -1,0 +1,47 @@
+#include "app/output/frame_record.hpp"
+
+#include <algorithm>
+
+namespace taut::app {
+
+FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
+  const sim::Garment& garment = simulation.garment();
+  const sim::State& state = simulation.state();
+  FrameRecord record;
+  record.frame = frame;
+  record.time_s = state.time_s;
+  record.stretch = sim::measure_stretch(garment.springs, state.current);
+  record.rms_speed_m_per_s = sim::rms_speed(state);
+  record.energy = sim::measure_energy(garment, state, simulation.surroundings().forces.gravity_m_per_s2);
+  record.convergence_m = sim::measure_convergence(state).max_m;
+  record.state_hash = sim::hash(state);
+  record.asleep = state.asleep;
+  return record;
+}
+
+RunSummary summarise(const std::vector<FrameRecord>& records) {
+  RunSummary summary;
+  int simulated = 0;
+  for (const FrameRecord& record : records) {
+    if (record.stretch.max > summary.max_stretch) {
+      summary.max_stretch = record.stretch.max;
+      summary.max_stretch_frame = record.frame;
+    }
+    summary.max_p99_stretch = std::max(summary.max_p99_stretch, record.stretch.p99);
+    summary.asleep_since_frame =
+        !record.asleep ? -1 : (summary.asleep_since_frame < 0 ? record.frame : summary.asleep_since_frame);
+    simulated += record.frame > 0 ? 1 : 0;
+    summary.total_sim_ms += record.sim_ms;
+    summary.total_draw_ms += record.draw_ms;
+    summary.total_encode_ms += record.encode_ms;
+  }
+  summary.frames = static_cast<int>(records.size());
+  summary.mean_sim_ms = simulated > 0 ? summary.total_sim_ms / simulated : 0.0;
+  if (!records.empty()) {
+    summary.final_max_stretch = records.back().stretch.max;
+    summary.final_rms_speed_m_per_s = records.back().rms_speed_m_per_s;
+  }
+  return summary;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,75 @@
+#include "app/output/output_pattern.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+
+#include "app/errors.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr const char* expected =
+    "expected one field {frame} or {frame:04}, as in frames/frame_{frame:04}.png";
+
+// The width in a field such as {frame:04}; 0 without one.
+int width_of(const std::string& field, const std::string& text) {
+  if (field == "frame") {
+    return 0;
+  }
+  int width = 0;
+  const std::string digits = field.starts_with("frame:") ? field.substr(6) : "";
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, width);
+  const bool at_end = stop == end || (stop + 1 == end && *stop == 'd');
+  if (error != std::errc() || !at_end || width < 1 || width > 20 || digits.front() != '0') {
+    throw UsageError("output '" + text + "': found the field {" + field + "}, " + expected);
+  }
+  return width;
+}
+
+}  // namespace
+
+OutputPattern::OutputPattern(const std::string& text, const std::string& extension) : text_(text) {
+  const std::filesystem::path name = text;
+  if (name.extension() != extension || name.stem().empty()) {
+    throw UsageError("output '" + text + "': expected a file name that ends in " + extension);
+  }
+  const std::size_t open = text.find('{');
+  const std::size_t close = text.find('}');
+  if (open == std::string::npos && close == std::string::npos) {
+    before_ = text;
+    return;
+  }
+  if (open == std::string::npos || close == std::string::npos || close < open ||
+      text.find_first_of("{}", close + 1) != std::string::npos) {
+    throw UsageError("output '" + text + "': found braces that are no field, " + expected);
+  }
+  width_ = width_of(text.substr(open + 1, close - open - 1), text);
+  has_field_ = true;
+  before_ = text.substr(0, open);
+  after_ = text.substr(close + 1);
+}
+
+void OutputPattern::require_distinct_names(std::size_t frame_count) const {
+  if (!has_field_ && frame_count > 1) {
+    throw UsageError(
+        fmt::format("output '{}': {} frames need different names; {}", text_, frame_count, expected));
+  }
+}
+
+std::filesystem::path OutputPattern::path_of(int frame) const {
+  return has_field_ ? fmt::format("{}{:0{}}{}", before_, frame, width_, after_) : before_;
+}
+
+std::string describe_written(const OutputPattern& pattern, std::span<const int> frames) {
+  if (frames.empty()) {
+    return "wrote nothing";
+  }
+  const std::string first = pattern.path_of(frames.front()).string();
+  return frames.size() == 1 ? "wrote " + first
+                            : fmt::format("wrote {} files, {} to {}", frames.size(), first,
+                                          pattern.path_of(frames.back()).string());
+}
+
+}  // namespace taut::app

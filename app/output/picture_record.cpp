@@ -1,0 +1,176 @@
+#include "app/output/picture_record.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <system_error>
+
+#include "app/errors.hpp"
+#include "app/output/files.hpp"
+#include "app/scene/scene_keys.hpp"
+#include "app/scene/scene_text.hpp"
+#include "app/scene/toml_reader.hpp"
+#include "app/version.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr const char* program_keyword = "Software";
+constexpr const char* command_keyword = "Taut Command";
+constexpr const char* scene_keyword = "Taut Scene";
+constexpr const char* frame_keyword = "Taut Frame";
+constexpr const char* state_keyword = "Taut State";
+constexpr const char* renderer_keyword = "Taut Renderer";
+
+constexpr std::array<std::uint8_t, 8> signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+
+std::uint32_t number_at(std::span<const std::uint8_t> bytes) {
+  return (std::uint32_t{bytes[0]} << 24U) | (std::uint32_t{bytes[1]} << 16U) |
+         (std::uint32_t{bytes[2]} << 8U) | std::uint32_t{bytes[3]};
+}
+
+std::string text_of(std::span<const std::uint8_t> bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+%@";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
+    return word;
+  }
+  std::string text;
+  for (const char c : word) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_literal = byte >= 0x20 && byte < 0x7F && c != '\'' && c != '\\';
+    text += is_literal ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
+  }
+  return (text == word ? "'" : "$'") + text + '\'';
+}
+
+// A garment of the program's assets, one beside the picture, or the one at the place it was read from.
+std::filesystem::path find_garment(const std::filesystem::path& recorded,
+                                   const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const std::filesystem::path& candidate :
+       {assets_folder() / recorded, recorded, folder / recorded.filename()}) {
+    if (std::filesystem::exists(candidate, ignored)) {
+      return candidate;
+    }
+  }
+  return recorded;
+}
+
+// As it stands in the record: reading the key puts a scene file's folder in front of it.
+std::filesystem::path recorded_garment(const Value& scene) {
+  for (const auto& [section, keys] : *scene.table()) {
+    for (const auto& [key, value] : section == "garment" && keys.table() ? *keys.table() : ValueTable{}) {
+      if (key == "file" && value.text() != nullptr) {
+        return *value.text();
+      }
+    }
+  }
+  return {};
+}
+
+Scene read_scene(const std::string& text, const std::filesystem::path& file) {
+  const Source source{"the scene in '" + file.string() + '\'', false};
+  const Value value = read_toml_text(text, source.name);
+  Scene scene;
+  KeyReader(scene_keys(), source, scene).read(*value.table());
+  const std::filesystem::path garment = recorded_garment(value);
+  if (!garment.empty()) {
+    scene.garment.file = find_garment(garment, file.parent_path());
+  }
+  scene.name = file.stem().string();
+  return scene;
+}
+
+template <class Number>
+Number number_of(const std::string& text, int base, const char* keyword, const std::filesystem::path& file) {
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number, base);
+  if (error != std::errc() || stop != end || text.starts_with('-')) {
+    throw InputError(
+        fmt::format("the entry '{}' of '{}' is '{}', expected a number", keyword, file.string(), text));
+  }
+  return number;
+}
+
+}  // namespace
+
+std::string command_text(std::span<const std::string> arguments) {
+  std::string text = "taut";
+  for (const std::string& argument : arguments) {
+    text += ' ' + shell_word(argument);
+  }
+  return text;
+}
+
+std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const FrameRecord& record) {
+  return {{program_keyword, "taut " + program_version()},
+          {command_keyword, origin.command},
+          {scene_keyword, origin.scene},
+          {renderer_keyword, origin.gl_renderer},
+          {frame_keyword, fmt::format("{}", record.frame)},
+          {state_keyword, fmt::format("{:016x}", record.state_hash)}};
+}
+
+bool is_picture(const std::filesystem::path& file) {
+  return file.extension() == ".png";
+}
+
+PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides) {
+  const std::string bytes = read_text_file(file);
+  const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  const auto texts = read_png_texts({data, bytes.size()}, file.string());
+  const auto entry = [&](const char* keyword) {
+    const auto found =
+        std::find_if(texts.begin(), texts.end(), [&](const auto& text) { return text.keyword == keyword; });
+    if (found == texts.end()) {
+      throw InputError(
+          fmt::format("the picture '{}' does not say how it was made: it has no entry '{}', as "
+                      "pictures of taut render have",
+                      file.string(), keyword));
+    }
+    return found->text;
+  };
+  PictureRecord record;
+  record.scene = read_scene(entry(scene_keyword), file);
+  apply_overrides(overrides, record.scene);
+  record.frame = number_of<int>(entry(frame_keyword), 10, frame_keyword, file);
+  record.state_hash = number_of<std::uint64_t>(entry(state_keyword), 16, state_keyword, file);
+  record.program = entry(program_keyword);
+  record.gl_renderer = entry(renderer_keyword);
+  return record;
+}
+
+std::vector<renderer::PngText> read_png_texts(std::span<const std::uint8_t> png, const std::string& name) {
+  if (png.size() < signature.size() || !std::equal(signature.begin(), signature.end(), png.begin())) {
+    throw InputError("'" + name + "' is no PNG picture");
+  }
+  constexpr std::size_t frame_bytes = 12;  // length, type and checksum around a chunk's data
+  std::vector<renderer::PngText> texts;
+  for (auto rest = png.subspan(signature.size());;) {
+    if (rest.size() < frame_bytes || rest.size() - frame_bytes < number_at(rest)) {
+      throw InputError("the picture '" + name + "' ends in the middle");
+    }
+    const std::size_t length = number_at(rest);
+    const std::string type = text_of(rest.subspan(4, 4));
+    const auto data = rest.subspan(8, length);
+    if (type == "IEND") {
+      return texts;
+    }
+    const auto zero = std::find(data.begin(), data.end(), std::uint8_t{0});
+    if (type == "tEXt" && zero != data.end()) {
+      texts.push_back({std::string(data.begin(), zero), std::string(zero + 1, data.end())});
+    }
+    rest = rest.subspan(frame_bytes + length);
+  }
+}
+
+}  // namespace taut::app

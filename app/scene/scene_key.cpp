@@ -1,0 +1,81 @@
+#include "app/scene/scene_key.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut::app {
+
+std::string describe(const std::string& what, const Range& range) {
+  const bool bounded_below = std::isfinite(range.lowest);
+  const bool bounded_above = std::isfinite(range.highest);
+  if (bounded_below && bounded_above) {
+    return range.above_lowest ? fmt::format("{} above {} up to {}", what, range.lowest, range.highest)
+                              : fmt::format("{} from {} to {}", what, range.lowest, range.highest);
+  }
+  if (bounded_below) {
+    return fmt::format("{} {} {}", what, range.above_lowest ? "above" : "of at least", range.lowest);
+  }
+  return bounded_above ? fmt::format("{} of at most {}", what, range.highest) : what;
+}
+
+std::optional<double> finite_number(const Value& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
+    return static_cast<double>(*whole);
+  }
+  const auto* number = std::get_if<double>(&value.data);
+  return number != nullptr && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
+}
+
+std::optional<std::int64_t> whole_number(const Value& value) {
+  const auto* whole = std::get_if<std::int64_t>(&value.data);
+  return whole != nullptr ? std::optional(*whole) : std::nullopt;
+}
+
+std::optional<std::array<double, 3>> three_numbers(const Value& value) {
+  if (value.list() == nullptr || value.list()->size() != 3) {
+    return std::nullopt;
+  }
+  std::array<double, 3> numbers{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::optional<double> number = finite_number((*value.list())[i]);
+    if (!number) {
+      return std::nullopt;
+    }
+    numbers[i] = *number;
+  }
+  return numbers;
+}
+
+Value list_of(const std::array<double, 3>& numbers) {
+  return {ValueList{Value{numbers[0]}, Value{numbers[1]}, Value{numbers[2]}}};
+}
+
+std::optional<std::array<float, 3>> colour_value(const Value& value) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  const std::string* text = value.text();
+  if (text == nullptr || text->size() != 7 || text->front() != '#') {
+    return std::nullopt;
+  }
+  std::array<float, 3> colour{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const char lower = static_cast<char>((*text)[i + 1] | 0x20);
+    const std::size_t digit = digits.find(lower);
+    if (digit == std::string_view::npos || ((*text)[i + 1] < '0')) {
+      return std::nullopt;
+    }
+    colour[i / 2] += static_cast<float>(digit * (i % 2 == 0 ? 16 : 1)) / 255.0F;
+  }
+  return colour;
+}
+
+Value colour_text(const std::array<float, 3>& colour) {
+  std::string text = "#";
+  for (const float channel : colour) {
+    text += fmt::format("{:02x}", static_cast<int>(std::lround(std::clamp(channel, 0.0F, 1.0F) * 255.0F)));
+  }
+  return {text};
+}
+
+}  // namespace taut::app

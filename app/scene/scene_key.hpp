@@ -1,0 +1,275 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/scene/scene_value.hpp"
+#include "app/scene/suggest.hpp"
+
+namespace taut::app {
+
+/// One thing a scene file can say about a T.
+template <class T>
+struct Key {
+  std::string name;      ///< with its section: "solver.substeps"
+  std::string unit;      ///< empty: a pure number, or no number
+  std::string expected;  ///< "a whole number from 1 to 1000"
+  std::string meaning;   ///< one line
+  /// Stores the value; false where it is not what is expected. May throw a message of its own.
+  std::function<bool(const Value&, const Source&, T&)> read;
+  std::function<Value(const T&)> write;  ///< what is stored, also to print the default
+};
+
+/// What a number may be.
+struct Range {
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+  bool above_lowest = false;  ///< the lowest itself is not allowed
+
+  bool contains(double value) const {
+    return value <= highest && (above_lowest ? value > lowest : value >= lowest);
+  }
+};
+
+inline constexpr Range any_number = {};
+inline constexpr Range not_negative = {.lowest = 0.0};
+inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};
+
+/// "a whole number from 1 to 1000"; `what` is "a number" or "a whole number".
+std::string describe(const std::string& what, const Range& range);
+
+std::optional<double> finite_number(const Value& value);
+std::optional<std::int64_t> whole_number(const Value& value);
+/// Three finite numbers.
+std::optional<std::array<double, 3>> three_numbers(const Value& value);
+Value list_of(const std::array<double, 3>& numbers);
+
+/// "#rrggbb".
+std::optional<std::array<float, 3>> colour_value(const Value& value);
+Value colour_text(const std::array<float, 3>& colour);
+
+// Makers of keys. `access` returns a reference to the member of the T it is given, const or not. A number is
+// stored times `factor`: degrees in files, radians in code.
+
+template <class T, class Access>
+Key<T> number_key(std::string name, std::string unit, const Range& range, Access access, std::string meaning,
+                  double factor = 1.0) {
+  auto read = [=](const Value& value, const Source&, T& target) {
+    const std::optional<double> number = finite_number(value);
+    if (!number || !range.contains(*number)) {
+      return false;
+    }
+    auto& member = access(target);
+    member = static_cast<std::remove_reference_t<decltype(member)>>(*number * factor);
+    return true;
+  };
+  auto write = [=](const T& source) { return Value{static_cast<double>(access(source)) / factor}; };
+  return {std::move(name), std::move(unit), describe("a number", range), std::move(meaning), read, write};
+}
+
+template <class T, class Access>
+Key<T> whole_key(std::string name, const Range& range, Access access, std::string meaning,
+                 std::string unit = "") {
+  auto read = [=](const Value& value, const Source&, T& target) {
+    const std::optional<std::int64_t> number = whole_number(value);
+    if (!number || !range.contains(static_cast<double>(*number))) {
+      return false;
+    }
+    auto& member = access(target);
+    member = static_cast<std::remove_reference_t<decltype(member)>>(*number);
+    return true;
+  };
+  auto write = [=](const T& source) { return Value{static_cast<std::int64_t>(access(source))}; };
+  return {
+      std::move(name), std::move(unit), describe("a whole number", range), std::move(meaning), read, write};
+}
+
+template <class T, class Access>
+Key<T> switch_key(std::string name, Access access, std::string meaning) {
+  auto read = [=](const Value& value, const Source&, T& target) {
+    const bool* found = std::get_if<bool>(&value.data);
+    if (found != nullptr) {
+      access(target) = *found;
+    }
+    return found != nullptr;
+  };
+  auto write = [=](const T& source) { return Value{access(source)}; };
+  return {std::move(name), "", "true or false", std::move(meaning), read, write};
+}
+
+template <class T, class Access>
+Key<T> text_key(std::string name, Access access, std::string meaning) {
+  auto read = [=](const Value& value, const Source&, T& target) {
+    if (value.text() != nullptr) {
+      access(target) = *value.text();
+    }
+    return value.text() != nullptr;
+  };
+  auto write = [=](const T& source) { return Value{std::string(access(source))}; };
+  return {std::move(name), "", "a text", std::move(meaning), read, write};
+}
+
+/// A point or a direction; `access` returns any type of vector with x, y and z.
+template <class T, class Access>
+Key<T> vector_key(std::string name, std::string unit, Access access, std::string meaning,
+                  bool may_be_zero = true) {
+  auto read = [=](const Value& value, const Source&, T& target) {
+    const auto numbers = three_numbers(value);
+    if (!numbers || (!may_be_zero && *numbers == std::array<double, 3>{})) {
+      return false;
+    }
+    auto& member = access(target);
+    using Vector = std::remove_reference_t<decltype(member)>;
+    using Scalar = typename Vector::value_type;
+    member = Vector(static_cast<Scalar>((*numbers)[0]), static_cast<Scalar>((*numbers)[1]),
+                    static_cast<Scalar>((*numbers)[2]));
+    return true;
+  };
+  auto write = [=](const T& source) {
+    const auto& v = access(source);
+    return list_of({v.x, v.y, v.z});
+  };
+  return {std::move(name),
+          std::move(unit),
+          may_be_zero ? "three numbers [x, y, z]" : "three numbers [x, y, z], not all zero",
+          std::move(meaning),
+          read,
+          write};
+}
+
+template <class T, class Access>
+Key<T> colour_key(std::string name, Access access, std::string meaning) {
+  auto read = [=](const Value& value, const Source&, T& target) {
+    const auto colour = colour_value(value);
+    if (colour) {
+      access(target) = {(*colour)[0], (*colour)[1], (*colour)[2]};
+    }
+    return colour.has_value();
+  };
+  auto write = [=](const T& source) {
+    const auto& colour = access(source);
+    return colour_text({colour.x, colour.y, colour.z});
+  };
+  return {std::move(name), "", "a colour \"#rrggbb\"", std::move(meaning), read, write};
+}
+
+/// One of several names.
+template <class T, class Choice, class Access>
+Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> choices, Access access,
+                  std::string meaning) {
+  std::string expected;
+  for (const auto& [text, choice] : choices) {
+    expected += (expected.empty() ? "\"" : " or \"") + text + '"';
+  }
+  auto read = [=](const Value& value, const Source&, T& target) {
+    for (const auto& [text, choice] : choices) {
+      if (value.text() != nullptr && *value.text() == text) {
+        access(target) = choice;
+        return true;
+      }
+    }
+    return false;
+  };
+  auto write = [=](const T& source) {
+    for (const auto& [text, choice] : choices) {
+      if (access(source) == choice) {
+        return Value{text};
+      }
+    }
+    return Value{};
+  };
+  return {std::move(name), "", std::move(expected), std::move(meaning), read, write};
+}
+
+/// Finds keys by name for a table of a scene file and says what is wrong with those it does not find.
+template <class T>
+class KeyReader {
+ public:
+  KeyReader(const std::vector<Key<T>>& keys, const Source& source, T& target)
+      : keys_(keys), source_(source), target_(target) {}
+
+  /// Reads every value of the table; throws by `fail` (scene_value.hpp) at the first that cannot be used.
+  void read(const ValueTable& table, const std::string& section = "") {
+    for (const auto& [key, value] : table) {
+      read_value(section.empty() ? key : section + '.' + key, value);
+    }
+  }
+
+  void read_value(const std::string& name, const Value& value) {
+    for (const Key<T>& key : keys_) {
+      if (key.name == name) {
+        if (!key.read(value, source_, target_)) {
+          fail(source_, value.line, name + ": found " + to_text(value) + ", expected " + expected(key));
+        }
+        return;
+      }
+    }
+    if (is_section(name)) {
+      if (value.table() == nullptr) {
+        fail(source_, value.line,
+             name + ": found " + to_text(value) + ", expected a table with the keys " + keys_of(name));
+      }
+      read(*value.table(), name);
+      return;
+    }
+    fail_unknown(name, value.line);
+  }
+
+ private:
+  static std::string expected(const Key<T>& key) {
+    return key.unit.empty() ? key.expected : key.expected + " (" + key.unit + ')';
+  }
+
+  bool is_section(const std::string& name) const {
+    for (const Key<T>& key : keys_) {
+      if (key.name.starts_with(name + '.')) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Keys and sections directly in a section.
+  std::string keys_of(const std::string& section) const {
+    const std::string prefix = section.empty() ? "" : section + '.';
+    std::vector<std::string> names;
+    for (const Key<T>& key : keys_) {
+      if (key.name.starts_with(prefix)) {
+        const std::string rest = key.name.substr(prefix.size());
+        const std::string name = rest.substr(0, rest.find('.'));
+        if (names.empty() || names.back() != name) {
+          names.push_back(name);
+        }
+      }
+    }
+    return joined(names);
+  }
+
+  [[noreturn]] void fail_unknown(const std::string& name, int line) const {
+    std::vector<std::string> known;
+    for (const Key<T>& key : keys_) {
+      known.push_back(key.name);
+      for (std::size_t dot = key.name.find('.'); dot != std::string::npos;
+           dot = key.name.find('.', dot + 1)) {
+        known.push_back(key.name.substr(0, dot));
+      }
+    }
+    const std::size_t dot = name.rfind('.');
+    const std::string section = dot == std::string::npos ? "" : name.substr(0, dot);
+    const std::string there = section.empty() || !is_section(section) ? "" : section;
+    fail(source_, line,
+         "unknown key '" + name + '\'' + did_you_mean(name, known) +
+             (there.empty() ? " (keys: " : " (keys of " + there + ": ") + keys_of(there) + ')');
+  }
+
+  const std::vector<Key<T>>& keys_;
+  const Source& source_;
+  T& target_;
+};
+
+}  // namespace taut::app

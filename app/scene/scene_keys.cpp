@@ -1,0 +1,231 @@
+#include "app/scene/scene_keys.hpp"
+
+#include <glm/trigonometric.hpp>
+
+#include "app/scene/scene_lists.hpp"
+
+// `access` of a key: the member, in a const Scene or not.
+#define MEMBER(path)     \
+  [](auto& s) -> auto& { \
+    return s.path;       \
+  }
+
+namespace taut::app {
+namespace {
+
+using SceneKeys = std::vector<Key<Scene>>;
+
+constexpr double degree = 0.017453292519943295;
+constexpr Range acute = {.lowest = -89.0, .highest = 89.0};
+constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
+
+Key<Scene> number(std::string name, std::string unit, const Range& range, auto access, std::string meaning,
+                  double factor = 1.0) {
+  return number_key<Scene>(std::move(name), std::move(unit), range, access, std::move(meaning), factor);
+}
+Key<Scene> whole(std::string name, double lowest, double highest, auto access, std::string meaning) {
+  return whole_key<Scene>(std::move(name), {lowest, highest}, access, std::move(meaning));
+}
+
+void add_garment(SceneKeys& keys) {
+  keys.push_back(text_key<Scene>("title", MEMBER(title), "shown by `taut scenes`"));
+  keys.push_back(file_key());
+  keys.push_back(number("garment.scale", "m", positive, MEMBER(garment.scale), "the model's unit of length"));
+  keys.push_back(whole("garment.grid.columns", 2, 2000, MEMBER(garment.grid.columns), "mass points across"));
+  keys.push_back(whole("garment.grid.rows", 2, 2000, MEMBER(garment.grid.rows), "mass points down"));
+  keys.push_back(number("garment.grid.width", "m", positive, MEMBER(garment.grid.width_m), "of the cloth"));
+  keys.push_back(number("garment.grid.height", "m", positive, MEMBER(garment.grid.height_m), "of the cloth"));
+  keys.push_back(choice_key<Scene, sim::GridPlane>(
+      "garment.grid.plane",
+      {{"vertical", sim::GridPlane::vertical}, {"horizontal", sim::GridPlane::horizontal}},
+      MEMBER(garment.grid.plane), "how the grid lies when the clock starts"));
+  keys.push_back(
+      vector_key<Scene>("garment.grid.top", "m", MEMBER(garment.grid.top_centre_m), "the middle of row 0"));
+  keys.push_back(number("garment.areal_density", "kg/m2", positive, MEMBER(mapping.areal_density_kg_per_m2),
+                        "heavier cloth answers wind less"));
+  keys.push_back(choice_key<Scene, sim::FlexuralRule>(
+      "garment.flexural_rule",
+      {{"angular", sim::FlexuralRule::angular},
+       {"opposite-vertex", sim::FlexuralRule::opposite_vertex},
+       {"none", sim::FlexuralRule::none}},
+      MEMBER(mapping.mapping.flexural_rule), "which vertices flexural springs join"));
+  keys.push_back(number(
+      "garment.flexural_angle", "degrees", {90.0, 180.0}, MEMBER(mapping.mapping.smallest_flexural_angle_rad),
+      "angular rule: the smallest angle joined; less means more springs, stiffer cloth", degree));
+}
+
+void add_pins(SceneKeys& keys) {
+  keys.push_back(pins_key());
+  keys.push_back(vector_key<Scene>("pins.motion.amplitude", "m", MEMBER(surroundings.pin_motion.amplitude_m),
+                                   "all pins swing by this much, as on a shaken hanger"));
+  keys.push_back(number("pins.motion.frequency", "Hz", positive, MEMBER(surroundings.pin_motion.frequency_hz),
+                        "how often they swing"));
+}
+
+void add_run(SceneKeys& keys) {
+  keys.push_back(number("time.frame_rate", "Hz", {1.0, 10000.0}, MEMBER(simulation.frame_rate_hz),
+                        "frames in a simulated second"));
+  keys.push_back(whole("time.frames", 1, 1000000, MEMBER(frames), "length of the run"));
+  keys.push_back(choice_key<Scene, sim::SolverKind>("solver.kind", solver_choices(),
+                                                    MEMBER(simulation.solver.kind), "how springs answer"));
+  keys.push_back(whole("solver.substeps", 1, 10000, MEMBER(simulation.solver.substeps),
+                       "time steps in a frame; more stretch less and cost in proportion"));
+  keys.push_back(whole("solver.iterations", 1, 10000, MEMBER(simulation.solver.iterations),
+                       "strong: sweeps of the constraint in a step; more stretch less, stiffer"));
+  keys.push_back(number("solver.compression", "", fraction, MEMBER(simulation.solver.rigidity.compression),
+                        "strong: how much of its error a too short spring corrects; less folds more easily"));
+  keys.push_back(number("solver.flexural", "", fraction, MEMBER(simulation.solver.rigidity.flexural),
+                        "strong: how much of its error a flexural spring corrects; less bends more easily"));
+  keys.push_back(number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.max_stretch),
+                        "provot: the stretch above which a spring is pulled back"));
+  keys.push_back(number("solver.stiffness.structural", "N/m", not_negative,
+                        MEMBER(simulation.solver.stiffness.structural_n_per_m), "ideal: of mesh edges"));
+  keys.push_back(number("solver.stiffness.shear", "N/m", not_negative,
+                        MEMBER(simulation.solver.stiffness.shear_n_per_m), "ideal: of grid diagonals"));
+  keys.push_back(number("solver.stiffness.flexural", "N/m", not_negative,
+                        MEMBER(simulation.solver.stiffness.flexural_n_per_m), "ideal: of flexural springs"));
+  keys.push_back(number("solver.stiffness.damping", "N s/m", not_negative,
+                        MEMBER(simulation.solver.stiffness.damping_n_s_per_m), "ideal: of every spring"));
+  keys.push_back(number("rest.speed", "m/s", not_negative, MEMBER(simulation.rest.speed_m_per_s),
+                        "slower cloth (root mean square) counts as at rest and is put to sleep"));
+  keys.push_back(whole("rest.frames", 1, 1000000, MEMBER(simulation.rest.frames), "for so many frames"));
+}
+
+void add_forces(SceneKeys& keys) {
+  keys.push_back(vector_key<Scene>("gravity.acceleration", "m/s2",
+                                   MEMBER(surroundings.forces.gravity_m_per_s2), "y is up"));
+  keys.push_back(number("air.drag", "1/s", not_negative, MEMBER(surroundings.forces.air_drag_per_s),
+                        "how fast the air slows cloth down; more comes to rest sooner"));
+  keys.push_back(number("wind.speed", "m/s", {0.0, 200.0}, MEMBER(surroundings.forces.wind.speed_m_per_s),
+                        "the paper's wind value"));
+  keys.push_back(vector_key<Scene>("wind.direction", "", MEMBER(surroundings.forces.wind.direction),
+                                   "where the air goes, of any length", false));
+  keys.push_back(number("wind.gust_amplitude", "", {0.0, 10.0},
+                        MEMBER(surroundings.forces.wind.gust_amplitude),
+                        "how much gusts change the speed, as a fraction of it"));
+  keys.push_back(number("wind.gust_period", "s", positive, MEMBER(surroundings.forces.wind.gust_period_s),
+                        "from gust to gust"));
+  keys.push_back(number("wind.gust_turn", "", {0.0, 10.0}, MEMBER(surroundings.forces.wind.gust_turn),
+                        "how far gusts turn the wind, as the tangent of the angle"));
+  keys.push_back(whole("wind.seed", 0, 9e15, MEMBER(surroundings.forces.wind.gust_seed),
+                       "the same seed gives the same gusts"));
+  keys.push_back(number("wind.pressure", "", not_negative,
+                        MEMBER(surroundings.forces.wind.pressure_coefficient),
+                        "force coefficient of cloth met head on"));
+  keys.push_back(number("wind.friction", "", not_negative,
+                        MEMBER(surroundings.forces.wind.friction_coefficient),
+                        "force coefficient of air that strokes along cloth"));
+  keys.push_back(forces_key());
+  keys.push_back(colliders_key());
+  keys.push_back(number("cloth.thickness", "m", not_negative, MEMBER(surroundings.cloth_thickness_m),
+                        "kept between cloth and colliders"));
+  keys.push_back(
+      number("cloth.layer_distance", "m", not_negative, MEMBER(surroundings.layer_distance_m),
+             "kept between layers of the cloth, about its mesh's edge length; 0: they pass through"));
+}
+
+void add_camera(SceneKeys& keys) {
+  keys.push_back(number("camera.azimuth", "degrees", {-360.0, 360.0}, MEMBER(camera.framing.azimuth_rad),
+                        "0: from the front (+z), 90: from +x", degree));
+  keys.push_back(number("camera.elevation", "degrees", acute, MEMBER(camera.framing.elevation_rad),
+                        "above the horizon", degree));
+  keys.push_back(number("camera.margin", "", {0.0, 0.45}, MEMBER(camera.framing.margin),
+                        "free border, as a fraction of the picture"));
+  keys.push_back(number("camera.field_of_view", "degrees", {1.0, 120.0},
+                        MEMBER(camera.framing.vertical_fov_rad),
+                        "from the lower to the upper edge of the picture", degree));
+  keys.push_back(camera_box_key());
+  keys.push_back(camera_eye_key());
+  keys.push_back(camera_target_key());
+}
+
+void add_picture(SceneKeys& keys) {
+  keys.push_back(whole("picture.width", 16, 16384, MEMBER(picture.settings.width_px), "in pixels"));
+  keys.push_back(whole("picture.height", 16, 16384, MEMBER(picture.settings.height_px), "in pixels"));
+  keys.push_back(whole("picture.samples", 1, 16, MEMBER(picture.settings.samples),
+                       "in a pixel; lowered to what OpenGL offers"));
+  keys.push_back(whole("picture.supersampling", 1, 8, MEMBER(picture.settings.supersampling),
+                       "drawn so many times as wide and high, then averaged"));
+  keys.push_back(switch_key<Scene>("picture.shadows", MEMBER(picture.settings.shadows), "of the key light"));
+  keys.push_back(ground_key());
+  keys.push_back(choice_key<Scene, SurfaceLook>("picture.surface",
+                                                {{"shaded", SurfaceLook::shaded},
+                                                 {"stretch", SurfaceLook::stretch},
+                                                 {"wireframe", SurfaceLook::wireframe}},
+                                                MEMBER(picture.surface), "what the cloth shows"));
+  keys.push_back(switch_key<Scene>("picture.wireframe", MEMBER(picture.wireframe),
+                                   "draws the structural springs over the surface"));
+  keys.push_back(stretch_range_key());
+  keys.push_back(colour_key<Scene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour),
+                                   "of the cloth's outside"));
+  keys.push_back(colour_key<Scene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour),
+                                   "of the cloth's inside"));
+  keys.push_back(switch_key<Scene>("picture.rest_outline", MEMBER(picture.rest_outline),
+                                   "draws the garment's borders where they were modelled"));
+  keys.push_back(switch_key<Scene>("picture.show_pins", MEMBER(picture.show_pins), "as red balls"));
+  keys.push_back(switch_key<Scene>("picture.legend", MEMBER(picture.legend),
+                                   "a colour bar where the cloth shows its stretch"));
+}
+
+}  // namespace
+
+std::vector<Key<Scene>> scene_keys() {
+  SceneKeys keys;
+  add_garment(keys);
+  add_pins(keys);
+  add_run(keys);
+  add_forces(keys);
+  add_camera(keys);
+  add_picture(keys);
+  return keys;
+}
+
+std::vector<Key<sim::Collider>> collider_keys(const std::string& shape) {
+  using C = sim::Collider;
+  const auto plane = [](auto& c) -> auto& {
+    return std::get<sim::Plane>(c.shape);
+  };
+  const auto sphere = [](auto& c) -> auto& {
+    return std::get<sim::Sphere>(c.shape);
+  };
+  const auto capsule = [](auto& c) -> auto& {
+    return std::get<sim::Capsule>(c.shape);
+  };
+  std::vector<Key<C>> keys = {
+      {"shape", "", "\"plane\" or \"sphere\" or \"capsule\"", "",
+       [](const Value&, const Source&, C&) { return true; }, [shape](const C&) { return Value{shape}; }},
+      number_key<C>("friction", "", {0.0, 10.0}, MEMBER(friction), "Coulomb's coefficient")};
+  const auto add = [&keys](Key<C> key) { keys.push_back(std::move(key)); };
+  if (shape == "plane") {
+    add(vector_key<C>(
+        "point", "m", [=](auto& c) -> auto& { return plane(c).point_m; }, "any point of it"));
+    add(vector_key<C>(
+        "normal", "", [=](auto& c) -> auto& { return plane(c).normal; },
+        "points to the cloth's side, of any length", false));
+  } else if (shape == "sphere") {
+    add(vector_key<C>(
+        "centre", "m", [=](auto& c) -> auto& { return sphere(c).centre_m; }, "of the ball"));
+    add(number_key<C>(
+        "radius", "m", positive, [=](auto& c) -> auto& { return sphere(c).radius_m; }, "of the ball"));
+  } else {
+    add(vector_key<C>(
+        "start", "m", [=](auto& c) -> auto& { return capsule(c).start_m; }, "one end"));
+    add(vector_key<C>(
+        "end", "m", [=](auto& c) -> auto& { return capsule(c).end_m; }, "the other end"));
+    add(number_key<C>(
+        "start_radius", "m", positive, [=](auto& c) -> auto& { return capsule(c).start_radius_m; },
+        "at the start"));
+    add(number_key<C>(
+        "end_radius", "m", positive, [=](auto& c) -> auto& { return capsule(c).end_radius_m; },
+        "at the end"));
+  }
+  return keys;
+}
+
+std::vector<Key<sim::PointForce>> force_keys() {
+  using F = sim::PointForce;
+  return {whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex), "the vertex that is pulled"),
+          vector_key<F>("force", "N", MEMBER(force_n), "the pull")};
+}
+
+}  // namespace taut::app

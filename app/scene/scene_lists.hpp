@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/scene/scene.hpp"
+#include "app/scene/scene_key.hpp"
+
+namespace taut::app {
+
+// Keys of scenes whose values are neither one number nor one name.
+
+Key<Scene> file_key();
+Key<Scene> pins_key();
+Key<Scene> forces_key();
+Key<Scene> colliders_key();
+Key<Scene> camera_box_key();
+Key<Scene> camera_eye_key();
+Key<Scene> camera_target_key();
+Key<Scene> ground_key();
+Key<Scene> stretch_range_key();
+
+std::vector<std::pair<std::string, sim::SolverKind>> solver_choices();
+
+}  // namespace taut::app

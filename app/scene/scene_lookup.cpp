@@ -1,0 +1,98 @@
+#include "app/scene/scene_lookup.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "app/errors.hpp"
+#include "app/scene/suggest.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> asset_folders() {
+  std::vector<fs::path> folders;
+  if (const char* chosen = std::getenv("TAUT_ASSETS"); chosen != nullptr && *chosen != '\0') {
+    folders.emplace_back(chosen);
+  }
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    folders.push_back(program.parent_path().parent_path() / "share" / "taut");
+  }
+  folders.emplace_back(TAUT_SOURCE_ASSETS);
+  return folders;
+}
+
+std::vector<BuiltInScene> scenes_in(const fs::path& folder) {
+  std::vector<BuiltInScene> scenes;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".toml") {
+      scenes.push_back({entry.path().stem().string(), entry.path()});
+    }
+  }
+  std::sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  return scenes;
+}
+
+Scene scene_of_garment(const fs::path& file, std::span<const Override> overrides) {
+  Scene scene;
+  scene.title = file.filename().string();
+  scene.garment.file = file;
+  // Soft enough to hang in folds as cloth does.
+  scene.simulation.solver.rigidity = {.compression = 0.1, .flexural = 0.02};
+  scene.frames = 240;
+  apply_overrides(overrides, scene);
+  return scene;
+}
+
+[[noreturn]] void fail_unknown(const std::string& name) {
+  const bool looks_like_file = name.find('/') != std::string::npos || fs::path(name).has_extension();
+  if (looks_like_file) {
+    throw InputError("there is no file '" + name + "'");
+  }
+  std::vector<std::string> names;
+  for (const BuiltInScene& scene : built_in_scenes()) {
+    names.push_back(scene.name);
+  }
+  throw InputError("there is no scene '" + name + '\'' + did_you_mean(name, names) +
+                   " (built-in scenes: " + joined(names) + "; a scene file or a garment file does as well)");
+}
+
+}  // namespace
+
+std::vector<BuiltInScene> built_in_scenes() {
+  for (const fs::path& folder : asset_folders()) {
+    std::vector<BuiltInScene> scenes = scenes_in(folder / "scenes");
+    if (!scenes.empty()) {
+      return scenes;
+    }
+  }
+  return {};
+}
+
+Scene find_scene(const std::string& name, std::span<const Override> overrides) {
+  const fs::path path = name;
+  std::error_code error;
+  const auto finish = [](Scene scene, const std::string& short_name) {
+    scene.name = short_name;
+    return scene;
+  };
+  const auto scenes = built_in_scenes();
+  const auto built_in = std::find_if(scenes.begin(), scenes.end(),
+                                     [&](const BuiltInScene& scene) { return scene.name == name; });
+  if (built_in != scenes.end()) {
+    return finish(read_scene_file(built_in->file, overrides), name);
+  }
+  if (!fs::exists(path, error)) {
+    fail_unknown(name);
+  }
+  const bool is_scene = path.extension() == ".toml";
+  return finish(is_scene ? read_scene_file(path, overrides) : scene_of_garment(path, overrides),
+                path.stem().string());
+}
+
+}  // namespace taut::app

@@ -15,7 +15,9 @@ inline constexpr unsigned sky_atlas_unit = 2;
 inline constexpr unsigned ground_light_unit = 3;
 inline constexpr unsigned scalar_map_unit = 4;
 inline constexpr unsigned drawn_unit = 5;
-inline constexpr unsigned unit_count = 6;
+inline constexpr unsigned behind_unit = 6;
+inline constexpr unsigned backdrop_map_unit = 7;
+inline constexpr unsigned unit_count = 8;
 
 /// Connects a program's uniform blocks and samplers to these slots.
 void bind_shared_inputs(const Program& program);

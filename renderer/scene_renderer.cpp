@@ -1,26 +1,28 @@
 #include "renderer/scene_renderer.hpp"
 
 #include <algorithm>
-#include <array>
-#include <deque>
 
+#include "renderer/backdrop_pass.hpp"
 #include "renderer/bindings.hpp"
-#include "renderer/colour_map_textures.hpp"
+#include "renderer/drawn_area.hpp"
 #include "renderer/frame_block.hpp"
 #include "renderer/frame_check.hpp"
-#include "renderer/ground_pass.hpp"
 #include "renderer/key_decision.hpp"
+#include "renderer/layer_target.hpp"
 #include "renderer/mark_pass.hpp"
 #include "renderer/merged_spheres.hpp"
 #include "renderer/picture_target.hpp"
 #include "renderer/shadow_pass.hpp"
 #include "renderer/sky_pass.hpp"
+#include "renderer/surface_pass.hpp"
 
 namespace taut::renderer {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> shaded{"SHADED"};
+bool sees_floor(const FrameView& frame) {
+  return frame.ground_height_m && !frame.backdrop.plain && frame.camera.eye.y > *frame.ground_height_m;
+}
 
 std::optional<Box> box_around_casters(const std::vector<SurfaceView>& surfaces) {
   std::optional<Box> box;
@@ -32,13 +34,14 @@ std::optional<Box> box_around_casters(const std::vector<SurfaceView>& surfaces) 
   return box;
 }
 
-std::vector<Tile> tiles_of(const PictureSettings& settings) {
-  const int side_px = PictureTarget::max_side_px / settings.supersampling;
+// Pieces of an area that the layer has room for.
+std::vector<Tile> tiles_of(const Tile& area, int supersampling) {
+  const int side_px = LayerTarget::max_side_px / supersampling;
   std::vector<Tile> tiles;
-  for (int y = 0; y < settings.height_px; y += side_px) {
-    for (int x = 0; x < settings.width_px; x += side_px) {
-      tiles.push_back(
-          {x, y, std::min(side_px, settings.width_px - x), std::min(side_px, settings.height_px - y)});
+  for (int y = 0; y < area.height_px; y += side_px) {
+    for (int x = 0; x < area.width_px; x += side_px) {
+      tiles.push_back({area.x_px + x, area.y_px + y, std::min(side_px, area.width_px - x),
+                       std::min(side_px, area.height_px - y)});
     }
   }
   return tiles;
@@ -49,56 +52,48 @@ std::vector<Tile> tiles_of(const PictureSettings& settings) {
 struct SceneRenderer::Parts {
   Context& context;
   const GladGLContext& gl;
-  Program decided_surface;
-  Program open_surface;
-  Program backdrop;
+  SurfacePass surface_pass;
   ShadowPass shadow_pass;
   SkyPass sky_pass;
-  GroundPass ground_pass;
+  BackdropPass backdrop_pass;
   MarkPass mark_pass;
-  PictureTarget target;
+  PictureTarget picture;
+  LayerTarget layer;
   DepthSamplers samplers;
   Buffer block_buffer;
-  VertexArray no_arrays;
   KeyDecision key_decision;
-  ColourMapTextures colour_maps;
-  std::deque<SurfaceBuffers> buffers;  // one for each surface, kept from frame to frame
-  std::vector<SurfaceView> surfaces;   // those of the frame and the balls
+  std::vector<SurfaceView> surfaces;  // those of the frame and the balls
 
   explicit Parts(Context& made);
-  void draw_to(GLuint framebuffer, const FrameView& frame, const PictureSettings& settings, bool top_first);
+  void draw(const FrameView& frame, const PictureSettings& settings);
   void reset_state() const;
   void collect_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls);
-  void fill_buffers(const glm::vec3& eye);
   void prepare_light(FrameBlock& block, const std::optional<Box>& casters, const FrameView& frame,
                      const PictureSettings& settings);
   void bind_light() const;
   void unbind_light() const;
-  void send(const FrameBlock& block) const;
-  void draw_tile(const FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
-                 const Tile& tile);
-  void draw_backdrop(const glm::mat4& to_direction) const;
-  void use_surface_program(const Program& program, const SurfaceView& view) const;
-  void draw_surfaces();
+  void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
+                   const Tile& tile) const;
+  void draw_whole(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
+  void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
+  void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
+                   const glm::mat4& to_direction);
+  void draw_things(const FrameView& frame);
   void draw_marks(const FrameView& frame);
 };
 
 SceneRenderer::Parts::Parts(Context& made)
     : context(made),
       gl(made.gl()),
-      decided_surface(gl, embedded_shaders(), "surface.vert", "surface.frag"),
-      open_surface(gl, embedded_shaders(), "surface.vert", "surface.frag", shaded),
-      backdrop(gl, embedded_shaders(), "fullscreen.vert", "backdrop.frag"),
+      surface_pass(gl, embedded_shaders()),
       shadow_pass(gl, embedded_shaders()),
       sky_pass(gl, embedded_shaders()),
-      ground_pass(gl, embedded_shaders()),
+      backdrop_pass(gl, embedded_shaders()),
       mark_pass(gl, embedded_shaders()),
-      target(gl, embedded_shaders()),
+      picture(gl),
+      layer(gl, embedded_shaders()),
       samplers(gl),
-      block_buffer(gl),
-      no_arrays(gl),
-      colour_maps(gl) {
-  for (const Program* program : {&decided_surface, &open_surface, &backdrop}) bind_shared_inputs(*program);
+      block_buffer(gl) {
   check_errors(gl, "starting the renderer");
 }
 
@@ -116,7 +111,7 @@ void SceneRenderer::Parts::reset_state() const {
   gl.ClearDepth(1.0);
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   gl.BlendEquation(GL_FUNC_ADD);
-  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   unbind_light();
 }
 
@@ -129,22 +124,6 @@ void SceneRenderer::Parts::collect_surfaces(const FrameView& frame, std::vector<
   }
 }
 
-void SceneRenderer::Parts::fill_buffers(const glm::vec3& eye) {
-  std::vector<float> decided;
-  while (buffers.size() < surfaces.size()) buffers.emplace_back(gl);
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (!surfaces[i].filled) continue;
-    key_decision.decide(surfaces[i], decided);
-    buffers[i].fill(surfaces[i], decided, eye);
-  }
-}
-
-void SceneRenderer::Parts::send(const FrameBlock& block) const {
-  gl.BindBuffer(GL_UNIFORM_BUFFER, block_buffer.name());
-  gl.BufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
-}
-
 void SceneRenderer::Parts::prepare_light(FrameBlock& block, const std::optional<Box>& casters,
                                          const FrameView& frame, const PictureSettings& settings) {
   std::vector<const SurfaceView*> casting_views;
@@ -154,14 +133,15 @@ void SceneRenderer::Parts::prepare_light(FrameBlock& block, const std::optional<
   }
   set_shadow_bounds(block, casting_views);
   key_decision.look(casting_views, block);
-  fill_buffers(frame.camera.eye);
+  surface_pass.fill(surfaces, key_decision, frame.camera.eye);
   std::vector<const SurfaceBuffers*> casting;
   for (const SurfaceView* view : casting_views) {
-    casting.push_back(&buffers[static_cast<std::size_t>(view - surfaces.data())]);
+    casting.push_back(&surface_pass.buffers_of(static_cast<std::size_t>(view - surfaces.data())));
   }
   shadow_pass.draw(casting, block.world_to_shadow, settings.shadow_map_px);
   sky_pass.draw_atlas(casting_views, settings.shadows ? casters : std::nullopt, settings.sky_directions);
-  send(block);
+  upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
   bind_light();
   if (frame.ground_height_m) sky_pass.draw_ground_light();
   bind_texture(gl, ground_light_unit, GL_TEXTURE_2D, sky_pass.ground_light());
@@ -187,48 +167,10 @@ void SceneRenderer::Parts::unbind_light() const {
   gl.ActiveTexture(GL_TEXTURE0);
 }
 
-void SceneRenderer::Parts::draw_backdrop(const glm::mat4& to_direction) const {
-  // On the far plane and last: only where nothing else is.
-  gl.Disable(GL_POLYGON_OFFSET_FILL);
-  gl.DepthMask(GL_FALSE);
-  backdrop.use();
-  backdrop.set("clip_to_direction", to_direction);
-  gl.BindVertexArray(no_arrays.name());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.DepthMask(GL_TRUE);
-}
-
-void SceneRenderer::Parts::use_surface_program(const Program& program, const SurfaceView& view) const {
-  program.use();
-  program.set("outside_colour", linear_light(view.style.outside_colour));
-  program.set("inside_colour", linear_light(view.style.inside_colour));
-  program.set("finish", glm::vec4{std::clamp(view.style.roughness, 0.05F, 1.0F), view.style.sheen,
-                                  view.style.translucency, view.scalars ? 1.0F : 0.0F});
-  const bool woven = !view.material_coordinates.empty() && !view.scalars;
-  program.set("weave", glm::vec4{woven ? view.style.weave : 0.0F, 0.0F, 0.0F, 0.0F});
-}
-
-void SceneRenderer::Parts::draw_surfaces() {
-  // Pushed back a little, more where slanted: wireframes lie on them.
-  gl.Enable(GL_POLYGON_OFFSET_FILL);
-  gl.PolygonOffset(1.5F, 4.0F);
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const SurfaceView& view = surfaces[i];
-    if (!view.filled) continue;
-    bind_texture(gl, scalar_map_unit, GL_TEXTURE_2D,
-                 colour_maps.get(view.scalars ? view.scalars->map : ColourMap::viridis));
-    use_surface_program(decided_surface, view);
-    buffers[i].draw_decided();
-    use_surface_program(open_surface, view);
-    buffers[i].draw_open();
-  }
-}
-
 // Blending has to happen in linear light, so marks are encoded by the framebuffer. Everything opaque encodes
 // in its shader: once for each pixel instead of once for each sample.
 void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
   gl.Enable(GL_FRAMEBUFFER_SRGB);
-  gl.Disable(GL_POLYGON_OFFSET_FILL);
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   for (const SurfaceView& view : frame.surfaces) {
@@ -241,34 +183,81 @@ void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
   gl.DepthMask(GL_TRUE);
 }
 
-void SceneRenderer::Parts::draw_tile(const FrameBlock& block, const FrameView& frame,
-                                     const PictureSettings& settings, const Tile& tile) {
-  send(block);
-  target.begin(tile.width_px * settings.supersampling, tile.height_px * settings.supersampling,
-               settings.samples);
-  draw_surfaces();
-  const bool above = frame.ground_height_m && frame.camera.eye.y > *frame.ground_height_m;
-  if (above && !frame.backdrop.plain) ground_pass.draw(block);
-  draw_backdrop(clip_to_direction(frame.camera, settings, tile));
+void SceneRenderer::Parts::draw_things(const FrameView& frame) {
+  gl.Enable(GL_DEPTH_TEST);
+  if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces))
+    backdrop_pass.draw_floor_depth();
+  surface_pass.draw(surfaces);
   draw_marks(frame);
-  gl.Disable(GL_DEPTH_TEST);
 }
 
-void SceneRenderer::Parts::draw_to(GLuint framebuffer, const FrameView& frame,
-                                   const PictureSettings& settings, bool top_first) {
+void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame,
+                                       const PictureSettings& settings, const Tile& tile) const {
+  set_tile(block, frame.camera, settings, tile);
+  upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
+}
+
+void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
+                                       const glm::mat4& to_direction) {
+  if (frame.backdrop.plain) {
+    const Colour& colour = frame.backdrop.lower_colour;
+    gl.ClearColor(colour[0], colour[1], colour[2], 1.0F);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    return;
+  }
+  backdrop_pass.draw(framebuffer, block, to_direction, sees_floor(frame));
+}
+
+// What is behind has no edges that more samples would smooth, and things seldom fill the picture: only the
+// part that they can touch is drawn with many samples, and laid over.
+void SceneRenderer::Parts::draw_whole(FrameBlock& block, const FrameView& frame,
+                                      const PictureSettings& settings) {
+  const Tile whole{0, 0, settings.width_px, settings.height_px};
+  set_tile_of(block, frame, settings, whole);
+  draw_behind(picture.framebuffer(), block, frame, clip_to_direction(frame.camera, settings, whole));
+  const Tile area = drawn_area(frame, surfaces, block.world_to_clip, settings);
+  if (area.width_px == 0) return;
+  if (layer.usable_samples(settings.samples) == 1) {
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+    draw_things(frame);
+    return;
+  }
+  for (const Tile& tile : tiles_of(area, 1)) {
+    set_tile_of(block, frame, settings, tile);
+    layer.begin(tile.width_px, tile.height_px, settings.samples);
+    draw_things(frame);
+    layer.resolve(picture.framebuffer(), tile, settings.height_px, 1);
+  }
+}
+
+// The floor's shadow is noise at the size of a drawn pixel, so it is averaged like everything else.
+void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView& frame,
+                                             const PictureSettings& settings) {
+  const int factor = settings.supersampling;
+  for (const Tile& tile : tiles_of({0, 0, settings.width_px, settings.height_px}, factor)) {
+    set_tile_of(block, frame, settings, tile);
+    layer.begin(tile.width_px * factor, tile.height_px * factor, settings.samples);
+    draw_behind(layer.framebuffer(), block, frame, clip_to_direction(frame.camera, settings, tile));
+    draw_things(frame);
+    layer.resolve(picture.framebuffer(), tile, settings.height_px, factor);
+  }
+}
+
+void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& settings) {
   reset_state();
   std::vector<TriangleMesh> balls;
   collect_surfaces(frame, balls);
   const std::optional<Box> casters = box_around_casters(surfaces);
   FrameBlock block = make_frame_block(frame, settings, casters);
   prepare_light(block, casters, frame, settings);
-  for (const Tile& tile : tiles_of(settings)) {
-    set_tile(block, frame.camera, settings, tile);
-    gl.Enable(GL_DEPTH_TEST);
-    draw_tile(block, frame, settings, tile);
-    target.resolve(framebuffer, tile, settings.height_px, settings.supersampling, top_first);
+  picture.begin(settings.width_px, settings.height_px);
+  if (settings.supersampling > 1) {
+    draw_supersampled(block, frame, settings);
+  } else {
+    draw_whole(block, frame, settings);
   }
   unbind_light();
+  gl.Disable(GL_DEPTH_TEST);
   gl.BindVertexArray(0);
   gl.UseProgram(0);
   check_errors(gl, "drawing a frame");
@@ -292,16 +281,16 @@ Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& setting
   check_frame(frame);
   check_settings(settings);
   parts->context.make_current();
-  const GLuint framebuffer = parts->target.picture_framebuffer(settings.width_px, settings.height_px);
-  parts->draw_to(framebuffer, frame, settings, true);
-  return parts->target.read(settings.width_px, settings.height_px);
+  parts->draw(frame, settings);
+  return parts->picture.read();
 }
 
 void SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings) {
   check_frame(frame);
   check_settings(settings);
   parts->context.make_current();
-  parts->draw_to(framebuffer, frame, settings, false);
+  parts->draw(frame, settings);
+  parts->picture.show(framebuffer);
 }
 
 }  // namespace taut::renderer

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/ground_pass.hpp"
+#include "renderer/backdrop_pass.hpp"
 
 namespace taut::renderer {
 namespace {

@@ -113,6 +113,21 @@ TEST_F(SceneRendererTest, ShadowFallsAwayFromTheKeyLight) {
   EXPECT_EQ(with.at(in_light.x, in_light.y)[1], without.at(in_light.x, in_light.y)[1]);
 }
 
+TEST_F(SceneRendererTest, FloorHidesWhatIsBelowIt) {
+  Sheet sheet;
+  for (glm::vec3& position : sheet.positions) position.y = 2.0F * position.z;  // half of it under the floor
+  FrameView frame = sheet.frame();
+  frame.surfaces[0].casts_shadow = false;
+  const PictureSettings settings = small_picture();
+  const Image with = renderer.draw(frame, settings);
+  const glm::ivec2 above = pixel_of({0.0F, 0.3F, 0.15F}, frame.camera, settings);
+  const glm::ivec2 below = pixel_of({0.0F, -0.3F, -0.15F}, frame.camera, settings);
+  frame.surfaces.clear();
+  const Image without = renderer.draw(frame, settings);
+  EXPECT_LT(with.at(above.x, above.y)[0], without.at(above.x, above.y)[0] - 50);
+  EXPECT_EQ(with.at(below.x, below.y)[0], without.at(below.x, below.y)[0]);
+}
+
 TEST_F(SceneRendererTest, SkyDarkensTheFloorUnderneath) {
   const Sheet sheet;
   FrameView frame = sheet.frame();

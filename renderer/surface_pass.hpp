@@ -1,0 +1,38 @@
+#pragma once
+
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "renderer/colour_map_textures.hpp"
+#include "renderer/frame_view.hpp"
+#include "renderer/key_decision.hpp"
+#include "renderer/shader.hpp"
+#include "renderer/surface_buffers.hpp"
+
+namespace taut::renderer {
+
+/// Surfaces in the studio's light.
+class SurfacePass {
+ public:
+  SurfacePass(const GladGLContext& context, std::span<const ShaderFile> files);
+
+  /// Hands the surfaces to the graphics card.
+  void fill(std::span<const SurfaceView> surfaces, KeyDecision& key_decision, const glm::vec3& eye);
+  /// What fill() made of the surface of that number.
+  const SurfaceBuffers& buffers_of(std::size_t surface) const { return buffers[surface]; }
+  /// Draws those of the last fill(); the block `Frame` and the light's textures have to be bound.
+  void draw(std::span<const SurfaceView> surfaces);
+
+ private:
+  void use(const Program& program, const SurfaceView& view) const;
+
+  const GladGLContext* gl;
+  Program decided_surface;
+  Program open_surface;
+  ColourMapTextures colour_maps;
+  std::deque<SurfaceBuffers> buffers;  // one for each surface, kept from frame to frame
+  std::vector<float> decided;          // scratch
+};
+
+}  // namespace taut::renderer

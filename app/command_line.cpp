@@ -62,8 +62,17 @@ std::function<Command()> add_figures(CLI::App& app) {
       ->delimiter(',')
       ->check(CLI::IsMember(figure_names()));
   command->add_option("--output", options->output, "folder for the pictures")->capture_default_str();
+  command->add_option(
+      "--data", options->data,
+      "folder with the tables (CSV) of an earlier run: draw from those instead of simulating and "
+      "measuring anew; no report");
+  command->add_option("--scale", options->scale, "pictures this many times as wide and high, 0.1 to 4")
+      ->check(CLI::Range(0.1, 4.0))
+      ->capture_default_str();
   add_backend(*command, options->backend);
-  command->footer("Examples:\n  taut figures\n  taut figures --only fig4 --output /tmp/figures\n");
+  command->footer(
+      "Examples:\n  taut figures\n  taut figures --only fig4 --output /tmp/figures\n"
+      "  taut figures --only fig5,fig6 --data figures --scale 0.5 --output small\n");
   return [options] { return Command(*options); };
 }
 

@@ -5,52 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
 #include "renderer/atomic_file.hpp"
+#include "renderer/canvas_surface.hpp"
 
 namespace taut::renderer {
 
 namespace {
 
-using SurfaceHandle = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 using PenHandle = std::unique_ptr<cairo_t, void (*)(cairo_t*)>;
-
-SurfaceHandle checked(cairo_surface_t* made) {
-  SurfaceHandle handle(made, cairo_surface_destroy);
-  const cairo_status_t status = cairo_surface_status(made);
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error(std::string("cannot make a canvas: ") + cairo_status_to_string(status));
-  }
-  return handle;
-}
-
-std::uint32_t premultiplied(const std::uint8_t* pixel, bool has_alpha) {
-  const unsigned alpha = has_alpha ? pixel[3] : 255U;
-  const auto part = [alpha](unsigned value) { return (value * alpha + 127U) / 255U; };
-  return (alpha << 24U) | (part(pixel[0]) << 16U) | (part(pixel[1]) << 8U) | part(pixel[2]);
-}
-
-// Cairo keeps pixels as native 32-bit words, alpha highest.
-SurfaceHandle to_cairo(const Image& image) {
-  const bool has_alpha = image.channels == 4;
-  SurfaceHandle surface = checked(cairo_image_surface_create(
-      has_alpha ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24, image.width_px, image.height_px));
-  cairo_surface_flush(surface.get());
-  unsigned char* data = cairo_image_surface_get_data(surface.get());
-  const int stride = cairo_image_surface_get_stride(surface.get());
-  for (int y = 0; y < image.height_px; ++y) {
-    for (int x = 0; x < image.width_px; ++x) {
-      const std::uint32_t word = premultiplied(image.at(x, y), has_alpha);
-      std::memcpy(data + static_cast<std::ptrdiff_t>(y) * stride + 4 * x, &word, 4);
-    }
-  }
-  cairo_surface_mark_dirty(surface.get());
-  return surface;
-}
 
 cairo_status_t append_bytes(void* target, const unsigned char* bytes, unsigned count) {
   auto& out = *static_cast<std::vector<std::uint8_t>*>(target);
@@ -115,12 +81,30 @@ struct Canvas::Surface {
   std::filesystem::path pdf_path;  // empty for an image
   int width_px = 0;
   int height_px = 0;
+  float scale = 1.0F;  // pixels of the image, or points of the page, for one of the canvas
   SurfaceHandle surface{nullptr, cairo_surface_destroy};
   PenHandle pen{nullptr, cairo_destroy};
 
   void start() {
     pen = PenHandle(cairo_create(surface.get()), cairo_destroy);
     set_font_options(pen.get());
+    cairo_scale(pen.get(), static_cast<double>(scale), static_cast<double>(scale));
+  }
+  void start_image(Colour background) {
+    const auto pixels = [this](int length) {
+      return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
+    };
+    surface = checked(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width_px), pixels(height_px)));
+    start();
+    set_colour(pen.get(), background);
+    cairo_paint(pen.get());
+  }
+  // A page has no pixels of its own: there they are taken as those of the canvas.
+  float pixels_in_one() const { return pdf_path.empty() ? scale : 1.0F; }
+  // A baseline between two rows of pixels blurs every letter's foot.
+  float on_whole_pixel(float y_px) const { return std::round(y_px * pixels_in_one()) / pixels_in_one(); }
+  bool has_as_many_pixels(float length_px, int pixels) const {
+    return std::abs(length_px * pixels_in_one() - static_cast<float>(pixels)) < 1.0F;
   }
 };
 
@@ -132,14 +116,20 @@ Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 Canvas::Canvas(int width_px, int height_px, Colour background) : surface(std::make_unique<Surface>()) {
   surface->width_px = width_px;
   surface->height_px = height_px;
-  surface->surface = checked(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_px, height_px));
-  surface->start();
-  set_colour(surface->pen.get(), background);
-  cairo_paint(surface->pen.get());
+  surface->start_image(background);
 }
 
 Canvas::Canvas(const Image& image) : Canvas(image.width_px, image.height_px) {
   this->image(0.0F, 0.0F, image);
+}
+
+Canvas Canvas::scaled(int width_px, int height_px, float scale) {
+  auto made = std::make_unique<Surface>();
+  made->width_px = width_px;
+  made->height_px = height_px;
+  made->scale = scale;
+  made->start_image(Colour{1.0F});
+  return Canvas(std::move(made));
 }
 
 Canvas Canvas::pdf(const std::filesystem::path& path, int width_px, int height_px, float pixels_per_inch) {
@@ -148,12 +138,12 @@ Canvas Canvas::pdf(const std::filesystem::path& path, int width_px, int height_p
   made->width_px = width_px;
   made->height_px = height_px;
   const double points_per_px = 72.0 / static_cast<double>(pixels_per_inch);
+  made->scale = static_cast<float>(points_per_px);
   made->surface = checked(cairo_pdf_surface_create_for_stream(
       append_bytes, &made->pdf_bytes, width_px * points_per_px, height_px * points_per_px));
   // Otherwise the time of day gets into the file, and no two are alike.
   cairo_pdf_surface_set_metadata(made->surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   made->start();
-  cairo_scale(made->pen.get(), points_per_px, points_per_px);
   return Canvas(std::move(made));
 }
 
@@ -179,8 +169,7 @@ void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle
   const TextSize size = measure(text, style);
   cairo_t* pen = surface->pen.get();
   set_colour(pen, style.colour);
-  // A baseline between two rows of pixels blurs every letter's foot.
-  const float baseline = std::round(y_px + vertical_shift(style.vertical, size));
+  const float baseline = surface->on_whole_pixel(y_px + vertical_shift(style.vertical, size));
   cairo_move_to(pen, static_cast<double>(x_px + horizontal_shift(style.horizontal, size)),
                 static_cast<double>(baseline));
   cairo_show_text(pen, std::string(text).c_str());
@@ -239,12 +228,10 @@ void Canvas::image(float x_px, float y_px, float width_px, float height_px, cons
   cairo_t* pen = surface->pen.get();
   cairo_save(pen);
   cairo_translate(pen, static_cast<double>(x_px), static_cast<double>(y_px));
-  const bool as_is =
-      width_px == static_cast<float>(image.width_px) && height_px == static_cast<float>(image.height_px);
-  if (!as_is) {
-    cairo_scale(pen, static_cast<double>(width_px) / image.width_px,
-                static_cast<double>(height_px) / image.height_px);
-  }
+  const bool as_is = surface->has_as_many_pixels(width_px, image.width_px) &&
+                     surface->has_as_many_pixels(height_px, image.height_px);
+  cairo_scale(pen, static_cast<double>(width_px) / image.width_px,
+              static_cast<double>(height_px) / image.height_px);
   cairo_set_source_surface(pen, source.get(), 0.0, 0.0);
   cairo_pattern_set_filter(cairo_get_source(pen), as_is ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_BEST);
   cairo_rectangle(pen, 0.0, 0.0, image.width_px, image.height_px);
@@ -254,19 +241,7 @@ void Canvas::image(float x_px, float y_px, float width_px, float height_px, cons
 
 Image Canvas::to_image() const {
   if (!surface->pdf_path.empty()) throw std::logic_error("a PDF has no pixels");
-  cairo_surface_flush(surface->surface.get());
-  const unsigned char* data = cairo_image_surface_get_data(surface->surface.get());
-  const int stride = cairo_image_surface_get_stride(surface->surface.get());
-  Image image = make_image(surface->width_px, surface->height_px);
-  for (int y = 0; y < image.height_px; ++y) {
-    for (int x = 0; x < image.width_px; ++x) {
-      std::uint32_t word = 0;
-      std::memcpy(&word, data + static_cast<std::ptrdiff_t>(y) * stride + 4 * x, 4);
-      std::uint8_t* pixel = image.at(x, y);
-      for (unsigned i = 0; i < 3; ++i) pixel[i] = static_cast<std::uint8_t>((word >> (16U - 8U * i)) & 255U);
-    }
-  }
-  return image;
+  return from_cairo(surface->surface.get());
 }
 
 void Canvas::finish() {

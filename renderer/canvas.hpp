@@ -37,6 +37,9 @@ class Canvas {
  public:
   Canvas(int width_px, int height_px, Colour background = Colour{1.0F});
   explicit Canvas(const Image& image);
+  /// What is drawn on this canvas is that of a canvas of this width and height, on `scale` times as many
+  /// pixels each way, rounded.
+  static Canvas scaled(int width_px, int height_px, float scale);
   /// One page, written when finish() is called; text stays text. Throws std::runtime_error naming the path.
   static Canvas pdf(const std::filesystem::path& path, int width_px, int height_px,
                     float pixels_per_inch = 300.0F);
@@ -59,7 +62,7 @@ class Canvas {
   void circle(float x_px, float y_px, float radius_px, Colour colour, float opacity = 1.0F);
   /// At its own size, its upper left corner at x, y.
   void image(float x_px, float y_px, const Image& image);
-  /// Scaled to the given size.
+  /// Scaled to the given size; pixel by pixel where it has that many of them.
   void image(float x_px, float y_px, float width_px, float height_px, const Image& image);
 
   /// The pixels so far, as RGB. Not for a PDF (throws std::logic_error).

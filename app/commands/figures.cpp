@@ -22,12 +22,13 @@ constexpr int frame_time_repeats = 15;
 
 class FigureWriter {
  public:
-  explicit FigureWriter(const FiguresOptions& options) : options_(options), studio_(options.backend) {}
+  explicit FigureWriter(const FiguresOptions& options)
+      : options_(options), studio_(options.backend, options.scale) {}
 
   void write(const Figure& figure, const Results& results) {
     throw_if_interrupted();
     const Drawing drawing = figure.draw(results, studio_);
-    renderer::Image picture = to_image(drawing);
+    renderer::Image picture = to_image(drawing, options_.scale);
     // Packed better than frames, which have to be written sixty times a second.
     constexpr renderer::PngEffort effort = {.deflate_level = 6, .filter = 4};
     const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
@@ -35,6 +36,9 @@ class FigureWriter {
     write_pdf(noted(figure.name + ".pdf"), drawing);
     if (figure.csv != nullptr) {
       write_text_file(noted(figure.name + ".csv"), figure.csv(results));
+    }
+    if (figure.shapes_csv != nullptr) {
+      write_text_file(noted(figure.name + "_shapes.csv"), figure.shapes_csv(results));
     }
     drawn_.push_back({figure.name, figure.title, std::move(picture)});
     std::sort(drawn_.begin(), drawn_.end(), [](auto& a, auto& b) { return a.name < b.name; });
@@ -45,7 +49,11 @@ class FigureWriter {
     const Report report = make_report(results, drawn_, studio_.gl_renderer());
     write_text_file(noted("claims.json"), report.claims_json);
     write_text_file(noted("report.html"), report.html);
-    renderer::write_png(noted("contact_sheet.png"), contact_sheet(drawn_), {},
+    tell();
+  }
+
+  void write_contact_sheet() {
+    renderer::write_png(noted("contact_sheet.png"), contact_sheet(drawn_, options_.scale), {},
                         {.deflate_level = 6, .filter = 4});
     tell();
   }
@@ -92,6 +100,21 @@ std::vector<Experiment> experiments_for(const std::vector<Figure>& figures, bool
   return {needed.begin(), needed.end()};
 }
 
+// Reads all before the first is drawn: a table that is missing shall not cost minutes.
+void read_and_draw(const std::vector<Figure>& figures, const std::filesystem::path& folder, Results& results,
+                   FigureWriter& writer) {
+  for (const Figure& figure : figures) {
+    if (figure.read != nullptr) {
+      figure.read(folder, results);
+    }
+  }
+  for (const Figure& figure : figures) {
+    if (figure.read != nullptr) {
+      writer.write(figure, results);
+    }
+  }
+}
+
 // Draws every figure as soon as the last of what it needs is there.
 void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Experiment>& experiments,
                        Results& results, FigureWriter& writer) {
@@ -118,10 +141,15 @@ void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Exp
 
 int run(const FiguresOptions& options) {
   prepare_folder_of(options.output / "fig.png");
-  const bool with_report = options.only.empty();
-  const std::vector<Figure> figures = wanted_figures(options.only);
+  const bool with_report = options.only.empty() && options.data.empty();
+  std::vector<Figure> figures = wanted_figures(options.only);
+  const bool are_several = figures.size() > 1;
   Results results;
   FigureWriter writer(options);
+  if (!options.data.empty()) {
+    read_and_draw(figures, options.data, results, writer);
+    std::erase_if(figures, [](const Figure& figure) { return figure.read != nullptr; });
+  }
   simulate_and_draw(figures, experiments_for(figures, with_report), results, writer);
   for (const Figure& figure : figures) {
     if (figure.needs_frame_times) {
@@ -132,6 +160,9 @@ int run(const FiguresOptions& options) {
   }
   if (with_report) {
     writer.write_report(results);
+  }
+  if (are_several) {
+    writer.write_contact_sheet();
   }
   return 0;
 }

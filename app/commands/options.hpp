@@ -15,6 +15,8 @@ namespace taut::app {
 struct FiguresOptions {
   std::vector<std::string> only;  ///< empty: all
   std::filesystem::path output = "figures";
+  std::filesystem::path data;  ///< folder of an earlier run's tables to draw from; empty: simulate
+  float scale = 1.0F;
   std::string backend = "auto";
 };
 

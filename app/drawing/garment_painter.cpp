@@ -122,8 +122,9 @@ renderer::SurfaceView GarmentPainter::garment_view() const {
   surface.style = style_.cloth;
   surface.filled = style_.surface != SurfaceLook::wireframe;
   if (style_.surface == SurfaceLook::stretch) {
-    surface.scalars = renderer::ScalarColours{stretch_, static_cast<float>(style_.stretch_range[0]),
-                                              static_cast<float>(style_.stretch_range[1])};
+    surface.scalars =
+        renderer::ScalarColours{stretch_, static_cast<float>(style_.stretch_range[0]),
+                                static_cast<float>(style_.stretch_range[1]), style_.stretch_colours};
   }
   if (style_.wireframe || !surface.filled) {
     surface.wireframe = renderer::Wireframe{.edges = structural_edges_, .width_px = line_width_px_};
@@ -173,6 +174,7 @@ renderer::Legend stretch_legend(const PictureStyle& style) {
   legend.title = "stretch";
   legend.minimum = static_cast<float>(style.stretch_range[0]);
   legend.maximum = static_cast<float>(style.stretch_range[1]);
+  legend.map = style.stretch_colours;
   legend.factor = 100.0F;
   legend.suffix = " %";
   legend.more_above = true;

@@ -9,8 +9,8 @@ constexpr float page_width_inches = 7.0F;
 
 }  // namespace
 
-renderer::Image to_image(const Drawing& drawing) {
-  renderer::Canvas canvas(drawing.width_px, drawing.height_px);
+renderer::Image to_image(const Drawing& drawing, float scale) {
+  renderer::Canvas canvas = renderer::Canvas::scaled(drawing.width_px, drawing.height_px, scale);
   drawing.draw(canvas);
   return canvas.to_image();
 }

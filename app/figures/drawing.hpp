@@ -15,7 +15,8 @@ struct Drawing {
   std::function<void(renderer::Canvas&)> draw;
 };
 
-renderer::Image to_image(const Drawing& drawing);
+/// `scale` times as many pixels each way.
+renderer::Image to_image(const Drawing& drawing, float scale = 1.0F);
 
 /// Text and lines stay what they are; the page is as wide as the two columns of a paper.
 void write_pdf(const std::filesystem::path& path, const Drawing& drawing);

@@ -18,8 +18,6 @@
 namespace taut::app {
 namespace {
 
-constexpr double methods_duration_s = 10.0;
-
 MappedModel map_model(int triangles) {
   const Scene scene = shirt_scene("tshirt-gravity", triangles);
   const sim::Garment garment = load_garment(scene).garment;
@@ -49,11 +47,9 @@ void map_models(Results& results) {
 }
 
 StepRecording record_fall(const Checkpoint& checkpoint) {
-  Scene scene = find_scene("cloth-fall", {});
+  Scene scene = find_scene(fall_scene, {});
   scene.simulation.rest.speed_m_per_s = fall_rest_m_per_s;
-  const sim::GridSettings& grid = scene.garment.grid;
-  const sim::Index middle_of_free_edge = (grid.rows - 1) * grid.columns + grid.columns / 2;
-  return record_steps(scene, fall_frames, middle_of_free_edge, checkpoint);
+  return record_steps(scene, fall_frames, followed_vertex(scene), checkpoint);
 }
 
 void run_methods(Results& results, const Checkpoint& checkpoint) {
@@ -94,18 +90,18 @@ Job job_of(Experiment experiment, Results& results) {
     case Experiment::mapping:
       return {"mapping", 0.1, [&results](const Checkpoint&) { map_models(results); }};
     case Experiment::fall:
-      return {"cloth-fall", 10.0,
+      return {fall_scene, 10.0,
               [&results](const Checkpoint& checkpoint) { results.fall = record_fall(checkpoint); }};
     case Experiment::pinned_5:
-      return recording_job("pinned-9x9-5", 0.1, results.pinned[0]);
+      return recording_job(pinned_scenes[0], 0.1, results.pinned[0]);
     case Experiment::pinned_20:
-      return recording_job("pinned-9x9-20", 0.1, results.pinned[1]);
+      return recording_job(pinned_scenes[1], 0.1, results.pinned[1]);
     case Experiment::shirt_still:
-      return recording_job("tshirt-gravity", 16.0, results.shirts[0]);
+      return recording_job(shirt_scenes[0], 16.0, results.shirts[0]);
     case Experiment::shirt_wind_1:
-      return recording_job("tshirt-wind-1", 16.0, results.shirts[1]);
+      return recording_job(shirt_scenes[1], 16.0, results.shirts[1]);
     case Experiment::shirt_wind_10:
-      return recording_job("tshirt-wind-10", 26.0, results.shirts[2], strong_wind_frames);
+      return recording_job(shirt_scenes[2], 26.0, results.shirts[2], strong_wind_frames);
     case Experiment::methods:
       return {"methods", 0.3, [&results](const Checkpoint& checkpoint) { run_methods(results, checkpoint); }};
     case Experiment::sweeps:
@@ -117,6 +113,11 @@ Job job_of(Experiment experiment, Results& results) {
               }};
   }
   return {};
+}
+
+sim::Index followed_vertex(const Scene& scene) {
+  const sim::GridSettings& grid = scene.garment.grid;
+  return (grid.rows - 1) * grid.columns + grid.columns / 2;
 }
 
 Scene shirt_scene(const std::string& name, int triangles) {

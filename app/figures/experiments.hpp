@@ -99,8 +99,17 @@ enum class Experiment {
 /// The experiment as a job that fills its own part of the results and touches no other.
 Job job_of(Experiment experiment, Results& results);
 
-/// Steps a second of figure 7.
+// Scenes of figures 2 to 5.
+inline constexpr const char* fall_scene = "cloth-fall";
+inline constexpr std::array pinned_scenes = {"pinned-9x9-5", "pinned-9x9-20"};
+inline constexpr std::array shirt_scenes = {"tshirt-gravity", "tshirt-wind-1", "tshirt-wind-10"};
+
+/// The vertex that figure 3 follows: the middle of the free edge of the falling cloth.
+sim::Index followed_vertex(const Scene& scene);
+
+/// Steps a second of figure 7, and how long its runs are.
 inline constexpr std::array method_rates_hz = {640.0, 160.0};
+inline constexpr double methods_duration_s = 10.0;
 MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s);
 
 /// Runs the scene to the middle, copies its two position arrays into a new state, and goes on from both.

@@ -4,10 +4,15 @@
 
 #include "app/figures/csv.hpp"
 #include "app/figures/figures.hpp"
+#include "app/figures/moments.hpp"
 #include "app/figures/plot.hpp"
+#include "app/garment/garment_loading.hpp"
+#include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {
 namespace {
+
+const std::vector<std::string> columns = {"iteration", "time_s", "moved_m"};
 
 Plot convergence_plot(const StepRecording& fall) {
   Curve curve;
@@ -80,12 +85,29 @@ std::string rest_text(const StepRecording& fall) {
 
 std::string figure3_csv(const Results& results) {
   const StepRecording& fall = *results.fall;
-  CsvTable table({"iteration", "time_s", "moved_m"});
+  CsvTable table(columns);
   for (std::size_t i = 0; i < fall.moved_m.size(); ++i) {
     table.add(
         {std::to_string(i + 1), cell(static_cast<double>(i + 1) * fall.time_step_s), cell(fall.moved_m[i])});
   }
   return table.text();
+}
+
+void read_figure3(const std::filesystem::path& folder, Results& results) {
+  const CsvFile table(folder / "fig3.csv", columns);
+  results.fall = results.fall ? std::move(results.fall) : StepRecording{};
+  StepRecording& fall = *results.fall;
+  fall.frames.scene = find_scene(fall_scene, {});
+  fall.frames.garment = std::make_shared<const sim::Garment>(load_garment(fall.frames.scene).garment);
+  fall.vertex = followed_vertex(fall.frames.scene);
+  fall.time_step_s = table.number(0, 1);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    fall.moved_m.push_back(table.number(row, 2));
+  }
+  // A run that is not over at its last frame ends where the cloth is at rest.
+  const auto most_steps =
+      static_cast<std::size_t>(fall_frames.back() * fall.frames.scene.simulation.solver.substeps);
+  fall.came_to_rest = table.rows() < most_steps;
 }
 
 // Iterative convergence of a single mass point of the cloth of figure 2.

@@ -1,9 +1,31 @@
 #include <fmt/core.h>
 
 #include "app/figures/figures.hpp"
+#include "app/figures/moment_tables.hpp"
 #include "app/figures/print.hpp"
 
 namespace taut::app {
+namespace {
+
+std::array<const Recording*, 3> recordings_of(const Results& results) {
+  return {&*results.shirts[0], &*results.shirts[1], &*results.shirts[2]};
+}
+
+}  // namespace
+
+std::string figure5_csv(const Results& results) {
+  return moments_csv(recordings_of(results));
+}
+
+std::string figure5_shapes_csv(const Results& results) {
+  return shapes_csv(recordings_of(results));
+}
+
+void read_figure5(const std::filesystem::path& folder, Results& results) {
+  for (std::size_t i = 0; i < results.shirts.size(); ++i) {
+    results.shirts[i] = read_recording(folder, "fig5", shirt_scenes[i]);
+  }
+}
 
 // The T-shirt without wind and in two winds.
 Drawing draw_figure5(const Results& results, StudioDoor& studio) {
@@ -11,7 +33,7 @@ Drawing draw_figure5(const Results& results, StudioDoor& studio) {
   for (const auto& recording : results.shirts) {
     moments.push_back({&*recording, &recording->last(), false});
   }
-  Prints prints = print_moments(studio.open(), moments, {980, 860});
+  Prints prints = print_moments(studio, moments, {980, 860});
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const double speed_m_per_s = moments[i].recording->scene.surroundings.forces.wind.speed_m_per_s;
@@ -22,7 +44,7 @@ Drawing draw_figure5(const Results& results, StudioDoor& studio) {
                        fmt::format("after {:.1f} s; largest stretch {:.1f} %", record.time_s,
                                    100.0 * record.stretch.max)}});
   }
-  return sheet_of(std::move(panels), {.columns = 3}, {0.2F * prints.metre_px, "20 cm"});
+  return sheet_of(std::move(panels), prints.size, {.columns = 3}, {0.2F * prints.metre_px, "20 cm"});
 }
 
 }  // namespace taut::app

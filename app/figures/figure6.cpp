@@ -11,6 +11,8 @@
 namespace taut::app {
 namespace {
 
+const std::vector<std::string> columns = {"triangles", "substeps", "sweeps", "repeat", "frame_ms"};
+
 constexpr double frame_at_60_hz_ms = 1000.0 / 60.0;
 
 std::string settings_of(int substeps, int sweeps) {
@@ -83,7 +85,7 @@ std::string medians_of(const std::vector<FrameTimes>& times) {
 }  // namespace
 
 std::string figure6_csv(const Results& results) {
-  CsvTable table({"triangles", "substeps", "sweeps", "repeat", "frame_ms"});
+  CsvTable table(columns);
   for (const FrameTimes& time : results.frame_times) {
     for (std::size_t repeat = 0; repeat < time.frame_ms.size(); ++repeat) {
       table.add({std::to_string(time.triangles), std::to_string(time.substeps), std::to_string(time.sweeps),
@@ -91,6 +93,23 @@ std::string figure6_csv(const Results& results) {
     }
   }
   return table.text();
+}
+
+void read_figure6(const std::filesystem::path& folder, Results& results) {
+  const CsvFile table(folder / "fig6.csv", columns);
+  std::vector<FrameTimes>& times = results.frame_times;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const FrameTimes next{
+        table.whole_number(row, 0), table.whole_number(row, 1), table.whole_number(row, 2), {}};
+    if (times.empty() || times.back().triangles != next.triangles || times.back().substeps != next.substeps) {
+      times.push_back(next);
+    }
+    const double frame_ms = table.number(row, 4);
+    if (frame_ms <= 0.0 || next.triangles <= 0) {
+      table.fail(row, "found a time or a number of triangles of 0 or less, expected more");
+    }
+    times.back().frame_ms.push_back(frame_ms);
+  }
 }
 
 // Section IV: what a frame costs for models of different precision.

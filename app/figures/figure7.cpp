@@ -10,6 +10,8 @@
 namespace taut::app {
 namespace {
 
+const std::vector<std::string> columns = {"method", "time_step_s", "time_s", "max_stretch", "moved_rms_m"};
+
 Stroke stroke_of(sim::SolverKind kind) {
   switch (kind) {
     case sim::SolverKind::ideal:
@@ -26,7 +28,7 @@ std::string legend_name(const MethodRun& run) {
   constexpr std::array names = {"ideal springs", "threshold of 5 %", "strong constraint"};
   std::string name = names[static_cast<std::size_t>(run.kind)];
   if (run.diverged_at_s) {
-    name += fmt::format(" (diverges after {:.2f} s)", *run.diverged_at_s);
+    name += fmt::format(" (diverge after {:.2f} s)", *run.diverged_at_s);
   }
   return name;
 }
@@ -83,10 +85,15 @@ std::string unrest_text(const std::vector<MethodRun>& runs) {
                      speed_text(runs[static_cast<std::size_t>(sim::SolverKind::strong)]));
 }
 
+// A run that diverges has cells left empty at its end.
+double number_or_infinity(const CsvFile& table, std::size_t row, std::size_t column) {
+  return table.text(row, column).empty() ? INFINITY : table.number(row, column);
+}
+
 }  // namespace
 
 std::string figure7_csv(const Results& results) {
-  CsvTable table({"method", "time_step_s", "time_s", "max_stretch", "moved_rms_m"});
+  CsvTable table(columns);
   for (const MethodRun& run : results.methods) {
     for (std::size_t i = 0; i < run.max_stretch.size(); ++i) {
       table.add({name_of(run.kind), cell(run.time_step_s), cell(static_cast<double>(i + 1) * run.time_step_s),
@@ -94,6 +101,33 @@ std::string figure7_csv(const Results& results) {
     }
   }
   return table.text();
+}
+
+void read_figure7(const std::filesystem::path& folder, Results& results) {
+  const CsvFile table(folder / "fig7.csv", columns);
+  std::size_t row = 0;
+  for (const double rate_hz : method_rates_hz) {
+    for (const sim::SolverKind kind : sim::all_solver_kinds) {
+      MethodRun run;
+      run.kind = kind;
+      run.time_step_s = 1.0 / rate_hz;
+      const auto belongs = [&] {
+        return table.text(row, 0) == name_of(kind) &&
+               std::abs(table.number(row, 1) - run.time_step_s) < 1e-3 * run.time_step_s;
+      };
+      for (; row < table.rows() && belongs(); ++row) {
+        run.max_stretch.push_back(number_or_infinity(table, row, 3));
+        run.moved_rms_m.push_back(number_or_infinity(table, row, 4));
+      }
+      if (run.max_stretch.size() < static_cast<std::size_t>(std::lround(methods_duration_s * rate_hz))) {
+        run.diverged_at_s = run.time_step_s * static_cast<double>(run.max_stretch.size() + 1);
+      }
+      results.methods.push_back(std::move(run));
+    }
+  }
+  if (row < table.rows()) {
+    table.fail(row, "found a method or a time step out of turn");
+  }
 }
 
 // Section III: do springs that are pulled back to a threshold vibrate, and does the strong constraint not?

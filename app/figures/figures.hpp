@@ -1,33 +1,14 @@
 #pragma once
 
-#include <memory>
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "app/drawing/studio.hpp"
 #include "app/figures/drawing.hpp"
 #include "app/figures/experiments.hpp"
+#include "app/figures/studio_door.hpp"
 
 namespace taut::app {
-
-/// Opens a studio when the first picture is to be drawn in it: diagrams and plots need none.
-class StudioDoor {
- public:
-  explicit StudioDoor(std::string backend) : backend_(std::move(backend)) {}
-
-  Studio& open() {
-    if (!studio_) {
-      studio_ = std::make_unique<Studio>(backend_);
-    }
-    return *studio_;
-  }
-  /// Empty while none is open.
-  std::string gl_renderer() const { return studio_ ? studio_->gl_renderer() : ""; }
-
- private:
-  std::string backend_;
-  std::unique_ptr<Studio> studio_;
-};
 
 /// A figure of the paper, or of what it argues.
 struct Figure {
@@ -35,7 +16,11 @@ struct Figure {
   std::string title;  ///< what it shows, for the report
   std::vector<Experiment> needs;
   Drawing (*draw)(const Results&, StudioDoor&);
+  /// What it is drawn from, as tables NAME.csv and NAME_shapes.csv; none where it is not measured.
   std::string (*csv)(const Results&) = nullptr;
+  std::string (*shapes_csv)(const Results&) = nullptr;
+  /// Takes it from those tables, so that the figure can be drawn without its experiments.
+  void (*read)(const std::filesystem::path& folder, Results&) = nullptr;
   bool needs_frame_times = false;
 };
 
@@ -46,9 +31,23 @@ Drawing draw_figure4(const Results& results, StudioDoor& studio);
 Drawing draw_figure5(const Results& results, StudioDoor& studio);
 Drawing draw_figure6(const Results& results, StudioDoor& studio);
 Drawing draw_figure7(const Results& results, StudioDoor& studio);
+std::string figure2_csv(const Results& results);
 std::string figure3_csv(const Results& results);
+std::string figure4_csv(const Results& results);
+std::string figure5_csv(const Results& results);
 std::string figure6_csv(const Results& results);
 std::string figure7_csv(const Results& results);
+std::string figure2_shapes_csv(const Results& results);
+std::string figure4_shapes_csv(const Results& results);
+std::string figure5_shapes_csv(const Results& results);
+
+// Each throws InputError naming the file, and the line if it is there.
+void read_figure2(const std::filesystem::path& folder, Results& results);
+void read_figure3(const std::filesystem::path& folder, Results& results);
+void read_figure4(const std::filesystem::path& folder, Results& results);
+void read_figure5(const std::filesystem::path& folder, Results& results);
+void read_figure6(const std::filesystem::path& folder, Results& results);
+void read_figure7(const std::filesystem::path& folder, Results& results);
 
 /// In the order of the paper.
 const std::vector<Figure>& all_figures();

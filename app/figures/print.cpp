@@ -29,7 +29,8 @@ Scene scene_for_print(const PrintedMoment& moment, const PictureSize& size) {
   }
   if (moment.shows_stretch) {
     scene.picture.surface = SurfaceLook::stretch;
-    scene.picture.stretch_range = {0.0, printed_stretch};
+    scene.picture.stretch_range = {-printed_stretch, printed_stretch};
+    scene.picture.stretch_colours = printed_stretch_colours;
     scene.picture.legend = false;
   }
   return scene;
@@ -109,14 +110,18 @@ void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::ve
 
 }  // namespace
 
-Prints print_moments(Studio& studio, std::span<const PrintedMoment> moments, const PictureSize& size) {
+Prints print_moments(StudioDoor& studio, std::span<const PrintedMoment> moments, const PictureSize& size) {
+  const auto scaled = [&](int length_px) {
+    return std::max(1, static_cast<int>(std::lround(static_cast<float>(length_px) * studio.scale())));
+  };
   const renderer::Camera camera = camera_for(moments, size);
   Prints prints;
+  prints.size = size;
   for (const PrintedMoment& moment : moments) {
-    Scene scene = scene_for_print(moment, size);
+    Scene scene = scene_for_print(moment, {scaled(size.width_px), scaled(size.height_px)});
     scene.camera.eye = camera.eye;
     scene.camera.target = camera.target;
-    GarmentPainter painter(studio.renderer(), scene, *moment.recording->garment);
+    GarmentPainter painter(studio.open().renderer(), scene, *moment.recording->garment);
     prints.pictures.push_back(painter.draw(moment.moment->positions));
   }
   const float seen_m =
@@ -133,8 +138,8 @@ glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std:
               row * (static_cast<float>(picture.height_px) + style.caption.height_px() + style.gap_px)};
 }
 
-Drawing sheet_of(std::vector<Panel> panels, const SheetStyle& style, const ScaleBar& bar) {
-  const PictureSize size = {panels.front().picture.width_px, panels.front().picture.height_px};
+Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style,
+                 const ScaleBar& bar) {
   const std::size_t columns = std::min(style.columns, panels.size());
   const glm::vec2 last_in_row = panel_corner(style, size, columns - 1);
   const glm::vec2 last = panel_corner(style, size, panels.size() - 1);
@@ -147,7 +152,8 @@ Drawing sheet_of(std::vector<Panel> panels, const SheetStyle& style, const Scale
     for (std::size_t i = 0; i < shared->size(); ++i) {
       const Panel& panel = (*shared)[i];
       const glm::vec2 corner = panel_corner(style, size, i);
-      canvas.image(corner.x, corner.y, panel.picture);
+      canvas.image(corner.x, corner.y, static_cast<float>(size.width_px), static_cast<float>(size.height_px),
+                   panel.picture);
       draw_caption(canvas, panel.caption, corner.x + 0.5F * static_cast<float>(size.width_px),
                    corner.y + static_cast<float>(size.height_px), style.caption);
     }

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing/studio.hpp"
 #include "app/figures/drawing.hpp"
 #include "app/figures/recording.hpp"
+#include "app/figures/studio_door.hpp"
 #include "renderer/image.hpp"
 
 namespace taut::app {
@@ -24,18 +24,21 @@ struct PrintedMoment {
   bool has_floor = true;  ///< and a shadow on it
 };
 
-/// Pictures of one size from one camera, and how long a metre is in them at the distance of what they show.
+/// Pictures from one camera, and how long a metre is in them at the distance of what they show.
 struct Prints {
+  PictureSize size;  ///< in the figure; the pictures have as many times more pixels as the studio door says
   std::vector<renderer::Image> pictures;
   float metre_px = 0.0F;
 };
 
-/// Largest stretch that pictures with `shows_stretch` tell from more.
+/// Largest stretch that pictures with `shows_stretch` tell from more, and their colours: nearly white where
+/// springs are as long as at rest, darker the longer they are, so that paper and grey printers show it too.
 inline constexpr double printed_stretch = 0.2;
+inline constexpr renderer::ColourMap printed_stretch_colours = renderer::ColourMap::blue_orange;
 
 /// Draws the moments from the direction of the first one's scene, as large as all of them and their shadows
 /// on the floor allow.
-Prints print_moments(Studio& studio, std::span<const PrintedMoment> moments, const PictureSize& size);
+Prints print_moments(StudioDoor& studio, std::span<const PrintedMoment> moments, const PictureSize& size);
 
 /// A picture in a figure, with its text below.
 struct Panel {
@@ -56,8 +59,9 @@ struct SheetStyle {
   float right_px = 0.0F;  ///< kept free on the right, for a legend
 };
 
-/// The panels in rows; all pictures have to be of one size. The scale bar goes into the first.
-Drawing sheet_of(std::vector<Panel> panels, const SheetStyle& style, const ScaleBar& bar);
+/// The panels in rows, their pictures of one size. The scale bar goes into the first.
+Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style,
+                 const ScaleBar& bar);
 
 /// The upper left corner of a panel.
 glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std::size_t panel);

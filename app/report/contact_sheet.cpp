@@ -27,7 +27,7 @@ renderer::Image scaled_to_width(const renderer::Image& picture, int width_px) {
   return canvas.to_image();
 }
 
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures) {
+renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale) {
   // Each goes to the column that is shortest so far.
   std::vector<int> bottoms_px(columns, gap_px);
   std::vector<std::pair<int, int>> corners;
@@ -37,13 +37,13 @@ renderer::Image contact_sheet(std::span<const DrawnFigure> figures) {
     corners.emplace_back(gap_px + column * (cell_px + gap_px), *shortest);
     *shortest += title_height_px + height_in_cell(figure.picture) + gap_px;
   }
-  renderer::Canvas canvas(gap_px + columns * (cell_px + gap_px),
-                          *std::max_element(bottoms_px.begin(), bottoms_px.end()));
+  renderer::Canvas canvas = renderer::Canvas::scaled(
+      gap_px + columns * (cell_px + gap_px), *std::max_element(bottoms_px.begin(), bottoms_px.end()), scale);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const auto x_px = static_cast<float>(corners[i].first), y_px = static_cast<float>(corners[i].second);
     canvas.text(x_px, y_px + title_px, figures[i].name, text_style(title_px, palette::ink, true));
-    canvas.image(x_px, y_px + static_cast<float>(title_height_px),
-                 scaled_to_width(figures[i].picture, cell_px));
+    canvas.image(x_px, y_px + static_cast<float>(title_height_px), static_cast<float>(cell_px),
+                 static_cast<float>(height_in_cell(figures[i].picture)), figures[i].picture);
   }
   return canvas.to_image();
 }

@@ -31,8 +31,8 @@ Report make_report(const Results& results, std::span<const DrawnFigure> figures,
 std::string report_html(std::span<const Claim> claims, std::span<const DrawnFigure> figures,
                         const Machine& machine);
 
-/// All figures small on one picture.
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures);
+/// All figures small on one picture, on `scale` times as many pixels each way as it has by itself.
+renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F);
 
 /// The picture so wide.
 renderer::Image scaled_to_width(const renderer::Image& picture, int width_px);

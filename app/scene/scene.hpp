@@ -61,6 +61,7 @@ struct PictureStyle {
   SurfaceLook surface = SurfaceLook::shaded;
   bool wireframe = false;
   std::array<double, 2> stretch_range = {0.0, 0.05};
+  renderer::ColourMap stretch_colours = renderer::ColourMap::viridis;  ///< not a key of the file
   renderer::SurfaceStyle cloth;
   Ground ground;
   bool rest_outline = false;  ///< where the garment's borders were modelled

@@ -27,6 +27,31 @@ function(taut_add_picture_test name)
   set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
 endfunction()
 
+# taut_add_figure_test(NAME FIGURE [PLOT] arguments of `taut figures`...): the same with a whole figure, or the
+# contact sheet; PLOT: nothing in it is drawn by OpenGL.
+function(taut_add_figure_test name figure)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "PLOT" "" "")
+  taut_internal_picture_test(picture.${name} ${name} BASELINE ${name}
+    DEFINITIONS -DFIGURE=${figure} -DIS_PLOT=${arg_PLOT} ARGUMENTS ${arg_UNPARSED_ARGUMENTS})
+  set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
+endfunction()
+
+# taut_add_changed_data_test(NAME BASELINE FIGURE TABLE PROGRAM [PLOT] arguments...): FIGURE has to look different
+# once awk has changed one of the tables it is drawn from.
+function(taut_add_changed_data_test name baseline figure table program)
+  cmake_parse_arguments(PARSE_ARGV 5 arg "PLOT" "" "")
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name}_data)
+  set(tables ${CMAKE_CURRENT_SOURCE_DIR}/figures)
+  add_custom_command(OUTPUT ${folder}/${table}.csv DEPENDS ${tables}/${table}.csv
+    COMMAND ${CMAKE_COMMAND} -E copy_directory ${tables} ${folder}
+    COMMAND awk -F , -v OFS=, ${program} ${tables}/${table}.csv > ${folder}/${table}.csv
+    VERBATIM)
+  add_custom_target(${name}_data ALL DEPENDS ${folder}/${table}.csv)
+  taut_internal_picture_test(picture_tests.see_${name} ${name} BASELINE ${baseline}
+    DEFINITIONS -DMUST_DIFFER=ON -DFIGURE=${figure} -DIS_PLOT=${arg_PLOT}
+    ARGUMENTS --only ${figure} --data ${folder} ${arg_UNPARSED_ARGUMENTS})
+endfunction()
+
 # taut_add_changed_picture_test(NAME BASELINE arguments...): the picture has to differ from baselines/BASELINE.png,
 # though not by much.
 function(taut_add_changed_picture_test name baseline)

@@ -1,4 +1,4 @@
-# Draws ARGUMENTS with TAUT into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
+# Draws ARGUMENTS with TAUT (`taut render`, or with FIGURE that one of `taut figures`) into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
 # A failure says what differs and how to accept it, and stands in FAILURES_PAGE until the test passes.
 # With MUST_DIFFER it is the other way round: the picture has to be told from the baseline.
 cmake_minimum_required(VERSION 3.25)
@@ -8,19 +8,45 @@ get_filename_component(baseline_name ${BASELINE} NAME_WE)
 set(actual ${OUTPUT_DIR}/actual.png)
 set(accept "tests/golden/accept.sh ${BUILD_DIR} ${NAME}")
 list(JOIN ARGUMENTS " " command)
-set(command "taut render ${command}")
-
-# Relative names, so that the picture's record holds no folder of this machine.
-file(REMOVE_RECURSE ${OUTPUT_DIR})
-file(MAKE_DIRECTORY ${OUTPUT_DIR})
-execute_process(COMMAND ${TAUT} render ${ARGUMENTS} --output actual.png --stats run.json
-                WORKING_DIRECTORY ${OUTPUT_DIR} RESULT_VARIABLE failed)
-if(failed)
-  add_failure("taut render failed: ${failed}" "")
-  message(FATAL_ERROR "taut render failed: ${failed}")
+if(FIGURE)
+  set(command "taut figures ${command}")
+else()
+  set(command "taut render ${command}")
 endif()
-file(READ ${OUTPUT_DIR}/run.json run)
-string(JSON renderer GET "${run}" versions gl_renderer)
+
+# In `folder`; relative names, so that the picture's record holds no folder of this machine.
+function(run_taut folder)
+  file(MAKE_DIRECTORY ${folder})
+  execute_process(COMMAND ${TAUT} ${ARGN} WORKING_DIRECTORY ${folder} RESULT_VARIABLE failed)
+  if(failed)
+    add_failure("taut ${ARGV1} failed: ${failed}" "")
+    message(FATAL_ERROR "taut ${ARGV1} failed: ${failed}")
+  endif()
+endfunction()
+
+# What drew the pictures of the run that left `stats`.
+function(read_renderer stats result)
+  file(READ ${stats} run)
+  string(JSON renderer GET "${run}" versions gl_renderer)
+  set(${result} "${renderer}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${OUTPUT_DIR})
+if(FIGURE)
+  run_taut(${OUTPUT_DIR} figures ${ARGUMENTS} --output .)
+  file(RENAME ${OUTPUT_DIR}/${FIGURE}.png ${actual})
+else()
+  run_taut(${OUTPUT_DIR} render ${ARGUMENTS} --output actual.png --stats run.json)
+endif()
+if(IS_PLOT)
+  set(renderer "no OpenGL")
+elseif(FIGURE)
+  # Figures do not say it: a small picture does.
+  run_taut(${OUTPUT_DIR}/probe render cloth-fall --frames 0 --resolution 16,16 --stats run.json)
+  read_renderer(${OUTPUT_DIR}/probe/run.json renderer)
+else()
+  read_renderer(${OUTPUT_DIR}/run.json renderer)
+endif()
 file(WRITE ${OUTPUT_DIR}/renderer.txt "${renderer}\n")
 
 if(NOT EXISTS ${BASELINE} AND MUST_DIFFER)

@@ -103,4 +103,26 @@ accept --all || complain "cannot accept all: $(cat "$folder/accepted.txt")"
 [ "$(cat "$baselines/one.renderer.txt")" = 'another renderer' ] || complain "the renderer was not noted"
 expect PASSES '' one
 expect PASSES '' two
+
+# A relaxed limit has to say why; `declare_test` runs the line a CMakeLists.txt would have.
+declare_test() {
+  cat > "$folder/declare.cmake" <<END
+include($source/picture_test.cmake)
+function(taut_internal_picture_test)
+  message("declared \${ARGV}")
+endfunction()
+taut_add_picture_test($*)
+END
+  said=$("$cmake" -P "$folder/declare.cmake" 2>&1)
+}
+refused() {
+  declare_test "$@" && complain "declared: $*"
+  printf '%s\n' "$said" | tr -s ' \n' ' ' | grep -q 'picture test one: LIMIT needs three numbers and a REASON' ||
+    complain "refused without saying why: $said"
+}
+refused one LIMIT 4 0.01 0.1 scene
+refused one LIMIT 4 0.01 REASON '"two numbers only"' scene
+refused one LIMIT 4 0.01 0.1 REASON '""' scene
+declare_test one LIMIT 4 0.01 0.1 REASON '"an odd lamp"' scene || complain "refused: $said"
+declare_test one scene || complain "refused: $said"
 [ $problems -eq 0 ]

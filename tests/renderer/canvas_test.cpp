@@ -72,6 +72,23 @@ TEST(Canvas, TextIsWhereItWasMeasured) {
   EXPECT_EQ(dark_pixels(drawn, 0, 42, 200, 60), 0) << "nothing below the baseline but antialiasing";
 }
 
+TEST(Canvas, ScaledTakesAPictureOfThatManyPixelsAsItIs) {
+  Canvas canvas = Canvas::scaled(15, 11, 0.5F);
+  Image checks = make_image(5, 4);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 5; ++x) checks.at(x, y)[0] = (x + y) % 2 == 0 ? 255 : 0;
+  }
+  canvas.image(2.5F, 2.5F, 10, 8, checks);
+  const Image drawn = canvas.to_image();
+  ASSERT_EQ(drawn.width_px, 8) << "rounded";
+  ASSERT_EQ(drawn.height_px, 6);
+  for (int y = 1; y < 3; ++y) {
+    for (int x = 1; x < 4; ++x) {
+      EXPECT_EQ(drawn.at(1 + x, 1 + y)[0], checks.at(x, y)[0]) << x << ' ' << y;
+    }
+  }
+}
+
 TEST(Canvas, PdfIsCompleteAndTheSameEveryTime) {
   const std::filesystem::path path = std::filesystem::path(TAUT_TEST_FOLDER) / "canvas.pdf";
   std::string first;

@@ -28,21 +28,6 @@ void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffe
   gl.VertexAttribDivisor(location, divisor);
 }
 
-void allocate_depth(const GladGLContext& gl, const Texture& texture, int width_px, int height_px) {
-  gl.BindTexture(GL_TEXTURE_2D, texture.name());
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, width_px, height_px, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                nullptr);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
-void attach_depth(const GladGLContext& gl, const Framebuffer& framebuffer, const Texture& texture) {
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture.name(), 0);
-  gl.DrawBuffer(GL_NONE);
-  gl.ReadBuffer(GL_NONE);
-  check_framebuffer(gl, "depth map");
-}
-
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture) {
   gl.ActiveTexture(GL_TEXTURE0 + unit);
   gl.BindTexture(target, texture.name());

@@ -53,12 +53,6 @@ void upload(const GladGLContext& gl, GLenum target, const Buffer& buffer, std::s
 void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffer, int components,
                    int stride_floats, int offset_floats, GLuint divisor = 0);
 
-/// A depth texture that is read with the samplers of DepthSamplers.
-void allocate_depth(const GladGLContext& gl, const Texture& texture, int width_px, int height_px);
-
-/// Attaches the only depth texture of a framebuffer without colour.
-void attach_depth(const GladGLContext& gl, const Framebuffer& framebuffer, const Texture& texture);
-
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture);
 
 /// Throws ContextError naming `stage` when OpenGL has recorded an error, or the bound framebuffer is

@@ -10,12 +10,13 @@ namespace taut::renderer {
 
 namespace {
 
-constexpr int map_px = 1024;
 constexpr int taps = 24;
 // Farther around than this share of the map, taps may step over a shadow: the pixels have to look.
 constexpr float widest = 0.05F;
 // A surface seen this flat by the light hides itself in the map; sine of the angle.
 constexpr float flattest = 0.3F;
+// Of the map, as a share of its depth.
+constexpr float depth_allowance = 1.5F / 1024.0F;
 // Spots on the surface's own plane are not in its way, nor is what bends this much out of it.
 constexpr float bend = 0.04F;
 
@@ -44,18 +45,13 @@ void longest_edges(const SurfaceView& surface, std::vector<float>& lengths_m) {
 
 }  // namespace
 
-KeyDecision::KeyDecision() : map(1, 1, map_px) {}
-
-void KeyDecision::look(std::span<const SurfaceView* const> casters, const FrameBlock& block) {
-  side_m = casters.empty() || block.shadow.w <= 0.0F ? 0.0F : block.shadow.z;
+void KeyDecision::look(const DepthMap& casters, const FrameBlock& block) {
+  map = &casters;
+  const bool any = casters.drawn().lower != casters.drawn().upper;
+  side_m = !any || block.shadow.w <= 0.0F ? 0.0F : block.shadow.z;
   world_to_map = block.world_to_shadow;
   towards_key = glm::vec3{block.towards_key};
   softness_m = widest_penumbra_texels * block.shadow.x;
-  if (side_m <= 0.0F) return;
-  map.clear();
-  for (const SurfaceView* caster : casters) {
-    map.draw(0, world_to_map, caster->positions, caster->triangles);
-  }
 }
 
 void KeyDecision::decide(const SurfaceView& surface, std::vector<float>& decided) {
@@ -75,12 +71,12 @@ float KeyDecision::decide_vertex(const glm::vec3& position, const glm::vec3& nor
   if (radius > widest || across.z > -flattest * glm::length(across)) return 0.5F;
   const glm::vec3 place{world_to_map * glm::vec4{position, 1.0F}};
   const glm::vec2 slope = -glm::vec2{across} / across.z;
-  const float allowance = 1.5F / static_cast<float>(map_px) + bend * radius;
+  const float allowance = depth_allowance + bend * radius;
   int blockers = 0;
   for (const glm::vec2& spot : spots) {
     const glm::vec2 offset = radius * spot;
     const float own_depth = place.z + glm::dot(slope, offset);
-    blockers += map.depth_at(glm::vec2{place} + offset) < own_depth - allowance ? 1 : 0;
+    blockers += map->depth_at(glm::vec2{place} + offset) < own_depth - allowance ? 1 : 0;
   }
   if (blockers == 0) return 1.0F;
   return blockers == taps ? 0.0F : 0.5F;

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/depth_atlas.hpp"
+#include "renderer/depth_map.hpp"
 #include "renderer/frame_block.hpp"
 
 namespace taut::renderer {
@@ -13,17 +13,16 @@ namespace taut::renderer {
 /// a picture's time would go into.
 class KeyDecision {
  public:
-  KeyDecision();
-
-  /// Draws the casters as the light sees them.
-  void look(std::span<const SurfaceView* const> casters, const FrameBlock& block);
+  /// `map` shows the casters as the light sees them, `block` says where; the map has to outlive the
+  /// decisions.
+  void look(const DepthMap& map, const FrameBlock& block);
   /// One number for each position: 1 in the light, 0 in the shadow, 0.5 where pixels have to look themselves.
   void decide(const SurfaceView& surface, std::vector<float>& decided);
 
  private:
   float decide_vertex(const glm::vec3& position, const glm::vec3& normal, float reach_m) const;
 
-  DepthAtlas map;
+  const DepthMap* map = nullptr;
   glm::mat4 world_to_map{1.0F};
   glm::vec3 towards_key{0.0F};
   float side_m = 0.0F;  // 0: nothing casts a shadow

@@ -7,13 +7,11 @@
 #include "renderer/drawn_area.hpp"
 #include "renderer/frame_block.hpp"
 #include "renderer/frame_check.hpp"
-#include "renderer/key_decision.hpp"
 #include "renderer/layer_target.hpp"
 #include "renderer/mark_pass.hpp"
 #include "renderer/merged_spheres.hpp"
 #include "renderer/picture_target.hpp"
-#include "renderer/shadow_pass.hpp"
-#include "renderer/sky_pass.hpp"
+#include "renderer/studio_light.hpp"
 #include "renderer/surface_pass.hpp"
 
 namespace taut::renderer {
@@ -22,16 +20,6 @@ namespace {
 
 bool sees_floor(const FrameView& frame) {
   return frame.ground_height_m && !frame.backdrop.plain && frame.camera.eye.y > *frame.ground_height_m;
-}
-
-std::optional<Box> box_around_casters(const std::vector<SurfaceView>& surfaces) {
-  std::optional<Box> box;
-  for (const SurfaceView& surface : surfaces) {
-    if (!surface.casts_shadow || !surface.filled || surface.triangles.empty()) continue;
-    const Box own = bounding_box(surface.positions);
-    box = box ? united(*box, own) : own;
-  }
-  return box;
 }
 
 // Pieces of an area that the layer has room for.
@@ -53,25 +41,18 @@ struct SceneRenderer::Parts {
   Context& context;
   const GladGLContext& gl;
   SurfacePass surface_pass;
-  ShadowPass shadow_pass;
-  SkyPass sky_pass;
+  StudioLight light;
   BackdropPass backdrop_pass;
   MarkPass mark_pass;
   PictureTarget picture;
   LayerTarget layer;
-  DepthSamplers samplers;
   Buffer block_buffer;
-  KeyDecision key_decision;
   std::vector<SurfaceView> surfaces;  // those of the frame and the balls
 
   explicit Parts(Context& made);
   void draw(const FrameView& frame, const PictureSettings& settings);
   void reset_state() const;
   void collect_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls);
-  void prepare_light(FrameBlock& block, const std::optional<Box>& casters, const FrameView& frame,
-                     const PictureSettings& settings);
-  void bind_light() const;
-  void unbind_light() const;
   void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
                    const Tile& tile) const;
   void draw_whole(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
@@ -86,13 +67,11 @@ SceneRenderer::Parts::Parts(Context& made)
     : context(made),
       gl(made.gl()),
       surface_pass(gl, embedded_shaders()),
-      shadow_pass(gl, embedded_shaders()),
-      sky_pass(gl, embedded_shaders()),
+      light(gl),
       backdrop_pass(gl, embedded_shaders()),
       mark_pass(gl, embedded_shaders()),
       picture(gl),
       layer(gl, embedded_shaders()),
-      samplers(gl),
       block_buffer(gl) {
   check_errors(gl, "starting the renderer");
 }
@@ -112,7 +91,7 @@ void SceneRenderer::Parts::reset_state() const {
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  unbind_light();
+  light.unbind();
 }
 
 void SceneRenderer::Parts::collect_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls) {
@@ -122,49 +101,6 @@ void SceneRenderer::Parts::collect_surfaces(const FrameView& frame, std::vector<
     balls.push_back(merged_spheres(spheres));
     surfaces.push_back(view_of(balls.back(), spheres));
   }
-}
-
-void SceneRenderer::Parts::prepare_light(FrameBlock& block, const std::optional<Box>& casters,
-                                         const FrameView& frame, const PictureSettings& settings) {
-  std::vector<const SurfaceView*> casting_views;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (!settings.shadows || !surfaces[i].casts_shadow || !surfaces[i].filled) continue;
-    casting_views.push_back(&surfaces[i]);
-  }
-  set_shadow_bounds(block, casting_views);
-  key_decision.look(casting_views, block);
-  surface_pass.fill(surfaces, key_decision, frame.camera.eye);
-  std::vector<const SurfaceBuffers*> casting;
-  for (const SurfaceView* view : casting_views) {
-    casting.push_back(&surface_pass.buffers_of(static_cast<std::size_t>(view - surfaces.data())));
-  }
-  shadow_pass.draw(casting, block.world_to_shadow, settings.shadow_map_px);
-  sky_pass.draw_atlas(casting_views, settings.shadows ? casters : std::nullopt, settings.sky_directions);
-  upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
-  bind_light();
-  if (frame.ground_height_m) sky_pass.draw_ground_light();
-  bind_texture(gl, ground_light_unit, GL_TEXTURE_2D, sky_pass.ground_light());
-}
-
-void SceneRenderer::Parts::bind_light() const {
-  bind_texture(gl, shadow_compare_unit, GL_TEXTURE_2D, shadow_pass.texture());
-  bind_texture(gl, shadow_depth_unit, GL_TEXTURE_2D, shadow_pass.texture());
-  bind_texture(gl, sky_atlas_unit, GL_TEXTURE_2D, sky_pass.atlas());
-  gl.BindSampler(shadow_compare_unit, samplers.compare.name());
-  gl.BindSampler(shadow_depth_unit, samplers.plain.name());
-  gl.BindSampler(sky_atlas_unit, samplers.compare.name());
-}
-
-// Nothing may be read while it is drawn to, and what comes after must not meet these samplers.
-void SceneRenderer::Parts::unbind_light() const {
-  for (unsigned unit = 0; unit < unit_count; ++unit) {
-    gl.BindSampler(unit, 0);
-    gl.ActiveTexture(GL_TEXTURE0 + unit);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
-    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
-  }
-  gl.ActiveTexture(GL_TEXTURE0);
 }
 
 // Blending has to happen in linear light, so marks are encoded by the framebuffer. Everything opaque encodes
@@ -247,16 +183,18 @@ void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& s
   reset_state();
   std::vector<TriangleMesh> balls;
   collect_surfaces(frame, balls);
-  const std::optional<Box> casters = box_around_casters(surfaces);
-  FrameBlock block = make_frame_block(frame, settings, casters);
-  prepare_light(block, casters, frame, settings);
+  FrameBlock block;
+  light.look(block, frame, surfaces, settings);
+  surface_pass.fill(surfaces, light, frame.camera.eye);
+  light.bind();
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
   picture.begin(settings.width_px, settings.height_px);
   if (settings.supersampling > 1) {
     draw_supersampled(block, frame, settings);
   } else {
     draw_whole(block, frame, settings);
   }
-  unbind_light();
+  light.unbind();
   gl.Disable(GL_DEPTH_TEST);
   gl.BindVertexArray(0);
   gl.UseProgram(0);

@@ -33,20 +33,22 @@ SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
       positions(context),
       normals(context),
       scalars(context),
-      decisions(context),
+      key_light(context),
+      sky_light(context),
       materials(context),
       indices(context) {
   gl->BindVertexArray(arrays.name());
   set_attribute(*gl, 0, positions, 3, 3, 0);
   set_attribute(*gl, 1, normals, 3, 3, 0);
   set_attribute(*gl, 2, scalars, 1, 1, 0);
-  set_attribute(*gl, 3, decisions, 1, 1, 0);
+  set_attribute(*gl, 3, key_light, 1, 1, 0);
   set_attribute(*gl, 4, materials, 3, 3, 0);
+  set_attribute(*gl, 5, sky_light, 2, 2, 0);
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
   gl->BindVertexArray(0);
 }
 
-void SurfaceBuffers::fill(const SurfaceView& surface, std::span<const float> decided, const glm::vec3& eye) {
+void SurfaceBuffers::fill(const SurfaceView& surface, const VertexLight& light, const glm::vec3& eye) {
   gl->BindVertexArray(arrays.name());
   upload(*gl, GL_ARRAY_BUFFER, positions, surface.positions);
   upload(*gl, GL_ARRAY_BUFFER, normals, surface.normals);
@@ -59,21 +61,18 @@ void SurfaceBuffers::fill(const SurfaceView& surface, std::span<const float> dec
     });
   }
   upload(*gl, GL_ARRAY_BUFFER, scalars, std::span<const float>(shown));
-  upload(*gl, GL_ARRAY_BUFFER, decisions, decided);
+  upload(*gl, GL_ARRAY_BUFFER, key_light, std::span<const float>(light.key));
+  upload(*gl, GL_ARRAY_BUFFER, sky_light, std::span<const glm::vec2>(light.sky));
   // Any coordinates do where there is no weave, but an array without contents must not be read.
   const bool woven = !surface.material_coordinates.empty();
   upload(*gl, GL_ARRAY_BUFFER, materials, woven ? surface.material_coordinates : surface.positions);
   near_first(surface.positions, surface.triangles, eye, ordered);
-  sort_decided_last(ordered, decided, open, agreed);
+  sort_decided_last(ordered, light.key, open, agreed);
   open_count = static_cast<GLsizei>(open.size());
   open.insert(open.end(), agreed.begin(), agreed.end());
   upload(*gl, GL_ELEMENT_ARRAY_BUFFER, indices, std::span<const std::uint32_t>(open));
   index_count = static_cast<GLsizei>(open.size());
   gl->BindVertexArray(0);
-}
-
-void SurfaceBuffers::draw() const {
-  draw_range(0, index_count);
 }
 
 void SurfaceBuffers::draw_open() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "renderer/frame_view.hpp"
@@ -7,15 +8,19 @@
 
 namespace taut::renderer {
 
+/// What light arrives at each position of a surface.
+struct VertexLight {
+  std::vector<float> key;      ///< 1 in the key light, 0 in its shadow, 0.5 for pixels to find out
+  std::vector<glm::vec2> sky;  ///< of the studio all around; x outside, y inside
+};
+
 /// One surface on the graphics card, filled anew for each frame.
 class SurfaceBuffers {
  public:
   explicit SurfaceBuffers(const GladGLContext& context);
 
-  /// Triangles near `eye` are drawn first, so that little is shaded that is hidden afterwards. `decided` says
-  /// for each position whether the key light reaches it, as KeyDecision does.
-  void fill(const SurfaceView& surface, std::span<const float> decided, const glm::vec3& eye);
-  void draw() const;
+  /// Triangles near `eye` are drawn first, so that little is shaded that is hidden afterwards.
+  void fill(const SurfaceView& surface, const VertexLight& light, const glm::vec3& eye);
   /// The triangles whose pixels have to find out whether they are in the light, and the others.
   void draw_open() const;
   void draw_decided() const;
@@ -28,7 +33,8 @@ class SurfaceBuffers {
   Buffer positions;
   Buffer normals;
   Buffer scalars;
-  Buffer decisions;
+  Buffer key_light;
+  Buffer sky_light;
   Buffer materials;
   Buffer indices;
   GLsizei index_count = 0;

@@ -22,13 +22,12 @@ SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFil
   bind_shared_inputs(open_surface);
 }
 
-void SurfacePass::fill(std::span<const SurfaceView> surfaces, KeyDecision& key_decision,
-                       const glm::vec3& eye) {
+void SurfacePass::fill(std::span<const SurfaceView> surfaces, StudioLight& light, const glm::vec3& eye) {
   while (buffers.size() < surfaces.size()) buffers.emplace_back(*gl);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!surfaces[i].filled) continue;
-    key_decision.decide(surfaces[i], decided);
-    buffers[i].fill(surfaces[i], decided, eye);
+    light.gather(surfaces[i], vertex_light);
+    buffers[i].fill(surfaces[i], vertex_light, eye);
   }
 }
 

@@ -6,8 +6,8 @@
 
 #include "renderer/colour_map_textures.hpp"
 #include "renderer/frame_view.hpp"
-#include "renderer/key_decision.hpp"
 #include "renderer/shader.hpp"
+#include "renderer/studio_light.hpp"
 #include "renderer/surface_buffers.hpp"
 
 namespace taut::renderer {
@@ -18,9 +18,7 @@ class SurfacePass {
   SurfacePass(const GladGLContext& context, std::span<const ShaderFile> files);
 
   /// Hands the surfaces to the graphics card.
-  void fill(std::span<const SurfaceView> surfaces, KeyDecision& key_decision, const glm::vec3& eye);
-  /// What fill() made of the surface of that number.
-  const SurfaceBuffers& buffers_of(std::size_t surface) const { return buffers[surface]; }
+  void fill(std::span<const SurfaceView> surfaces, StudioLight& light, const glm::vec3& eye);
   /// Draws those of the last fill(); the block `Frame` and the light's textures have to be bound.
   void draw(std::span<const SurfaceView> surfaces);
 
@@ -32,7 +30,7 @@ class SurfacePass {
   Program open_surface;
   ColourMapTextures colour_maps;
   std::deque<SurfaceBuffers> buffers;  // one for each surface, kept from frame to frame
-  std::vector<float> decided;          // scratch
+  VertexLight vertex_light;            // scratch
 };
 
 }  // namespace taut::renderer

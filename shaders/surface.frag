@@ -1,6 +1,5 @@
 #version 330 core
 #include "frame.glsl"
-#include "sky.glsl"
 #include "weave.glsl"
 #ifdef SHADED
 #include "shadow.glsl"
@@ -17,6 +16,9 @@ centroid in vec2 sky_light;
 centroid in float decided_shadow;
 in vec3 material;  // not centroid: its derivatives are used
 layout(location = 0) out vec4 colour;  // encoded
+
+// What arrives from all around with nothing in the way, as SkyLight has it.
+float open_sky(vec3 normal) { return 0.75 + 0.25 * normal.y; }
 
 // A lamp with some extent: light reaches a little around the edge of a form.
 float wrapped(float cosine, float wrap) {

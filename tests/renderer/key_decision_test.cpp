@@ -55,8 +55,13 @@ struct TwoSheets {
   }
   std::vector<float> decided() {
     const std::array casters{&frame.surfaces[0], &frame.surfaces[1]};
+    DepthMap map;
+    map.resize(1024);
+    for (const SurfaceView* caster : casters) {
+      map.draw(block.world_to_shadow, caster->positions, caster->triangles);
+    }
     KeyDecision decision;
-    decision.look(casters, block);
+    decision.look(map, block);
     std::vector<float> numbers;
     decision.decide(frame.surfaces[0], numbers);
     return numbers;
@@ -96,7 +101,8 @@ TEST(KeyDecision, CoarseMeshLeavesItToThePixels) {
 TEST(KeyDecision, WithoutCastersEverythingIsInTheLight) {
   TwoSheets scene(4);
   KeyDecision decision;
-  decision.look({}, scene.block);
+  const DepthMap nothing;
+  decision.look(nothing, scene.block);
   std::vector<float> decided;
   decision.decide(scene.frame.surfaces[0], decided);
   for (const float number : decided) EXPECT_EQ(number, 1.0F);

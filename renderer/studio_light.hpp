@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "renderer/depth_map.hpp"
+#include "renderer/frame_block.hpp"
+#include "renderer/gl_objects.hpp"
+#include "renderer/key_decision.hpp"
+#include "renderer/sky_light.hpp"
+#include "renderer/surface_buffers.hpp"
+
+namespace taut::renderer {
+
+/// The light of one frame: what the key light and the studio around it reach. Shaders read it from textures,
+/// vertices are told theirs.
+class StudioLight {
+ public:
+  explicit StudioLight(const GladGLContext& context);
+
+  /// Looks at everything that casts a shadow and completes `block` but for what depends on the tile.
+  void look(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,
+            const PictureSettings& settings);
+  /// What arrives at each vertex of a surface.
+  void gather(const SurfaceView& surface, VertexLight& light);
+
+  void bind() const;
+  /// Nothing may be left of the textures and samplers for whoever draws next.
+  void unbind() const;
+
+ private:
+  void draw_shadow_map(const FrameBlock& block, std::span<const SurfaceView* const> casters, int side_px);
+  void draw_floor_light(const FrameBlock& block);
+
+  const GladGLContext* gl;
+  DepthMap shadow_map;
+  KeyDecision key_decision;
+  SkyLight sky_light;
+  Texture shadow_texture;
+  Texture floor_texture;
+  Sampler compare;  // how much of a neighbourhood is farther than a value
+  Sampler plain;    // the depth itself
+  int allocated_px = 0;
+  MapArea uploaded;                // what the shadow texture holds apart from nothing
+  std::vector<float> floor_light;  // scratch
+};
+
+}  // namespace taut::renderer

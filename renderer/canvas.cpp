@@ -173,6 +173,8 @@ void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle
   cairo_move_to(pen, static_cast<double>(x_px + horizontal_shift(style.horizontal, size)),
                 static_cast<double>(baseline));
   cairo_show_text(pen, std::string(text).c_str());
+  // The end of a text is a point that an arc would be joined to, which some PDF viewers show as a hairline.
+  cairo_new_path(pen);
 }
 
 void Canvas::line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px) {

@@ -17,21 +17,25 @@ Json number_json(const MeasuredNumber& number) {
   return json;
 }
 
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
 Json claim_json(const Claim& claim) {
-  Json json = {{"id", claim.id},
-               {"section", claim.section},
-               {"claim", claim.claim},
-               {"test", claim.test},
-               {"threshold", claim.threshold},
+  const auto& [text, judgement] = claim;
+  Json json = {{"id", text.id},
+               {"section", text.section},
+               {"claim", text.claim},
+               {"test", text.test},
+               {"threshold", text.threshold},
                {"measured", Json::array()},
-               {"verdict", name_of(claim.verdict)},
-               {"remark", claim.remark},
-               {"figure", nullptr}};
-  for (const MeasuredNumber& number : claim.measured) {
+               {"verdict", name_of(judgement.verdict)},
+               {"condition", text_or_null(judgement.condition)},
+               {"finding", judgement.finding},
+               {"remark", text.remark},
+               {"figure", text_or_null(text.figure)}};
+  for (const MeasuredNumber& number : judgement.measured) {
     json["measured"].push_back(number_json(number));
-  }
-  if (!claim.figure.empty()) {
-    json["figure"] = claim.figure;
   }
   return json;
 }

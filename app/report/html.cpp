@@ -37,6 +37,8 @@ table { border-collapse: collapse; margin: .6rem 0; font-size: .95rem; }
 th, td { text-align: left; padding: .2rem 1.4rem .2rem 0; border-bottom: 1px solid #e4e4e4; vertical-align: top; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 p { margin: .5rem 0; }
+a { color: #0059a0; text-decoration-thickness: 1px; text-underline-offset: .15em; }
+tr.holds b { color: #0059a0; } tr.condition b { color: #8a5a00; } tr.fails b { color: #b03a00; }
 </style>
 </head>
 <body>
@@ -65,13 +67,6 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string number_text(const MeasuredNumber& number) {
-  if (!std::isfinite(number.value)) {
-    return "diverged";
-  }
-  return fmt::format("{:.{}g}{}{}", number.value, number.digits, number.unit.empty() ? "" : " ", number.unit);
-}
-
 const char* class_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::holds:
@@ -86,30 +81,36 @@ const char* class_of(Verdict verdict) {
 
 std::string summary_html(std::span<const Claim> claims) {
   std::string html = "<table>\n<tr><th>claim</th><th>section</th><th>verdict</th></tr>\n";
-  for (const Claim& claim : claims) {
-    html += fmt::format("<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td><td>{}</td><td>{}</td></tr>\n",
-                        class_of(claim.verdict), claim.id, escaped(claim.claim), escaped(claim.section),
-                        name_of(claim.verdict));
+  for (const auto& [text, judgement] : claims) {
+    html +=
+        fmt::format("<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td><td>{}</td><td><b>{}</b>{}</td></tr>\n",
+                    class_of(judgement.verdict), text.id, escaped(text.claim), escaped(text.section),
+                    name_of(judgement.verdict),
+                    judgement.condition.empty()
+                        ? ""
+                        : ":<br><span class=\"small\">" + escaped(judgement.condition) + "</span>");
   }
   return html + "</table>\n";
 }
 
 std::string claim_html(const Claim& claim) {
+  const auto& [text, judgement] = claim;
   std::string html = fmt::format("<section class=\"claim {}\" id=\"{}\">\n<h3>{}</h3>\n",
-                                 class_of(claim.verdict), claim.id, escaped(claim.claim));
-  html += fmt::format("<p><span class=\"verdict\">{}</span> <span class=\"small\">section {} of the paper",
-                      name_of(claim.verdict), escaped(claim.section));
-  if (!claim.figure.empty()) {
-    html += fmt::format("; see <a href=\"#{0}\">{0}</a>", claim.figure);
-  }
+                                 class_of(judgement.verdict), text.id, escaped(text.claim));
   html +=
-      fmt::format("</span></p>\n<p>{}</p>\n<p>{}</p>\n<table>\n", escaped(claim.remark), escaped(claim.test));
-  for (const MeasuredNumber& number : claim.measured) {
+      fmt::format("<p><span class=\"verdict\">{}</span> {} <span class=\"small\">(section {} of the paper",
+                  name_of(judgement.verdict), escaped(judgement.condition), escaped(text.section));
+  if (!text.figure.empty()) {
+    html += fmt::format("; see <a href=\"#{0}\">{0}</a>", text.figure);
+  }
+  html += fmt::format(")</span></p>\n<p>{}</p>\n<p class=\"small\">Test: {}</p>\n<table>\n",
+                      escaped(judgement.finding), escaped(text.test));
+  for (const MeasuredNumber& number : judgement.measured) {
     html += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td></tr>\n", escaped(number.name),
                         number_text(number));
   }
-  return html + fmt::format("</table>\n<p class=\"small\">Judged by: {}.</p>\n</section>\n",
-                            escaped(claim.threshold));
+  return html + fmt::format("</table>\n<p class=\"small\">Judged by: {}.</p>\n<p>{}</p>\n</section>\n",
+                            escaped(text.threshold), escaped(text.remark));
 }
 
 std::string figure_html(const DrawnFigure& figure) {

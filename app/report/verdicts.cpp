@@ -9,8 +9,8 @@ bool all_within(std::span<const double> values, double bound) {
   return std::all_of(values.begin(), values.end(), [&](double value) { return value <= bound; });
 }
 
-bool vibrates(const std::optional<double>& speed_m_per_s) {
-  return !speed_m_per_s || *speed_m_per_s > vibration_m_per_s;
+bool vibrates(double speed_m_per_s) {
+  return !(speed_m_per_s <= vibration_m_per_s);
 }
 
 }  // namespace
@@ -27,14 +27,17 @@ const char* name_of(Verdict verdict) {
   return "";
 }
 
-Verdict judge_stretch_bound(double grid_stretch, std::span<const double> shirt_stretch_few_sweeps,
-                            double shirt_stretch_short_steps) {
-  const bool grid_holds = grid_stretch <= stretch_bound;
-  const bool short_steps_hold = shirt_stretch_short_steps <= stretch_bound;
-  if (!grid_holds || !short_steps_hold) {
-    return Verdict::does_not_hold;
+Verdict judge_stretch_bound(std::span<const StretchNumbers> kept, std::span<const double> few_sweeps) {
+  const auto all_keep = [&](double at_end, double on_the_way) {
+    return std::all_of(kept.begin(), kept.end(), [=](const StretchNumbers& run) {
+      return run.at_end <= at_end && run.on_the_way <= on_the_way;
+    });
+  };
+  if (all_keep(stretch_bound, stretch_bound) && all_within(few_sweeps, stretch_bound)) {
+    return Verdict::holds;
   }
-  return all_within(shirt_stretch_few_sweeps, stretch_bound) ? Verdict::holds : Verdict::holds_with_condition;
+  return all_keep(stretch_bound, 2.0 * stretch_bound) ? Verdict::holds_with_condition
+                                                      : Verdict::does_not_hold;
 }
 
 Verdict judge_convergence(double peak_m, double last_m, bool came_to_rest) {
@@ -81,7 +84,7 @@ Verdict judge_threshold_vibrates(const UnrestNumbers& threshold, const UnrestNum
 }
 
 Verdict judge_ideal_overstretches(double ideal_stretch, double strong_stretch) {
-  return ideal_stretch > stretch_bound && strong_stretch <= stretch_bound ? Verdict::holds
+  return ideal_stretch > stretch_bound && strong_stretch <= stretch_bound ? Verdict::holds_with_condition
                                                                           : Verdict::does_not_hold;
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 namespace taut::app {
@@ -25,10 +24,16 @@ inline constexpr double vibration_m_per_s = 0.01;
 /// Exponents of growth up to this are called "in proportion": timing leaves about so much in doubt.
 inline constexpr double proportional_exponent = 1.2;
 
-/// Holds where every run stays within the bound; with a condition where the cloth of figure 4 and the shirt
-/// with many short steps do, whatever becomes of the shirt with few sweeps.
-Verdict judge_stretch_bound(double grid_stretch, std::span<const double> shirt_stretch_few_sweeps,
-                            double shirt_stretch_short_steps);
+/// The largest stretch of a run's last frame and of all its frames.
+struct StretchNumbers {
+  double at_end = 0.0;
+  double on_the_way = 0.0;
+};
+
+/// `kept` are the runs with settings that are to keep the bound: the cloth of figure 4 and the shirt with
+/// short steps. Holds where they do in every frame and runs with few sweeps do as well; with a condition
+/// where they do at the end and never go beyond twice the bound, whatever becomes of those with few sweeps.
+Verdict judge_stretch_bound(std::span<const StretchNumbers> kept, std::span<const double> few_sweeps);
 
 /// Holds where the cloth came to rest or moves by less than a thousandth of its peak; with a condition below
 /// a tenth.
@@ -56,17 +61,17 @@ struct MappingNumbers {
 };
 Verdict judge_mapping(std::span<const MappingNumbers> models);
 
-/// Unrest of the threshold method and of the strong constraint with the short and with the long step; nothing
-/// for a run that diverged, which counts as vibrating. Holds where the threshold vibrates with both steps and
-/// the strong constraint with none; with a condition where it is so with one of the steps.
+/// Unrest of the threshold method and of the strong constraint with the short and with the long step; not
+/// finite for a run that diverged, which counts as vibrating. Holds where the threshold vibrates with both
+/// steps and the strong constraint with none; with a condition where it is so with one of the steps.
 struct UnrestNumbers {
-  std::optional<double> short_step_m_per_s;
-  std::optional<double> long_step_m_per_s;
+  double short_step_m_per_s = 0.0;
+  double long_step_m_per_s = 0.0;
 };
 Verdict judge_threshold_vibrates(const UnrestNumbers& threshold, const UnrestNumbers& strong);
 
-/// Ideal springs and the strong constraint on the same cloth. Holds where the first exceed the bound and the
-/// second does not.
+/// Ideal springs and the strong constraint on the same cloth. With a condition where the first exceed the
+/// bound and the second does not: how far they stretch is a matter of the stiffness that was chosen.
 Verdict judge_ideal_overstretches(double ideal_stretch, double strong_stretch);
 
 }  // namespace taut::app

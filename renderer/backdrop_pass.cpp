@@ -54,10 +54,7 @@ BackdropPass::BackdropPass(const GladGLContext& context, std::span<const ShaderF
       floor_depth(context, files, "ground.vert", "depth.frag"),
       map(context),
       map_framebuffer(context),
-      no_arrays(context) {
-  for (const Program* program : {&coarse, &stretched, &shaded_part, &floor_depth})
-    bind_shared_inputs(*program);
-}
+      no_arrays(context) {}
 
 void BackdropPass::draw_map(const FrameBlock& block, const glm::mat4& clip_to_direction, bool floor) {
   const int texel = texel_px(static_cast<int>(block.viewport.y));
@@ -76,13 +73,13 @@ void BackdropPass::draw_map(const FrameBlock& block, const glm::mat4& clip_to_di
   }
   gl->BindFramebuffer(GL_FRAMEBUFFER, map_framebuffer.name());
   gl->Viewport(0, 0, map_px.x, map_px.y);
-  coarse.use();
-  coarse.set("clip_to_direction", clip_to_direction);
-  coarse.set("coarse", glm::vec4{static_cast<float>(texel), floor ? 1.0F : 0.0F, 0.0F, 0.0F});
+  const Program& program = coarse.use();
+  program.set("clip_to_direction", clip_to_direction);
+  program.set("coarse", glm::vec4{static_cast<float>(texel), floor ? 1.0F : 0.0F, 0.0F, 0.0F});
   gl->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void BackdropPass::draw_shaded_floor(const FrameBlock& block) const {
+void BackdropPass::draw_shaded_floor(const FrameBlock& block) {
   const PixelRect part = shaded_floor(block);
   if (part.width_px <= 0 || part.height_px <= 0) return;
   gl->Enable(GL_SCISSOR_TEST);
@@ -92,7 +89,7 @@ void BackdropPass::draw_shaded_floor(const FrameBlock& block) const {
   gl->Disable(GL_SCISSOR_TEST);
 }
 
-void BackdropPass::draw_floor_depth() const {
+void BackdropPass::draw_floor_depth() {
   // Behind cloth that lies on it.
   gl->Enable(GL_POLYGON_OFFSET_FILL);
   gl->PolygonOffset(2.0F, 8.0F);
@@ -113,9 +110,9 @@ void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, const glm::
   const glm::ivec2 size_px{block.viewport};
   gl->Viewport(0, 0, size_px.x, size_px.y);
   bind_texture(*gl, backdrop_map_unit, GL_TEXTURE_2D, map);
-  stretched.use();
+  const Program& program = stretched.use();
   const glm::vec2 to_texture = 1.0F / glm::vec2{map_px * texel_px(size_px.y)};
-  stretched.set("coarse", glm::vec4{0.0F, 0.0F, to_texture});
+  program.set("coarse", glm::vec4{0.0F, 0.0F, to_texture});
   gl->DrawArrays(GL_TRIANGLES, 0, 3);
   if (floor) draw_shaded_floor(block);
   gl->Enable(GL_DEPTH_TEST);

@@ -2,7 +2,7 @@
 
 #include "renderer/frame_block.hpp"
 #include "renderer/gl_objects.hpp"
-#include "renderer/shader.hpp"
+#include "renderer/lazy_program.hpp"
 
 namespace taut::renderer {
 
@@ -27,17 +27,17 @@ class BackdropPass {
   void draw(GLuint framebuffer, const FrameBlock& block, const glm::mat4& clip_to_direction, bool floor);
 
   /// Draws the floor's depth alone, so that it hides what is below it.
-  void draw_floor_depth() const;
+  void draw_floor_depth();
 
  private:
   void draw_map(const FrameBlock& block, const glm::mat4& clip_to_direction, bool floor);
-  void draw_shaded_floor(const FrameBlock& block) const;
+  void draw_shaded_floor(const FrameBlock& block);
 
   const GladGLContext* gl;
-  Program coarse;
-  Program stretched;
-  Program shaded_part;
-  Program floor_depth;
+  LazyProgram coarse;
+  LazyProgram stretched;
+  LazyProgram shaded_part;
+  LazyProgram floor_depth;
   Texture map;
   Framebuffer map_framebuffer;
   VertexArray no_arrays;

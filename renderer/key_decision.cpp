@@ -14,7 +14,10 @@ constexpr int taps = 24;
 // Farther around than this share of the map, taps may step over a shadow: the pixels have to look.
 constexpr float widest = 0.05F;
 // A surface seen this flat by the light hides itself in the map; sine of the angle.
-constexpr float flattest = 0.3F;
+constexpr float flattest = 0.1F;
+// Radius of the narrowest blur of a shadow, texels of its map, and as much again for the lift off the
+// surface.
+constexpr float sharpest_texels = 4.0F;
 // Of the map, as a share of its depth.
 constexpr float depth_allowance = 1.5F / 1024.0F;
 // Spots on the surface's own plane are not in its way, nor is what bends this much out of it.
@@ -52,6 +55,8 @@ void KeyDecision::look(const DepthMap& casters, const FrameBlock& block) {
   world_to_map = block.world_to_shadow;
   towards_key = glm::vec3{block.towards_key};
   softness_m = widest_penumbra_texels * block.shadow.x;
+  sharpest_m = sharpest_texels * block.shadow.x;
+  tangent = block.shadow.w;
 }
 
 void KeyDecision::decide(const SurfaceView& surface, std::vector<float>& decided) {
@@ -63,23 +68,37 @@ void KeyDecision::decide(const SurfaceView& surface, std::vector<float>& decided
   }
 }
 
-float KeyDecision::decide_vertex(const glm::vec3& position, const glm::vec3& normal, float reach_m) const {
+KeyDecision::Blockers KeyDecision::look_around(const glm::vec3& place, const glm::vec2& slope,
+                                               float radius) const {
   static const std::array<glm::vec2, taps> spots = disc();
+  const float allowance = (depth_allowance + bend * radius) * (1.0F + 0.5F * glm::length(slope));
+  Blockers found;
+  for (const glm::vec2& spot : spots) {
+    const glm::vec2 offset = radius * spot;
+    const float gap = place.z + glm::dot(slope, offset) - map->depth_at(glm::vec2{place} + offset);
+    found.count += gap > allowance ? 1 : 0;
+    found.widest_gap = std::max(found.widest_gap, gap);
+  }
+  return found;
+}
+
+float KeyDecision::decide_vertex(const glm::vec3& position, const glm::vec3& normal, float reach_m) const {
   const float radius = (softness_m + reach_m) / side_m;
   const glm::vec3 facing = glm::dot(normal, towards_key) >= 0.0F ? normal : -normal;
   const glm::vec3 across = glm::mat3{world_to_map} * facing;
   if (radius > widest || across.z > -flattest * glm::length(across)) return 0.5F;
   const glm::vec3 place{world_to_map * glm::vec4{position, 1.0F}};
   const glm::vec2 slope = -glm::vec2{across} / across.z;
-  const float allowance = depth_allowance + bend * radius;
-  int blockers = 0;
-  for (const glm::vec2& spot : spots) {
-    const glm::vec2 offset = radius * spot;
-    const float own_depth = place.z + glm::dot(slope, offset);
-    blockers += map->depth_at(glm::vec2{place} + offset) < own_depth - allowance ? 1 : 0;
-  }
-  if (blockers == 0) return 1.0F;
-  return blockers == taps ? 0.0F : 0.5F;
+  const Blockers around = look_around(place, slope, radius);
+  if (around.count == 0) return 1.0F;
+  if (around.count == taps) return 0.0F;
+  // What is close in front throws a sharp shadow: only what is near enough to the vertex can reach its
+  // triangles.
+  const float penumbra_m = std::max(around.widest_gap * side_m * tangent, sharpest_m);
+  if (penumbra_m >= softness_m) return 0.5F;
+  const Blockers near = look_around(place, slope, (penumbra_m + reach_m) / side_m);
+  if (near.count == 0) return 1.0F;
+  return near.count == taps ? 0.0F : 0.5F;
 }
 
 }  // namespace taut::renderer

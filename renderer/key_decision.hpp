@@ -20,13 +20,21 @@ class KeyDecision {
   void decide(const SurfaceView& surface, std::vector<float>& decided);
 
  private:
+  // What stands between a disc of the surface's plane and the light.
+  struct Blockers {
+    int count = 0;
+    float widest_gap = 0.0F;  // share of the map's depth
+  };
+  Blockers look_around(const glm::vec3& place, const glm::vec2& slope, float radius) const;
   float decide_vertex(const glm::vec3& position, const glm::vec3& normal, float reach_m) const;
 
   const DepthMap* map = nullptr;
   glm::mat4 world_to_map{1.0F};
   glm::vec3 towards_key{0.0F};
-  float side_m = 0.0F;  // 0: nothing casts a shadow
-  float softness_m = 0.0F;
+  float side_m = 0.0F;           // 0: nothing casts a shadow
+  float softness_m = 0.0F;       // widest blur
+  float sharpest_m = 0.0F;       // narrowest blur
+  float tangent = 0.0F;          // of the light's angular radius
   std::vector<float> reaches_m;  // scratch
 };
 

@@ -21,8 +21,6 @@ LayerTarget::LayerTarget(const GladGLContext& context, std::span<const ShaderFil
       behind(context),
       drawn(context) {
   gl->GetIntegerv(GL_MAX_SAMPLES, &most_samples);
-  bind_shared_inputs(resolve_one);
-  bind_shared_inputs(resolve_many);
   gl->BindTexture(GL_TEXTURE_2D, behind.name());
   gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   gl->BindTexture(GL_TEXTURE_2D, 0);
@@ -84,8 +82,7 @@ void LayerTarget::resolve(GLuint picture, const Tile& tile, int picture_height_p
   gl->BindFramebuffer(GL_FRAMEBUFFER, picture);
   gl->Viewport(tile.x_px, bottom_px, tile.width_px, tile.height_px);
   bind_texture(*gl, drawn_unit, many ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, *colour);
-  const Program& program = many ? resolve_many : resolve_one;
-  program.use();
+  const Program& program = (many ? resolve_many : resolve_one).use();
   program.set("resolve", glm::ivec4{drawn_samples, supersampling, tile.x_px, bottom_px});
   gl->Disable(GL_DEPTH_TEST);
   gl->BindVertexArray(no_arrays.name());

@@ -5,7 +5,7 @@
 
 #include "renderer/frame_block.hpp"
 #include "renderer/gl_objects.hpp"
-#include "renderer/shader.hpp"
+#include "renderer/lazy_program.hpp"
 
 namespace taut::renderer {
 
@@ -32,8 +32,8 @@ class LayerTarget {
   void copy_behind(GLuint picture, const Tile& tile, int bottom_px);
 
   const GladGLContext* gl;
-  Program resolve_one;
-  Program resolve_many;
+  LazyProgram resolve_one;
+  LazyProgram resolve_many;
   VertexArray no_arrays;
   std::optional<Texture> colour;
   std::optional<Renderbuffer> depth;

@@ -45,8 +45,6 @@ MarkPass::MarkPass(const GladGLContext& context, std::span<const ShaderFile> fil
     set_attribute(*gl, static_cast<GLuint>(i), point_buffer, 3, point_floats, 3 * i, 1);
   }
   gl->BindVertexArray(0);
-  bind_shared_inputs(line);
-  bind_shared_inputs(point);
 }
 
 void MarkPass::draw_wireframe(std::span<const glm::vec3> positions, const Wireframe& wireframe) {
@@ -73,8 +71,7 @@ void MarkPass::draw_segments(float width_px, float opacity) {
   if (segments.empty()) return;
   gl->BindVertexArray(line_arrays.name());
   upload(*gl, GL_ARRAY_BUFFER, line_buffer, std::span<const Segment>(segments));
-  line.use();
-  line.set("mark", glm::vec4{width_px, opacity, lift, 0.0F});
+  line.use().set("mark", glm::vec4{width_px, opacity, lift, 0.0F});
   gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(segments.size()));
 }
 
@@ -87,8 +84,7 @@ void MarkPass::draw_points(const PointView& points) {
   set_depth_test(*gl, points.hidden_by_surfaces);
   gl->BindVertexArray(point_arrays.name());
   upload(*gl, GL_ARRAY_BUFFER, point_buffer, std::span<const Point>(marks));
-  point.use();
-  point.set("mark", glm::vec4{points.diameter_px, 1.0F, point_lift, 0.0F});
+  point.use().set("mark", glm::vec4{points.diameter_px, 1.0F, point_lift, 0.0F});
   gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(marks.size()));
 }
 

@@ -5,7 +5,7 @@
 
 #include "renderer/frame_view.hpp"
 #include "renderer/gl_objects.hpp"
-#include "renderer/shader.hpp"
+#include "renderer/lazy_program.hpp"
 
 namespace taut::renderer {
 
@@ -33,8 +33,8 @@ class MarkPass {
   void draw_segments(float width_px, float opacity);
 
   const GladGLContext* gl;
-  Program line;
-  Program point;
+  LazyProgram line;
+  LazyProgram point;
   VertexArray line_arrays;
   Buffer line_buffer;
   VertexArray point_arrays;

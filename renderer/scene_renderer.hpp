@@ -12,7 +12,7 @@ namespace taut::renderer {
 /// sequence. The same frame and settings give the same bytes.
 class SceneRenderer {
  public:
-  /// Compiles the shaders. The context has to outlive the renderer. Throws ShaderError or ContextError.
+  /// The context has to outlive the renderer. Throws ContextError.
   explicit SceneRenderer(Context& context);
   ~SceneRenderer();
   SceneRenderer(const SceneRenderer&) = delete;

@@ -9,18 +9,19 @@ namespace taut::renderer {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> shaded{"SHADED"};
+constexpr std::array<std::string_view, 1> open{"OPEN"};
+constexpr std::array<std::string_view, 1> data{"DATA"};
+constexpr std::array<std::string_view, 2> data_open{"DATA", "OPEN"};
 
 }  // namespace
 
 SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFile> files)
     : gl(&context),
-      decided_surface(context, files, "surface.vert", "surface.frag"),
-      open_surface(context, files, "surface.vert", "surface.frag", shaded),
-      colour_maps(context) {
-  bind_shared_inputs(decided_surface);
-  bind_shared_inputs(open_surface);
-}
+      decided_cloth(context, files, "surface.vert", "surface.frag"),
+      open_cloth(context, files, "surface.vert", "surface.frag", open),
+      decided_data(context, files, "surface.vert", "surface.frag", data),
+      open_data(context, files, "surface.vert", "surface.frag", data_open),
+      colour_maps(context) {}
 
 void SurfacePass::fill(std::span<const SurfaceView> surfaces, StudioLight& light, const glm::vec3& eye) {
   while (buffers.size() < surfaces.size()) buffers.emplace_back(*gl);
@@ -31,14 +32,27 @@ void SurfacePass::fill(std::span<const SurfaceView> surfaces, StudioLight& light
   }
 }
 
-void SurfacePass::use(const Program& program, const SurfaceView& view) const {
-  program.use();
-  program.set("outside_colour", linear_light(view.style.outside_colour));
-  program.set("inside_colour", linear_light(view.style.inside_colour));
-  program.set("finish", glm::vec4{std::clamp(view.style.roughness, 0.05F, 1.0F), view.style.sheen,
-                                  view.style.translucency, view.scalars ? 1.0F : 0.0F});
-  const bool woven = !view.material_coordinates.empty() && !view.scalars;
-  program.set("weave", glm::vec4{woven ? view.style.weave : 0.0F, 0.0F, 0.0F, 0.0F});
+void SurfacePass::draw_cloth(std::size_t surface, const SurfaceView& view) {
+  const auto set_looks = [&](const Program& program) {
+    program.set("outside_colour", linear_light(view.style.outside_colour));
+    program.set("inside_colour", linear_light(view.style.inside_colour));
+    const float weave = view.material_coordinates.empty() ? 0.0F : view.style.weave;
+    program.set("finish", glm::vec4{std::clamp(view.style.roughness, 0.05F, 1.0F), view.style.sheen,
+                                    view.style.translucency, weave});
+  };
+  set_looks(decided_cloth.use());
+  buffers[surface].draw_decided();
+  set_looks(open_cloth.use());
+  buffers[surface].draw_open();
+}
+
+void SurfacePass::draw_data(std::size_t surface, const SurfaceView& view) {
+  bind_texture(*gl, scalar_map_unit, GL_TEXTURE_2D, colour_maps.get(view.scalars->map));
+  const glm::vec4 finish{1.0F, view.style.sheen, view.style.translucency, 0.0F};
+  decided_data.use().set("finish", finish);
+  buffers[surface].draw_decided();
+  open_data.use().set("finish", finish);
+  buffers[surface].draw_open();
 }
 
 void SurfacePass::draw(std::span<const SurfaceView> surfaces) {
@@ -46,14 +60,12 @@ void SurfacePass::draw(std::span<const SurfaceView> surfaces) {
   gl->Enable(GL_POLYGON_OFFSET_FILL);
   gl->PolygonOffset(1.5F, 4.0F);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const SurfaceView& view = surfaces[i];
-    if (!view.filled) continue;
-    bind_texture(*gl, scalar_map_unit, GL_TEXTURE_2D,
-                 colour_maps.get(view.scalars ? view.scalars->map : ColourMap::viridis));
-    use(decided_surface, view);
-    buffers[i].draw_decided();
-    use(open_surface, view);
-    buffers[i].draw_open();
+    if (!surfaces[i].filled) continue;
+    if (surfaces[i].scalars) {
+      draw_data(i, surfaces[i]);
+    } else {
+      draw_cloth(i, surfaces[i]);
+    }
   }
   gl->Disable(GL_POLYGON_OFFSET_FILL);
 }

@@ -6,7 +6,7 @@
 
 #include "renderer/colour_map_textures.hpp"
 #include "renderer/frame_view.hpp"
-#include "renderer/shader.hpp"
+#include "renderer/lazy_program.hpp"
 #include "renderer/studio_light.hpp"
 #include "renderer/surface_buffers.hpp"
 
@@ -23,11 +23,14 @@ class SurfacePass {
   void draw(std::span<const SurfaceView> surfaces);
 
  private:
-  void use(const Program& program, const SurfaceView& view) const;
+  void draw_cloth(std::size_t surface, const SurfaceView& view);
+  void draw_data(std::size_t surface, const SurfaceView& view);
 
   const GladGLContext* gl;
-  Program decided_surface;
-  Program open_surface;
+  LazyProgram decided_cloth;
+  LazyProgram open_cloth;
+  LazyProgram decided_data;
+  LazyProgram open_data;
   ColourMapTextures colour_maps;
   std::deque<SurfaceBuffers> buffers;  // one for each surface, kept from frame to frame
   VertexLight vertex_light;            // scratch

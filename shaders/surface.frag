@@ -1,13 +1,12 @@
 #version 330 core
 #include "frame.glsl"
 #include "weave.glsl"
-#ifdef SHADED
+#ifdef OPEN
 #include "shadow.glsl"
 #endif
 uniform vec3 outside_colour;   // linear
 uniform vec3 inside_colour;    // linear
-uniform vec4 finish;           // x: roughness, y: sheen, z: translucency, w: 1 to show the scalar
-uniform vec4 weave;            // x: strength
+uniform vec4 finish;           // x: roughness, y: sheen, z: translucency, w: strength of the weave
 uniform sampler2D scalar_map;
 centroid in vec3 world;
 centroid in vec3 world_normal;
@@ -44,7 +43,7 @@ struct Light {
 
 Light gathered(vec3 normal, vec3 towards_eye, float open) {
   float key_cosine = dot(normal, towards_key.xyz);
-#ifdef SHADED
+#ifdef OPEN
   float key_light = towards_key.w * key_visibility(world, key_cosine >= 0.0 ? normal : -normal);
 #else
   float key_light = towards_key.w * step(0.5, decided_shadow);
@@ -81,10 +80,14 @@ void main() {
   // Near a silhouette an interpolated normal can turn away from the eye; it is brought back to grazing.
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
   Light light = gathered(normal, towards_eye, gl_FrontFacing ? sky_light.x : sky_light.y);
-  vec3 base = gl_FrontFacing ? outside_colour : inside_colour;
-  vec3 cloth = base * light.diffuse * weave_brightness(material, weave.x) + mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
+#ifdef DATA
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
   // A dark colour cannot show form by getting darker, so a little light from the edges is added.
-  vec3 data = data_colour() * mix(1.0, light.diffuse / 1.15, 0.5) + vec3(0.1 * light.fringe);
-  colour = vec4(linear_to_srgb_fast(tone_mapped(finish.w > 0.5 ? data : cloth)), 1.0);
+  vec3 seen = data_colour() * mix(1.0, light.diffuse / 1.15, 0.5) + vec3(0.1 * light.fringe);
+#else
+  vec3 base = gl_FrontFacing ? outside_colour : inside_colour;
+  vec3 seen = base * light.diffuse * weave_brightness(material, finish.w) +
+              mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
+#endif
+  colour = vec4(linear_to_srgb_fast(tone_mapped(seen)), 1.0);
 }

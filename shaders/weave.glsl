@@ -23,11 +23,17 @@ float weave_brightness(vec3 material, float strength) {
   // Three planes, each where the material faces it: jersey has no direction that a garment's rest shape would tell.
   vec3 facing = cross(across, down);
   vec3 share = facing * facing / max(dot(facing, facing), 1e-30);
-  vec3 thread = fade(stitches_per_m * extent) * wave(stitches_per_m * material);
-  vec3 half_thread = fade(stitches_per_m * extent) * wave(stitches_per_m * material + 0.5);
-  float knit = share.z * stitches(thread.x, half_thread.x, thread.y) +
-               share.x * stitches(thread.z, half_thread.z, thread.y) +
-               share.y * stitches(thread.x, half_thread.x, thread.z);
+  vec3 thread_share = fade(stitches_per_m * extent);
+  float knit = 0.0;
+  // A loop, because a software rasteriser ends one early and skips no branch.
+  bool threads_show = max(thread_share.x, max(thread_share.y, thread_share.z)) > 0.0;
+  for (int i = 0; i < (threads_show ? 1 : 0); ++i) {
+    vec3 thread = thread_share * wave(stitches_per_m * material);
+    vec3 half_thread = thread_share * wave(stitches_per_m * material + 0.5);
+    knit = share.z * stitches(thread.x, half_thread.x, thread.y) +
+           share.x * stitches(thread.z, half_thread.z, thread.y) +
+           share.y * stitches(thread.x, half_thread.x, thread.z);
+  }
   // Directions and lengths without a common measure, so that no pattern is seen to repeat.
   const mat3 first = mat3(61.0, 97.0, -43.0, 89.0, -37.0, 71.0, -53.0, 47.0, 101.0);
   const mat3 second = mat3(-83.0, 59.0, 107.0, 67.0, 103.0, 29.0, 41.0, -79.0, 73.0);

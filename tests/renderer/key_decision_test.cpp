@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "renderer/backdrop_pass.hpp"
 
 namespace taut::renderer {
@@ -41,11 +43,11 @@ struct Grid {
 // A small sheet above a large one, lit from straight above.
 struct TwoSheets {
   Grid low;
-  Grid high{8, 0.4F, 0.3F};
+  Grid high;
   FrameView frame;
   FrameBlock block;
 
-  explicit TwoSheets(int cells) : low(cells, 1.0F, 0.0F) {
+  explicit TwoSheets(int cells, float gap_m = 0.3F) : low(cells, 1.0F, 0.0F), high(8, 0.4F, gap_m) {
     frame.surfaces = {low.view(), high.view()};
     frame.lighting.towards_key = {0, 1, 0};
     frame.ground_height_m = -0.2F;
@@ -90,6 +92,18 @@ TEST(KeyDecision, FineMeshKnowsLightShadowAndTheirEdge) {
   }
   EXPECT_GT(dark, 100);
   EXPECT_LT(open, 700);
+}
+
+// What is close above throws a sharp shadow, which reaches less far.
+TEST(KeyDecision, FewerVerticesAreOpenWhereTheShadowIsSharp) {
+  const auto open_among = [](const std::vector<float>& decided) {
+    return std::count(decided.begin(), decided.end(), 0.5F);
+  };
+  TwoSheets close(100, 0.02F);
+  TwoSheets apart(100, 0.3F);
+  const auto sharp = open_among(close.decided());
+  EXPECT_GT(sharp, 100);
+  EXPECT_LT(sharp, 0.8 * static_cast<double>(open_among(apart.decided())));
 }
 
 // The shadow lies between the vertices, where they cannot see it.

@@ -2,10 +2,20 @@
 
 namespace taut::renderer {
 
+namespace {
+
+// A few large ones need a round outline, many small ones need to be cheap: a row of pins has more triangles
+// than the garment it holds.
+int segments_of_each(std::size_t count) {
+  if (count <= 8) return 64;
+  return count <= 24 ? 20 : 12;
+}
+
+}  // namespace
+
 TriangleMesh merged_spheres(const SphereView& spheres) {
-  // A few large ones need a round outline, many small ones need to be cheap.
   const TriangleMesh one =
-      make_sphere(glm::vec3{0.0F}, spheres.radius_m, spheres.centres.size() > 8 ? 20 : 64);
+      make_sphere(glm::vec3{0.0F}, spheres.radius_m, segments_of_each(spheres.centres.size()));
   TriangleMesh all;
   for (const glm::vec3& centre : spheres.centres) {
     const auto first = static_cast<std::uint32_t>(all.positions.size());

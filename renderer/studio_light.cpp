@@ -1,6 +1,6 @@
 #include "renderer/studio_light.hpp"
 
-#include <array>
+#include <future>
 #include <glm/common.hpp>
 
 #include "renderer/bindings.hpp"
@@ -67,9 +67,13 @@ void StudioLight::look(FrameBlock& block, const FrameView& frame, std::span<cons
   block = make_frame_block(frame, settings, box);
   if (!settings.shadows) casters.clear();
   set_shadow_bounds(block, casters);
-  draw_shadow_map(block, casters, settings.shadow_map_px);
-  key_decision.look(shadow_map, block);
+  // The two look at the same casters and share nothing else.
+  std::future<void> shadows =
+      std::async(std::launch::async, [&] { draw_shadow_map(block, casters, settings.shadow_map_px); });
   sky_light.look(casters, casters.empty() ? std::nullopt : box, settings.sky_directions);
+  shadows.get();
+  upload_shadow_map();
+  key_decision.look(shadow_map, block);
   if (frame.ground_height_m && !frame.backdrop.plain) draw_floor_light(block);
 }
 
@@ -85,8 +89,11 @@ void StudioLight::draw_shadow_map(const FrameBlock& block, std::span<const Surfa
   for (const SurfaceView* caster : casters) {
     shadow_map.draw(block.world_to_shadow, caster->positions, caster->triangles);
   }
-  gl->ActiveTexture(GL_TEXTURE0 + shadow_depth_unit);
-  gl->BindTexture(GL_TEXTURE_2D, shadow_texture.name());
+}
+
+void StudioLight::upload_shadow_map() {
+  const int side_px = shadow_map.side_px();
+  bind_texture(*gl, shadow_depth_unit, GL_TEXTURE_2D, shadow_texture);
   if (allocated_px != side_px) {
     gl->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, side_px, side_px, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
                    nullptr);
@@ -107,8 +114,7 @@ void StudioLight::draw_shadow_map(const FrameBlock& block, std::span<const Surfa
 
 void StudioLight::draw_floor_light(const FrameBlock& block) {
   sky_light.gather_floor(block.ground_light_area, block.ground.y, floor_light);
-  gl->ActiveTexture(GL_TEXTURE0 + ground_light_unit);
-  gl->BindTexture(GL_TEXTURE_2D, floor_texture.name());
+  bind_texture(*gl, ground_light_unit, GL_TEXTURE_2D, floor_texture);
   gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R16F, SkyLight::floor_px, SkyLight::floor_px, 0, GL_RED, GL_FLOAT,
                  floor_light.data());
 }

@@ -31,6 +31,7 @@ class StudioLight {
 
  private:
   void draw_shadow_map(const FrameBlock& block, std::span<const SurfaceView* const> casters, int side_px);
+  void upload_shadow_map();
   void draw_floor_light(const FrameBlock& block);
 
   const GladGLContext* gl;

@@ -185,7 +185,7 @@ void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& s
   collect_surfaces(frame, balls);
   FrameBlock block;
   light.look(block, frame, surfaces, settings);
-  surface_pass.fill(surfaces, light, frame.camera.eye);
+  surface_pass.fill(surfaces, light);
   light.bind();
   gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
   picture.begin(settings.width_px, settings.height_px);

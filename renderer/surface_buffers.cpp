@@ -4,8 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "renderer/near_first.hpp"
-
 namespace taut::renderer {
 
 namespace {
@@ -48,7 +46,7 @@ SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
   gl->BindVertexArray(0);
 }
 
-void SurfaceBuffers::fill(const SurfaceView& surface, const VertexLight& light, const glm::vec3& eye) {
+void SurfaceBuffers::fill(const SurfaceView& surface, const VertexLight& light) {
   gl->BindVertexArray(arrays.name());
   upload(*gl, GL_ARRAY_BUFFER, positions, surface.positions);
   upload(*gl, GL_ARRAY_BUFFER, normals, surface.normals);
@@ -66,8 +64,7 @@ void SurfaceBuffers::fill(const SurfaceView& surface, const VertexLight& light, 
   // Any coordinates do where there is no weave, but an array without contents must not be read.
   const bool woven = !surface.material_coordinates.empty();
   upload(*gl, GL_ARRAY_BUFFER, materials, woven ? surface.material_coordinates : surface.positions);
-  near_first(surface.positions, surface.triangles, eye, ordered);
-  sort_decided_last(ordered, light.key, open, agreed);
+  sort_decided_last(surface.triangles, light.key, open, agreed);
   open_count = static_cast<GLsizei>(open.size());
   open.insert(open.end(), agreed.begin(), agreed.end());
   upload(*gl, GL_ELEMENT_ARRAY_BUFFER, indices, std::span<const std::uint32_t>(open));

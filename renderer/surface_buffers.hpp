@@ -19,8 +19,7 @@ class SurfaceBuffers {
  public:
   explicit SurfaceBuffers(const GladGLContext& context);
 
-  /// Triangles near `eye` are drawn first, so that little is shaded that is hidden afterwards.
-  void fill(const SurfaceView& surface, const VertexLight& light, const glm::vec3& eye);
+  void fill(const SurfaceView& surface, const VertexLight& light);
   /// The triangles whose pixels have to find out whether they are in the light, and the others.
   void draw_open() const;
   void draw_decided() const;
@@ -39,10 +38,9 @@ class SurfaceBuffers {
   Buffer indices;
   GLsizei index_count = 0;
   GLsizei open_count = 0;
-  std::vector<float> shown;            // scratch
-  std::vector<std::uint32_t> ordered;  // scratch
-  std::vector<std::uint32_t> open;     // scratch
-  std::vector<std::uint32_t> agreed;   // scratch
+  std::vector<float> shown;           // scratch
+  std::vector<std::uint32_t> open;    // scratch
+  std::vector<std::uint32_t> agreed;  // scratch
 };
 
 }  // namespace taut::renderer

@@ -23,12 +23,12 @@ SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFil
       open_data(context, files, "surface.vert", "surface.frag", data_open),
       colour_maps(context) {}
 
-void SurfacePass::fill(std::span<const SurfaceView> surfaces, StudioLight& light, const glm::vec3& eye) {
+void SurfacePass::fill(std::span<const SurfaceView> surfaces, StudioLight& light) {
   while (buffers.size() < surfaces.size()) buffers.emplace_back(*gl);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!surfaces[i].filled) continue;
     light.gather(surfaces[i], vertex_light);
-    buffers[i].fill(surfaces[i], vertex_light, eye);
+    buffers[i].fill(surfaces[i], vertex_light);
   }
 }
 

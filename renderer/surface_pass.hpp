@@ -18,7 +18,7 @@ class SurfacePass {
   SurfacePass(const GladGLContext& context, std::span<const ShaderFile> files);
 
   /// Hands the surfaces to the graphics card.
-  void fill(std::span<const SurfaceView> surfaces, StudioLight& light, const glm::vec3& eye);
+  void fill(std::span<const SurfaceView> surfaces, StudioLight& light);
   /// Draws those of the last fill(); the block `Frame` and the light's textures have to be bound.
   void draw(std::span<const SurfaceView> surfaces);
 

@@ -29,7 +29,8 @@ FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOu
     work.record.encode_ms = writing.elapsed_ms();
   }
   if (is_drawn(frame, outputs)) {
-    work.positions = simulation.state().current;
+    const std::span<const sim::Vec3> shown = simulation.shown_positions();
+    work.positions.assign(shown.begin(), shown.end());
   }
   return work;
 }

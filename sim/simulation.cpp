@@ -35,12 +35,17 @@ void Simulation::advance_frame() {
     state_.time_s += frame_time_s();
     return;
   }
-  solver_->advance_frame(garment_, surroundings_, frame_time_s(), state_);
+  report_ = solver_->advance_frame(garment_, surroundings_, frame_time_s(), state_);
   const std::size_t lost = first_non_finite(state_.current);
   if (lost < state_.current.size()) {
     throw Diverged(static_cast<Index>(lost), state_.time_s);
   }
   fall_asleep_at_rest();
+}
+
+std::span<const Vec3> Simulation::shown_positions() const {
+  const std::span<const Vec3> shown = solver_->shown_positions();
+  return shown.size() == state_.current.size() ? shown : std::span<const Vec3>(state_.current);
 }
 
 void Simulation::set_surroundings(const Surroundings& surroundings) {

@@ -50,6 +50,11 @@ class Simulation {
 
   const Garment& garment() const { return garment_; }
   const State& state() const { return state_; }
+  /// What is to be shown and written: the state's positions, or where a solver promises a bound on stretch,
+  /// positions near them that keep it. In metres, by vertex.
+  std::span<const Vec3> shown_positions() const;
+  /// Of the last frame; asleep, of the last frame that was computed.
+  const FrameReport& frame_report() const { return report_; }
   const Surroundings& surroundings() const { return surroundings_; }
   const SimulationSettings& settings() const { return settings_; }
   double frame_time_s() const { return 1.0 / settings_.frame_rate_hz; }
@@ -63,6 +68,7 @@ class Simulation {
   Surroundings surroundings_;
   State state_;
   std::unique_ptr<Solver> solver_;
+  FrameReport report_;
 };
 
 }  // namespace taut::sim

@@ -11,6 +11,7 @@
 #include "app/errors.hpp"
 #include "app/frame_loop.hpp"
 #include "app/garment/garment_loading.hpp"
+#include "app/output/bound_verdict.hpp"
 #include "app/output/files.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/picture_record.hpp"
@@ -154,7 +155,7 @@ int run(const RenderOptions& options) {
     fmt::print("wrote {}\n", options.statistics.string());
   }
   fmt::print("{}\n", written);
-  return 0;
+  return judge_bound(job.scene, summarise(records));
 }
 
 }  // namespace taut::app

@@ -7,6 +7,7 @@
 #include "app/frame_loop.hpp"
 #include "app/garment/garment_loading.hpp"
 #include "app/garment/obj_export.hpp"
+#include "app/output/bound_verdict.hpp"
 #include "app/output/files.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/run_report.hpp"
@@ -43,7 +44,7 @@ int run(const SimulateOptions& options) {
     shapes->require_distinct_names(static_cast<std::size_t>(frame_count));
     prepare_folder_of(shapes->path_of(1));
     outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
-      write_text_file(shapes->path_of(frame), obj_text(moment.garment().mesh, moment.state().current));
+      write_text_file(shapes->path_of(frame), obj_text(moment.garment().mesh, moment.shown_positions()));
     };
   }
   if (!options.statistics.empty()) {
@@ -53,7 +54,8 @@ int run(const SimulateOptions& options) {
   sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
   const std::vector<FrameRecord> records = run_frames(simulation, frame_count, outputs);
 
-  print_summary(summarise(records));
+  const RunSummary summary = summarise(records);
+  print_summary(summary);
   if (shapes) {
     std::vector<int> frames(static_cast<std::size_t>(frame_count));
     std::iota(frames.begin(), frames.end(), 1);
@@ -63,7 +65,7 @@ int run(const SimulateOptions& options) {
     write_text_file(options.statistics, statistics_json(scene, simulation.garment(), "", records));
     fmt::print("wrote {}\n", options.statistics.string());
   }
-  return 0;
+  return judge_bound(scene, summary);
 }
 
 }  // namespace taut::app

@@ -54,7 +54,7 @@ StepRecording record_fall(const Checkpoint& checkpoint) {
 
 void run_methods(Results& results, const Checkpoint& checkpoint) {
   for (const double rate_hz : method_rates_hz) {
-    for (const sim::SolverKind kind : sim::all_solver_kinds) {
+    for (const sim::SolverKind kind : compared_methods) {
       results.methods.push_back(run_method(kind, rate_hz, methods_duration_s));
       checkpoint(static_cast<double>(results.methods.size()) / 6.0);
     }
@@ -66,6 +66,7 @@ void run_sweeps(Results& results, const Checkpoint& checkpoint) {
   constexpr int frames = 45;
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     Scene scene = find_scene("tshirt-gravity", {});
+    scene.simulation.solver.kind = sim::SolverKind::strong;
     scene.simulation.solver.substeps = 1;
     scene.simulation.solver.iterations = sweeps[i];
     const Recording run = record_frames(scene, std::array{frames}, [&](double fraction) {

@@ -110,6 +110,9 @@ sim::Index followed_vertex(const Scene& scene);
 /// Steps a second of figure 7, and how long its runs are.
 inline constexpr std::array method_rates_hz = {640.0, 160.0};
 inline constexpr double methods_duration_s = 10.0;
+/// What the paper sets against each other in its section III.
+inline constexpr std::array compared_methods = {sim::SolverKind::ideal, sim::SolverKind::provot,
+                                                sim::SolverKind::strong};
 MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s);
 
 /// Runs the scene to the middle, copies its two position arrays into a new state, and goes on from both.

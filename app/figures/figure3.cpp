@@ -106,7 +106,7 @@ void read_figure3(const std::filesystem::path& folder, Results& results) {
   }
   // A run that is not over at its last frame ends where the cloth is at rest.
   const auto most_steps =
-      static_cast<std::size_t>(fall_frames.back() * fall.frames.scene.simulation.solver.substeps);
+      static_cast<std::size_t>(fall_frames.back() * sim::equal_substeps(fall.frames.scene.simulation.solver));
   fall.came_to_rest = table.rows() < most_steps;
 }
 

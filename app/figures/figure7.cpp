@@ -20,6 +20,8 @@ Stroke stroke_of(sim::SolverKind kind) {
       return {palette::vermilion, 4.0F, {5.0F, 2.0F}};
     case sim::SolverKind::strong:
       return {palette::blue, 4.5F, {}};
+    case sim::SolverKind::bounded:
+      break;
   }
   return {};
 }
@@ -107,7 +109,7 @@ void read_figure7(const std::filesystem::path& folder, Results& results) {
   const CsvFile table(folder / "fig7.csv", columns);
   std::size_t row = 0;
   for (const double rate_hz : method_rates_hz) {
-    for (const sim::SolverKind kind : sim::all_solver_kinds) {
+    for (const sim::SolverKind kind : compared_methods) {
       MethodRun run;
       run.kind = kind;
       run.time_step_s = 1.0 / rate_hz;

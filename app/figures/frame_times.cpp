@@ -19,6 +19,7 @@ constexpr std::array<StepSettings, 2> measured_settings = {{{1, 10}, {100, 1}}};
 
 sim::Simulation timed_simulation(int triangles, const StepSettings& settings) {
   Scene scene = shirt_scene("tshirt-gravity", triangles);
+  scene.simulation.solver.kind = sim::SolverKind::strong;
   scene.simulation.solver.substeps = settings.substeps;
   scene.simulation.solver.iterations = settings.sweeps;
   // The method alone: layers are another matter, and their distance depends on the model.

@@ -45,7 +45,7 @@ Recording record_frames(const Scene& scene, std::span<const int> frames, const C
 
 Scene with_steps_as_frames(Scene scene) {
   sim::SimulationSettings& settings = scene.simulation;
-  const int substeps = settings.solver.substeps;
+  const int substeps = sim::equal_substeps(settings.solver);
   settings.frame_rate_hz *= substeps;
   settings.solver.substeps = 1;
   settings.rest.frames *= substeps;
@@ -55,7 +55,7 @@ Scene with_steps_as_frames(Scene scene) {
 
 StepRecording record_steps(const Scene& scene, std::span<const int> frames, sim::Index vertex,
                            const Checkpoint& checkpoint) {
-  const int steps_in_frame = scene.simulation.solver.substeps;
+  const int steps_in_frame = sim::equal_substeps(scene.simulation.solver);
   const Scene stepped = with_steps_as_frames(scene);
   sim::Simulation simulation(load_garment(stepped).garment, stepped.simulation, stepped.surroundings);
   StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};

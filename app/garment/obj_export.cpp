@@ -6,7 +6,7 @@
 
 namespace taut::app {
 
-std::string obj_text(const sim::Mesh& mesh, const std::vector<sim::Vec3>& positions) {
+std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions) {
   std::string text = "# Taut; metres, y up\n";
   auto end = std::back_inserter(text);
   for (const sim::Vec3& p : positions) {

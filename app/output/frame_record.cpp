@@ -10,7 +10,13 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
   FrameRecord record;
   record.frame = frame;
   record.time_s = state.time_s;
-  record.stretch = sim::measure_stretch(garment.springs, state.current);
+  record.stretch = sim::measure_stretch(garment.springs, simulation.shown_positions());
+  if (frame > 0) {
+    const sim::FrameReport& report = simulation.frame_report();
+    record.raw_max_stretch = report.bound_promised ? report.raw_max_stretch : record.stretch.max;
+    record.bound_kept = report.bound_kept;
+    record.substeps = report.substeps;
+  }
   record.rms_speed_m_per_s = sim::rms_speed(state);
   record.energy = sim::measure_energy(garment, state, simulation.surroundings().forces.gravity_m_per_s2);
   record.convergence_m = sim::measure_convergence(state).max_m;
@@ -31,11 +37,19 @@ RunSummary summarise(const std::vector<FrameRecord>& records) {
     summary.asleep_since_frame =
         !record.asleep ? -1 : (summary.asleep_since_frame < 0 ? record.frame : summary.asleep_since_frame);
     simulated += record.frame > 0 ? 1 : 0;
+    summary.max_raw_stretch = std::max(summary.max_raw_stretch, record.raw_max_stretch);
+    summary.mean_substeps += record.substeps;
+    if (!record.bound_kept) {
+      ++summary.frames_over_bound;
+      summary.first_frame_over_bound =
+          summary.first_frame_over_bound < 0 ? record.frame : summary.first_frame_over_bound;
+    }
     summary.total_sim_ms += record.sim_ms;
     summary.total_draw_ms += record.draw_ms;
     summary.total_encode_ms += record.encode_ms;
   }
   summary.frames = static_cast<int>(records.size());
+  summary.mean_substeps /= std::max(simulated, 1);
   summary.mean_sim_ms = simulated > 0 ? summary.total_sim_ms / simulated : 0.0;
   if (!records.empty()) {
     summary.final_max_stretch = records.back().stretch.max;

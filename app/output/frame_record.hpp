@@ -12,7 +12,10 @@ namespace taut::app {
 struct FrameRecord {
   int frame = 0;
   double time_s = 0.0;
-  sim::Stretch stretch;
+  sim::Stretch stretch;          ///< of what is shown
+  double raw_max_stretch = 0.0;  ///< of the state, where the solver shows something else
+  bool bound_kept = true;        ///< false: the solver promised a bound and could not keep it
+  int substeps = 0;
   double rms_speed_m_per_s = 0.0;
   sim::Energy energy;
   double convergence_m = 0.0;  ///< the largest |p(t) - p(t - dt)| of any vertex
@@ -32,6 +35,10 @@ struct RunSummary {
   int max_stretch_frame = 0;
   double max_p99_stretch = 0.0;
   double final_max_stretch = 0.0;
+  double max_raw_stretch = 0.0;
+  int frames_over_bound = 0;
+  int first_frame_over_bound = -1;  ///< none: -1
+  double mean_substeps = 0.0;       ///< of frames that were simulated
   double final_rms_speed_m_per_s = 0.0;
   int asleep_since_frame = -1;  ///< none: -1
   double mean_sim_ms = 0.0;     ///< of frames that were simulated

@@ -79,6 +79,7 @@ struct Scene {
   sim::SimulationSettings simulation;
   sim::Surroundings surroundings;
   int frames = 600;
+  bool allow_exceeding_bound = false;  ///< a frame that breaks the solver's promise does not fail the run
   CameraSettings camera;
   PictureStyle picture;
 };

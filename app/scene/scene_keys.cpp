@@ -68,16 +68,27 @@ void add_run(SceneKeys& keys) {
   keys.push_back(whole("time.frames", 1, 1000000, MEMBER(frames), "length of the run"));
   keys.push_back(choice_key<Scene, sim::SolverKind>("solver.kind", solver_choices(),
                                                     MEMBER(simulation.solver.kind), "how springs answer"));
-  keys.push_back(whole("solver.substeps", 1, 10000, MEMBER(simulation.solver.substeps),
-                       "time steps in a frame; more stretch less and cost in proportion"));
+  keys.push_back(
+      whole("solver.substeps", 0, 10000, MEMBER(simulation.solver.substeps),
+            "time steps in a frame; more stretch less and cost in proportion; 0: as many as needed"));
+  keys.push_back(whole("solver.max_substeps", 1, 10000, MEMBER(simulation.solver.max_substeps),
+                       "bounded: the most it may choose"));
   keys.push_back(whole("solver.iterations", 1, 10000, MEMBER(simulation.solver.iterations),
                        "strong: sweeps of the constraint in a step; more stretch less, stiffer"));
   keys.push_back(number("solver.compression", "", fraction, MEMBER(simulation.solver.rigidity.compression),
                         "strong: how much of its error a too short spring corrects; less folds more easily"));
   keys.push_back(number("solver.flexural", "", fraction, MEMBER(simulation.solver.rigidity.flexural),
                         "strong: how much of its error a flexural spring corrects; less bends more easily"));
-  keys.push_back(number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.max_stretch),
-                        "provot: the stretch above which a spring is pulled back"));
+  keys.push_back(
+      number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.max_stretch),
+             "bounded: no frame shows a spring stretched more; provot: above it springs are pulled back"));
+  keys.push_back(whole("solver.extra_sweeps", 0, 100, MEMBER(simulation.solver.extra_sweeps),
+                       "bounded: sweeps more, in every step, over the springs near the pins"));
+  keys.push_back(choice_key<Scene, sim::VectorUnit>("solver.vector_unit", vector_unit_choices(),
+                                                    MEMBER(simulation.solver.vector_unit),
+                                                    "bounded: instructions to use; none changes a result"));
+  keys.push_back(switch_key<Scene>("solver.allow_exceeding", MEMBER(allow_exceeding_bound),
+                                   "bounded: a frame whose bound could not be kept does not fail the run"));
   keys.push_back(number("solver.stiffness.structural", "N/m", not_negative,
                         MEMBER(simulation.solver.stiffness.structural_n_per_m), "ideal: of mesh edges"));
   keys.push_back(number("solver.stiffness.shear", "N/m", not_negative,
@@ -119,6 +130,12 @@ void add_forces(SceneKeys& keys) {
   keys.push_back(colliders_key());
   keys.push_back(number("cloth.thickness", "m", not_negative, MEMBER(surroundings.cloth_thickness_m),
                         "kept between cloth and colliders"));
+  keys.push_back(number("cloth.bending_rigidity", "N m", not_negative,
+                        MEMBER(simulation.solver.fabric.bending_rigidity_n_m),
+                        "bounded: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 5e-5"));
+  keys.push_back(number("cloth.compression_stiffness", "N/m", not_negative,
+                        MEMBER(simulation.solver.fabric.compression_stiffness_n_per_m),
+                        "bounded: of springs that are too short; less crumples more easily"));
   keys.push_back(
       number("cloth.layer_distance", "m", not_negative, MEMBER(surroundings.layer_distance_m),
              "kept between layers of the cloth, about its mesh's edge length; 0: they pass through"));

@@ -217,4 +217,12 @@ std::vector<std::pair<std::string, sim::SolverKind>> solver_choices() {
   return choices;
 }
 
+std::vector<std::pair<std::string, sim::VectorUnit>> vector_unit_choices() {
+  std::vector<std::pair<std::string, sim::VectorUnit>> choices;
+  for (const sim::VectorUnit unit : sim::all_vector_units) {
+    choices.emplace_back(sim::name_of(unit), unit);
+  }
+  return choices;
+}
+
 }  // namespace taut::app

@@ -23,5 +23,6 @@ Key<Scene> ground_key();
 Key<Scene> stretch_range_key();
 
 std::vector<std::pair<std::string, sim::SolverKind>> solver_choices();
+std::vector<std::pair<std::string, sim::VectorUnit>> vector_unit_choices();
 
 }  // namespace taut::app

@@ -42,8 +42,6 @@ Scene scene_of_garment(const fs::path& file, std::span<const Override> overrides
   Scene scene;
   scene.title = file.filename().string();
   scene.garment.file = file;
-  // Soft enough to hang in folds as cloth does.
-  scene.simulation.solver.rigidity = {.compression = 0.1, .flexural = 0.02};
   scene.frames = 240;
   apply_overrides(overrides, scene);
   return scene;

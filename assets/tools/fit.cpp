@@ -14,6 +14,7 @@ sim::SimulationSettings settings_for(const FitPhase& phase) {
   sim::SimulationSettings settings;
   settings.frame_rate_hz = 60.0;
   settings.solver.kind = sim::SolverKind::strong;
+  settings.solver.kind = sim::SolverKind::strong;
   settings.solver.substeps = substeps;
   settings.solver.iterations = iterations;
   settings.solver.rigidity = {.compression = 1.0, .flexural = phase.flexural};

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/solvers/bounded/bounded.hpp"
 #include "sim/solvers/provot.hpp"
 #include "sim/solvers/strong.hpp"
 #include "sim/step.hpp"
@@ -16,12 +17,15 @@ class SteppedSolver : public Solver {
   SteppedSolver(int substeps, std::unique_ptr<SpringResponse> springs)
       : substeps_(substeps), springs_(std::move(springs)) {}
 
-  void advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
-                     State& state) override {
+  FrameReport advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
+                            State& state) override {
     buffers_.forces_n.assign(state.current.size(), Vec3(0.0));
     for (int substep = 0; substep < substeps_; ++substep) {
       step(garment, surroundings, *springs_, frame_time_s / substeps_, state, buffers_);
     }
+    FrameReport report;
+    report.substeps = substeps_;
+    return report;
   }
 
  private:
@@ -38,6 +42,8 @@ std::unique_ptr<SpringResponse> make_spring_response(const SolverSettings& setti
       return std::make_unique<ProvotThreshold>(settings.stiffness, settings.max_stretch);
     case SolverKind::strong:
       return std::make_unique<StrongConstraint>(settings.iterations, settings.rigidity);
+    case SolverKind::bounded:
+      break;
   }
   throw std::invalid_argument("unknown solver");
 }
@@ -52,18 +58,29 @@ const char* name_of(SolverKind kind) {
       return "provot";
     case SolverKind::strong:
       return "strong";
+    case SolverKind::bounded:
+      return "bounded";
   }
   return "";
 }
 
+int equal_substeps(const SolverSettings& settings) {
+  constexpr int enough_for_small_sheets = 20;
+  return settings.substeps > 0 ? settings.substeps : enough_for_small_sheets;
+}
+
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings) {
-  if (settings.substeps < 1 || settings.iterations < 1) {
-    throw std::invalid_argument("a solver needs at least 1 substep and 1 iteration");
+  if (settings.substeps < 0 || settings.max_substeps < 1 || settings.iterations < 1) {
+    throw std::invalid_argument(
+        "a solver needs at least 1 substep and 1 iteration, or 0 substeps to choose them itself");
   }
   if (!(settings.max_stretch >= 0.0)) {
     throw std::invalid_argument("the largest stretch must be at least 0");
   }
-  return std::make_unique<SteppedSolver>(settings.substeps, make_spring_response(settings));
+  if (settings.kind == SolverKind::bounded) {
+    return std::make_unique<BoundedSolver>(settings);
+  }
+  return std::make_unique<SteppedSolver>(equal_substeps(settings), make_spring_response(settings));
 }
 
 }  // namespace taut::sim

@@ -7,29 +7,59 @@
 #include "sim/state.hpp"
 #include "sim/strong_constraint.hpp"
 #include "sim/surroundings.hpp"
+#include "sim/vector_unit.hpp"
 
 namespace taut::sim {
 
-enum class SolverKind { ideal, provot, strong };
+enum class SolverKind { ideal, provot, strong, bounded };
 
-inline constexpr std::array all_solver_kinds = {SolverKind::ideal, SolverKind::provot, SolverKind::strong};
+inline constexpr std::array all_solver_kinds = {SolverKind::ideal, SolverKind::provot, SolverKind::strong,
+                                                SolverKind::bounded};
 
 const char* name_of(SolverKind kind);
 
+/// `bounded`: the cloth in physical terms, which do not depend on how finely it is meshed.
+struct Fabric {
+  double bending_rigidity_n_m = 5e-6;           ///< a soft jersey; denim has about ten times that
+  double compression_stiffness_n_per_m = 30.0;  ///< of springs shorter than at rest: less crumples sooner
+
+  bool operator==(const Fabric&) const = default;
+};
+
 struct SolverSettings {
-  SolverKind kind = SolverKind::strong;
-  /// Time steps in a frame. More steps stretch less and cost in proportion; stretch falls about with their
-  /// square, far better than iterations do (Macklin and others 2019).
-  int substeps = 20;
+  SolverKind kind = SolverKind::bounded;
+  /// Time steps in a frame; 0 leaves the choice to the solver. More steps stretch less and cost in
+  /// proportion; stretch falls about with their square, far better than iterations do (Macklin and others
+  /// 2019).
+  int substeps = 0;
   /// `strong`: sweeps of the constraint in every time step.
   int iterations = 4;
   Rigidity rigidity;          ///< `strong`
   SpringStiffness stiffness;  ///< `ideal`, `provot`
-  /// `provot`: the threshold above which a spring is pulled back. 0.1 is Provot's own.
-  double max_stretch = 0.1;
+  /// `bounded`: no structural or shear spring of a frame that is shown is longer than this beyond its rest
+  /// length. `provot`: the threshold above which a spring is pulled back.
+  double max_stretch = 0.05;
+  Fabric fabric;  ///< `bounded`
+  /// `bounded`: no frame is divided into more time steps than this, even if its bound cannot be kept.
+  int max_substeps = 2000;
+  /// `bounded`: sweeps more over the springs near the pins in every time step.
+  int extra_sweeps = 2;
+  VectorUnit vector_unit = VectorUnit::best;  ///< `bounded`; never changes a result
 
   bool operator==(const SolverSettings&) const = default;
 };
+
+/// How a frame went.
+struct FrameReport {
+  int substeps = 0;
+  bool bound_promised = false;   ///< by the solver, for what is shown
+  bool bound_kept = true;        ///< whether it could keep its promise in this frame
+  double raw_max_stretch = 0.0;  ///< of the state, where a bound is promised
+  double max_stretch = 0.0;      ///< of what is shown
+};
+
+/// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20.
+int equal_substeps(const SolverSettings& settings);
 
 /// Moves cloth from one frame to the next. How a frame is divided is the solver's own matter.
 class Solver {
@@ -37,11 +67,15 @@ class Solver {
   virtual ~Solver() = default;
 
   /// Advances `state` by one frame.
-  virtual void advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
-                             State& state) = 0;
+  virtual FrameReport advance_frame(const Garment& garment, const Surroundings& surroundings,
+                                    double frame_time_s, State& state) = 0;
+
+  /// What is to be shown of the last frame, by vertex; empty where that is the state itself.
+  virtual std::span<const Vec3> shown_positions() const { return {}; }
 };
 
-/// Throws std::invalid_argument on fewer than one substep or iteration or a negative largest stretch.
+/// Throws std::invalid_argument on a negative count of substeps, fewer than one iteration or a
+/// largest stretch below 0.
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings);
 
 }  // namespace taut::sim

@@ -102,7 +102,7 @@ Results made_up_results() {
     }
   }
   for (const double step_s : {0.001, 0.01}) {
-    for (const sim::SolverKind kind : sim::all_solver_kinds) {
+    for (const sim::SolverKind kind : compared_methods) {
       const double moved_m = kind == sim::SolverKind::provot && step_s > 0.005 ? 0.01 : 1e-9;
       results.methods.push_back(
           {kind, step_s, {kind == sim::SolverKind::strong ? 0.01 : 0.08}, {moved_m}, {}});

@@ -111,7 +111,7 @@ TEST(SceneFile, RefusesWrongTypes) {
   EXPECT_CONTAINS(file_error(folder, std::string(grid) + "[wind]\nspeed = \"3\"\n"),
                   ":5: wind.speed: found \"3\", expected a number from 0 to 200 (m/s)");
   EXPECT_CONTAINS(file_error(folder, std::string(grid) + "[solver]\nsubsteps = 2.5\n"),
-                  ":5: solver.substeps: found 2.5, expected a whole number from 1");
+                  ":5: solver.substeps: found 2.5, expected a whole number from 0");
   EXPECT_CONTAINS(file_error(folder, "wind = 3\n" + std::string(grid)),
                   ":1: wind: found 3, expected a table with the keys speed");
   EXPECT_CONTAINS(file_error(folder, std::string(grid) + "[pins]\nat = [1.5]\n"), "pins.at: found [1.5]");
@@ -184,8 +184,8 @@ TEST(Overrides, ReplaceAnyKey) {
 
 TEST(Overrides, AreCheckedLikeFiles) {
   EXPECT_CONTAINS(set_error("solver.substep=4"), "--set solver.substep=4: unknown key");
-  EXPECT_CONTAINS(set_error("solver.substeps=0"),
-                  "--set solver.substeps=0: solver.substeps: found 0, expected");
+  EXPECT_CONTAINS(set_error("solver.iterations=0"),
+                  "--set solver.iterations=0: solver.iterations: found 0, expected");
   EXPECT_CONTAINS(set_error("solver=3"), "expected a table with the keys kind");
   EXPECT_CONTAINS(set_error("camera.eye=[0,0,1]"), "needed together");
   EXPECT_CONTAINS(message_of<UsageError>([] { parse_override("wind"); }), "expected KEY=VALUE");

@@ -3,7 +3,8 @@
 #   COMPILER   g++ or clang++    LEVEL  O0 or O3    SOURCE_DIR  the project
 #   EXPECTED   the file with the expected lines
 if(NOT PROGRAM)
-  file(GLOB sources ${SOURCE_DIR}/sim/*.cpp ${SOURCE_DIR}/sim/solvers/*.cpp)
+  file(GLOB sources ${SOURCE_DIR}/sim/*.cpp ${SOURCE_DIR}/sim/solvers/*.cpp
+       ${SOURCE_DIR}/sim/solvers/bounded/*.cpp)
   set(include ${BUILD_DIR}/include)
   file(MAKE_DIRECTORY ${include})
   file(CREATE_LINK ${SOURCE_DIR}/sim ${include}/sim SYMBOLIC)
@@ -15,7 +16,7 @@ if(NOT PROGRAM)
   endif()
   execute_process(
     COMMAND ${COMPILER} -std=c++20 -ffp-contract=off ${level_flags} -I${include} ${sources}
-            ${SOURCE_DIR}/tests/sim/state_hashes.cpp -o ${PROGRAM}
+            ${SOURCE_DIR}/tests/sim/state_hashes.cpp -lhwy -o ${PROGRAM}
     RESULT_VARIABLE failed ERROR_VARIABLE errors)
   if(failed)
     message(FATAL_ERROR "${COMPILER} -${LEVEL} cannot build the program (is it installed? run ./setup.sh):\n${errors}")

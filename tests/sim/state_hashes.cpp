@@ -60,6 +60,7 @@ int main() {
   const Garment sheet_opposite = make_garment(bumpy_sheet(), opposite, {0, 23});
 
   SolverSettings strong;
+  strong.kind = SolverKind::strong;
   SolverSettings soft = strong;
   soft.rigidity = {0.1, 0.02};
   SolverSettings ideal;
@@ -67,10 +68,18 @@ int main() {
   SolverSettings provot;
   provot.kind = SolverKind::provot;
   provot.stiffness.structural_n_per_m = 50.0;
+  provot.max_stretch = 0.1;
 
   print_hash("strong, 9x9 under gravity", square, strong, {}, 60);
   print_hash("ideal, 9x9 under gravity", square, ideal, {}, 60);
   print_hash("provot, 9x9 under gravity", square, provot, {}, 60);
   print_hash("strong, irregular sheet in a storm over obstacles", sheet, soft, storm_over_obstacles(), 60);
   print_hash("strong, opposite-vertex rule, same storm", sheet_opposite, soft, storm_over_obstacles(), 60);
+
+  SolverSettings bounded;
+  bounded.max_stretch = 0.02;
+  print_hash("bounded, 9x9 under gravity", square, bounded, {}, 60);
+  print_hash("bounded, irregular sheet in a storm over obstacles", sheet, bounded, storm_over_obstacles(), 60);
+  bounded.vector_unit = VectorUnit::scalar;
+  print_hash("bounded without vectors, same storm", sheet, bounded, storm_over_obstacles(), 60);
 }

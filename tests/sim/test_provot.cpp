@@ -45,6 +45,7 @@ TEST(Provot, StretchesLessThanIdealSpringsOfTheSameStiffness) {
   for (const SolverKind kind : {SolverKind::ideal, SolverKind::provot}) {
     SimulationSettings settings;
     settings.solver.kind = kind;
+    settings.solver.max_stretch = 0.1;
     settings.solver.stiffness.structural_n_per_m = 8.0;
     settings.solver.stiffness.shear_n_per_m = 4.0;
     Simulation simulation(cloth, settings, {});

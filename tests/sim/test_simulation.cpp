@@ -70,6 +70,7 @@ TEST(Simulation, MoreIterationsStretchLess) {
   double before = 1.0;
   for (const int iterations : {1, 4, 16}) {
     SimulationSettings settings;
+    settings.solver.kind = SolverKind::strong;
     settings.solver.substeps = 2;
     settings.solver.iterations = iterations;
     Simulation simulation(pinned_cloth(), settings, {});
@@ -178,7 +179,7 @@ TEST(Simulation, StopsWithAMessageWhenItDiverges) {
 
 TEST(Simulation, RefusesImpossibleSettings) {
   SimulationSettings settings;
-  settings.solver.substeps = 0;
+  settings.solver.substeps = -1;
   EXPECT_THROW(Simulation(pinned_cloth(), settings, {}), std::invalid_argument);
   settings = {};
   settings.frame_rate_hz = 0.0;

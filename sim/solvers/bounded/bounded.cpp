@@ -1,0 +1,230 @@
+#include "sim/solvers/bounded/bounded.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/solvers/bounded/certificate.hpp"
+#include "sim/solvers/bounded/contacts.hpp"
+#include "sim/solvers/bounded/held_forces.hpp"
+#include "sim/solvers/bounded/kernels.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/substep_control.hpp"
+
+namespace taut::sim {
+
+using namespace bounded;
+
+namespace {
+
+/// Bending faster than this would force time steps on the whole garment that it does not need otherwise.
+constexpr double stiffest_rate_times_frame = 32.0;
+
+/// Springs near the pins carry the most and stretch the most. This part of all, the nearest, is swept more
+/// often.
+constexpr double often_swept_part = 0.1;
+
+constexpr int least_substeps = 8;
+
+/// A certificate that costs more sweeps than this many times the substeps is not worth it: more substeps are.
+constexpr double costliest_certificate = 1.0;
+/// Where no more substeps are to be had, it is.
+constexpr double last_resort_sweeps = 1000.0;
+
+std::vector<std::uint32_t> blocks_near_pins(const SpringLanes& springs) {
+  std::vector<std::uint32_t> blocks;
+  for (std::size_t c = 0; c < springs.colour_count(); ++c) {
+    const std::uint32_t begin = springs.colour_begin[c];
+    const double count = springs.colour_begin[c + 1] - begin;
+    for (std::uint32_t b = 0; b < std::ceil(often_swept_part * count); ++b) {
+      blocks.push_back(begin + b);
+    }
+  }
+  return blocks;
+}
+
+}  // namespace
+
+/// What the solver derives from a garment, and keeps from frame to frame.
+struct BoundedSolver::Cloth {
+  Cloth(const Garment& garment, double bending_rigidity_n_m, double stiffest_rate_per_s)
+      : pins(garment.pins),
+        layout(make_layout(garment)),
+        often_swept(blocks_near_pins(layout.springs)),
+        forces(garment, layout, bending_rigidity_n_m, stiffest_rate_per_s),
+        certifier(layout) {}
+
+  std::vector<Index> pins;
+  Layout layout;
+  std::vector<std::uint32_t> often_swept;  ///< blocks of springs, colour by colour
+  HeldForces forces;
+  Contacts contacts;
+  Certifier certifier;
+  SubstepControl control{1, 1, 1};
+  Motion motion;
+  Rows velocities;           ///< m/s, when the frame began
+  double time_step_s = 0.0;  ///< the one the springs' short_share is made for
+};
+
+BoundedSolver::BoundedSolver(const SolverSettings& settings)
+    : settings_(settings), kernels_(kernels_for(settings.vector_unit)) {}
+
+BoundedSolver::~BoundedSolver() = default;
+
+void BoundedSolver::lay_out(const Garment& garment, const Surroundings& surroundings, double frame_time_s) {
+  if (cloth_ && cloth_->pins == garment.pins &&
+      cloth_->layout.vertex_count() == garment.mesh.positions.size()) {
+    return;
+  }
+  cloth_ = std::make_unique<Cloth>(garment, settings_.fabric.bending_rigidity_n_m,
+                                   stiffest_rate_times_frame / frame_time_s);
+  if (settings_.substeps > 0) {
+    cloth_->control = SubstepControl(settings_.substeps, settings_.substeps, settings_.substeps);
+  } else {
+    const int least = std::max(least_substeps, cloth_->forces.updates_per_frame({}, frame_time_s));
+    cloth_->control = SubstepControl(
+        first_substeps(garment, cloth_->layout, surroundings, frame_time_s, settings_.max_stretch), least,
+        settings_.max_substeps);
+  }
+}
+
+void BoundedSolver::begin_frame(const State& state) {
+  const Layout& layout = cloth_->layout;
+  Motion& motion = cloth_->motion;
+  motion.start_m.resize(layout.vertex_count());
+  for (Rows* rows : {&motion.start, &motion.current, &motion.previous, &cloth_->velocities}) {
+    rows->resize(layout.row_count());
+  }
+  motion.origin_m = state.current[layout.vertex_of_row[0]];
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    const Index v = layout.vertex_of_row[row];
+    motion.start_m[row] = state.current[v];
+    motion.start[row] = row_of(state.current[v] - motion.origin_m);
+    cloth_->velocities[row] = row_of(velocity(state, v));
+  }
+  SpringLanes& springs = cloth_->layout.springs;
+  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
+    if (springs.spring[k] != SpringLanes::no_spring) {
+      const Vec3 start = motion.start_m[springs.row_i[k]] - motion.start_m[springs.row_j[k]];
+      springs.start_x[k] = static_cast<float>(start.x);
+      springs.start_y[k] = static_cast<float>(start.y);
+      springs.start_z[k] = static_cast<float>(start.z);
+    }
+  }
+}
+
+// A spring too short pushes back with a stiffness in N/m: of its error it corrects k dt^2 w / (1 + k dt^2 w),
+// as a compliant constraint does (Macklin, Mueller and Chentanez 2016).
+void BoundedSolver::begin_substeps(double time_step_s) {
+  Cloth& cloth = *cloth_;
+  const auto h = static_cast<float>(time_step_s);
+  for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
+    const Row& v = cloth.velocities[row];
+    cloth.motion.current[row] = Row{};
+    cloth.motion.previous[row] = {-v.x * h, -v.y * h, -v.z * h, 0.0F};
+  }
+  if (cloth.time_step_s == time_step_s) {
+    return;
+  }
+  cloth.time_step_s = time_step_s;
+  SpringLanes& springs = cloth.layout.springs;
+  const auto stiffness =
+      static_cast<float>(settings_.fabric.compression_stiffness_n_per_m * time_step_s * time_step_s);
+  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
+    const float w = cloth.layout.inverse_masses_per_kg[springs.row_i[k]] +
+                    cloth.layout.inverse_masses_per_kg[springs.row_j[k]];
+    springs.short_share[k] = stiffness * w / (1.0F + stiffness * w);
+  }
+}
+
+void BoundedSolver::move_pins(const Surroundings& surroundings, double frame_began_s, double time_s) {
+  const Row offset = row_of(pin_offset(surroundings.pin_motion, time_s) -
+                            pin_offset(surroundings.pin_motion, frame_began_s));
+  Rows& predicted = cloth_->motion.current;
+  std::fill_n(predicted.begin(), cloth_->layout.pin_count, offset);
+}
+
+void BoundedSolver::sweep_springs() {
+  const SpringLanes& springs = cloth_->layout.springs;
+  Row* predicted = cloth_->motion.current.data();
+  kernels_.sweep(springs, 0, springs.block_count(), predicted);
+  for (int extra = 0; extra < settings_.extra_sweeps; ++extra) {
+    for (const std::uint32_t block : cloth_->often_swept) {
+      kernels_.sweep(springs, block, block + 1, predicted);
+    }
+  }
+}
+
+void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
+                                 double frame_time_s, int substeps) {
+  Cloth& cloth = *cloth_;
+  Motion& motion = cloth.motion;
+  const Layout& layout = cloth.layout;
+  const double dt = frame_time_s / substeps;
+  const auto slowed = static_cast<float>(1.0 / (1.0 + surroundings.forces.air_drag_per_s * dt));
+  const int updates = std::min(substeps, cloth.forces.updates_per_frame(surroundings.forces, frame_time_s));
+  begin_substeps(dt);
+  for (int substep = 0; substep < substeps; ++substep) {
+    const double at_s = time_s + substep * dt;
+    // Step 2 of the paper: impose the forces on the mass points, a few times in a frame ...
+    if (substep == 0 || substep * updates / substeps != (substep - 1) * updates / substeps) {
+      cloth.contacts.part_layers(garment, layout, surroundings.layer_distance_m, motion);
+      cloth.forces.update(garment, surroundings.forces, motion, at_s, dt, frame_time_s / updates, kernels_);
+    }
+    // ... and predict where they go, eq. (1).
+    kernels_.predict(layout.pin_count, layout.vertex_count(), slowed, static_cast<float>(dt * dt),
+                     cloth.forces.accelerations(), motion.current.data(), motion.previous.data());
+    motion.previous.swap(motion.current);
+    move_pins(surroundings, time_s, at_s + dt);
+    // Step 3: compensate the predicted positions, eqs. (2)-(3).
+    sweep_springs();
+    cloth.contacts.push_out(surroundings, motion);
+  }
+}
+
+void BoundedSolver::end_frame(const Surroundings& surroundings, double frame_time_s, int substeps,
+                              State& state) {
+  const Cloth& cloth = *cloth_;
+  shown_m_.resize(cloth.layout.vertex_count());
+  for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
+    const Index v = cloth.layout.vertex_of_row[row];
+    const Vec3& start = cloth.motion.start_m[row];
+    state.current[v] = start + vector_of(cloth.motion.current[row]);
+    state.previous[v] = start + vector_of(cloth.motion.previous[row]);
+    shown_m_[v] = start + vector_of(cloth.certifier.shown()[row]);
+  }
+  // Exactly where they belong: what single precision rounds away would add up from frame to frame.
+  for (std::size_t row = 0; row < cloth.layout.pin_count; ++row) {
+    const Index v = cloth.layout.vertex_of_row[row];
+    const Vec3 moved = pin_offset(surroundings.pin_motion, state.time_s + frame_time_s) -
+                       pin_offset(surroundings.pin_motion, state.time_s);
+    state.current[v] = shown_m_[v] = cloth.motion.start_m[row] + moved;
+  }
+  state.time_step_s = frame_time_s / substeps;
+  state.time_s += frame_time_s;
+  state.step_count += static_cast<std::uint64_t>(substeps);
+}
+
+FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundings& surroundings,
+                                         double frame_time_s, State& state) {
+  lay_out(garment, surroundings, frame_time_s);
+  begin_frame(state);
+  Cloth& cloth = *cloth_;
+  cloth.contacts.begin_frame(garment, cloth.layout, surroundings, cloth.motion, cloth.velocities,
+                             frame_time_s);
+  SubstepControl& control = cloth.control;
+  Certificate certificate;
+  double largest_cost = 0.0;
+  do {
+    run_substeps(garment, surroundings, state.time_s, frame_time_s, control.substeps());
+    largest_cost = control.is_spent() ? last_resort_sweeps : costliest_certificate * control.substeps();
+    certificate = cloth.certifier.certify(cloth.layout, cloth.motion.current, settings_.max_stretch,
+                                          largest_cost, kernels_);
+  } while (!certificate.kept && control.try_more());
+
+  const int substeps = control.substeps();
+  control.frame_kept(certificate.cost);
+  end_frame(surroundings, frame_time_s, substeps, state);
+  return {substeps, true, certificate.kept, certificate.raw_max_stretch, certificate.max_stretch};
+}
+
+}  // namespace taut::sim

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+
+#include "sim/solvers/solver.hpp"
+
+namespace taut::sim {
+
+namespace bounded {
+struct Kernels;
+}
+
+/// The strong constraint organised so that a bound on stretch is kept in every frame at any resolution.
+/// How and why: bounded.md beside this file.
+class BoundedSolver : public Solver {
+ public:
+  /// Throws std::invalid_argument on a vector unit this processor lacks.
+  explicit BoundedSolver(const SolverSettings& settings);
+  ~BoundedSolver() override;
+
+  FrameReport advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
+                            State& state) override;
+  std::span<const Vec3> shown_positions() const override { return shown_m_; }
+
+ private:
+  struct Cloth;
+
+  void lay_out(const Garment& garment, const Surroundings& surroundings, double frame_time_s);
+  void begin_frame(const State& state);
+  void begin_substeps(double time_step_s);
+  void run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
+                    double frame_time_s, int substeps);
+  void move_pins(const Surroundings& surroundings, double frame_began_s, double time_s);
+  void sweep_springs();
+  void end_frame(const Surroundings& surroundings, double frame_time_s, int substeps, State& state);
+
+  SolverSettings settings_;
+  const bounded::Kernels& kernels_;
+  std::unique_ptr<Cloth> cloth_;
+  std::vector<Vec3> shown_m_;
+};
+
+}  // namespace taut::sim

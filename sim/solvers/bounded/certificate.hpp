@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/solvers/bounded/kernels.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+
+namespace taut::sim::bounded {
+
+/// What came of making a frame keep its bound.
+struct Certificate {
+  double raw_max_stretch = 0.0;  ///< before
+  double max_stretch = 0.0;      ///< after
+  double cost = 0.0;             ///< the work it took, in sweeps over all springs
+  bool kept = false;             ///< no spring is longer than the bound allows
+};
+
+/// Moves a copy of the cloth to where no spring is longer than the bound: what is shown and written. The
+/// state itself is left alone; feeding the copy back would gain nothing and can add energy.
+///
+/// Springs no longer than a bound are a convex set of shapes, so that correcting the longer ones again and
+/// again ends in it wherever the pins allow it (cyclic projection; Bregman 1965). The correction of the last
+/// frame, a little faded, is where the next one starts.
+class Certifier {
+ public:
+  explicit Certifier(const Layout& layout);
+
+  /// Gives up when it has cost `largest_cost`.
+  Certificate certify(const Layout& layout, const Rows& raw, double max_stretch, double largest_cost,
+                      const Kernels& kernels);
+
+  /// Displacements since the frame's start that keep the bound.
+  const Rows& shown() const { return shown_; }
+
+ private:
+  void start_from_last_frame(const Rows& raw);
+  double largest_ratio(const Layout& layout, const Kernels& kernels);
+  void choose_long_blocks(float squared_bound);
+  void shorten_chosen(const Layout& layout, float squared_bound, const Kernels& kernels);
+
+  Rows shown_;
+  Rows corrections_;
+  std::vector<float> squared_ratios_;  ///< by block
+  std::vector<std::uint32_t> long_blocks_;
+};
+
+}  // namespace taut::sim::bounded

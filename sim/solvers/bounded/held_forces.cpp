@@ -1,0 +1,110 @@
+#include "sim/solvers/bounded/held_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace taut::sim::bounded {
+namespace {
+
+/// Wind turns with the cloth; more evaluations a frame changed shapes in a wind of 10 m/s by less than the
+/// turbulence of the cloth itself.
+constexpr int wind_updates_per_frame = 8;
+constexpr int least_updates_per_frame = 4;
+
+/// Held forces are stable while rate^2 held^2 < 2 (see add_bending); half of that leaves a margin.
+constexpr double largest_rate_times_held = 1.0;
+
+AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s, double held_s) {
+  const Vec3 velocity = wind_velocity(wind, time_s);
+  AirFlow air;
+  air.velocity_m_per_s = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
+                          static_cast<float>(velocity.z)};
+  const double half_density = 0.5 * air_density_kg_per_m3;
+  air.half_density_pressure = static_cast<float>(half_density * wind.pressure_coefficient);
+  air.half_density_friction = static_cast<float>(half_density * wind.friction_coefficient);
+  air.time_per_density = static_cast<float>(held_s / garment.areal_density_kg_per_m2);
+  air.per_time_step = static_cast<float>(1.0 / time_step_s);
+  return air;
+}
+
+void add(Row& sum, const Row& r, float factor) {
+  sum.x += factor * r.x;
+  sum.y += factor * r.y;
+  sum.z += factor * r.z;
+}
+
+}  // namespace
+
+HeldForces::HeldForces(const Garment& garment, const Layout& layout, double bending_rigidity_n_m,
+                       double stiffest_rate_per_s)
+    : layout_(layout),
+      bending_(make_bending(garment, layout, bending_rigidity_n_m, stiffest_rate_per_s)),
+      accelerations_(layout.row_count()),
+      corner_forces_n_(layout.triangles.lane_count()),
+      positions_(layout.row_count()) {}
+
+int HeldForces::updates_per_frame(const ExternalForces& external, double frame_time_s) const {
+  const int for_wind = external.wind.speed_m_per_s != 0.0 ? wind_updates_per_frame : least_updates_per_frame;
+  const double for_bending = std::ceil(bending_.largest_rate_per_s * frame_time_s / largest_rate_times_held);
+  return std::max(for_wind, static_cast<int>(for_bending));
+}
+
+void HeldForces::add_gravity_and_artificial(const ExternalForces& external) {
+  const Row gravity = row_of(external.gravity_m_per_s2);
+  std::fill(accelerations_.begin(),
+            accelerations_.begin() + static_cast<std::ptrdiff_t>(layout_.vertex_count()), gravity);
+  for (const PointForce& f : external.artificial_forces) {
+    if (f.vertex >= layout_.vertex_count()) {
+      throw std::invalid_argument("a force acts on vertex " + std::to_string(f.vertex) +
+                                  ", but there are only " + std::to_string(layout_.vertex_count()));
+    }
+    const Index row = layout_.row_of_vertex[f.vertex];
+    add(accelerations_[row], row_of(f.force_n), layout_.inverse_masses_per_kg[row]);
+  }
+}
+
+void HeldForces::add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
+                          double time_step_s, double held_s, const Kernels& kernels) {
+  if (wind.speed_m_per_s == 0.0) {
+    return;
+  }
+  const TriangleLanes& triangles = layout_.triangles;
+  kernels.wind(triangles, air_flow(garment, wind, time_s, time_step_s, held_s), 0, triangles.lane_count(),
+               motion.start.data(), motion.current.data(), motion.previous.data(), corner_forces_n_.data());
+  for (std::size_t row = 0; row < layout_.vertex_count(); ++row) {
+    Row force_n;
+    for (std::uint32_t k = triangles.corner_begin[row]; k < triangles.corner_begin[row + 1]; ++k) {
+      add(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
+    }
+    add(accelerations_[row], force_n, layout_.inverse_masses_per_kg[row]);
+  }
+}
+
+// Bending is taken not at x but at x + v held, where the cloth will be when the interval ends. With a =
+// rate^2 held^2 of a mode the step from interval to interval has the determinant 1 - a/2 and the trace 2 -
+// 3a/2: stable for a < 2, and damping where bending at x itself would feed the motion.
+void HeldForces::add_bending(const Motion& motion, double ahead, const Kernels& kernels) {
+  const auto factor = static_cast<float>(ahead);
+  for (std::size_t row = 0; row < layout_.vertex_count(); ++row) {
+    const Row& d = motion.current[row];
+    const Row& p = motion.previous[row];
+    const Row& x = motion.start[row];
+    positions_[row] = {x.x + (d.x + (d.x - p.x) * factor), x.y + (d.y + (d.y - p.y) * factor),
+                       x.z + (d.z + (d.z - p.z) * factor), 0.0F};
+  }
+  kernels.add_product(bending_.matrix, layout_.pin_count, layout_.vertex_count(), positions_.data(),
+                      accelerations_.data());
+}
+
+void HeldForces::update(const Garment& garment, const ExternalForces& external, const Motion& motion,
+                        double time_s, double time_step_s, double held_s, const Kernels& kernels) {
+  add_gravity_and_artificial(external);
+  add_wind(garment, external.wind, motion, time_s, time_step_s, held_s, kernels);
+  if (!bending_.matrix.value.empty()) {
+    add_bending(motion, held_s / time_step_s, kernels);
+  }
+}
+
+}  // namespace taut::sim::bounded

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/solvers/bounded/kernel_tables.hpp"
+#include "sim/solvers/bounded/kernels.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+struct Spring {
+  float x, y, z;
+  float squared_length;
+};
+
+Spring spring_between(const SpringLanes& springs, std::size_t k, const Row* rows) {
+  const Row& i = rows[springs.row_i[k]];
+  const Row& j = rows[springs.row_j[k]];
+  const float x = (i.x - j.x) + springs.start_x[k];
+  const float y = (i.y - j.y) + springs.start_y[k];
+  const float z = (i.z - j.z) + springs.start_z[k];
+  return {x, y, z, (x * x + y * y) + z * z};
+}
+
+void shorten_spring(const SpringLanes& springs, std::size_t k, const Spring& spring, float fraction,
+                    Row* rows) {
+  const float part_i = fraction * springs.share_i[k];
+  const float part_j = fraction - part_i;
+  Row& i = rows[springs.row_i[k]];
+  Row& j = rows[springs.row_j[k]];
+  i.x = i.x - part_i * spring.x;
+  i.y = i.y - part_i * spring.y;
+  i.z = i.z - part_i * spring.z;
+  j.x = j.x + part_j * spring.x;
+  j.y = j.y + part_j * spring.y;
+  j.z = j.z + part_j * spring.z;
+}
+
+float predicted(float current, float previous, float decay, float acceleration, float dt_squared) {
+  return current + ((current - previous) * decay + acceleration * dt_squared);
+}
+
+void predict(std::size_t begin, std::size_t end, float decay, float dt_squared, const Row* accelerations,
+             const Row* current, Row* previous) {
+  for (std::size_t r = begin; r < end; ++r) {
+    const Row& d = current[r];
+    const Row& a = accelerations[r];
+    Row& p = previous[r];
+    p = {predicted(d.x, p.x, decay, a.x, dt_squared), predicted(d.y, p.y, decay, a.y, dt_squared),
+         predicted(d.z, p.z, decay, a.z, dt_squared), 0.0F};
+  }
+}
+
+void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows) {
+  for (std::size_t k = begin * block_size; k < end * block_size; ++k) {
+    const Spring spring = spring_between(springs, k, rows);
+    const float excess = spring.squared_length - springs.squared_rest[k];
+    const float error = excess / (spring.squared_length + springs.squared_rest[k]);
+    shorten_spring(springs, k, spring, excess > 0.0F ? error : error * springs.short_share[k], rows);
+  }
+}
+
+void shorten(const SpringLanes& springs, std::size_t begin, std::size_t end, float squared_bound,
+             float relaxation, Row* rows) {
+  for (std::size_t k = begin * block_size; k < end * block_size; ++k) {
+    const Spring spring = spring_between(springs, k, rows);
+    const float limit = springs.squared_rest[k] * squared_bound;
+    const float excess = spring.squared_length - limit;
+    if (excess > 0.0F) {
+      shorten_spring(springs, k, spring, (excess / (spring.squared_length + limit)) * relaxation, rows);
+    }
+  }
+}
+
+void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Row* rows,
+                    float* squared_ratios) {
+  for (std::size_t block = begin; block < end; ++block) {
+    float largest = 0.0F;
+    for (std::size_t k = block * block_size; k < (block + 1) * block_size; ++k) {
+      largest = std::max(largest, spring_between(springs, k, rows).squared_length / springs.squared_rest[k]);
+    }
+    squared_ratios[block] = largest;
+  }
+}
+
+struct Triple {
+  float x, y, z;
+};
+
+Triple sum(const Row& a, const Row& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Triple difference(const Row& a, const Row& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Triple operator+(const Triple& a, const Triple& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Triple operator-(const Triple& a, const Triple& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Triple operator*(const Triple& a, float s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+float dot(const Triple& a, const Triple& b) {
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+Triple cross(const Triple& a, const Triple& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
+          const Row* start, const Row* current, const Row* previous, Row* corner_forces) {
+  for (std::size_t t = begin; t < end; ++t) {
+    const std::uint32_t a = triangles.row[0][t];
+    const std::uint32_t b = triangles.row[1][t];
+    const std::uint32_t c = triangles.row[2][t];
+    const Triple at = sum(start[a], current[a]);
+    const Triple edge_b = sum(start[b], current[b]) - at;
+    const Triple edge_c = sum(start[c], current[c]) - at;
+    const Triple moved = (difference(current[a], previous[a]) + difference(current[b], previous[b])) +
+                         difference(current[c], previous[c]);
+    const float third_per_step = air.per_time_step / 3.0F;
+    const Triple flow = {air.velocity_m_per_s[0], air.velocity_m_per_s[1], air.velocity_m_per_s[2]};
+    const Triple u = flow - moved * third_per_step;
+
+    const Triple doubled_area = cross(edge_b, edge_c);
+    const float doubled_size = std::sqrt(dot(doubled_area, doubled_area));
+    const Triple normal = doubled_area * (1.0F / std::max(doubled_size, smallest_doubled_area_m2));
+    const float u_n = dot(u, normal);
+    const Triple along_normal = normal * u_n;
+    const float pressure = air.half_density_pressure * std::abs(u_n);
+    const float friction = air.half_density_friction * std::sqrt(dot(u, u));
+    const float held = air.time_per_density * 2.0F;
+    const Triple per_area = along_normal * (pressure / (1.0F + held * pressure)) +
+                            (u - along_normal) * (friction / (1.0F + held * friction));
+    const Triple share = per_area * (doubled_size / 6.0F);
+    corner_forces[t] = {share.x, share.y, share.z, 0.0F};
+  }
+}
+
+void add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
+                 Row* result) {
+  for (std::size_t r = begin; r < end; ++r) {
+    const Row& x = positions[r];
+    Row& sum_of = result[r];
+    for (std::uint32_t k = matrix.begin[r]; k < matrix.begin[r + 1]; ++k) {
+      const Row& other = positions[matrix.column[k]];
+      sum_of.x = sum_of.x + (other.x - x.x) * matrix.value[k];
+      sum_of.y = sum_of.y + (other.y - x.y) * matrix.value[k];
+      sum_of.z = sum_of.z + (other.z - x.z) * matrix.value[k];
+    }
+  }
+}
+
+}  // namespace
+
+const Kernels& scalar_kernels() {
+  static constexpr Kernels table = {predict, sweep, shorten, largest_ratios, wind, add_product};
+  return table;
+}
+
+}  // namespace taut::sim::bounded

@@ -1,0 +1,328 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/solvers/bounded/kernels_vector.cpp"
+// Vectors whose length is known only at run time cannot take rows apart as is done here.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "sim/solvers/bounded/kernel_tables.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace taut::sim::bounded::HWY_NAMESPACE {
+namespace {
+
+#if HWY_TARGET != HWY_SCALAR
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using FourFloats = hn::FixedTag<float, 4>;
+using Floats = hn::CappedTag<float, block_size>;
+using V = hn::Vec<Floats>;
+
+constexpr std::size_t lanes = hn::MaxLanes(Floats());
+
+HWY_INLINE hn::Vec<FourFloats> load_row(const Row* rows, std::uint32_t index) {
+  return hn::Load(FourFloats(), &rows[index].x);
+}
+
+HWY_INLINE void store_row(hn::Vec<FourFloats> v, Row* rows, std::uint32_t index) {
+  hn::Store(v, FourFloats(), &rows[index].x);
+}
+
+/// The rows with the indices [0], [4], ... side by side.
+template <std::size_t count>
+HWY_INLINE auto load_every_fourth(const Row* rows, const std::uint32_t* index) {
+  if constexpr (count == 4) {
+    return load_row(rows, index[0]);
+  } else {
+    return hn::Combine(hn::FixedTag<float, count>(), load_every_fourth<count / 2>(rows, index + count / 2),
+                       load_every_fourth<count / 2>(rows, index));
+  }
+}
+
+template <std::size_t count, typename Vector>
+HWY_INLINE void store_every_fourth(Vector v, Row* rows, const std::uint32_t* index) {
+  if constexpr (count == 4) {
+    store_row(v, rows, index[0]);
+  } else {
+    const hn::FixedTag<float, count / 2> half;
+    store_every_fourth<count / 2>(hn::LowerHalf(half, v), rows, index);
+    store_every_fourth<count / 2>(hn::UpperHalf(half, v), rows, index + count / 2);
+  }
+}
+
+/// Four vectors of rows as they are loaded, or of one coordinate each.
+struct Four {
+  V a, b, c, d;
+};
+
+/// From rows to coordinates and back: within every 128 bits a 4x4 matrix is transposed.
+HWY_INLINE Four transposed(const Four& m) {
+  const Floats f;
+  const V ac_low = hn::InterleaveLower(f, m.a, m.c);
+  const V bd_low = hn::InterleaveLower(f, m.b, m.d);
+  const V ac_high = hn::InterleaveUpper(f, m.a, m.c);
+  const V bd_high = hn::InterleaveUpper(f, m.b, m.d);
+  return {hn::InterleaveLower(f, ac_low, bd_low), hn::InterleaveUpper(f, ac_low, bd_low),
+          hn::InterleaveLower(f, ac_high, bd_high), hn::InterleaveUpper(f, ac_high, bd_high)};
+}
+
+HWY_INLINE Four load_rows(const Row* rows, const std::uint32_t* index) {
+  return {load_every_fourth<lanes>(rows, index + 0), load_every_fourth<lanes>(rows, index + 1),
+          load_every_fourth<lanes>(rows, index + 2), load_every_fourth<lanes>(rows, index + 3)};
+}
+
+HWY_INLINE void store_rows(const Four& v, Row* rows, const std::uint32_t* index) {
+  store_every_fourth<lanes>(v.a, rows, index + 0);
+  store_every_fourth<lanes>(v.b, rows, index + 1);
+  store_every_fourth<lanes>(v.c, rows, index + 2);
+  store_every_fourth<lanes>(v.d, rows, index + 3);
+}
+
+HWY_INLINE Four operator+(const Four& x, const Four& y) {
+  return {hn::Add(x.a, y.a), hn::Add(x.b, y.b), hn::Add(x.c, y.c), hn::Add(x.d, y.d)};
+}
+HWY_INLINE Four operator-(const Four& x, const Four& y) {
+  return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b), hn::Sub(x.c, y.c), hn::Sub(x.d, y.d)};
+}
+
+struct Triple {
+  V x, y, z;
+};
+
+HWY_INLINE Triple operator+(const Triple& p, const Triple& q) {
+  return {hn::Add(p.x, q.x), hn::Add(p.y, q.y), hn::Add(p.z, q.z)};
+}
+HWY_INLINE Triple operator-(const Triple& p, const Triple& q) {
+  return {hn::Sub(p.x, q.x), hn::Sub(p.y, q.y), hn::Sub(p.z, q.z)};
+}
+HWY_INLINE Triple operator*(const Triple& p, V s) {
+  return {hn::Mul(p.x, s), hn::Mul(p.y, s), hn::Mul(p.z, s)};
+}
+HWY_INLINE V dot(const Triple& p, const Triple& q) {
+  return hn::Add(hn::Add(hn::Mul(p.x, q.x), hn::Mul(p.y, q.y)), hn::Mul(p.z, q.z));
+}
+HWY_INLINE Triple cross(const Triple& p, const Triple& q) {
+  return {hn::Sub(hn::Mul(p.y, q.z), hn::Mul(p.z, q.y)), hn::Sub(hn::Mul(p.z, q.x), hn::Mul(p.x, q.z)),
+          hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x))};
+}
+
+HWY_INLINE Triple as_coordinates(const Four& rows) {
+  const Four m = transposed(rows);
+  return {m.a, m.b, m.c};
+}
+HWY_INLINE Four as_rows(const Triple& coordinates) {
+  return transposed({coordinates.x, coordinates.y, coordinates.z, hn::Zero(Floats())});
+}
+
+/// L' of `lanes` springs, between rows that are loaded already.
+HWY_INLINE Triple springs_between(const SpringLanes& springs, std::size_t k, const Four& i, const Four& j) {
+  const Floats f;
+  const Triple start = {hn::Load(f, &springs.start_x[k]), hn::Load(f, &springs.start_y[k]),
+                        hn::Load(f, &springs.start_z[k])};
+  return as_coordinates(i - j) + start;
+}
+
+HWY_INLINE void shorten_springs(const SpringLanes& springs, std::size_t k, const Four& i, const Four& j,
+                                const Triple& spring, V fraction, Row* rows) {
+  const V part_i = hn::Mul(fraction, hn::Load(Floats(), &springs.share_i[k]));
+  const V part_j = hn::Sub(fraction, part_i);
+  store_rows(i - as_rows(spring * part_i), rows, &springs.row_i[k]);
+  store_rows(j + as_rows(spring * part_j), rows, &springs.row_j[k]);
+}
+
+void predict(std::size_t begin, std::size_t end, float decay, float dt_squared, const Row* accelerations,
+             const Row* current, Row* previous) {
+  const FourFloats four;
+  const auto decays = hn::Set(four, decay);
+  const auto dts_squared = hn::Set(four, dt_squared);
+  for (std::size_t r = begin; r < end; ++r) {
+    const auto d = hn::Load(four, &current[r].x);
+    const auto moved = hn::Mul(hn::Sub(d, hn::Load(four, &previous[r].x)), decays);
+    const auto driven = hn::Mul(hn::Load(four, &accelerations[r].x), dts_squared);
+    hn::Store(hn::Add(d, hn::Add(moved, driven)), four, &previous[r].x);
+  }
+}
+
+void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows) {
+  const Floats f;
+  for (std::size_t k = begin * block_size; k < end * block_size; k += lanes) {
+    const Four i = load_rows(rows, &springs.row_i[k]);
+    const Four j = load_rows(rows, &springs.row_j[k]);
+    const Triple spring = springs_between(springs, k, i, j);
+    const V squared_length = dot(spring, spring);
+    const V squared_rest = hn::Load(f, &springs.squared_rest[k]);
+    const V excess = hn::Sub(squared_length, squared_rest);
+    const V error = hn::Div(excess, hn::Add(squared_length, squared_rest));
+    const V short_error = hn::Mul(error, hn::Load(f, &springs.short_share[k]));
+    const V fraction = hn::IfThenElse(hn::Gt(excess, hn::Zero(f)), error, short_error);
+    shorten_springs(springs, k, i, j, spring, fraction, rows);
+  }
+}
+
+void shorten(const SpringLanes& springs, std::size_t begin, std::size_t end, float squared_bound,
+             float relaxation, Row* rows) {
+  const Floats f;
+  for (std::size_t k = begin * block_size; k < end * block_size; k += lanes) {
+    const Four i = load_rows(rows, &springs.row_i[k]);
+    const Four j = load_rows(rows, &springs.row_j[k]);
+    const Triple spring = springs_between(springs, k, i, j);
+    const V squared_length = dot(spring, spring);
+    const V limit = hn::Mul(hn::Load(f, &springs.squared_rest[k]), hn::Set(f, squared_bound));
+    const V excess = hn::Sub(squared_length, limit);
+    const auto too_long = hn::Gt(excess, hn::Zero(f));
+    if (hn::AllFalse(f, too_long)) {
+      continue;
+    }
+    const V error = hn::Mul(hn::Div(excess, hn::Add(squared_length, limit)), hn::Set(f, relaxation));
+    shorten_springs(springs, k, i, j, spring, hn::IfThenElseZero(too_long, error), rows);
+  }
+}
+
+void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Row* rows,
+                    float* squared_ratios) {
+  const Floats f;
+  for (std::size_t block = begin; block < end; ++block) {
+    V largest = hn::Zero(f);
+    for (std::size_t k = block * block_size; k < (block + 1) * block_size; k += lanes) {
+      const Four i = load_rows(rows, &springs.row_i[k]);
+      const Four j = load_rows(rows, &springs.row_j[k]);
+      const Triple spring = springs_between(springs, k, i, j);
+      const V ratio = hn::Div(dot(spring, spring), hn::Load(f, &springs.squared_rest[k]));
+      largest = hn::Max(largest, ratio);
+    }
+    squared_ratios[block] = hn::GetLane(hn::MaxOfLanes(f, largest));
+  }
+}
+
+struct LoadedCorner {
+  Triple position;
+  Triple moved;
+};
+
+HWY_INLINE LoadedCorner load_corner(const TriangleLanes& triangles, std::size_t corner, std::size_t k,
+                                    const Row* start, const Row* current, const Row* previous) {
+  const std::uint32_t* index = &triangles.row[corner][k];
+  const Four now = load_rows(current, index);
+  return {as_coordinates(load_rows(start, index) + now), as_coordinates(now - load_rows(previous, index))};
+}
+
+/// Half the air's density times a coefficient times a speed, as the drag over one held interval.
+HWY_INLINE V held_drag(V drag, V held) {
+  return hn::Div(drag, hn::Add(hn::Set(Floats(), 1.0F), hn::Mul(held, drag)));
+}
+
+HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const LoadedCorner& b,
+                               const LoadedCorner& c) {
+  const Floats f;
+  const Triple moved = (a.moved + b.moved) + c.moved;
+  const Triple flow = {hn::Set(f, air.velocity_m_per_s[0]), hn::Set(f, air.velocity_m_per_s[1]),
+                       hn::Set(f, air.velocity_m_per_s[2])};
+  const Triple u = flow - moved * hn::Set(f, air.per_time_step / 3.0F);
+
+  const Triple doubled_area = cross(b.position - a.position, c.position - a.position);
+  const V doubled_size = hn::Sqrt(dot(doubled_area, doubled_area));
+  const V divisor = hn::Max(doubled_size, hn::Set(f, smallest_doubled_area_m2));
+  const Triple normal = doubled_area * hn::Div(hn::Set(f, 1.0F), divisor);
+  const V u_n = dot(u, normal);
+  const Triple along_normal = normal * u_n;
+  const V pressure = hn::Mul(hn::Set(f, air.half_density_pressure), hn::Abs(u_n));
+  const V friction = hn::Mul(hn::Set(f, air.half_density_friction), hn::Sqrt(dot(u, u)));
+  const V held = hn::Set(f, air.time_per_density * 2.0F);
+  const Triple per_area =
+      along_normal * held_drag(pressure, held) + (u - along_normal) * held_drag(friction, held);
+  return per_area * hn::Div(doubled_size, hn::Set(f, 6.0F));
+}
+
+void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
+          const Row* start, const Row* current, const Row* previous, Row* corner_forces) {
+  for (std::size_t k = begin; k < end; k += lanes) {
+    const Triple force = corner_force(air, load_corner(triangles, 0, k, start, current, previous),
+                                      load_corner(triangles, 1, k, start, current, previous),
+                                      load_corner(triangles, 2, k, start, current, previous));
+    std::array<std::uint32_t, lanes> in_place;
+    for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+      in_place[lane] = static_cast<std::uint32_t>(k) + lane;
+    }
+    store_rows(as_rows(force), corner_forces, in_place.data());
+  }
+}
+
+void add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
+                 Row* result) {
+  const FourFloats four;
+  for (std::size_t r = begin; r < end; ++r) {
+    const auto x = hn::Load(four, &positions[r].x);
+    auto sum = hn::Load(four, &result[r].x);
+    for (std::uint32_t k = matrix.begin[r]; k < matrix.begin[r + 1]; ++k) {
+      const auto apart = hn::Sub(load_row(positions, matrix.column[k]), x);
+      sum = hn::Add(sum, hn::Mul(apart, hn::Set(four, matrix.value[k])));
+    }
+    hn::Store(sum, four, &result[r].x);
+  }
+}
+
+const Kernels& kernel_table() {
+  static constexpr Kernels table = {predict, sweep, shorten, largest_ratios, wind, add_product};
+  return table;
+}
+
+#endif
+
+}  // namespace
+
+const Kernels* table() {
+#if HWY_TARGET == HWY_SCALAR
+  return nullptr;
+#else
+  return &kernel_table();
+#endif
+}
+
+}  // namespace taut::sim::bounded::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace taut::sim::bounded {
+namespace {
+
+HWY_EXPORT(table);
+
+bool supported(std::int64_t target) {
+  return (hwy::SupportedTargets() & target) != 0;
+}
+
+}  // namespace
+
+const Kernels* vector_kernels(VectorUnit unit) {
+  switch (unit) {
+    case VectorUnit::best:
+      return HWY_DYNAMIC_DISPATCH(table)();
+    case VectorUnit::avx512:
+#if HWY_TARGETS & HWY_AVX3
+      return supported(HWY_AVX3) ? N_AVX3::table() : nullptr;
+#else
+      return nullptr;
+#endif
+    case VectorUnit::avx2:
+#if HWY_TARGETS & HWY_AVX2
+      return supported(HWY_AVX2) ? N_AVX2::table() : nullptr;
+#else
+      return nullptr;
+#endif
+    case VectorUnit::sse:
+#if HWY_TARGETS & HWY_SSE4
+      return supported(HWY_SSE4) ? N_SSE4::table() : nullptr;
+#else
+      return nullptr;
+#endif
+    case VectorUnit::scalar:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace taut::sim::bounded
+
+#endif

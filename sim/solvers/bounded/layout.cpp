@@ -1,0 +1,181 @@
+#include "sim/solvers/bounded/layout.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+namespace taut::sim::bounded {
+namespace {
+
+std::size_t bound_spring_count(const Springs& springs) {
+  return springs.begin_of(SpringKind::flexural);
+}
+
+std::span<const Edge> bound_springs(const Springs& springs) {
+  return std::span(springs.ends).first(bound_spring_count(springs));
+}
+
+void number_rows(const Garment& garment, Layout& layout) {
+  const std::vector<double> distances_m = distances_from_pins(garment);
+  std::vector<Index>& order = layout.vertex_of_row;
+  order.resize(distances_m.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return distances_m[a] < distances_m[b]; });
+  layout.row_of_vertex.resize(order.size());
+  for (Index row = 0; row < order.size(); ++row) {
+    layout.row_of_vertex[order[row]] = row;
+    layout.distance_from_pins_m.push_back(distances_m[order[row]]);
+    layout.inverse_masses_per_kg.push_back(static_cast<float>(garment.inverse_masses_per_kg[order[row]]));
+  }
+  layout.inverse_masses_per_kg.resize(layout.row_count(), 0.0F);
+  layout.pin_count = garment.pins.size();
+}
+
+struct SpringInRows {
+  Index row_i;
+  Index row_j;
+  Index spring;
+};
+
+/// Ends as rows, the nearer to the pins first; springs between two pins cannot be corrected and are left out.
+std::vector<SpringInRows> movable_springs(const Springs& springs, const Layout& layout) {
+  std::vector<SpringInRows> rows;
+  for (Index s = 0; s < bound_spring_count(springs); ++s) {
+    const auto [a, b] = springs.ends[s];
+    const Index i = std::min(layout.row_of_vertex[a], layout.row_of_vertex[b]);
+    const Index j = std::max(layout.row_of_vertex[a], layout.row_of_vertex[b]);
+    if (j >= layout.pin_count) {
+      rows.push_back({i, j, s});
+    }
+  }
+  std::sort(rows.begin(), rows.end(), [](const SpringInRows& a, const SpringInRows& b) {
+    return std::tie(a.row_i, a.row_j) < std::tie(b.row_i, b.row_j);
+  });
+  return rows;
+}
+
+/// Greedy: every spring takes the first colour that neither of its ends has yet.
+std::vector<std::vector<SpringInRows>> coloured(const std::vector<SpringInRows>& springs,
+                                                std::size_t row_count) {
+  std::vector<std::vector<SpringInRows>> colours;
+  std::vector<std::vector<bool>> taken;
+  for (const SpringInRows& s : springs) {
+    std::size_t c = 0;
+    while (c < colours.size() && (taken[c][s.row_i] || taken[c][s.row_j])) {
+      ++c;
+    }
+    if (c == colours.size()) {
+      colours.emplace_back();
+      taken.emplace_back(row_count, false);
+    }
+    colours[c].push_back(s);
+    taken[c][s.row_i] = taken[c][s.row_j] = true;
+  }
+  return colours;
+}
+
+void append_spring(const SpringInRows& s, const Garment& garment, const Layout& layout, SpringLanes& lanes) {
+  const double w_i = garment.inverse_masses_per_kg[layout.vertex_of_row[s.row_i]];
+  const double w_j = garment.inverse_masses_per_kg[layout.vertex_of_row[s.row_j]];
+  const double rest_m = garment.springs.rest_lengths_m[s.spring];
+  lanes.row_i.push_back(s.row_i);
+  lanes.row_j.push_back(s.row_j);
+  lanes.share_i.push_back(static_cast<float>(w_i / (w_i + w_j)));
+  lanes.squared_rest.push_back(static_cast<float>(rest_m * rest_m));
+  lanes.spring.push_back(s.spring);
+}
+
+void pad_block(const Layout& layout, SpringLanes& lanes) {
+  for (std::uint32_t lane = lanes.lane_count() % block_size; lane != 0 && lane < block_size; ++lane) {
+    const auto spare = static_cast<std::uint32_t>(layout.vertex_count() + 2 * lane);
+    lanes.row_i.push_back(spare);
+    lanes.row_j.push_back(spare + 1);
+    lanes.share_i.push_back(0.0F);
+    lanes.squared_rest.push_back(1.0F);
+    lanes.spring.push_back(SpringLanes::no_spring);
+  }
+}
+
+SpringLanes make_spring_lanes(const Garment& garment, const Layout& layout) {
+  SpringLanes lanes;
+  lanes.colour_begin.push_back(0);
+  for (const auto& colour : coloured(movable_springs(garment.springs, layout), layout.vertex_count())) {
+    for (const SpringInRows& s : colour) {
+      append_spring(s, garment, layout, lanes);
+    }
+    pad_block(layout, lanes);
+    lanes.colour_begin.push_back(static_cast<std::uint32_t>(lanes.block_count()));
+  }
+  for (Lanes<float>* each : {&lanes.short_share, &lanes.start_x, &lanes.start_y, &lanes.start_z}) {
+    each->resize(lanes.lane_count(), 0.0F);
+  }
+  return lanes;
+}
+
+TriangleLanes make_triangle_lanes(const Garment& garment, const Layout& layout) {
+  TriangleLanes lanes;
+  const auto& triangles = garment.mesh.triangles;
+  const std::size_t padded = (triangles.size() + block_size - 1) / block_size * block_size;
+  const auto spare = static_cast<std::uint32_t>(layout.vertex_count());
+  lanes.corner_begin.assign(layout.vertex_count() + 1, 0);
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (const Triangle& t : triangles) {
+      lanes.row[corner].push_back(layout.row_of_vertex[t[corner]]);
+      ++lanes.corner_begin[layout.row_of_vertex[t[corner]] + 1];
+    }
+    lanes.row[corner].resize(padded, spare);
+  }
+  std::partial_sum(lanes.corner_begin.begin(), lanes.corner_begin.end(), lanes.corner_begin.begin());
+  lanes.corner_triangles.resize(3 * triangles.size());
+  std::vector<std::uint32_t> next(lanes.corner_begin.begin(), lanes.corner_begin.end() - 1);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      lanes.corner_triangles[next[lanes.row[corner][t]]++] = t;
+    }
+  }
+  return lanes;
+}
+
+}  // namespace
+
+std::vector<double> distances_from_pins(const Garment& garment) {
+  const std::span<const Edge> edges = bound_springs(garment.springs);
+  const CompressedRows edges_at = edges_of_vertices(garment.mesh.positions.size(), edges);
+  std::vector<double> distances_m(garment.mesh.positions.size(), std::numeric_limits<double>::infinity());
+  using Reached = std::pair<double, Index>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
+  for (const Index pin : garment.pins) {
+    distances_m[pin] = 0.0;
+    front.emplace(0.0, pin);
+  }
+  while (!front.empty()) {
+    const auto [distance_m, v] = front.top();
+    front.pop();
+    if (distance_m > distances_m[v]) {
+      continue;
+    }
+    for (const Index e : edges_at[v]) {
+      const Index other = other_end(edges[e], v);
+      const double through_v_m = distance_m + garment.springs.rest_lengths_m[e];
+      if (through_v_m < distances_m[other]) {
+        distances_m[other] = through_v_m;
+        front.emplace(through_v_m, other);
+      }
+    }
+  }
+  return distances_m;
+}
+
+Layout make_layout(const Garment& garment) {
+  Layout layout;
+  number_rows(garment, layout);
+  layout.springs = make_spring_lanes(garment, layout);
+  layout.triangles = make_triangle_lanes(garment, layout);
+  return layout;
+}
+
+}  // namespace taut::sim::bounded

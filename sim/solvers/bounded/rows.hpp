@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+#include "sim/types.hpp"
+
+namespace taut::sim::bounded {
+
+/// Starts arrays on a cache line, so that no vector of them lies on two.
+template <typename T>
+struct LineAligned {
+  using value_type = T;
+  static constexpr std::align_val_t line_bytes{64};
+
+  LineAligned() = default;
+  template <typename U>
+  LineAligned(const LineAligned<U>&) {}
+
+  T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line_bytes)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, line_bytes); }
+  bool operator==(const LineAligned&) const = default;
+};
+
+template <typename T>
+using Lanes = std::vector<T, LineAligned<T>>;
+
+/// Three coordinates of one vertex and an unused fourth, always 0: one load, one store.
+struct Row {
+  float x = 0.0F;
+  float y = 0.0F;
+  float z = 0.0F;
+  float unused = 0.0F;
+};
+
+using Rows = Lanes<Row>;
+
+inline Row row_of(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
+}
+
+inline Vec3 vector_of(const Row& r) {
+  return {r.x, r.y, r.z};
+}
+
+}  // namespace taut::sim::bounded

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "sim/garment.hpp"
+#include "sim/solvers/bounded/certificate.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+#include "sim/surroundings.hpp"
+
+namespace taut::sim::bounded {
+
+/// Chooses how many time steps a frame is divided into: as few as leave little for the certificate to do. All
+/// it goes by are counts and lengths of earlier frames, so that a run repeats itself bit for bit.
+class SubstepControl {
+ public:
+  /// `most` is the budget. `least` is what other parts need.
+  SubstepControl(int first, int least, int most);
+
+  int substeps() const { return substeps_; }
+  bool is_spent() const { return substeps_ >= most_; }
+
+  /// After a frame whose certificate took work worth `certify_cost` sweeps over all springs.
+  void frame_kept(double certify_cost);
+
+  /// More for the same frame again, because its bound could not be kept. False where the budget is spent.
+  bool try_more();
+
+ private:
+  void need_more();
+
+  int least_;
+  int most_;
+  int substeps_;
+  int calm_frames_ = 0;
+  int calm_frames_needed_;
+  bool took_fewer_ = false;  ///< since more were last needed
+};
+
+/// For the first frame: hanging cloth stretches next to its pins by about c g dt^2 M / (m L), with the mass M
+/// that hangs, the mass m of the vertices joined to pins and the mean rest length L of the springs between
+/// them.
+int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
+                   double frame_time_s, double max_stretch);
+
+}  // namespace taut::sim::bounded

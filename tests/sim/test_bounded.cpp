@@ -1,0 +1,437 @@
+// The solver that promises a bound on stretch.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "sim/grid.hpp"
+#include "sim/measures.hpp"
+#include "sim/simulation.hpp"
+#include "sim/solvers/bounded/certificate.hpp"
+#include "sim/solvers/bounded/flexural.hpp"
+#include "sim/solvers/bounded/held_forces.hpp"
+#include "sim/solvers/bounded/kernels.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+
+namespace taut::sim {
+namespace {
+
+using namespace bounded;
+
+Mesh sheet(Index count, double size_m) {
+  GridSettings grid;
+  grid.columns = grid.rows = count;
+  grid.width_m = grid.height_m = size_m;
+  return make_grid(grid);
+}
+
+Mesh irregular_sheet(Index count, double size_m) {
+  Mesh mesh = sheet(count, size_m);
+  mesh.quads.clear();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> offset(-0.2, 0.2);
+  const double cell_m = size_m / (count - 1);
+  for (Vec3& p : mesh.positions) {
+    p.x += cell_m * offset(random);
+    p.y += cell_m * offset(random);
+  }
+  return mesh;
+}
+
+SimulationSettings bounded_by(double max_stretch) {
+  SimulationSettings settings;
+  settings.solver.kind = SolverKind::bounded;
+  settings.solver.max_stretch = max_stretch;
+  return settings;
+}
+
+double largest_stretch(const Garment& garment, std::span<const Vec3> positions) {
+  double largest = 0.0;
+  for (std::size_t s = 0; s < garment.springs.begin_of(SpringKind::flexural); ++s) {
+    const auto [i, j] = garment.springs.ends[s];
+    largest =
+        std::max(largest, glm::length(positions[i] - positions[j]) / garment.springs.rest_lengths_m[s] - 1.0);
+  }
+  return largest;
+}
+
+Surroundings storm() {
+  Surroundings surroundings;
+  surroundings.forces.wind.speed_m_per_s = 12.0;
+  surroundings.forces.wind.gust_amplitude = 0.5;
+  surroundings.forces.wind.gust_turn = 0.3;
+  return surroundings;
+}
+
+Surroundings shaken() {
+  Surroundings surroundings;
+  surroundings.pin_motion = {{0.1, 0.0, 0.0}, 1.0};
+  return surroundings;
+}
+
+TEST(Layout, EveryMovableSpringIsInOneLaneAndColoursShareNoVertex) {
+  const Garment garment = make_garment(irregular_sheet(12, 1.0), {}, {0, 1, 11});
+  const Layout layout = make_layout(garment);
+  const SpringLanes& lanes = layout.springs;
+  std::vector<int> seen(garment.springs.size(), 0);
+  for (std::size_t c = 0; c < lanes.colour_count(); ++c) {
+    std::vector<int> used(layout.row_count(), 0);
+    for (std::size_t k = lanes.colour_begin[c] * block_size; k < lanes.colour_begin[c + 1] * block_size;
+         ++k) {
+      EXPECT_EQ(used[lanes.row_i[k]]++, 0);
+      EXPECT_EQ(used[lanes.row_j[k]]++, 0);
+      if (lanes.spring[k] != SpringLanes::no_spring) {
+        ++seen[lanes.spring[k]];
+        const auto [a, b] = garment.springs.ends[lanes.spring[k]];
+        EXPECT_EQ(std::minmax(layout.vertex_of_row[lanes.row_i[k]], layout.vertex_of_row[lanes.row_j[k]]),
+                  std::minmax(a, b));
+      } else {
+        EXPECT_GE(lanes.row_i[k], layout.vertex_count());
+      }
+    }
+  }
+  for (std::size_t s = 0; s < garment.springs.begin_of(SpringKind::flexural); ++s) {
+    const auto [a, b] = garment.springs.ends[s];
+    const bool between_pins = garment.inverse_masses_per_kg[a] + garment.inverse_masses_per_kg[b] == 0.0;
+    EXPECT_EQ(seen[s], between_pins ? 0 : 1);
+  }
+}
+
+TEST(Layout, RowsAreInTheOrderOfTheirDistanceFromThePins) {
+  const Garment garment = make_garment(sheet(5, 1.0), {}, {2});
+  const Layout layout = make_layout(garment);
+  EXPECT_EQ(layout.vertex_of_row[0], 2u);
+  EXPECT_TRUE(std::is_sorted(layout.distance_from_pins_m.begin(), layout.distance_from_pins_m.end()));
+  EXPECT_NEAR(layout.distance_from_pins_m.back(), 0.5 * std::sqrt(2.0) + 0.5, 1e-12)
+      << "two diagonals and two edges";
+}
+
+TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
+  const Garment garment = make_garment(irregular_sheet(23, 1.0), {}, {0, 22});
+  Layout layout = make_layout(garment);
+  std::mt19937 random(3);
+  std::normal_distribution<float> metres(0.0F, 0.02F);
+  const auto random_rows = [&] {
+    Rows rows(layout.row_count());
+    for (Row& r : rows) {
+      r = {metres(random), metres(random), metres(random), 0.0F};
+    }
+    return rows;
+  };
+  SpringLanes& springs = layout.springs;
+  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
+    springs.short_share[k] = 0.1F;
+    springs.start_x[k] = metres(random);
+    springs.start_y[k] = 0.05F;
+    springs.start_z[k] = metres(random);
+  }
+  const Rows start = random_rows();
+  const Rows current = random_rows();
+  const Rows previous = random_rows();
+  const Bending bending = make_bending(garment, layout, 1e-5, 1e4);
+  const AirFlow air = {{3.0F, -1.0F, 2.0F}, 0.7F, 0.03F, 0.02F, 1000.0F};
+
+  struct Results {
+    Rows swept, shortened, predicted, wind, product;
+    std::vector<float> ratios;
+  };
+  const auto results_of = [&](VectorUnit unit) {
+    const Kernels& kernels = kernels_for(unit);
+    Results r{current, current, previous, Rows(layout.triangles.lane_count()), current, {}};
+    kernels.sweep(springs, 0, springs.block_count(), r.swept.data());
+    kernels.shorten(springs, 0, springs.block_count(), 1.02F, 1.8F, r.shortened.data());
+    kernels.predict(layout.pin_count, layout.vertex_count(), 0.99F, 1e-6F, start.data(), current.data(),
+                    r.predicted.data());
+    kernels.wind(layout.triangles, air, 0, layout.triangles.lane_count(), start.data(), current.data(),
+                 previous.data(), r.wind.data());
+    kernels.add_product(bending.matrix, 0, layout.vertex_count(), start.data(), r.product.data());
+    r.ratios.resize(springs.block_count());
+    kernels.largest_ratios(springs, 0, springs.block_count(), current.data(), r.ratios.data());
+    return r;
+  };
+  const auto same = [](const Rows& a, const Rows& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Row)) == 0;
+  };
+  const Results scalar = results_of(VectorUnit::scalar);
+  EXPECT_FALSE(same(scalar.swept, current));
+  EXPECT_FALSE(same(scalar.shortened, current));
+  for (const VectorUnit unit : available_vector_units()) {
+    const Results other = results_of(unit);
+    EXPECT_TRUE(same(other.swept, scalar.swept)) << name_of(unit);
+    EXPECT_TRUE(same(other.shortened, scalar.shortened)) << name_of(unit);
+    EXPECT_TRUE(same(other.predicted, scalar.predicted)) << name_of(unit);
+    EXPECT_TRUE(same(other.wind, scalar.wind)) << name_of(unit);
+    EXPECT_TRUE(same(other.product, scalar.product)) << name_of(unit);
+    EXPECT_EQ(other.ratios, scalar.ratios) << name_of(unit);
+  }
+}
+
+TEST(Kernels, AUnitTheProcessorLacksIsRefused) {
+  for (const VectorUnit unit : all_vector_units) {
+    const auto available = available_vector_units();
+    if (std::find(available.begin(), available.end(), unit) == available.end()) {
+      EXPECT_THROW(kernels_for(unit), std::invalid_argument);
+    }
+  }
+}
+
+TEST(Kernels, TheWindKernelIsTheWindOfTheOtherSolvers) {
+  const Garment garment = make_garment(irregular_sheet(9, 1.0), {}, {});
+  const Layout layout = make_layout(garment);
+  State state = make_state(garment);
+  set_time_step(state, 1e-3);
+  for (std::size_t v = 0; v < state.current.size(); ++v) {
+    const auto phase = static_cast<double>(v);
+    state.current[v] += 0.001 * Vec3(std::sin(phase), std::cos(2.0 * phase), std::sin(3.0 * phase));
+  }
+  Wind wind;
+  wind.speed_m_per_s = 8.0;
+  wind.direction = {0.5, 0.1, 1.0};
+  std::vector<Vec3> expected(state.current.size(), Vec3(0.0));
+  add_wind_forces(garment, state, wind, 2e-3, expected);
+
+  HeldForces forces(garment, layout, 0.0, 1.0);
+  Motion motion;
+  motion.start_m = garment.mesh.positions;
+  for (Rows* rows : {&motion.start, &motion.current, &motion.previous}) {
+    rows->resize(layout.row_count());
+  }
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    const Index v = layout.vertex_of_row[row];
+    motion.start[row] = row_of(garment.mesh.positions[v]);
+    motion.current[row] = row_of(state.current[v] - garment.mesh.positions[v]);
+  }
+  ExternalForces external;
+  external.gravity_m_per_s2 = {0, 0, 0};
+  external.wind = wind;
+  forces.update(garment, external, motion, 0.0, 1e-3, 2e-3, kernels_for(VectorUnit::best));
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    const Index v = layout.vertex_of_row[row];
+    const Vec3 force = vector_of(forces.accelerations()[row]) * garment.masses_kg[v];
+    EXPECT_LT(glm::length(force - expected[v]), 2e-4 * glm::length(expected[v])) << "vertex " << v;
+  }
+}
+
+TEST(Flexural, FlatShapesAreNotBent) {
+  for (const Mesh& mesh : {sheet(7, 1.0), irregular_sheet(12, 1.0)}) {
+    const Garment garment = make_garment(mesh, {}, {});
+    const auto elements = flexural_elements(garment);
+    EXPECT_GT(20 * elements.size(), 19 * garment.springs.count(SpringKind::flexural));
+    for (const FlexuralElement& e : elements) {
+      Vec3 deflection(0.0);
+      for (std::size_t k = 0; k < 4; ++k) {
+        deflection += e.weights[k] * mesh.positions[e.vertices[k]];
+      }
+      EXPECT_LT(glm::length(deflection), 1e-12);
+    }
+  }
+}
+
+/// The bending energy of a sheet rolled to a cylinder, over B kappa^2 area / 2.
+double cylinder_energy_ratio(const Mesh& flat, double axis_angle_rad) {
+  const Garment garment = make_garment(flat, {}, {});
+  const double curvature_per_m = 0.5;
+  const Vec3 along(std::cos(axis_angle_rad), std::sin(axis_angle_rad), 0.0);
+  const Vec3 across(-along.y, along.x, 0.0);
+  std::vector<Vec3> rolled;
+  double area_m2 = 0.0;
+  for (const Vec3& p : flat.positions) {
+    const double angle = glm::dot(p, across) * curvature_per_m;
+    rolled.push_back(glm::dot(p, along) * along + across * (std::sin(angle) / curvature_per_m) +
+                     Vec3(0, 0, (1.0 - std::cos(angle)) / curvature_per_m));
+  }
+  for (const double m : garment.masses_kg) {
+    area_m2 += m / garment.areal_density_kg_per_m2;
+  }
+  double energy = 0.0;
+  for (const FlexuralElement& e : flexural_elements(garment)) {
+    Vec3 deflection(0.0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      deflection += e.weights[k] * rolled[e.vertices[k]];
+    }
+    energy += 0.5 * e.stiffness_per_rigidity * glm::dot(deflection, deflection);
+  }
+  return energy / (0.5 * curvature_per_m * curvature_per_m * area_m2);
+}
+
+TEST(Flexural, ASheetResistsRollingWithItsRigidityWhateverItsMesh) {
+  double sum = 0.0;
+  for (const Index count : {9, 17, 33}) {
+    EXPECT_NEAR(cylinder_energy_ratio(sheet(count, 1.0), 0.0), 1.0, 0.02) << count;
+    for (const double angle : {0.0, 0.4, 0.8, 1.2, 1.6, 2.0, 2.4, 2.8}) {
+      const double ratio = cylinder_energy_ratio(irregular_sheet(count, 1.0), angle);
+      EXPECT_GT(ratio, 0.4) << count << ' ' << angle;
+      EXPECT_LT(ratio, 1.9) << count << ' ' << angle;
+      sum += ratio / 24.0;
+    }
+  }
+  EXPECT_NEAR(sum, 1.0, 0.15);
+}
+
+TEST(Bounded, KeepsTheBoundInEveryFrame) {
+  const Garment garment = make_garment(irregular_sheet(25, 1.0), {}, {0, 24});
+  for (const Surroundings& surroundings : {Surroundings{}, shaken(), storm()}) {
+    for (const double bound : {0.05, 0.01, 0.001}) {
+      Simulation simulation(garment, bounded_by(bound), surroundings);
+      for (int frame = 0; frame < 180; ++frame) {
+        simulation.advance_frame();
+        const FrameReport& report = simulation.frame_report();
+        EXPECT_TRUE(report.bound_promised && report.bound_kept);
+        const double shown = largest_stretch(garment, simulation.shown_positions());
+        ASSERT_LE(shown, bound);
+        EXPECT_NEAR(shown, std::max(report.max_stretch, 0.0), 2e-6);
+        EXPECT_NEAR(largest_stretch(garment, simulation.state().current),
+                    std::max(report.raw_max_stretch, 0.0), 2e-6);
+      }
+    }
+  }
+}
+
+TEST(Bounded, SaysSoWhereThePinsPullTheClothApart) {
+  Mesh mesh = sheet(9, 1.0);
+  Garment garment = make_garment(mesh, {}, {0, 8});
+  // Rest lengths of a smaller cloth: its corners are pinned further apart than the bound allows.
+  for (double& rest_m : garment.springs.rest_lengths_m) {
+    rest_m *= 0.9;
+  }
+  SimulationSettings settings = bounded_by(0.01);
+  settings.solver.max_substeps = 40;
+  Simulation simulation(garment, settings, {});
+  simulation.advance_frame();
+  EXPECT_FALSE(simulation.frame_report().bound_kept);
+  EXPECT_GT(simulation.frame_report().max_stretch, 0.05);
+  EXPECT_EQ(simulation.frame_report().substeps, 40);
+}
+
+TEST(Bounded, ChoosesMoreStepsForATighterBoundAndFixesThemWhereAsked) {
+  const Garment garment = make_garment(sheet(33, 1.0), {}, {0, 32});
+  std::vector<int> substeps;
+  for (const double bound : {0.05, 0.01, 0.001}) {
+    Simulation simulation(garment, bounded_by(bound), {});
+    for (int frame = 0; frame < 120; ++frame) {
+      simulation.advance_frame();
+    }
+    substeps.push_back(simulation.frame_report().substeps);
+  }
+  EXPECT_LT(1.3 * substeps[0], substeps[1]);
+  EXPECT_LT(1.3 * substeps[1], substeps[2]);
+  SimulationSettings fixed = bounded_by(0.01);
+  fixed.solver.substeps = 77;
+  Simulation simulation(garment, fixed, {});
+  simulation.advance_frame();
+  EXPECT_EQ(simulation.frame_report().substeps, 77);
+}
+
+TEST(Bounded, NeverGainsEnergy) {
+  GridSettings lying;
+  lying.columns = lying.rows = 25;
+  lying.plane = GridPlane::horizontal;
+  const Garment garment = make_garment(make_grid(lying), {}, {0, 24});
+  Surroundings still;
+  still.forces.air_drag_per_s = 0.0;
+  for (const int substeps : {10, 40, 160}) {
+    SimulationSettings settings = bounded_by(0.05);
+    settings.solver.substeps = substeps;
+    settings.solver.fabric.bending_rigidity_n_m = 1e-4;
+    Simulation simulation(garment, settings, still);
+    for (int frame = 0; frame < 240; ++frame) {
+      simulation.advance_frame();
+      const Energy energy = measure_energy(garment, simulation.state(), {0, -9.81, 0});
+      ASSERT_LE(energy.kinetic_j + energy.potential_j, 1e-6) << substeps << " substeps, frame " << frame;
+    }
+  }
+}
+
+/// Seconds between the first and the last of several passes of the lower edge through the middle, over their
+/// number.
+double swing_period_s(int substeps) {
+  const Garment garment = make_garment(sheet(9, 1.0), {}, {0, 1, 2, 3, 4, 5, 6, 7, 8});
+  SimulationSettings settings = bounded_by(0.05);
+  settings.frame_rate_hz = 240.0;
+  settings.solver.substeps = substeps;
+  Surroundings surroundings;
+  surroundings.forces.air_drag_per_s = 0.0;
+  surroundings.forces.gravity_m_per_s2 = {0.0, -9.81 * std::cos(0.3), 9.81 * std::sin(0.3)};
+  Simulation simulation(garment, settings, surroundings);
+  for (int frame = 0; frame < 240; ++frame) {
+    simulation.advance_frame();
+  }
+  surroundings.forces.gravity_m_per_s2 = {0.0, -9.81, 0.0};
+  simulation.set_surroundings(surroundings);
+  std::vector<double> passes_s;
+  double before = 0.0;
+  for (int frame = 0; frame < 1500; ++frame) {
+    simulation.advance_frame();
+    double z = 0.0;
+    for (Index v = 72; v < 81; ++v) {
+      z += simulation.state().current[v].z / 9.0;
+    }
+    if (before < 0.0 && z >= 0.0) {
+      passes_s.push_back((frame - z / (z - before)) / 240.0);
+    }
+    before = z;
+  }
+  return (passes_s.back() - passes_s.front()) / static_cast<double>(passes_s.size() - 1);
+}
+
+TEST(Bounded, SwingsAtTheSamePeriodWhateverTheSubsteps) {
+  const double reference_s = swing_period_s(64);
+  // A hanging chain of length 1 m swings at 2 pi sqrt(L / g) / (2.4048 / 2).
+  EXPECT_NEAR(reference_s, 1.668, 0.06) << "less for a swing of 0.3 rad and a chain of eight links";
+  for (const int substeps : {4, 16}) {
+    EXPECT_NEAR(swing_period_s(substeps), reference_s, 0.02 * reference_s) << substeps;
+  }
+}
+
+TEST(Bounded, FallsFreelyWithoutPins) {
+  const Garment garment = make_garment(irregular_sheet(9, 1.0), {}, {});
+  Surroundings airless;
+  airless.forces.air_drag_per_s = 0.0;
+  Simulation simulation(garment, bounded_by(0.01), airless);
+  for (int frame = 0; frame < 60; ++frame) {
+    simulation.advance_frame();
+  }
+  for (std::size_t v = 0; v < garment.mesh.positions.size(); ++v) {
+    const double fallen_m = garment.mesh.positions[v].y - simulation.state().current[v].y;
+    EXPECT_NEAR(fallen_m, 0.5 * 9.81, 0.1) << "first-order in a substep";
+  }
+  EXPECT_LT(largest_stretch(garment, simulation.state().current), 1e-4);
+}
+
+TEST(Bounded, AllVectorUnitsEndInTheSameState) {
+  const Garment garment = make_garment(irregular_sheet(17, 1.0), {}, {0, 16});
+  std::vector<std::uint64_t> hashes;
+  for (const VectorUnit unit : available_vector_units()) {
+    SimulationSettings settings = bounded_by(0.01);
+    settings.solver.vector_unit = unit;
+    Simulation simulation(garment, settings, storm());
+    for (int frame = 0; frame < 60; ++frame) {
+      simulation.advance_frame();
+    }
+    hashes.push_back(hash(simulation.state()));
+  }
+  for (const std::uint64_t h : hashes) {
+    EXPECT_EQ(h, hashes.front());
+  }
+}
+
+TEST(Bounded, ComesToRestAndFallsAsleep) {
+  const Garment garment = make_garment(irregular_sheet(25, 1.0), {}, {0, 24});
+  Simulation simulation(garment, bounded_by(0.01), {});
+  double slow_since_s = 0.0;
+  for (int frame = 0; frame < 900; ++frame) {
+    simulation.advance_frame();
+    if (rms_speed(simulation.state()) > 1e-3) {
+      slow_since_s = simulation.state().time_s;
+    }
+  }
+  EXPECT_LT(slow_since_s, 8.0);
+  EXPECT_TRUE(simulation.state().asleep);
+}
+
+}  // namespace
+}  // namespace taut::sim

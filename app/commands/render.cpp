@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <future>
 #include <memory>
 #include <numeric>
 
@@ -140,8 +141,11 @@ int run(const RenderOptions& options) {
     prepare_folder_of(options.statistics);
   }
 
-  sim::Simulation simulation(load_garment(job.scene).garment, job.scene.simulation, job.scene.surroundings);
+  // Starting OpenGL takes as long as reading a model.
+  std::future<LoadedGarment> garment =
+      std::async(std::launch::async, [&] { return load_garment(job.scene); });
   Studio studio(options.backend);
+  sim::Simulation simulation(garment.get().garment, job.scene.simulation, job.scene.surroundings);
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
   const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin);
   const std::string written = output.finish();

@@ -181,6 +181,56 @@ std::function<Command()> add_simulate(CLI::App& app) {
   };
 }
 
+renderer::Resized parse_size(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  const char* end = text.data() + text.size();
+  const auto [comma, error] = std::from_chars(text.data(), end, width);
+  const bool has_height = error == std::errc() && comma != end && *comma == ',';
+  const auto [stop, height_error] = std::from_chars(has_height ? comma + 1 : end, end, height);
+  if (height_error != std::errc() || stop != end || width < 1 || height < 1 || width > 16384 || height > 16384) {
+    throw UsageError("--size " + text + ": expected WIDTH,HEIGHT in pixels, such as 1280,720");
+  }
+  return {width, height};
+}
+
+std::function<Command()> add_view(CLI::App& app) {
+  struct Arguments {
+    std::vector<std::string> set;
+    std::string size;
+    ViewOptions options;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  ViewOptions& options = arguments->options;
+  CLI::App* command = app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
+  command->add_option("SCENE", options.scene, scene_help_text);
+  command->add_option("--set", arguments->set, "KEY=VALUE, any key of the scene; can be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--size", arguments->size, "WIDTH,HEIGHT of the window (default 1280,720)");
+  command->add_option("--keep", options.keep_folder, "folder for screenshots, videos and saved scenes")
+      ->capture_default_str();
+  command->add_option("--record", options.record, "write all input to this file, for --script");
+  command->add_flag("--headless", options.headless, "no window: play a script and end");
+  command->add_option("--script", options.script, "input to play: recorded, or written by hand");
+  command->add_option("--screenshot", options.screenshot, "a picture of the window after the script");
+  command->add_option("--layout", options.layout, "where the panel's parts are after the script, as text");
+  add_backend(*command, options.backend);
+  command->footer(
+      "Examples:\n  taut view\n  taut view my-dress.obj --set wind.speed=4\n"
+      "  taut view tshirt-gravity --record session.txt\n"
+      "  taut view --headless --script session.txt --screenshot window.png\n");
+  return [arguments] {
+    ViewOptions chosen = arguments->options;
+    for (const std::string& text : arguments->set) {
+      chosen.overrides.push_back(parse_override(text));
+    }
+    if (!arguments->size.empty()) {
+      chosen.size = parse_size(arguments->size);
+    }
+    return Command(chosen);
+  };
+}
+
 std::function<Command()> add_inspect(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a 3D model and how it maps to springs");
@@ -238,7 +288,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   app.footer(
       "taut COMMAND --help says more. Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
   const std::vector<std::function<Command()>> commands = {
-      add_figures(app), add_render(app), add_simulate(app), add_inspect(app), add_scenes(app), add_help(app)};
+      add_figures(app), add_render(app), add_simulate(app), add_view(app),
+      add_inspect(app), add_scenes(app), add_help(app)};
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {

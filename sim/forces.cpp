@@ -37,6 +37,7 @@ void add_external_forces(const Garment& garment, const State& state, const Exter
   add_wind_forces(garment, state, external.wind, time_step_s, forces_n);
   add_air_drag(garment, state, external.air_drag_per_s, forces_n);
   add_artificial_forces(external.artificial_forces, forces_n);
+  add_hand_forces(garment, state, external.held_vertices, time_step_s, forces_n);
 }
 
 }  // namespace taut::sim

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/garment.hpp"
+#include "sim/hand.hpp"
 #include "sim/state.hpp"
 #include "sim/wind.hpp"
 
@@ -25,6 +26,7 @@ struct ExternalForces {
   /// less.
   double air_drag_per_s = 1.5;
   std::vector<PointForce> artificial_forces;
+  std::vector<HeldVertex> held_vertices;
 
   bool operator==(const ExternalForces&) const = default;
 };

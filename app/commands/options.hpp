@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/scene/scene_file.hpp"
+#include "renderer/context/window_event.hpp"
 
 namespace taut::app {
 
@@ -44,6 +45,20 @@ struct SimulateOptions {
   std::filesystem::path statistics;
 };
 
+struct ViewOptions {
+  std::string scene;  ///< empty: the script's, or the first there is
+  std::vector<Override> overrides;
+  std::optional<renderer::Resized> size;
+  std::filesystem::path keep_folder = ".";
+  std::filesystem::path record;  ///< where the input is written to; empty: nowhere
+  bool headless = false;
+  // Headless alone:
+  std::filesystem::path script;
+  std::filesystem::path screenshot;
+  std::filesystem::path layout;
+  std::string backend = "auto";
+};
+
 struct InspectOptions {
   std::filesystem::path garment;
   double scale = 1.0;
@@ -62,12 +77,13 @@ struct Answered {
   int exit_code = 0;
 };
 
-using Command = std::variant<Answered, FiguresOptions, RenderOptions, SimulateOptions, InspectOptions,
-                             ScenesOptions, HelpOptions>;
+using Command = std::variant<Answered, FiguresOptions, RenderOptions, SimulateOptions, ViewOptions,
+                             InspectOptions, ScenesOptions, HelpOptions>;
 
 int run(const FiguresOptions& options);
 int run(const RenderOptions& options);
 int run(const SimulateOptions& options);
+int run(const ViewOptions& options);
 int run(const InspectOptions& options);
 int run(const ScenesOptions& options);
 int run(const HelpOptions& options);

@@ -1,0 +1,89 @@
+#include <fmt/core.h>
+
+#include "app/commands/options.hpp"
+#include "app/errors.hpp"
+#include "app/output/files.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "app/viewer/view_session.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr const char* first_scene = "tshirt-wind-1";
+
+std::string layout_text(const ViewerState& state) {
+  std::string text;
+  for (const auto& [name, place] : state.places) {
+    text += fmt::format("{} {} {} {} {}\n", name, place.lower_px.x, place.lower_px.y, place.upper_px.x,
+                        place.upper_px.y);
+  }
+  return text;
+}
+
+Session session_of(const ViewOptions& options) {
+  Session session;
+  if (!options.script.empty()) {
+    session = read_session(options.script);
+  } else {
+    session.frames.resize(2);
+  }
+  if (!options.scene.empty()) {
+    session.start.scene = options.scene;
+    session.start.overrides.clear();
+  } else if (session.start.scene.empty()) {
+    session.start.scene = first_scene;
+  }
+  session.start.overrides.insert(session.start.overrides.end(), options.overrides.begin(),
+                                 options.overrides.end());
+  if (options.size) {
+    session.start.size = *options.size;
+  }
+  return session;
+}
+
+void view_headless(const ViewOptions& options, const Session& session, const Scene& scene) {
+  HeadlessViewer viewer(scene, session.start, options.keep_folder, options.backend);
+  std::optional<SessionRecorder> recorder;
+  if (!options.record.empty()) {
+    recorder.emplace(options.record, session.start);
+  }
+  for (const SessionFrame& frame : session.frames) {
+    const SessionFrame played = viewer.play(frame);
+    if (recorder) {
+      recorder->add(played);
+    }
+  }
+  viewer.viewer().finish_recording();
+  for (const Message& message : viewer.viewer().state().messages) {
+    fmt::print("{}{}\n", message.is_error ? "error: " : "", message.text);
+  }
+  if (!options.screenshot.empty()) {
+    prepare_folder_of(options.screenshot);
+    renderer::write_png(options.screenshot, viewer.draw());
+    fmt::print("wrote {}\n", options.screenshot.string());
+  }
+  if (!options.layout.empty()) {
+    write_text_file(options.layout, layout_text(viewer.viewer().state()));
+  }
+  fmt::print("frame {} state {:016x} drawn by {}\n", viewer.viewer().state().newest->record.frame,
+             viewer.state_hash(), viewer.gl_renderer());
+}
+
+}  // namespace
+
+int run(const ViewOptions& options) {
+  const bool needs_headless = !options.script.empty() || !options.screenshot.empty() || !options.layout.empty();
+  if (needs_headless && !options.headless) {
+    throw UsageError("--script, --screenshot and --layout are for --headless: a window has a person instead");
+  }
+  const Session session = session_of(options);
+  const Scene scene = find_scene(session.start.scene, session.start.overrides);
+  if (options.headless) {
+    view_headless(options, session, scene);
+  } else {
+    view_in_window(scene, session.start, options.keep_folder, options.record);
+  }
+  return 0;
+}
+
+}  // namespace taut::app

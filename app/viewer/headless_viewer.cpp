@@ -1,0 +1,64 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/errors.hpp"
+#include "app/interruption.hpp"
+#include "app/viewer/stepped_simulation.hpp"
+#include "app/viewer/view_session.hpp"
+
+namespace taut::app {
+
+DrawingPlace::DrawingPlace(MakeContext make_context) : make_context_(std::move(make_context)) {
+  renew();
+}
+
+DrawingPlace::~DrawingPlace() = default;
+
+void DrawingPlace::renew() {
+  picture_.reset();
+  // One at a time: a window system may have no second one to give.
+  context_.reset();
+  context_ = make_context_();
+  picture_ = std::make_unique<ViewerPicture>(*context_);
+}
+
+HeadlessViewer::HeadlessViewer(const Scene& scene, const SessionStart& start,
+                               const std::filesystem::path& keep_folder, const std::string& backend)
+    : simulation_(std::make_unique<SteppedSimulation>(scene)),
+      viewer_(*simulation_, {start.size, start.scale, keep_folder, false}),
+      place_([backend] { return renderer::create_context(backend); }),
+      target_(std::make_unique<renderer::ColourTarget>(place_.context())) {}
+
+SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
+  throw_if_interrupted();
+  const bool loses_context = std::any_of(frame.events.begin(), frame.events.end(), [](const auto& event) {
+    return std::holds_alternative<ContextLost>(event);
+  });
+  if (loses_context) {
+    target_.reset();
+    place_.renew();
+    target_ = std::make_unique<renderer::ColourTarget>(place_.context());
+    viewer_.tell("the graphics driver lost the picture; it was made anew", true);
+  }
+  SessionFrame played = viewer_.update(frame);
+  if (viewer_.wants_picture()) {
+    viewer_.take_picture(draw());
+  }
+  if (frame.expected_state && *frame.expected_state != simulation_->state_hash()) {
+    throw InputError(fmt::format("the state is {:016x}, the session expects {:016x}",
+                                 simulation_->state_hash(), *frame.expected_state));
+  }
+  return played;
+}
+
+renderer::Image HeadlessViewer::draw() {
+  const WindowLayout layout = viewer_.layout();
+  const unsigned framebuffer = target_->framebuffer(layout.width_px, layout.height_px);
+  place_.picture().draw(framebuffer, viewer_.state(), layout, picture_qualities.front(), viewer_.letters(),
+                        viewer_.overlay());
+  return renderer::read_framebuffer(place_.context(), framebuffer, layout.width_px, layout.height_px);
+}
+
+}  // namespace taut::app

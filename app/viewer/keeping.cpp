@@ -1,0 +1,103 @@
+#include "app/viewer/keeping.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <glm/trigonometric.hpp>
+
+#include "app/errors.hpp"
+#include "app/output/files.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// H.264 wants even sides.
+int even(int side_px) {
+  return std::max(side_px / 2 * 2, 2);
+}
+
+renderer::Image cropped(const renderer::Image& image, int width_px, int height_px) {
+  if (image.width_px == width_px && image.height_px == height_px) {
+    return image;
+  }
+  renderer::Image part = renderer::make_image(width_px, height_px);
+  for (int y = 0; y < height_px; ++y) {
+    std::copy_n(image.at(0, y), static_cast<std::size_t>(width_px) * 3U, part.at(0, y));
+  }
+  return part;
+}
+
+}  // namespace
+
+fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
+  for (int n = 1;; ++n) {
+    fs::path path = folder / fmt::format("{}-{}{}", stem, n, extension);
+    std::error_code error;
+    if (!fs::exists(path, error)) {
+      return path;
+    }
+  }
+}
+
+Scene kept_scene(const ViewerState& state, const ViewArea& area) {
+  constexpr int smallest_side_px = 16;
+  Scene scene = state.scene;
+  const std::vector<sim::Index>& pins = *state.newest->pins;
+  if (pins != state.newest->loaded->garment.pins) {
+    scene.pins.emplace(pins.begin(), pins.end());
+  }
+  const renderer::Camera camera = state.camera.camera();
+  scene.camera.eye = camera.eye;
+  scene.camera.target = camera.target;
+  scene.camera.framing.vertical_fov_rad = camera.vertical_fov_rad;
+  scene.frames = std::max(1, state.newest->record.frame);
+  scene.picture.settings.width_px = std::max(area.width_px, smallest_side_px);
+  scene.picture.settings.height_px = std::max(area.height_px, smallest_side_px);
+  return scene;
+}
+
+std::string camera_text(const renderer::Camera& camera) {
+  const auto point = [](const glm::vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
+  return fmt::format("[camera]\neye = {}\ntarget = {}\nfield_of_view = {}\n", point(camera.eye),
+                     point(camera.target), glm::degrees(static_cast<double>(camera.vertical_fov_rad)));
+}
+
+WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, RecordingKind kind,
+                               int width_px, int height_px)
+    : width_px_(even(width_px)), height_px_(even(height_px)) {
+  const bool is_video = kind == RecordingKind::video;
+  target_ = free_name(folder, stem, is_video ? ".mp4" : "-frames");
+  if (is_video) {
+    prepare_folder_of(target_);
+    video_ = std::make_unique<VideoWriter>(target_, VideoSettings{width_px_, height_px_, rate_hz});
+  } else {
+    prepare_folder_of(target_ / "frame.png");
+  }
+}
+
+void WindowRecorder::add(const renderer::Image& picture, double elapsed_s) {
+  if (picture.width_px < width_px_ || picture.height_px < height_px_) {
+    throw std::invalid_argument("the window has become smaller than the recording");
+  }
+  const renderer::Image part = cropped(picture, width_px_, height_px_);
+  owed_s_ += frames_ == 0 ? 1.0 / rate_hz : std::min(elapsed_s, 1.0);
+  for (; owed_s_ >= 1.0 / rate_hz; owed_s_ -= 1.0 / rate_hz) {
+    if (video_) {
+      video_->add(part);
+    } else {
+      renderer::write_png(target_ / fmt::format("frame_{:05}.png", frames_), part);
+    }
+    ++frames_;
+  }
+}
+
+std::string WindowRecorder::finish() {
+  if (video_) {
+    video_->finish();
+  }
+  return fmt::format("wrote {}, {} frames", target_.string(), frames_);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "app/viewer/viewer_state.hpp"
+
+namespace taut::app {
+
+/// A key or a gesture and what it does; the key sheet lists them all.
+struct KeyBinding {
+  const char* label;
+  const char* meaning;
+  int key = 0;  ///< 0: a gesture
+  std::optional<Action> action = std::nullopt;
+  bool repeats = false;  ///< goes on while the key is held
+};
+
+std::span<const KeyBinding> key_bindings();
+
+}  // namespace taut::app

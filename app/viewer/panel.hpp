@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/viewer/viewer_state.hpp"
+
+namespace taut::app {
+
+/// A window, in pixels, and how much larger than usual things are drawn.
+struct WindowLayout {
+  int width_px = 0;
+  int height_px = 0;
+  float scale = 1.0F;
+  bool has_panel = true;
+};
+
+/// What the panel leaves for the scene. A window too narrow for both has no panel.
+ViewArea scene_area(const WindowLayout& layout);
+bool panel_fits(const WindowLayout& layout);
+
+/// Lays everything out that is not the scene itself, between begin_frame and end_frame of UserInterface;
+/// changes the state's settings as a person does and notes what else was asked for.
+void lay_out(ViewerState& state, const WindowLayout& layout);
+
+}  // namespace taut::app

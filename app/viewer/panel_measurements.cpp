@@ -1,0 +1,116 @@
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/viewer/panel_parts.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr ImU32 curve_colour = IM_COL32(63, 111, 168, 255);
+constexpr ImU32 second_colour = IM_COL32(201, 126, 42, 255);
+constexpr ImU32 bound_colour = IM_COL32(192, 57, 43, 255);
+
+struct Plot {
+  std::string title;
+  std::string reading;  ///< the newest value, in words
+  float highest = 1.0F;
+};
+
+// The frame of a plot with its two lines of text above; returns the rectangle for the curves.
+ItemPlace plot_frame(const Plot& plot, float scale) {
+  ImGui::TextUnformatted(plot.title.c_str());
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::SameLine(ImGui::GetCursorPosX() + width - ImGui::CalcTextSize(plot.reading.c_str()).x);
+  ImGui::TextDisabled("%s", plot.reading.c_str());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = 34.0F * scale;
+  ImGui::Dummy({width, height});
+  ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height},
+                                            ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0F * scale);
+  return {{corner.x, corner.y}, {corner.x + width, corner.y + height}};
+}
+
+float height_of(float value, const ItemPlace& place, float highest) {
+  const float part = std::clamp(value / highest, 0.0F, 1.0F);
+  return place.upper_px.y - 1.0F - part * (place.upper_px.y - place.lower_px.y - 2.0F);
+}
+
+void draw_curve(std::span<const float> values, const ItemPlace& place, float highest, ImU32 colour,
+                float scale) {
+  if (values.size() < 2) {
+    return;
+  }
+  const float step = (place.upper_px.x - place.lower_px.x) / static_cast<float>(RecentValues::most - 1);
+  std::vector<ImVec2> points;
+  points.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto from_end = static_cast<float>(values.size() - 1 - i);
+    points.emplace_back(place.upper_px.x - step * from_end, height_of(values[i], place, highest));
+  }
+  ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour,
+                                          ImDrawFlags_None, 1.5F * scale);
+}
+
+float largest(std::span<const float> values) {
+  return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
+}
+
+// Scales in steps, or they would breathe with every value.
+float rounded_up(float value, float least) {
+  float limit = least;
+  while (limit < value) {
+    limit *= 2.0F;
+  }
+  return limit;
+}
+
+void plot_stretch(const ViewerState& state, float scale) {
+  const RecentValues& stretch = state.measurements.max_stretch;
+  const std::optional<double> bound = stretch_bound(state.scene);
+  const auto limit = static_cast<float>(bound.value_or(0.0));
+  const std::string reading =
+      bound ? fmt::format("{:.2f} %, bound {:.4g} %", 100.0F * stretch.last(), 100.0 * *bound)
+            : fmt::format("{:.2f} %, no bound", 100.0F * stretch.last());
+  const float highest = rounded_up(largest(stretch.values()), std::max(1.25F * limit, 0.001F));
+  const ItemPlace place = plot_frame({"Largest stretch", reading, highest}, scale);
+  if (bound) {
+    const float y = height_of(limit, place, highest);
+    ImGui::GetWindowDrawList()->AddLine({place.lower_px.x, y}, {place.upper_px.x, y}, bound_colour, scale);
+  }
+  draw_curve(stretch.values(), place, highest, curve_colour, scale);
+}
+
+void plot_convergence(const ViewerState& state, float scale) {
+  const RecentValues& moved = state.measurements.convergence_mm;
+  const float highest = rounded_up(largest(moved.values()), 0.01F);
+  const ItemPlace place =
+      plot_frame({"Convergence", fmt::format("{:.3f} mm a step", moved.last()), highest}, scale);
+  draw_curve(moved.values(), place, highest, curve_colour, scale);
+}
+
+void plot_times(const ViewerState& state, float scale) {
+  const Measurements& m = state.measurements;
+  if (!m.shows_times) {
+    plot_frame({"Milliseconds", "not shown here", 1.0F}, scale);
+    return;
+  }
+  const float highest = rounded_up(std::max(largest(m.simulate_ms.values()), largest(m.draw_ms.values())), 10.0F);
+  const std::string reading = fmt::format("simulate {:.1f}  draw {:.1f}  panel {:.1f}", m.simulate_ms.last(),
+                                          m.draw_ms.last(), m.panel_ms.last());
+  const ItemPlace place = plot_frame({"ms", reading, highest}, scale);
+  draw_curve(m.simulate_ms.values(), place, highest, curve_colour, scale);
+  draw_curve(m.draw_ms.values(), place, highest, second_colour, scale);
+}
+
+}  // namespace
+
+void lay_out_measurements(const ViewerState& state, float scale) {
+  ImGui::Separator();
+  plot_stretch(state, scale);
+  plot_convergence(state, scale);
+  plot_times(state, scale);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,113 @@
+#include "app/viewer/simulation_thread.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace taut::app {
+namespace {
+
+// A simulation that falls behind the clock by more gives the time up: it runs slower, and never hurries to
+// catch up.
+constexpr std::chrono::milliseconds most_behind{50};
+
+}  // namespace
+
+SimulationThread::SimulationThread(const Scene& scene) : simulation_(scene), due_(Clock::now()) {
+  timeline_.add(simulation_.take_snapshot());
+  thread_ = std::thread([this] { run(); });
+}
+
+SimulationThread::~SimulationThread() {
+  end();
+}
+
+void SimulationThread::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+SnapshotPtr SimulationThread::begin_frame(double, const std::optional<Pace>&) {
+  const std::lock_guard lock(mutex_);
+  return timeline_.newest();
+}
+
+std::uint64_t SimulationThread::post(std::vector<SimulationCommand> commands) {
+  const std::lock_guard lock(mutex_);
+  if (!commands.empty()) {
+    posted_.push_back(std::move(commands));
+    changed_.notify_all();
+  }
+  return begun_;
+}
+
+SnapshotPtr SimulationThread::past_frame(int frame) {
+  const std::lock_guard lock(mutex_);
+  return timeline_.of_frame(frame);
+}
+
+std::uint64_t SimulationThread::state_hash() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !busy_ && posted_.empty(); });
+  return simulation_.state_hash();
+}
+
+void SimulationThread::run() {
+  std::unique_lock lock(mutex_);
+  while (!ending_ || !posted_.empty()) {
+    if (!posted_.empty()) {
+      perform_posted(lock);
+    } else if (simulation_.wants_to_advance()) {
+      wait_until_due(lock);
+    } else {
+      changed_.wait(lock);
+      due_ = Clock::now();
+    }
+  }
+}
+
+// Commands that come meanwhile are done first.
+void SimulationThread::wait_until_due(std::unique_lock<std::mutex>& lock) {
+  changed_.wait_until(lock, due_, [this] { return ending_ || !posted_.empty(); });
+  if (ending_ || !posted_.empty()) {
+    return;
+  }
+  const auto frame_time = std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(simulation_.frame_time_s() / simulation_.speed()));
+  due_ = std::max(due_ + frame_time, Clock::now() - most_behind);
+  advance(lock);
+}
+
+void SimulationThread::perform_posted(std::unique_lock<std::mutex>& lock) {
+  const std::vector<SimulationCommand> commands = std::move(posted_.front());
+  posted_.pop_front();
+  busy_ = true;
+  lock.unlock();
+  for (const SimulationCommand& command : commands) {
+    simulation_.apply(command);
+  }
+  SnapshotPtr snapshot = simulation_.take_snapshot();
+  lock.lock();
+  timeline_.add(std::move(snapshot));
+  busy_ = false;
+  changed_.notify_all();
+}
+
+void SimulationThread::advance(std::unique_lock<std::mutex>& lock) {
+  ++begun_;
+  busy_ = true;
+  lock.unlock();
+  simulation_.advance();
+  SnapshotPtr snapshot = simulation_.take_snapshot();
+  lock.lock();
+  timeline_.add(std::move(snapshot));
+  busy_ = false;
+  changed_.notify_all();
+}
+
+}  // namespace taut::app

@@ -1,0 +1,208 @@
+#include "app/viewer/viewer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/drawing/framing.hpp"
+#include "app/errors.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "app/viewer/choices.hpp"
+#include "app/viewer/key_bindings.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace keys = renderer::keys;
+
+bool is_down(const std::set<int>& down, int one, int other) {
+  return down.contains(one) || down.contains(other);
+}
+
+}  // namespace
+
+Viewer::Viewer(SimulationHost& simulation, const ViewerSettings& settings)
+    : simulation_(simulation),
+      keep_folder_(settings.keep_folder),
+      size_(settings.size),
+      scale_(settings.scale),
+      interface_(settings.scale) {
+  state_.measurements.shows_times = settings.shows_times;
+  state_.scenes = scene_choices();
+  state_.garments = garment_choices();
+  note_snapshot(simulation_.begin_frame(0.0, std::nullopt));
+}
+
+WindowLayout Viewer::layout() const {
+  return {std::max(size_.width_px, 1), std::max(size_.height_px, 1), static_cast<float>(scale_),
+          state_.show_panel};
+}
+
+SessionFrame Viewer::update(SessionFrame frame) {
+  elapsed_s_ = frame.elapsed_s;
+  pointer_.pressed = {};
+  pointer_.notches = 0.0F;
+  const glm::vec2 place_before = pointer_.place_px;
+  for (const SessionEvent& event : frame.events) {
+    take(event);
+  }
+  pointer_.way_px = pointer_.place_px - place_before;
+
+  note_snapshot(simulation_.begin_frame(frame.elapsed_s, frame.pace));
+  interface_.begin_frame(layout().width_px, layout().height_px, frame.elapsed_s);
+  lay_out(state_, layout());
+  hands_.update(pointer_, !interface_.wants_pointer(), scene_area(layout()), state_, commands_);
+  perform_asked();
+  load_asked();
+  collect_settings();
+  const std::uint64_t advances = simulation_.post(std::exchange(commands_, {}));
+  overlay_ = &interface_.end_frame();
+  frame.pace = Pace{advances, state_.newest->serial};
+  note_changes(frame);
+  return frame;
+}
+
+void Viewer::take(const SessionEvent& event) {
+  if (const auto* at = std::get_if<PointAt>(&event)) {
+    const auto place = state_.places.find(at->item);
+    if (place == state_.places.end()) {
+      throw InputError("the session points at '" + at->item + "', which the panel does not show");
+    }
+    const glm::vec2 part(static_cast<float>(at->x), static_cast<float>(at->y));
+    const glm::vec2 point = glm::mix(place->second.lower_px, place->second.upper_px, part);
+    take(renderer::WindowEvent(renderer::PointerMoved{point.x, point.y}));
+  } else if (const auto* from_window = std::get_if<renderer::WindowEvent>(&event)) {
+    take(*from_window);
+  }
+}
+
+void Viewer::take(const renderer::WindowEvent& event) {
+  interface_.feed(event);
+  if (const auto* moved = std::get_if<renderer::PointerMoved>(&event)) {
+    pointer_.place_px = {moved->x_px, moved->y_px};
+  } else if (const auto* button = std::get_if<renderer::ButtonChanged>(&event)) {
+    const auto index = static_cast<std::size_t>(button->button);
+    pointer_.pressed[index] = pointer_.pressed[index] || (button->down && !pointer_.down[index]);
+    pointer_.down[index] = button->down;
+  } else if (const auto* wheel = std::get_if<renderer::WheelTurned>(&event)) {
+    pointer_.notches += static_cast<float>(wheel->y);
+  } else if (const auto* resized = std::get_if<renderer::Resized>(&event)) {
+    size_ = *resized;
+  } else if (const auto* scaled = std::get_if<renderer::ScaleChanged>(&event)) {
+    scale_ = scaled->scale;
+    interface_.set_scale(scale_);
+  } else if (const auto* dropped = std::get_if<renderer::FileDropped>(&event)) {
+    state_.scene_asked = dropped->path;
+  } else if (const auto* key = std::get_if<renderer::KeyChanged>(&event)) {
+    take_key(*key);
+  }
+}
+
+void Viewer::take_key(const renderer::KeyChanged& event) {
+  const bool repeats = !event.down || !keys_down_.insert(event.key).second;
+  if (!event.down) {
+    keys_down_.erase(event.key);
+    return;
+  }
+  const bool is_shortcut = is_down(keys_down_, keys::left_control, keys::right_control) ||
+                           is_down(keys_down_, keys::left_alt, keys::right_alt);
+  if (interface_.wants_keys() || is_shortcut) {
+    return;
+  }
+  for (const KeyBinding& binding : key_bindings()) {
+    if (binding.action && binding.key == event.key && (!repeats || binding.repeats)) {
+      key_actions_.push_back(*binding.action);
+    }
+  }
+}
+
+void Viewer::note_snapshot(SnapshotPtr newest) {
+  const bool is_new_garment =
+      !state_.newest || newest->loaded->generation != state_.newest->loaded->generation;
+  state_.newest = std::move(newest);
+  if (is_new_garment) {
+    adopt_scene();
+  }
+  if (state_.newest->notice.number != told_notice_) {
+    told_notice_ = state_.newest->notice.number;
+    tell(state_.newest->notice.text, state_.newest->notice.is_error);
+  }
+  note_measurements();
+  choose_shown();
+}
+
+void Viewer::adopt_scene() {
+  state_.scene = state_.newest->loaded->scene;
+  told_simulation_ = state_.scene.simulation;
+  told_surroundings_ = state_.scene.surroundings;
+  state_.past_frame.reset();
+  hands_.drop();
+  noted_frame_.reset();
+  state_.measurements.forget();
+  const renderer::Box reach = expected_reach(state_.scene, state_.newest->loaded->garment);
+  state_.camera = OrbitCamera(scene_camera(state_.scene, reach, scene_area(layout()).aspect()));
+}
+
+// The window may have missed some frames; the plots must not.
+void Viewer::note_measurements() {
+  const int newest = state_.newest->record.frame;
+  if (noted_frame_ && newest < *noted_frame_) {
+    state_.measurements.forget();
+    noted_frame_.reset();
+  }
+  constexpr int most_missed = static_cast<int>(RecentValues::most);
+  const int first = std::max(noted_frame_ ? *noted_frame_ + 1 : newest, newest - most_missed);
+  for (int frame = first; frame <= newest; ++frame) {
+    state_.measurements.add(frame == newest ? state_.newest->record : simulation_.past_frame(frame)->record);
+  }
+  noted_frame_ = newest;
+}
+
+void Viewer::choose_shown() {
+  if (state_.past_frame) {
+    state_.past_frame = std::clamp(*state_.past_frame, first_frame_in_reach(*state_.newest),
+                                   state_.newest->record.frame);
+    state_.shown = simulation_.past_frame(*state_.past_frame);
+  } else {
+    state_.shown = state_.newest;
+  }
+  if (state_.shown->loaded != state_.newest->loaded) {
+    state_.shown = state_.newest;
+  }
+}
+
+void Viewer::collect_settings() {
+  const Scene& scene = state_.scene;
+  if (scene.simulation != told_simulation_ || scene.surroundings != told_surroundings_) {
+    told_simulation_ = scene.simulation;
+    told_surroundings_ = scene.surroundings;
+    commands_.emplace_back(ChangeSettings{scene.simulation, scene.surroundings});
+  }
+  if (state_.speed != told_speed_) {
+    told_speed_ = state_.speed;
+    commands_.emplace_back(SetSpeed{state_.speed});
+  }
+}
+
+// The panel shows the effect of input one frame later, so it has to settle before it is still.
+void Viewer::note_changes(const SessionFrame& frame) {
+  for (Message& message : state_.messages) {
+    message.left_s -= frame.elapsed_s;
+  }
+  const std::size_t gone =
+      std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
+  const bool moves = !state_.paused && !state_.newest->record.asleep && !state_.newest->stopped;
+  const bool is_changing = moves || !frame.events.empty() || gone > 0 || hands_.is_busy() || recorder_ ||
+                           !key_actions_.empty();
+  still_frames_ = is_changing ? 0 : still_frames_ + 1;
+}
+
+void Viewer::note_times(double draw_ms, double panel_ms) {
+  state_.measurements.draw_ms.add(static_cast<float>(draw_ms));
+  state_.measurements.panel_ms.add(static_cast<float>(panel_ms));
+}
+
+std::optional<std::string> Viewer::take_clipboard() {
+  return clipboard_.empty() ? std::nullopt : std::optional(std::exchange(clipboard_, {}));
+}
+
+}  // namespace taut::app

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "app/viewer/hands.hpp"
+#include "app/viewer/keeping.hpp"
+#include "app/viewer/panel.hpp"
+#include "app/viewer/session.hpp"
+#include "app/viewer/simulation_host.hpp"
+#include "app/viewer/user_interface.hpp"
+#include "app/viewer/viewer_state.hpp"
+
+namespace taut::app {
+
+struct ViewerSettings {
+  renderer::Resized size;
+  double scale = 1.0;
+  std::filesystem::path keep_folder = ".";  ///< where screenshots, videos and scenes go
+  bool shows_times = true;                  ///< false: what is drawn depends on the input alone
+};
+
+/// The viewer without a window: input comes in frame by frame, commands for the simulation, a state to draw
+/// and the panel's triangles go out. Whatever is asked for and cannot be done becomes a message.
+class Viewer {
+ public:
+  /// `simulation` has to outlive the viewer.
+  Viewer(SimulationHost& simulation, const ViewerSettings& settings);
+
+  /// One frame of the window. Returns it with the pace, as it has to be recorded. Throws InputError where
+  /// the frame's own pace cannot be followed or it points at something that is not there.
+  SessionFrame update(SessionFrame frame);
+
+  // Of the last frame.
+  const ViewerState& state() const { return state_; }
+  const renderer::OverlayView& overlay() const { return *overlay_; }
+  UserInterface::Letters letters() const { return interface_.letters(); }
+  WindowLayout layout() const;
+  /// Nothing that is drawn has changed in this frame or is about to.
+  bool is_still() const { return still_frames_ > 2; }
+
+  /// What was drawn is wanted: for a screenshot, or a recording goes on.
+  bool wants_picture() const { return screenshot_ || recorder_; }
+  void take_picture(const renderer::Image& picture);
+  /// Text for the clipboard, once.
+  std::optional<std::string> take_clipboard();
+  /// How long the frame took, and at which quality: shown in the panel.
+  void note_times(double draw_ms, double panel_ms);
+  void note_quality(const std::string& quality) { state_.quality = quality; }
+  void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
+  /// Completes a recording that is under way.
+  void finish_recording();
+
+ private:
+  void take(const SessionEvent& event);
+  void take(const renderer::WindowEvent& event);
+  void take_key(const renderer::KeyChanged& event);
+  void note_snapshot(SnapshotPtr newest);
+  void adopt_scene();
+  void note_measurements();
+  void choose_shown();
+
+  void perform(Action action);
+  void perform_asked();
+  void pause(bool paused);
+  void change_wind(double by_m_per_s);
+  void turn_wind(double by_rad);
+  void toggle_pin();
+  void frame_garment();
+  void start_or_stop_recording();
+  void save_scene();
+  void load_asked();
+  void load(Scene scene);
+  void collect_settings();
+  void note_changes(const SessionFrame& frame);
+
+  SimulationHost& simulation_;
+  std::filesystem::path keep_folder_;
+  renderer::Resized size_;
+  double scale_;
+  UserInterface interface_;
+  ViewerState state_;
+  Hands hands_;
+  Pointer pointer_;
+  std::set<int> keys_down_;
+  std::vector<Action> key_actions_;
+  const renderer::OverlayView* overlay_ = nullptr;
+  std::vector<SimulationCommand> commands_;
+  // As the simulation was told.
+  sim::SimulationSettings told_simulation_;
+  sim::Surroundings told_surroundings_;
+  double told_speed_ = 1.0;
+  std::uint64_t told_notice_ = 0;
+  std::optional<int> noted_frame_;
+
+  double elapsed_s_ = 0.0;
+  int still_frames_ = 0;
+  bool screenshot_ = false;
+  std::optional<WindowRecorder> recorder_;
+  std::string clipboard_;
+};
+
+}  // namespace taut::app

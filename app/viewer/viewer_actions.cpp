@@ -1,0 +1,212 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/drawing/framing.hpp"
+#include "app/errors.hpp"
+#include "app/output/files.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_text.hpp"
+#include "app/viewer/viewer.hpp"
+
+// What keys and buttons of the viewer do.
+
+namespace taut::app {
+namespace {
+
+constexpr double wind_step_m_per_s = 0.5;
+constexpr double strongest_m_per_s = 20.0;
+constexpr double turn_step_rad = 0.08726646259971647;  // 5 degrees
+
+}  // namespace
+
+void Viewer::perform_asked() {
+  std::vector<Action> actions = std::exchange(key_actions_, {});
+  actions.insert(actions.end(), state_.asked.begin(), state_.asked.end());
+  state_.asked.clear();
+  for (const Action action : actions) {
+    try {
+      perform(action);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const std::exception& error) {
+      tell(error.what(), true);
+    }
+  }
+}
+
+void Viewer::perform(Action action) {
+  switch (action) {
+    case Action::pause:
+      return pause(!state_.paused);
+    case Action::step:
+      pause(true);
+      state_.past_frame.reset();
+      commands_.emplace_back(StepOnce{});
+      return;
+    case Action::reset:
+      state_.past_frame.reset();
+      commands_.emplace_back(Reset{});
+      return;
+    case Action::more_wind:
+      return change_wind(wind_step_m_per_s);
+    case Action::less_wind:
+      return change_wind(-wind_step_m_per_s);
+    case Action::turn_wind_left:
+      return turn_wind(turn_step_rad);
+    case Action::turn_wind_right:
+      return turn_wind(-turn_step_rad);
+    case Action::toggle_pin:
+      return toggle_pin();
+    case Action::release_left:
+      commands_.emplace_back(ReleasePins{.right = false});
+      return;
+    case Action::release_right:
+      commands_.emplace_back(ReleasePins{.right = true});
+      return;
+    case Action::frame_garment:
+      return frame_garment();
+    case Action::screenshot:
+      screenshot_ = true;
+      return;
+    case Action::record:
+      return start_or_stop_recording();
+    case Action::save_scene:
+      return save_scene();
+    case Action::copy_camera:
+      clipboard_ = camera_text(state_.camera.camera());
+      return tell("copied the camera", false);
+    case Action::show_keys:
+      state_.show_keys = !state_.show_keys;
+      return;
+    case Action::show_panel:
+      state_.show_panel = !state_.show_panel;
+      return;
+  }
+}
+
+void Viewer::pause(bool paused) {
+  if (paused != state_.paused) {
+    state_.paused = paused;
+    commands_.emplace_back(SetPaused{paused});
+  }
+  // What goes on is the newest frame: the past is for looking at.
+  if (!paused) {
+    state_.past_frame.reset();
+  }
+}
+
+void Viewer::change_wind(double by_m_per_s) {
+  double& speed = state_.scene.surroundings.forces.wind.speed_m_per_s;
+  const double stepped = std::round((speed + by_m_per_s) / wind_step_m_per_s) * wind_step_m_per_s;
+  speed = std::clamp(stepped, 0.0, std::max(strongest_m_per_s, speed));
+}
+
+void Viewer::turn_wind(double by_rad) {
+  glm::dvec3& direction = state_.scene.surroundings.forces.wind.direction;
+  const double c = std::cos(by_rad);
+  const double s = std::sin(by_rad);
+  direction = {c * direction.x + s * direction.z, direction.y, c * direction.z - s * direction.x};
+}
+
+void Viewer::toggle_pin() {
+  const auto picked = cloth_under(pointer_.place_px, scene_area(layout()), state_);
+  if (picked && state_.shown == state_.newest) {
+    commands_.emplace_back(TogglePin{picked->vertex});
+  } else {
+    tell("P pins the cloth under the pointer; there is none", false);
+  }
+}
+
+void Viewer::frame_garment() {
+  state_.camera.frame(renderer::bounding_box(to_float(*state_.shown->positions)), scene_area(layout()));
+}
+
+void Viewer::save_scene() {
+  const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".toml");
+  write_text_file(file, scene_text(kept_scene(state_, scene_area(layout()))));
+  const char* hint = state_.newest->pristine
+                         ? "taut render of it draws this frame"
+                         : "settings changed on the way here: after R it draws the same frames";
+  tell(fmt::format("saved {}; {}", file.string(), hint), false);
+}
+
+void Viewer::start_or_stop_recording() {
+  if (recorder_) {
+    return finish_recording();
+  }
+  const WindowLayout size = layout();
+  recorder_.emplace(keep_folder_, state_.scene.name, state_.recording_kind, size.width_px, size.height_px);
+  state_.is_recording = true;
+  tell("recording; F10 ends it", false);
+}
+
+void Viewer::finish_recording() {
+  if (!recorder_) {
+    return;
+  }
+  state_.is_recording = false;
+  try {
+    tell(recorder_->finish(), false);
+  } catch (const InputError& error) {
+    tell(error.what(), true);
+  }
+  recorder_.reset();
+}
+
+void Viewer::take_picture(const renderer::Image& picture) {
+  try {
+    if (std::exchange(screenshot_, false)) {
+      const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".png");
+      renderer::write_png(file, picture);
+      tell("wrote " + file.string(), false);
+    }
+  } catch (const std::runtime_error& error) {
+    tell(error.what(), true);
+  }
+  if (!recorder_) {
+    return;
+  }
+  try {
+    recorder_->add(picture, elapsed_s_);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    tell(error.what(), true);
+    finish_recording();
+  }
+}
+
+// Reads on this thread, which takes milliseconds; the garment is loaded by the simulation.
+void Viewer::load_asked() {
+  const std::optional<std::string> name = std::exchange(state_.scene_asked, std::nullopt);
+  const auto garment = std::exchange(state_.garment_asked, std::nullopt);
+  try {
+    if (name) {
+      load(find_scene(*name, {}));
+    } else if (garment) {
+      Scene scene = state_.scene;
+      // Another cut of the same garment has the same seams to hang from; another garment has not.
+      const bool is_kin = scene.garment.file.parent_path() == garment->parent_path();
+      if (!is_kin) {
+        scene.pins.reset();
+        scene.camera = {};
+        scene.picture.ground = {};
+      }
+      scene.garment.file = *garment;
+      load(std::move(scene));
+    }
+  } catch (const std::exception& error) {
+    tell(error.what(), true);
+  }
+}
+
+void Viewer::load(Scene scene) {
+  tell("loading " + scene.name, false);
+  commands_.emplace_back(LoadScene{std::make_shared<const Scene>(std::move(scene))});
+}
+
+}  // namespace taut::app

@@ -1,0 +1,130 @@
+#include "app/viewer/viewer_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/viewer/spring_colours.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr float behind_everything_grey = 0.93F;
+// What cannot be seen need not be drawn; smaller targets than this are a window being dragged shut.
+constexpr int smallest_side_px = 8;
+constexpr float spring_width_px = 1.2F;
+constexpr renderer::Colour normal_colour = renderer::rgb(0x2E7D32);
+// Relative to the diagonal of the garment at rest.
+constexpr float normal_length = 0.012F;
+
+float diagonal(const std::vector<sim::Vec3>& positions) {
+  sim::Vec3 lower(INFINITY);
+  sim::Vec3 upper(-INFINITY);
+  for (const sim::Vec3& position : positions) {
+    lower = glm::min(lower, position);
+    upper = glm::max(upper, position);
+  }
+  return static_cast<float>(glm::distance(lower, upper));
+}
+
+}  // namespace
+
+ViewerPicture::ViewerPicture(renderer::Context& context)
+    : context_(context), scene_renderer_(context), overlay_pass_(context), small_target_(context) {}
+
+GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewArea& area) {
+  const Snapshot& shown = *state.shown;
+  const PictureStyle& picture = state.scene.picture;
+  PaintedAs wanted{shown.loaded, shown.pins, picture.surface, picture.wireframe, area.height_px};
+  if (!painter_ || wanted != painted_as_) {
+    Scene scene = state.scene;
+    scene.picture.settings.width_px = area.width_px;
+    scene.picture.settings.height_px = area.height_px;
+    sim::Garment garment = shown.loaded->garment;
+    garment.pins = *shown.pins;
+    painter_.emplace(scene_renderer_, scene, garment);
+    painted_as_ = std::move(wanted);
+  }
+  return *painter_;
+}
+
+void ViewerPicture::add_springs(const ViewerState& state, renderer::FrameView& frame) {
+  static const std::array<renderer::Colour, 3> colours = {spring_colour(sim::SpringKind::structural),
+                                                          spring_colour(sim::SpringKind::shear),
+                                                          spring_colour(sim::SpringKind::flexural)};
+  const sim::Springs& springs = state.shown->loaded->garment.springs;
+  const std::span<const glm::vec3> positions = frame.surfaces.back().positions;
+  for (std::size_t k = 0; k < sim::all_spring_kinds.size(); ++k) {
+    const sim::SpringKind kind = sim::all_spring_kinds[k];
+    std::vector<glm::vec3>& points = spring_points_[k];
+    points.clear();
+    for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+      points.push_back(positions[springs.ends[s][0]]);
+      points.push_back(positions[springs.ends[s][1]]);
+    }
+    if (!points.empty()) {
+      frame.lines.push_back(
+          {.points = points, .colours = std::span(&colours[k], 1), .width_px = spring_width_px});
+    }
+  }
+}
+
+void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& frame) {
+  const renderer::SurfaceView& surface = frame.surfaces.back();
+  const float length_m = normal_length * diagonal(state.shown->loaded->garment.mesh.positions);
+  normal_points_.clear();
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    normal_points_.push_back(surface.positions[v]);
+    normal_points_.push_back(surface.positions[v] + length_m * surface.normals[v]);
+  }
+  frame.lines.push_back({.points = normal_points_, .colours = std::span(&normal_colour, 1), .width_px = 1.0F});
+}
+
+void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
+                               const PictureQuality& quality) {
+  renderer::FrameView frame = painter_for(state, area).view(*state.shown->positions);
+  frame.camera = state.camera.camera();
+  frame.lighting = renderer::studio_lighting(frame.camera);
+  if (state.show_springs) {
+    add_springs(state, frame);
+  }
+  if (state.show_normals) {
+    add_normals(state, frame);
+  }
+  renderer::PictureSettings settings = state.scene.picture.settings;
+  settings.samples = quality.samples;
+  settings.supersampling = 1;
+  settings.shadow_map_px = quality.shadow_map_px;
+  settings.sky_directions = quality.sky_directions;
+  const auto scaled = [&](int side_px) {
+    return std::max(smallest_side_px, static_cast<int>(std::lround(quality.scale * static_cast<float>(side_px))));
+  };
+  settings.width_px = scaled(area.width_px);
+  settings.height_px = scaled(area.height_px);
+  if (quality.scale == 1.0F) {
+    scene_renderer_.draw_to(framebuffer, frame, settings);
+  } else {
+    scene_renderer_.draw_to(small_target_.framebuffer(settings.width_px, settings.height_px), frame, settings);
+    small_target_.copy_to(framebuffer, area.width_px, area.height_px);
+  }
+}
+
+void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
+                         const PictureQuality& quality, const UserInterface::Letters& letters,
+                         const renderer::OverlayView& overlay) {
+  context_.make_current();
+  if (letters.number != letters_number_) {
+    overlay_pass_.set_coverage(letters.width_px, letters.height_px, letters.coverage);
+    letters_number_ = letters.number;
+  }
+  renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px,
+                              behind_everything_grey);
+  const ViewArea area = scene_area(layout);
+  if (area.width_px >= smallest_side_px && area.height_px >= smallest_side_px) {
+    draw_scene(framebuffer, state, area, quality);
+  }
+  overlay_pass_.draw(framebuffer, layout.width_px, layout.height_px, overlay);
+}
+
+}  // namespace taut::app

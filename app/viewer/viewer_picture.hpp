@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/drawing/garment_painter.hpp"
+#include "app/viewer/panel.hpp"
+#include "app/viewer/picture_quality.hpp"
+#include "app/viewer/user_interface.hpp"
+#include "app/viewer/viewer_state.hpp"
+#include "renderer/colour_target.hpp"
+#include "renderer/overlay_pass.hpp"
+#include "renderer/scene_renderer.hpp"
+
+namespace taut::app {
+
+/// Everything of the viewer that lives in an OpenGL context; made anew when the context is lost.
+class ViewerPicture {
+ public:
+  /// The context has to outlive it. Throws renderer::ContextError or renderer::ShaderError.
+  explicit ViewerPicture(renderer::Context& context);
+
+  /// Draws the scene and the user interface to a framebuffer of the layout's size (0: the window). Throws
+  /// renderer::ContextError.
+  void draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
+            const PictureQuality& quality, const UserInterface::Letters& letters,
+            const renderer::OverlayView& overlay);
+
+ private:
+  void draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
+                  const PictureQuality& quality);
+  GarmentPainter& painter_for(const ViewerState& state, const ViewArea& area);
+  void add_springs(const ViewerState& state, renderer::FrameView& frame);
+  void add_normals(const ViewerState& state, renderer::FrameView& frame);
+
+  // What a painter was made for.
+  struct PaintedAs {
+    std::shared_ptr<const LoadedScene> loaded;
+    std::shared_ptr<const std::vector<sim::Index>> pins;
+    SurfaceLook surface = SurfaceLook::shaded;
+    bool wireframe = false;
+    int height_px = 0;
+
+    bool operator==(const PaintedAs&) const = default;
+  };
+
+  renderer::Context& context_;
+  renderer::SceneRenderer scene_renderer_;
+  renderer::OverlayPass overlay_pass_;
+  renderer::ColourTarget small_target_;
+  std::uint64_t letters_number_ = 0;
+  PaintedAs painted_as_;
+  std::optional<GarmentPainter> painter_;
+  std::array<std::vector<glm::vec3>, sim::all_spring_kinds.size()> spring_points_;
+  std::vector<glm::vec3> normal_points_;
+};
+
+}  // namespace taut::app

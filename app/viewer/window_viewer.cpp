@@ -1,0 +1,180 @@
+#include <chrono>
+#include <optional>
+
+#include "app/interruption.hpp"
+#include "app/stopwatch.hpp"
+#include "app/viewer/input_queue.hpp"
+#include "app/viewer/simulation_thread.hpp"
+#include "app/viewer/view_session.hpp"
+#include "renderer/context/window.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double frame_time_s = 1.0 / 60.0;
+// While nothing moves: how late a signal or a message that has to go is noticed.
+constexpr double rest_time_s = 0.1;
+// A driver that loses every context it is asked for has to be given up on.
+constexpr int most_losses = 3;
+constexpr double losses_forgotten_after_s = 10.0;
+
+std::string describe(const PictureQuality& quality) {
+  if (quality.scale < 1.0F) {
+    return "the picture is drawn coarser, to move smoothly";
+  }
+  return "";
+}
+
+class WindowSession {
+ public:
+  WindowSession(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+                const std::filesystem::path& record_to)
+      : simulation_(scene),
+        place_([this, title = "Taut - " + scene.name, size = start.size] {
+          return open(title, size);
+        }),
+        viewer_(simulation_, {window_->framebuffer_size(), window_->content_scale(), keep_folder, true}) {
+    if (!record_to.empty()) {
+      SessionStart actual = start;
+      actual.size = window_->framebuffer_size();
+      actual.scale = window_->content_scale();
+      recorder_.emplace(record_to, actual);
+    }
+  }
+
+  void run() {
+    while (!window_->is_asked_to_close()) {
+      throw_if_interrupted();
+      gather_input();
+      const Stopwatch laying_out;
+      SessionFrame frame = viewer_.update({queue_.take_frame(), next_elapsed_s(), std::nullopt, std::nullopt});
+      panel_ms_ = laying_out.elapsed_ms();
+      if (recorder_) {
+        recorder_->add(frame);
+      }
+      if (const auto text = viewer_.take_clipboard()) {
+        window_->set_clipboard(*text);
+      }
+      show();
+    }
+    viewer_.finish_recording();
+    finish_record();
+  }
+
+ private:
+  std::unique_ptr<renderer::Context> open(const std::string& title, const renderer::Resized& size) {
+    auto window = renderer::open_window({title, size.width_px, size.height_px});
+    window_ = window.get();
+    return window;
+  }
+
+  // Until the next frame is due; as long as nothing moves, until something happens.
+  void gather_input() {
+    const double until_due_s = frame_time_s - since_frame_.elapsed_ms() / 1000.0;
+    const bool rests = viewer_.is_still() && is_shown_at_best_;
+    double left_s = rests ? rest_time_s : until_due_s;
+    const Stopwatch waiting;
+    do {
+      for (renderer::WindowEvent& event : window_->wait_events(std::max(left_s, 0.0))) {
+        queue_.add(std::move(event));
+      }
+      const bool is_woken = rests && (!queue_.empty() || simulation_moved());
+      left_s = (is_woken ? until_due_s : rests ? rest_time_s : until_due_s) - waiting.elapsed_ms() / 1000.0;
+    } while (left_s > 0.0 && !window_->is_asked_to_close());
+  }
+
+  bool simulation_moved() {
+    return simulation_.begin_frame(0.0, std::nullopt) != viewer_.state().newest;
+  }
+
+  double next_elapsed_s() {
+    const double elapsed_s = since_frame_.elapsed_ms() / 1000.0;
+    since_frame_ = Stopwatch();
+    return elapsed_s;
+  }
+
+  void show() {
+    const renderer::Resized size = window_->framebuffer_size();
+    const bool is_minimised = size.width_px < 1 || size.height_px < 1;
+    const bool rests = viewer_.is_still();
+    if (is_minimised || (rests && is_shown_at_best_ && !viewer_.wants_picture())) {
+      return;
+    }
+    try {
+      draw(rests ? picture_qualities.front() : quality_.moving(), rests);
+      if (window_->is_lost()) {
+        throw renderer::ContextError("the graphics driver lost the picture");
+      }
+    } catch (const renderer::ContextError& error) {
+      recover(error);
+    }
+  }
+
+  void draw(const PictureQuality& quality, bool rests) {
+    const Stopwatch drawing;
+    place_.picture().draw(0, viewer_.state(), viewer_.layout(), quality, viewer_.letters(), viewer_.overlay());
+    renderer::finish_drawing(*window_);
+    const double draw_ms = drawing.elapsed_ms();
+    if (!rests) {
+      quality_.note(draw_ms);
+    }
+    viewer_.note_times(draw_ms, panel_ms_);
+    viewer_.note_quality(describe(quality_.moving()));
+    if (viewer_.wants_picture()) {
+      const WindowLayout layout = viewer_.layout();
+      viewer_.take_picture(renderer::read_framebuffer(*window_, 0, layout.width_px, layout.height_px));
+    }
+    window_->present();
+    is_shown_at_best_ = rests;
+  }
+
+  // What the window showed is gone, the simulation is not.
+  void recover(const renderer::ContextError& error) {
+    if (since_loss_.elapsed_ms() > 1000.0 * losses_forgotten_after_s) {
+      losses_ = 0;
+    }
+    since_loss_ = Stopwatch();
+    if (++losses_ > most_losses) {
+      throw error;
+    }
+    place_.renew();
+    queue_.add(renderer::WindowEvent(window_->framebuffer_size()));
+    queue_.add(renderer::WindowEvent(renderer::ScaleChanged{window_->content_scale()}));
+    viewer_.tell(std::string(error.what()) + "; the window was opened anew", true);
+    is_shown_at_best_ = false;
+  }
+
+  // The last line says what a replay has to end in.
+  void finish_record() {
+    if (recorder_) {
+      SessionFrame last = viewer_.update({{}, 0.0, std::nullopt, std::nullopt});
+      simulation_.end();
+      last.pace->advances = simulation_.advances();
+      last.expected_state = simulation_.state_hash();
+      recorder_->add(last);
+    }
+  }
+
+  SimulationThread simulation_;
+  renderer::Window* window_ = nullptr;  ///< the context of `place_`
+  DrawingPlace place_;
+  Viewer viewer_;
+  InputQueue queue_;
+  std::optional<SessionRecorder> recorder_;
+  QualityControl quality_;
+  Stopwatch since_frame_;
+  Stopwatch since_loss_;
+  double panel_ms_ = 0.0;
+  int losses_ = 0;
+  bool is_shown_at_best_ = false;
+};
+
+}  // namespace
+
+void view_in_window(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+                    const std::filesystem::path& record_to) {
+  WindowSession session(scene, start, keep_folder, record_to);
+  session.run();
+}
+
+}  // namespace taut::app

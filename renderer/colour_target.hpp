@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "renderer/context/context.hpp"
+#include "renderer/image.hpp"
+
+namespace taut::renderer {
+
+/// A framebuffer object of finished, encoded colours: for SceneRenderer::draw_to where the window is not the
+/// target.
+class ColourTarget {
+ public:
+  /// The context has to outlive the target.
+  explicit ColourTarget(Context& context);
+  ~ColourTarget();
+  ColourTarget(const ColourTarget&) = delete;
+  ColourTarget& operator=(const ColourTarget&) = delete;
+
+  /// The framebuffer's name, with room for this size. Throws ContextError.
+  unsigned framebuffer(int width_px, int height_px);
+
+  /// Stretches what was drawn over the lower left part of another framebuffer (0: the window).
+  void copy_to(unsigned framebuffer, int width_px, int height_px) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts;
+};
+
+/// The lower left part of a framebuffer (0: the window), as RGB.
+Image read_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px);
+
+/// Fills a framebuffer with grey. 0 is black, 1 white.
+void clear_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px, float grey);
+
+/// Waits until everything asked for is drawn, so that a clock tells the truth.
+void finish_drawing(Context& context);
+
+}  // namespace taut::renderer

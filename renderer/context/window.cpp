@@ -1,0 +1,144 @@
+#include "renderer/context/window.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace taut::renderer {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  throw ContextError(what + (reason != nullptr ? std::string(": ") + reason : ""));
+}
+
+struct Library {
+  Library() {
+    if (glfwInit() == GLFW_FALSE) fail("no display for a window");
+  }
+  ~Library() { glfwTerminate(); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+};
+
+class GlfwWindow final : public Window {
+ public:
+  explicit GlfwWindow(const WindowSettings& settings) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    handle = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
+    if (handle == nullptr) fail("no window with OpenGL 3.3");
+    try {
+      make_current();
+      load(glfwGetProcAddress);
+    } catch (...) {
+      glfwDestroyWindow(handle);
+      throw;
+    }
+    glfwSwapInterval(1);
+    reset_status = reinterpret_cast<ResetStatus>(glfwGetProcAddress("glGetGraphicsResetStatusARB"));
+    glfwSetWindowUserPointer(handle, this);
+    watch();
+  }
+
+  ~GlfwWindow() override { glfwDestroyWindow(handle); }
+
+  void make_current() override {
+    glfwMakeContextCurrent(handle);
+    if (glfwGetCurrentContext() != handle) fail("the window's context cannot be used");
+  }
+
+  std::string_view loader() const override { return "window"; }
+
+  Resized framebuffer_size() const override {
+    Resized size;
+    glfwGetFramebufferSize(handle, &size.width_px, &size.height_px);
+    return size;
+  }
+
+  double content_scale() const override {
+    float x = 1.0F;
+    float y = 1.0F;
+    glfwGetWindowContentScale(handle, &x, &y);
+    return std::max(x, y);
+  }
+
+  std::vector<WindowEvent> wait_events(double timeout_s) override {
+    if (timeout_s > 0.0) {
+      glfwWaitEventsTimeout(timeout_s);
+    } else {
+      glfwPollEvents();
+    }
+    return std::exchange(events, {});
+  }
+
+  void present() override { glfwSwapBuffers(handle); }
+  bool is_asked_to_close() const override { return glfwWindowShouldClose(handle) == GLFW_TRUE; }
+  bool is_lost() const override { return reset_status != nullptr && reset_status() != GL_NO_ERROR; }
+  void set_clipboard(const std::string& text) override { glfwSetClipboardString(handle, text.c_str()); }
+
+ private:
+  using ResetStatus = unsigned (*)();
+
+  static void note(GLFWwindow* window, WindowEvent event) {
+    static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->events.push_back(std::move(event));
+  }
+
+  // The display reports positions in its own units, which are not always pixels.
+  static WindowEvent moved(GLFWwindow* window, double x, double y) {
+    int width = 1;
+    int height = 1;
+    glfwGetWindowSize(window, &width, &height);
+    const Resized pixels = static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->framebuffer_size();
+    return PointerMoved{x * pixels.width_px / std::max(width, 1), y * pixels.height_px / std::max(height, 1)};
+  }
+
+  void watch() {
+    glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int, int action, int) {
+      if (key != GLFW_KEY_UNKNOWN) note(window, KeyChanged{key, action != GLFW_RELEASE});
+    });
+    glfwSetCharCallback(handle,
+                        [](GLFWwindow* window, unsigned character) { note(window, TextTyped{character}); });
+    glfwSetCursorPosCallback(
+        handle, [](GLFWwindow* window, double x, double y) { note(window, moved(window, x, y)); });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int) {
+      if (button <= GLFW_MOUSE_BUTTON_MIDDLE) {
+        note(window, ButtonChanged{static_cast<PointerButton>(button), action == GLFW_PRESS});
+      }
+    });
+    glfwSetScrollCallback(
+        handle, [](GLFWwindow* window, double x, double y) { note(window, WheelTurned{x, y}); });
+    glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
+      for (int i = 0; i < count; ++i) note(window, FileDropped{paths[i]});
+    });
+    glfwSetFramebufferSizeCallback(
+        handle, [](GLFWwindow* window, int width, int height) { note(window, Resized{width, height}); });
+    glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* window, float x, float y) {
+      note(window, ScaleChanged{std::max(x, y)});
+    });
+  }
+
+  Library library;
+  GLFWwindow* handle = nullptr;
+  ResetStatus reset_status = nullptr;
+  std::vector<WindowEvent> events;
+};
+
+}  // namespace
+
+std::unique_ptr<Window> open_window(const WindowSettings& settings) {
+  return std::make_unique<GlfwWindow>(settings);
+}
+
+}  // namespace taut::renderer

@@ -16,7 +16,10 @@ packages=(
   libcli11-dev
   libdeflate-dev      # compresses PNG
   libfmt-dev
+  libfontconfig-dev   # finds the window's font
+  libglfw3-dev        # the window
   libglm-dev
+  libimgui-dev        # what is in it
   libqhull-dev        # triangulates the sewing pattern
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0
@@ -32,6 +35,8 @@ packages=(
   ffmpeg
   # tests
   libgtest-dev
+  xdotool             # keys and pointer for a window
+  xvfb                # a display for it
 )
 
 # Another way to OpenGL without a display, gone from distributions with Mesa 25.1 or newer.

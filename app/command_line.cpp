@@ -188,7 +188,8 @@ renderer::Resized parse_size(const std::string& text) {
   const auto [comma, error] = std::from_chars(text.data(), end, width);
   const bool has_height = error == std::errc() && comma != end && *comma == ',';
   const auto [stop, height_error] = std::from_chars(has_height ? comma + 1 : end, end, height);
-  if (height_error != std::errc() || stop != end || width < 1 || height < 1 || width > 16384 || height > 16384) {
+  if (height_error != std::errc() || stop != end || width < 1 || height < 1 || width > 16384 ||
+      height > 16384) {
     throw UsageError("--size " + text + ": expected WIDTH,HEIGHT in pixels, such as 1280,720");
   }
   return {width, height};
@@ -202,7 +203,8 @@ std::function<Command()> add_view(CLI::App& app) {
   };
   auto arguments = std::make_shared<Arguments>();
   ViewOptions& options = arguments->options;
-  CLI::App* command = app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
+  CLI::App* command =
+      app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
   command->add_option("SCENE", options.scene, scene_help_text);
   command->add_option("--set", arguments->set, "KEY=VALUE, any key of the scene; can be repeated")
       ->allow_extra_args(false);

@@ -45,7 +45,8 @@ OverlayPass::Parts::Parts(Context& made)
 }
 
 void OverlayPass::Parts::set_state() const {
-  for (const GLenum off : {GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB}) gl.Disable(off);
+  for (const GLenum off : {GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB})
+    gl.Disable(off);
   gl.Enable(GL_BLEND);
   gl.Enable(GL_SCISSOR_TEST);
   gl.BlendEquation(GL_FUNC_ADD);

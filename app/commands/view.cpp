@@ -72,7 +72,8 @@ void view_headless(const ViewOptions& options, const Session& session, const Sce
 }  // namespace
 
 int run(const ViewOptions& options) {
-  const bool needs_headless = !options.script.empty() || !options.screenshot.empty() || !options.layout.empty();
+  const bool needs_headless =
+      !options.script.empty() || !options.screenshot.empty() || !options.layout.empty();
   if (needs_headless && !options.headless) {
     throw UsageError("--script, --screenshot and --layout are for --headless: a window has a person instead");
   }

@@ -11,12 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "Figure 5, right: the T-shirt" is labelled "Fig. 5, right".
+// "Figure 5, right: the T-shirt" is labelled "5, right".
 std::string figure_label(const std::string& title) {
   const std::string figure = "Figure ";
   const std::size_t colon = title.find(':');
   return title.starts_with(figure) && colon != std::string::npos
-             ? "Fig. " + title.substr(figure.size(), colon - figure.size())
+             ? title.substr(figure.size(), colon - figure.size())
              : "";
 }
 
@@ -31,6 +31,8 @@ std::vector<Choice> scene_choices() {
       continue;
     }
   }
+  std::stable_sort(choices.begin(), choices.end(),
+                   [](const Choice& a, const Choice& b) { return a.label < b.label; });
   return choices;
 }
 

@@ -6,7 +6,8 @@
 
 namespace taut::app {
 
-/// The built-in scenes; those that are figures of the paper are labelled. One that cannot be read is left out.
+/// The built-in scenes; those that are figures of the paper are labelled. One that cannot be read is left
+/// out.
 std::vector<Choice> scene_choices();
 
 /// The garments that come with the program.

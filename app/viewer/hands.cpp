@@ -49,8 +49,8 @@ void Hands::update(const Pointer& pointer, bool is_free, const ViewArea& area, V
     if (pointer.was_pressed(PointerButton::left)) {
       press(pointer, area, state, commands);
     }
-    is_moving_ = is_moving_ || pointer.was_pressed(PointerButton::right) ||
-                 pointer.was_pressed(PointerButton::middle);
+    is_moving_ =
+        is_moving_ || pointer.was_pressed(PointerButton::right) || pointer.was_pressed(PointerButton::middle);
     if (pointer.notches != 0.0F) {
       state.camera.zoom(pointer.notches);
     }
@@ -62,7 +62,8 @@ void Hands::update(const Pointer& pointer, bool is_free, const ViewArea& area, V
     hold_.reset();
     is_turning_ = false;
   }
-  is_moving_ = is_moving_ && (pointer.is_down(PointerButton::right) || pointer.is_down(PointerButton::middle));
+  is_moving_ =
+      is_moving_ && (pointer.is_down(PointerButton::right) || pointer.is_down(PointerButton::middle));
   if (is_turning_) {
     state.camera.orbit(pointer.way_px, area);
   }

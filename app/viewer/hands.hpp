@@ -20,9 +20,7 @@ struct Pointer {
   float notches = 0.0F;           ///< of the wheel
 
   bool is_down(renderer::PointerButton button) const { return down[static_cast<std::size_t>(button)]; }
-  bool was_pressed(renderer::PointerButton button) const {
-    return pressed[static_cast<std::size_t>(button)];
-  }
+  bool was_pressed(renderer::PointerButton button) const { return pressed[static_cast<std::size_t>(button)]; }
 };
 
 /// What the pointer does to the scene: turns, moves and scales the view, and pulls the cloth.

@@ -30,7 +30,8 @@ bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& take
     const auto* next_button = as<ButtonChanged>(next);
     const auto* next_key = as<KeyChanged>(next);
     return (button != nullptr && (moves_pointer(next) || next_button != nullptr)) ||
-           (key != nullptr && next_key != nullptr && key->key == next_key->key && key->down != next_key->down);
+           (key != nullptr && next_key != nullptr && key->key == next_key->key &&
+            key->down != next_key->down);
   });
 }
 

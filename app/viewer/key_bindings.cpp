@@ -7,7 +7,7 @@ namespace {
 
 namespace keys = renderer::keys;
 
-constexpr std::array<KeyBinding, 22> bindings = {{
+constexpr std::array<KeyBinding, 23> bindings = {{
     {"Left drag", "on cloth: pull it; elsewhere: orbit"},
     {"Right drag", "move the view"},
     {"Wheel", "nearer, farther"},
@@ -28,6 +28,7 @@ constexpr std::array<KeyBinding, 22> bindings = {{
     {"C", "copy the camera as TOML", 'C', Action::copy_camera},
     {"Tab", "panel on, off", keys::tab, Action::show_panel},
     {"H", "this sheet", 'H', Action::show_keys},
+    {"Ctrl + Q", "end", 'Q', Action::quit, false, true},
     {"Ctrl + click", "on a number: type it"},
     {"Drop a file", "a model, or a scene file: load it"},
 }};

@@ -13,7 +13,8 @@ struct KeyBinding {
   const char* meaning;
   int key = 0;  ///< 0: a gesture
   std::optional<Action> action = std::nullopt;
-  bool repeats = false;  ///< goes on while the key is held
+  bool repeats = false;        ///< goes on while the key is held
+  bool needs_control = false;  ///< with Ctrl; any other key is none of ours with it
 };
 
 std::span<const KeyBinding> key_bindings();

@@ -37,8 +37,9 @@ constexpr std::array<std::pair<int, const char*>, 23> named_keys = {{
     {keys::f12, "f12"},
 }};
 
+// Small letters are no keys; the name of a capital's key is the small letter.
 bool is_character(int key) {
-  return key > keys::space && key < 127;
+  return key > keys::space && key < 127 && !(key >= 'a' && key <= 'z');
 }
 
 }  // namespace
@@ -61,8 +62,9 @@ std::optional<int> key_named(const std::string& name) {
       return code;
     }
   }
-  if (name.size() == 1 && is_character(name[0]) && name[0] != '#') {
-    return name[0] >= 'a' && name[0] <= 'z' ? name[0] - 'a' + 'A' : name[0];
+  if (name.size() == 1 && name[0] != '#') {
+    const int key = name[0] >= 'a' && name[0] <= 'z' ? name[0] - 'a' + 'A' : name[0];
+    return is_character(key) ? std::optional(key) : std::nullopt;
   }
   int key = -1;
   const char* end = name.data() + name.size();

@@ -82,8 +82,8 @@ bool number_slider(ViewerState& state, const char* label, const char* name, doub
 
 bool whole_slider(ViewerState& state, const char* label, const char* name, int& value, int lowest,
                   int highest) {
-  const bool changed = ImGui::SliderInt(
-      label, &value, lowest, highest, "%d", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+  const bool changed = ImGui::SliderInt(label, &value, lowest, highest, "%d",
+                                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   note_place(state, name);
   return changed;
 }

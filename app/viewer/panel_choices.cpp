@@ -6,17 +6,17 @@ namespace taut::app {
 namespace {
 
 void lay_out_presets(ViewerState& state) {
-  bool first = true;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Figures");
   for (const Choice& scene : state.scenes) {
     if (scene.label.empty()) {
       continue;
     }
     const float width = ImGui::CalcTextSize(scene.label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
-    if (!first && end < ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) {
+    if (end < ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) {
       ImGui::SameLine();
     }
-    first = false;
     if (ImGui::Button(scene.label.c_str())) {
       state.scene_asked = scene.name;
     }
@@ -129,8 +129,7 @@ void lay_out_looks(ViewerState& state) {
 
 void lay_out_keeping(ViewerState& state) {
   ImGui::Separator();
-  const float width =
-      (ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
+  const float width = (ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
   action_button(state, "Picture F12", Action::screenshot, "keep.screenshot", width);
   ImGui::SameLine();
   action_button(state, "Scene S", Action::save_scene, "keep.scene", width);

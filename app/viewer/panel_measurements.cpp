@@ -96,7 +96,8 @@ void plot_times(const ViewerState& state, float scale) {
     plot_frame({"Milliseconds", "not shown here", 1.0F}, scale);
     return;
   }
-  const float highest = rounded_up(std::max(largest(m.simulate_ms.values()), largest(m.draw_ms.values())), 10.0F);
+  const float highest =
+      rounded_up(std::max(largest(m.simulate_ms.values()), largest(m.draw_ms.values())), 10.0F);
   const std::string reading = fmt::format("simulate {:.1f}  draw {:.1f}  panel {:.1f}", m.simulate_ms.last(),
                                           m.draw_ms.last(), m.panel_ms.last());
   const ItemPlace place = plot_frame({"ms", reading, highest}, scale);

@@ -16,8 +16,7 @@ namespace taut::app {
 namespace {
 
 constexpr ImGuiWindowFlags over_scene = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoSavedSettings |
-                                        ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                         ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr ImGuiWindowFlags untouchable = over_scene | ImGuiWindowFlags_NoInputs;
 constexpr float background = 0.88F;
@@ -102,8 +101,8 @@ void lay_out_messages(const ViewerState& state, const ViewArea& area, float scal
   if (ImGui::Begin("messages", nullptr, untouchable)) {
     ImGui::PushTextWrapPos(std::max(std::min(640.0F * scale, width - 48.0F * scale), 16.0F));
     for (const Message& message : state.messages) {
-      const ImVec4 ink = message.is_error ? ImVec4(0.70F, 0.12F, 0.10F, 1.0F)
-                                          : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+      const ImVec4 ink =
+          message.is_error ? ImVec4(0.70F, 0.12F, 0.10F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
       ImGui::PushStyleColor(ImGuiCol_Text, ink);
       ImGui::TextUnformatted(message.text.c_str());
       ImGui::PopStyleColor();
@@ -120,8 +119,9 @@ void lay_out_key_sheet(ViewerState& state, const ViewArea& area) {
   if (!state.show_keys) {
     return;
   }
-  ImGui::SetNextWindowPos({0.5F * static_cast<float>(area.width_px), 0.45F * static_cast<float>(area.height_px)},
-                          ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowPos(
+      {0.5F * static_cast<float>(area.width_px), 0.45F * static_cast<float>(area.height_px)},
+      ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowBgAlpha(0.96F);
   if (ImGui::Begin("keys", nullptr, untouchable) && ImGui::BeginTable("sheet", 2)) {
     for (const KeyBinding& binding : key_bindings()) {
@@ -179,8 +179,8 @@ void legend_of_springs(const ViewerState& state, float scale) {
     const std::size_t count = state.newest->loaded->garment.springs.count(kind);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float y = corner.y + 0.5F * ImGui::GetTextLineHeight();
-    ImGui::GetWindowDrawList()->AddLine({corner.x, y}, {corner.x + 16.0F * scale, y}, packed(spring_colour(kind)),
-                                        3.0F * scale);
+    ImGui::GetWindowDrawList()->AddLine({corner.x, y}, {corner.x + 16.0F * scale, y},
+                                        packed(spring_colour(kind)), 3.0F * scale);
     ImGui::Dummy({18.0F * scale, ImGui::GetTextLineHeight()});
     ImGui::SameLine();
     ImGui::Text("%s, %zu", sim::name_of(kind), count);

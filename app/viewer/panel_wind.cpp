@@ -40,7 +40,7 @@ void draw_scale(ImDrawList& list, const Colours& colours, const ImVec2& left, fl
   const auto x_of = [&](double speed) {
     return left.x + width * static_cast<float>(speed / strongest_m_per_s);
   };
-  for (int speed = 0; speed <= 20; speed += 5) {
+  for (int speed = 5; speed <= 20; speed += 5) {
     if (speed == 10) {
       continue;
     }
@@ -69,7 +69,8 @@ void speed_slider(ViewerState& state, float scale) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::InvisibleButton("speed", {width, 2.0F * knob});
   // Named so that 0 and 1 across are the slider's ends.
-  state.places["wind.speed"] = {{corner.x + knob, corner.y}, {corner.x + width - knob, corner.y + 2.0F * knob}};
+  state.places["wind.speed"] = {{corner.x + knob, corner.y},
+                                {corner.x + width - knob, corner.y + 2.0F * knob}};
   const ImVec2 left = {corner.x + knob, corner.y + knob};
   const float length = width - 2.0F * knob;
   if (ImGui::IsItemActive()) {
@@ -139,7 +140,7 @@ void gust_and_gravity(ViewerState& state) {
   number_slider(state, "gusts", "wind.gust_amplitude", wind.gust_amplitude, 0.0, 1.0, "%.2f");
   number_slider(state, "period", "wind.gust_period", wind.gust_period_s, 0.1, 10.0, "%.1f s", true);
   double down = -forces.gravity_m_per_s2.y;
-  if (number_slider(state, "gravity", "gravity", down, 0.0, 20.0, "%.2f m/s2")) {
+  if (number_slider(state, "gravity", "gravity", down, 0.0, 20.0, "%.2f m/s²")) {
     forces.gravity_m_per_s2.y = -down;
   }
   ImGui::PopItemWidth();

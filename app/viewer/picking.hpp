@@ -21,6 +21,7 @@ std::optional<PickedPoint> pick(const Ray& ray, std::span<const sim::Vec3> posit
                                 std::span<const sim::Triangle> triangles);
 
 /// Where the ray meets the plane through a point that faces the camera; nothing where it does not.
-std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through, const renderer::Camera& camera);
+std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through,
+                                     const renderer::Camera& camera);
 
 }  // namespace taut::app

@@ -1,5 +1,7 @@
 #include "app/viewer/picture_quality.hpp"
 
+#include <algorithm>
+
 namespace taut::app {
 namespace {
 
@@ -9,10 +11,13 @@ constexpr int frames_to_worsen = 6;
 // Going up is a guess, so it is tried rarely.
 constexpr int frames_to_improve = 90;
 constexpr double newest_weight = 0.25;
+// A single frame that another program delayed says little.
+constexpr double longest_believed_ms = 1.5 * QualityControl::longest_ms;
 
 }  // namespace
 
-void QualityControl::note(double draw_ms) {
+void QualityControl::note(double measured_ms) {
+  const double draw_ms = std::min(measured_ms, longest_believed_ms);
   ++frames_;
   if (frames_ <= ignored_frames) {
     return;

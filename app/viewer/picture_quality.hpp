@@ -18,13 +18,12 @@ struct PictureQuality {
 
 /// From best to cheapest: first samples give way, then the sky's shade and the size of shadows, and only then
 /// the resolution.
-inline constexpr std::array<PictureQuality, 7> picture_qualities = {{{4, 2048, 24, 1.0F},
+inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 24, 1.0F},
                                                                      {1, 2048, 24, 1.0F},
                                                                      {1, 1024, 12, 1.0F},
                                                                      {1, 1024, 6, 1.0F},
                                                                      {1, 1024, 6, 0.75F},
-                                                                     {1, 512, 0, 0.6F},
-                                                                     {1, 512, 0, 0.4F}}};
+                                                                     {1, 512, 0, 0.5F}}};
 
 /// Chooses the quality by how long frames took.
 class QualityControl {
@@ -34,7 +33,7 @@ class QualityControl {
   std::size_t level() const { return level_; }
 
   /// A frame of the moving picture took so long to draw.
-  void note(double draw_ms);
+  void note(double measured_ms);
 
   static constexpr double longest_ms = 26.0;  ///< above: cheaper; leaves room for the rest of 1/30 s
   static constexpr double enough_ms = 11.0;   ///< below: dearer, which at most about doubles the time

@@ -74,8 +74,7 @@ Session read_session(const std::filesystem::path& file) {
   return parse_session(read_text_file(file), file.string());
 }
 
-SessionRecorder::SessionRecorder(const std::filesystem::path& file, const SessionStart& start)
-    : path_(file) {
+SessionRecorder::SessionRecorder(const std::filesystem::path& file, const SessionStart& start) : path_(file) {
   prepare_folder_of(file);
   file_.open(file, std::ios::trunc);
   file_ << session_head(start) << std::flush;

@@ -42,8 +42,8 @@ struct Pace {
 /// What went into one frame of the window.
 struct SessionFrame {
   std::vector<SessionEvent> events;
-  double elapsed_s = 1.0 / 60.0;  ///< since the frame before
-  std::optional<Pace> pace;       ///< none: the simulation follows `elapsed_s`
+  double elapsed_s = 1.0 / 60.0;                ///< since the frame before
+  std::optional<Pace> pace;                     ///< none: the simulation follows `elapsed_s`
   std::optional<std::uint64_t> expected_state;  ///< hash of the newest state after this frame
 
   bool operator==(const SessionFrame&) const = default;

@@ -50,7 +50,8 @@ class Line {
     const std::string found = word(expected);
     Number value{};
     const auto [stop, error] = std::from_chars(found.data(), found.data() + found.size(), value);
-    if (error != std::errc() || stop != found.data() + found.size() || !(value >= lowest && value <= highest)) {
+    if (error != std::errc() || stop != found.data() + found.size() ||
+        !(value >= lowest && value <= highest)) {
       fail(expected);
     }
     return value;

@@ -80,7 +80,7 @@ void set_colours(ImGuiStyle& style) {
   style.Colors[ImGuiCol_FrameBg] = {0.88F, 0.89F, 0.90F, 1.0F};
   style.Colors[ImGuiCol_FrameBgHovered] = {0.82F, 0.86F, 0.90F, 1.0F};
   style.Colors[ImGuiCol_FrameBgActive] = {0.76F, 0.82F, 0.89F, 1.0F};
-  style.Colors[ImGuiCol_SliderGrab] = with_alpha(accent, 0.85F);
+  style.Colors[ImGuiCol_SliderGrab] = with_alpha(accent, 0.4F);
   style.Colors[ImGuiCol_SliderGrabActive] = accent;
   style.Colors[ImGuiCol_CheckMark] = accent;
   style.Colors[ImGuiCol_Button] = {0.86F, 0.88F, 0.90F, 1.0F};
@@ -126,6 +126,7 @@ void UserInterface::make_letters() {
   style.WindowRounding = 0.0F;
   style.FrameRounding = 3.0F;
   style.GrabRounding = 3.0F;
+  style.GrabMinSize = 8.0F;
   style.WindowBorderSize = 0.0F;
   style.ItemSpacing = {6.0F, 5.0F};
   style.FramePadding = {6.0F, 3.0F};
@@ -135,7 +136,8 @@ void UserInterface::make_letters() {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
   // Latin, the signs of dashes and arrows, and simple shapes.
-  static constexpr std::array<ImWchar, 9> ranges = {0x20, 0xFF, 0x2010, 0x2027, 0x2190, 0x2199, 0x2212, 0x2212, 0};
+  static constexpr std::array<ImWchar, 9> ranges = {0x20,   0xFF,   0x2010, 0x2027, 0x2190,
+                                                    0x2199, 0x2212, 0x2212, 0};
   const float height_px = static_cast<float>(letter_height_px) * scale;
   const bool has_font = !font_.empty() && std::filesystem::exists(font_) &&
                         atlas.AddFontFromFileTTF(font_.c_str(), height_px, nullptr, ranges.data()) != nullptr;
@@ -152,8 +154,8 @@ UserInterface::Letters UserInterface::letters() const {
   Letters letters;
   unsigned char* pixels = nullptr;
   ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &letters.width_px, &letters.height_px);
-  letters.coverage = {pixels, static_cast<std::size_t>(letters.width_px) *
-                                  static_cast<std::size_t>(letters.height_px)};
+  letters.coverage = {
+      pixels, static_cast<std::size_t>(letters.width_px) * static_cast<std::size_t>(letters.height_px)};
   letters.number = letters_number_;
   return letters;
 }

@@ -103,13 +103,13 @@ void Viewer::take_key(const renderer::KeyChanged& event) {
     keys_down_.erase(event.key);
     return;
   }
-  const bool is_shortcut = is_down(keys_down_, keys::left_control, keys::right_control) ||
-                           is_down(keys_down_, keys::left_alt, keys::right_alt);
-  if (interface_.wants_keys() || is_shortcut) {
+  const bool has_control = is_down(keys_down_, keys::left_control, keys::right_control);
+  if (interface_.wants_keys() || is_down(keys_down_, keys::left_alt, keys::right_alt)) {
     return;
   }
   for (const KeyBinding& binding : key_bindings()) {
-    if (binding.action && binding.key == event.key && (!repeats || binding.repeats)) {
+    const bool is_pressed = binding.key == event.key && binding.needs_control == has_control;
+    if (binding.action && is_pressed && (!repeats || binding.repeats)) {
       key_actions_.push_back(*binding.action);
     }
   }
@@ -159,8 +159,8 @@ void Viewer::note_measurements() {
 
 void Viewer::choose_shown() {
   if (state_.past_frame) {
-    state_.past_frame = std::clamp(*state_.past_frame, first_frame_in_reach(*state_.newest),
-                                   state_.newest->record.frame);
+    state_.past_frame =
+        std::clamp(*state_.past_frame, first_frame_in_reach(*state_.newest), state_.newest->record.frame);
     state_.shown = simulation_.past_frame(*state_.past_frame);
   } else {
     state_.shown = state_.newest;
@@ -191,8 +191,8 @@ void Viewer::note_changes(const SessionFrame& frame) {
   const std::size_t gone =
       std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
   const bool moves = !state_.paused && !state_.newest->record.asleep && !state_.newest->stopped;
-  const bool is_changing = moves || !frame.events.empty() || gone > 0 || hands_.is_busy() || recorder_ ||
-                           !key_actions_.empty();
+  const bool is_changing =
+      moves || !frame.events.empty() || gone > 0 || hands_.is_busy() || recorder_ || !key_actions_.empty();
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }
 

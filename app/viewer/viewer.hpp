@@ -40,6 +40,9 @@ class Viewer {
   /// Nothing that is drawn has changed in this frame or is about to.
   bool is_still() const { return still_frames_ > 2; }
 
+  /// A person has asked to end.
+  bool is_ended() const { return is_ended_; }
+
   /// What was drawn is wanted: for a screenshot, or a recording goes on.
   bool wants_picture() const { return screenshot_ || recorder_; }
   void take_picture(const renderer::Image& picture);
@@ -97,6 +100,7 @@ class Viewer {
   double elapsed_s_ = 0.0;
   int still_frames_ = 0;
   bool screenshot_ = false;
+  bool is_ended_ = false;
   std::optional<WindowRecorder> recorder_;
   std::string clipboard_;
 };

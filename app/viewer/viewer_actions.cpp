@@ -85,6 +85,9 @@ void Viewer::perform(Action action) {
     case Action::show_panel:
       state_.show_panel = !state_.show_panel;
       return;
+    case Action::quit:
+      is_ended_ = true;
+      return;
   }
 }
 

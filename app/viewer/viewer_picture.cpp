@@ -55,7 +55,8 @@ void ViewerPicture::add_springs(const ViewerState& state, renderer::FrameView& f
                                                           spring_colour(sim::SpringKind::flexural)};
   const sim::Springs& springs = state.shown->loaded->garment.springs;
   const std::span<const glm::vec3> positions = frame.surfaces.back().positions;
-  for (std::size_t k = 0; k < sim::all_spring_kinds.size(); ++k) {
+  // Flexural springs lie under the structural ones they skip along: wider, they show on both sides.
+  for (const std::size_t k : {2U, 1U, 0U}) {
     const sim::SpringKind kind = sim::all_spring_kinds[k];
     std::vector<glm::vec3>& points = spring_points_[k];
     points.clear();
@@ -64,8 +65,8 @@ void ViewerPicture::add_springs(const ViewerState& state, renderer::FrameView& f
       points.push_back(positions[springs.ends[s][1]]);
     }
     if (!points.empty()) {
-      frame.lines.push_back(
-          {.points = points, .colours = std::span(&colours[k], 1), .width_px = spring_width_px});
+      const float width_px = kind == sim::SpringKind::flexural ? 2.5F * spring_width_px : spring_width_px;
+      frame.lines.push_back({.points = points, .colours = std::span(&colours[k], 1), .width_px = width_px});
     }
   }
 }
@@ -78,7 +79,8 @@ void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& f
     normal_points_.push_back(surface.positions[v]);
     normal_points_.push_back(surface.positions[v] + length_m * surface.normals[v]);
   }
-  frame.lines.push_back({.points = normal_points_, .colours = std::span(&normal_colour, 1), .width_px = 1.0F});
+  frame.lines.push_back(
+      {.points = normal_points_, .colours = std::span(&normal_colour, 1), .width_px = 1.0F});
 }
 
 void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
@@ -98,14 +100,16 @@ void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, c
   settings.shadow_map_px = quality.shadow_map_px;
   settings.sky_directions = quality.sky_directions;
   const auto scaled = [&](int side_px) {
-    return std::max(smallest_side_px, static_cast<int>(std::lround(quality.scale * static_cast<float>(side_px))));
+    return std::max(smallest_side_px,
+                    static_cast<int>(std::lround(quality.scale * static_cast<float>(side_px))));
   };
   settings.width_px = scaled(area.width_px);
   settings.height_px = scaled(area.height_px);
   if (quality.scale == 1.0F) {
     scene_renderer_.draw_to(framebuffer, frame, settings);
   } else {
-    scene_renderer_.draw_to(small_target_.framebuffer(settings.width_px, settings.height_px), frame, settings);
+    scene_renderer_.draw_to(small_target_.framebuffer(settings.width_px, settings.height_px), frame,
+                            settings);
     small_target_.copy_to(framebuffer, area.width_px, area.height_px);
   }
 }

@@ -35,6 +35,7 @@ enum class Action {
   copy_camera,
   show_keys,
   show_panel,
+  quit,
 };
 
 /// A rectangle in pixels of the window.
@@ -46,7 +47,7 @@ struct ItemPlace {
 /// A built-in scene or a garment that can be chosen.
 struct Choice {
   std::string name;
-  std::string label;  ///< of a figure of the paper: "Figure 5, left"; otherwise empty
+  std::string label;  ///< of a figure of the paper: "5, left"; otherwise empty
   std::filesystem::path file;
 };
 
@@ -68,8 +69,8 @@ struct ViewerState {
   bool show_panel = true;
   bool show_keys = false;
   bool paused = false;
-  double speed = 1.0;                 ///< simulated seconds in a second; below 1 is slow motion
-  std::optional<int> past_frame;      ///< gone back to; none: the newest
+  double speed = 1.0;             ///< simulated seconds in a second; below 1 is slow motion
+  std::optional<int> past_frame;  ///< gone back to; none: the newest
   RecordingKind recording_kind = RecordingKind::video;
 
   // To be shown.

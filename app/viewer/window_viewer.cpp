@@ -1,6 +1,7 @@
 #include <chrono>
 #include <optional>
 
+#include "app/errors.hpp"
 #include "app/interruption.hpp"
 #include "app/stopwatch.hpp"
 #include "app/viewer/input_queue.hpp"
@@ -30,9 +31,7 @@ class WindowSession {
   WindowSession(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                 const std::filesystem::path& record_to)
       : simulation_(scene),
-        place_([this, title = "Taut - " + scene.name, size = start.size] {
-          return open(title, size);
-        }),
+        place_([this, title = "Taut - " + scene.name, size = start.size] { return open(title, size); }),
         viewer_(simulation_, {window_->framebuffer_size(), window_->content_scale(), keep_folder, true}) {
     if (!record_to.empty()) {
       SessionStart actual = start;
@@ -43,11 +42,24 @@ class WindowSession {
   }
 
   void run() {
-    while (!window_->is_asked_to_close()) {
+    try {
+      run_until_closed();
+    } catch (const Interrupted&) {
+      finish_record();
+      throw;
+    }
+    viewer_.finish_recording();
+    finish_record();
+  }
+
+ private:
+  void run_until_closed() {
+    while (!window_->is_asked_to_close() && !viewer_.is_ended()) {
       throw_if_interrupted();
       gather_input();
       const Stopwatch laying_out;
-      SessionFrame frame = viewer_.update({queue_.take_frame(), next_elapsed_s(), std::nullopt, std::nullopt});
+      SessionFrame frame =
+          viewer_.update({queue_.take_frame(), next_elapsed_s(), std::nullopt, std::nullopt});
       panel_ms_ = laying_out.elapsed_ms();
       if (recorder_) {
         recorder_->add(frame);
@@ -57,11 +69,8 @@ class WindowSession {
       }
       show();
     }
-    viewer_.finish_recording();
-    finish_record();
   }
 
- private:
   std::unique_ptr<renderer::Context> open(const std::string& title, const renderer::Resized& size) {
     auto window = renderer::open_window({title, size.width_px, size.height_px});
     window_ = window.get();
@@ -83,9 +92,7 @@ class WindowSession {
     } while (left_s > 0.0 && !window_->is_asked_to_close());
   }
 
-  bool simulation_moved() {
-    return simulation_.begin_frame(0.0, std::nullopt) != viewer_.state().newest;
-  }
+  bool simulation_moved() { return simulation_.begin_frame(0.0, std::nullopt) != viewer_.state().newest; }
 
   double next_elapsed_s() {
     const double elapsed_s = since_frame_.elapsed_ms() / 1000.0;
@@ -112,7 +119,8 @@ class WindowSession {
 
   void draw(const PictureQuality& quality, bool rests) {
     const Stopwatch drawing;
-    place_.picture().draw(0, viewer_.state(), viewer_.layout(), quality, viewer_.letters(), viewer_.overlay());
+    place_.picture().draw(0, viewer_.state(), viewer_.layout(), quality, viewer_.letters(),
+                          viewer_.overlay());
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
     if (!rests) {

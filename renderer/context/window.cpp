@@ -117,16 +117,17 @@ class GlfwWindow final : public Window {
         note(window, ButtonChanged{static_cast<PointerButton>(button), action == GLFW_PRESS});
       }
     });
-    glfwSetScrollCallback(
-        handle, [](GLFWwindow* window, double x, double y) { note(window, WheelTurned{x, y}); });
+    glfwSetScrollCallback(handle, [](GLFWwindow* window, double x, double y) {
+      note(window, WheelTurned{x, y});
+    });
     glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
       for (int i = 0; i < count; ++i) note(window, FileDropped{paths[i]});
     });
-    glfwSetFramebufferSizeCallback(
-        handle, [](GLFWwindow* window, int width, int height) { note(window, Resized{width, height}); });
-    glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* window, float x, float y) {
-      note(window, ScaleChanged{std::max(x, y)});
+    glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* window, int width, int height) {
+      note(window, Resized{width, height});
     });
+    glfwSetWindowContentScaleCallback(
+        handle, [](GLFWwindow* window, float x, float y) { note(window, ScaleChanged{std::max(x, y)}); });
   }
 
   Library library;

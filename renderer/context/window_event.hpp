@@ -98,7 +98,7 @@ struct ScaleChanged {
 };
 
 /// What a person does to a window.
-using WindowEvent = std::variant<KeyChanged, TextTyped, PointerMoved, ButtonChanged, WheelTurned,
-                                 FileDropped, Resized, ScaleChanged>;
+using WindowEvent = std::variant<KeyChanged, TextTyped, PointerMoved, ButtonChanged, WheelTurned, FileDropped,
+                                 Resized, ScaleChanged>;
 
 }  // namespace taut::renderer

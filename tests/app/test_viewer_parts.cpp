@@ -1,0 +1,197 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/viewer/grip.hpp"
+#include "app/viewer/orbit_camera.hpp"
+#include "app/viewer/panel.hpp"
+#include "app/viewer/picking.hpp"
+#include "app/viewer/picture_quality.hpp"
+#include "app/viewer/timeline.hpp"
+#include "sim/grid.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr ViewArea area{960, 720};
+
+OrbitCamera from_the_front() {
+  renderer::Camera camera;
+  camera.eye = {0.0F, 1.0F, 4.0F};
+  camera.target = {0.0F, 1.0F, 0.0F};
+  return OrbitCamera(camera);
+}
+
+TEST(OrbitCamera, IsTheCameraItWasMadeOf) {
+  renderer::Camera camera;
+  camera.eye = {1.0F, 2.0F, -3.0F};
+  camera.target = {0.5F, 0.1F, 0.2F};
+  camera.vertical_fov_rad = 0.4F;
+  const renderer::Camera again = OrbitCamera(camera).camera();
+  EXPECT_LT(glm::distance(again.eye, camera.eye), 1e-5F);
+  EXPECT_EQ(again.target, camera.target);
+  EXPECT_EQ(again.vertical_fov_rad, camera.vertical_fov_rad);
+}
+
+TEST(OrbitCamera, TurnsAboutItsTargetAndNeverOverThePole) {
+  OrbitCamera camera = from_the_front();
+  camera.orbit({360.0F, 0.0F}, area);  // half the height: a quarter turn
+  EXPECT_LT(glm::distance(camera.camera().eye, glm::vec3(-4.0F, 1.0F, 0.0F)), 1e-4F);
+  camera.orbit({0.0F, 1e6F}, area);
+  EXPECT_LT(camera.camera().eye.y, 5.0F);
+  EXPECT_GT(camera.camera().eye.y, 4.99F);
+}
+
+TEST(OrbitCamera, PanMovesWhatIsUnderThePointerWithIt) {
+  OrbitCamera camera = from_the_front();
+  const glm::vec3 target = camera.camera().target;
+  const glm::vec2 before = *camera.pixel_of(target, area);
+  camera.pan({50.0F, -30.0F}, area);
+  const glm::vec2 after = *camera.pixel_of(target, area);
+  EXPECT_NEAR(after.x - before.x, 50.0F, 0.01F);
+  EXPECT_NEAR(after.y - before.y, -30.0F, 0.01F);
+}
+
+TEST(OrbitCamera, RayThroughAPixelLeadsToWhatIsSeenThere) {
+  OrbitCamera camera = from_the_front();
+  camera.orbit({77.0F, 55.0F}, area);
+  const glm::vec3 point{0.3F, 1.2F, -0.4F};
+  const Ray ray = camera.ray_through(*camera.pixel_of(point, area), area);
+  const glm::vec3 way = point - ray.origin;
+  EXPECT_LT(glm::length(glm::cross(way, ray.direction)), 1e-4F);
+}
+
+TEST(OrbitCamera, FramesABoxAndStaysWithinBoundsHoweverFarTheWheelTurns) {
+  OrbitCamera camera = from_the_front();
+  camera.zoom(1e9F);
+  camera.zoom(-1e9F);
+  camera.frame({{-1.0F, -1.0F, -1.0F}, {1.0F, 1.0F, 1.0F}}, area);
+  for (const float x : {-1.0F, 1.0F}) {
+    EXPECT_TRUE(area.contains(*camera.pixel_of({x, x, x}, area)));
+  }
+}
+
+TEST(Picking, FindsTheNearestOfTwoTriangles) {
+  const std::vector<sim::Vec3> positions = {{-1, -1, 0},  {1, -1, 0},  {0, 1, 0},
+                                            {-1, -1, -1}, {1, -1, -1}, {0, 1, -1}};
+  const std::vector<sim::Triangle> triangles = {{3, 4, 5}, {0, 1, 2}};
+  const auto picked = pick({{0.4F, -0.8F, 5.0F}, {0.0F, 0.0F, -1.0F}}, positions, triangles);
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->vertex, 1U);
+  EXPECT_NEAR(picked->distance_m, 5.0, 1e-6);
+  EXPECT_FALSE(pick({{3.0F, 0.0F, 5.0F}, {0.0F, 0.0F, -1.0F}}, positions, triangles));
+  EXPECT_FALSE(pick({{0.0F, 0.0F, -5.0F}, {0.0F, 0.0F, -1.0F}}, positions, triangles)) << "behind the eye";
+}
+
+TEST(Picking, DragsInThePlaneThatFacesTheCamera) {
+  const OrbitCamera camera = from_the_front();
+  const glm::dvec3 through(0.2, 1.1, -0.5);
+  const auto point = drag_point(camera.ray_through({100.0F, 650.0F}, area), through, camera.camera());
+  ASSERT_TRUE(point);
+  EXPECT_NEAR(point->z, -0.5, 1e-6);
+}
+
+TEST(Grip, SharesThePullAndReachesNotFar) {
+  sim::GridSettings grid;
+  grid.columns = grid.rows = 101;
+  const sim::Garment garment = sim::make_garment(sim::make_grid(grid), {}, {});
+  const sim::Index middle = 50 * 101 + 50;
+  const Grip grip = take_grip(garment, garment.mesh.positions, middle);
+  double total = 0.0;
+  for (const GripVertex& held : grip.vertices) {
+    total += held.share;
+    EXPECT_LT(glm::length(held.offset_m), 0.03);
+  }
+  EXPECT_NEAR(total, 1.0, 1e-12);
+  EXPECT_EQ(grip.vertices.front().vertex, middle);
+  EXPECT_GT(grip.vertices.size(), 8U);
+  EXPECT_LT(grip.vertices.size(), 40U);
+}
+
+TEST(Grip, MovesNoFasterThanAnArm) {
+  const sim::Vec3 hand = moved_hand({0, 0, 0}, {1, 0, 0}, 0.01);
+  EXPECT_NEAR(hand.x, 0.04, 1e-12);
+  EXPECT_EQ(moved_hand(hand, {0.05, 0, 0}, 0.01), sim::Vec3(0.05, 0, 0));
+}
+
+SnapshotPtr snapshot_of(const std::shared_ptr<const LoadedScene>& loaded, std::uint64_t serial, int frame) {
+  Snapshot snapshot;
+  snapshot.serial = serial;
+  snapshot.loaded = loaded;
+  snapshot.positions = std::make_shared<const std::vector<sim::Vec3>>(3);
+  snapshot.record.frame = frame;
+  return std::make_shared<const Snapshot>(snapshot);
+}
+
+TEST(Timeline, ReachesTenSecondsBackAndForgetsWhatIsBeyond) {
+  const auto loaded = std::make_shared<const LoadedScene>();
+  Timeline timeline;
+  for (int frame = 0; frame <= 2000; ++frame) {
+    timeline.add(snapshot_of(loaded, static_cast<std::uint64_t>(frame) + 1, frame));
+  }
+  EXPECT_EQ(first_frame_in_reach(*timeline.newest()), 1400);
+  EXPECT_EQ(timeline.of_frame(1400)->record.frame, 1400);
+  EXPECT_EQ(timeline.of_frame(1999)->record.frame, 1999);
+  EXPECT_GT(timeline.of_frame(3)->record.frame, 1000);
+  EXPECT_EQ(timeline.with_serial(1500)->serial, 1500U);
+}
+
+TEST(Timeline, AResetForgetsThePast) {
+  const auto loaded = std::make_shared<const LoadedScene>();
+  Timeline timeline;
+  timeline.add(snapshot_of(loaded, 1, 40));
+  timeline.add(snapshot_of(loaded, 2, 41));
+  timeline.add(snapshot_of(loaded, 3, 0));
+  EXPECT_EQ(timeline.of_frame(41)->serial, 3U);
+  timeline.add(snapshot_of(std::make_shared<const LoadedScene>(), 4, 0));
+  EXPECT_EQ(timeline.with_serial(1)->serial, 4U);
+}
+
+TEST(Timeline, ManyChangesOfOneFrameDoNotGrowIt) {
+  const auto loaded = std::make_shared<const LoadedScene>();
+  Timeline timeline;
+  for (std::uint64_t serial = 1; serial <= 10000; ++serial) {
+    timeline.add(snapshot_of(loaded, serial, 7));
+  }
+  EXPECT_GT(timeline.with_serial(1)->serial, 5000U);
+  EXPECT_EQ(timeline.newest()->serial, 10000U);
+}
+
+TEST(QualityControl, GivesWayStepByStepResolutionLastAndComesBack) {
+  QualityControl quality;
+  std::size_t level = quality.level();
+  for (int frame = 0; frame < 200; ++frame) {
+    quality.note(80.0);
+    EXPECT_LE(quality.level(), level + 1);
+    level = quality.level();
+  }
+  EXPECT_EQ(level, picture_qualities.size() - 1);
+  for (int frame = 0; frame < 2000; ++frame) {
+    quality.note(4.0);
+  }
+  EXPECT_EQ(quality.level(), 0U);
+  for (std::size_t i = 1; i < picture_qualities.size(); ++i) {
+    if (picture_qualities[i].scale < 1.0F) {
+      EXPECT_EQ(picture_qualities[i].samples, 1) << "resolution gave way before samples";
+    }
+  }
+}
+
+TEST(QualityControl, OneSlowFrameChangesNothing) {
+  QualityControl quality;
+  for (int frame = 0; frame < 300; ++frame) {
+    quality.note(frame == 150 ? 60.0 : 15.0);
+  }
+  EXPECT_EQ(quality.level(), QualityControl().level());
+}
+
+TEST(Panel, LeavesNarrowWindowsToTheScene) {
+  EXPECT_EQ(scene_area({1280, 720, 1.0F, true}).width_px, 960);
+  EXPECT_EQ(scene_area({1280, 720, 1.0F, false}).width_px, 1280);
+  EXPECT_EQ(scene_area({300, 720, 1.0F, true}).width_px, 300);
+  EXPECT_EQ(scene_area({0, 0, 1.0F, true}).width_px, 1);
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -47,8 +47,11 @@ void view_headless(const ViewOptions& options, const Session& session, const Sce
   if (!options.record.empty()) {
     recorder.emplace(options.record, session.start);
   }
-  for (const SessionFrame& frame : session.frames) {
-    const SessionFrame played = viewer.play(frame);
+  for (std::size_t i = 0; i < session.frames.size(); ++i) {
+    SessionFrame played = viewer.play(session.frames[i]);
+    if (i + 1 == session.frames.size()) {
+      played.expected_state = viewer.state_hash();
+    }
     if (recorder) {
       recorder->add(played);
     }

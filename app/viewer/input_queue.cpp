@@ -22,14 +22,17 @@ bool moves_pointer(const SessionEvent& event) {
   return as<PointerMoved>(event) != nullptr || std::holds_alternative<PointAt>(event);
 }
 
-// Whether the events of a frame hide from it that `next` came after them.
+// Whether the events of a frame hide from it that `next` came after them. What is let go would never have
+// seen the last place it was dragged to.
 bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& taken) {
   return std::any_of(taken.begin(), taken.end(), [&](const SessionEvent& before) {
     const auto* button = as<ButtonChanged>(before);
     const auto* key = as<KeyChanged>(before);
     const auto* next_button = as<ButtonChanged>(next);
     const auto* next_key = as<KeyChanged>(next);
-    return (button != nullptr && (moves_pointer(next) || next_button != nullptr)) ||
+    const bool lets_go = next_button != nullptr && !next_button->down;
+    return (lets_go && moves_pointer(before)) ||
+           (button != nullptr && (moves_pointer(next) || next_button != nullptr)) ||
            (key != nullptr && next_key != nullptr && key->key == next_key->key &&
             key->down != next_key->down);
   });

@@ -14,6 +14,11 @@ std::shared_ptr<const LoadedScene> load(const Scene& scene, std::uint64_t genera
   return std::make_shared<const LoadedScene>(LoadedScene{scene, load_garment(scene).garment, generation});
 }
 
+std::shared_ptr<const std::vector<sim::Vec3>> shown_positions(const sim::Simulation& simulation) {
+  const std::span<const sim::Vec3> shown = simulation.shown_positions();
+  return std::make_shared<const std::vector<sim::Vec3>>(shown.begin(), shown.end());
+}
+
 // The outer third on one side of what the pins extend over, across.
 std::vector<sim::Index> without_side(const sim::Garment& garment, bool right) {
   double lowest = INFINITY;
@@ -48,7 +53,7 @@ void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   loaded_ = std::move(loaded);
   surroundings_ = loaded_->scene.surroundings;
   pins_ = std::make_shared<const std::vector<sim::Index>>(loaded_->garment.pins);
-  positions_ = std::make_shared<const std::vector<sim::Vec3>>(simulation_->state().current);
+  positions_ = shown_positions(*simulation_);
   grip_.reset();
   frame_ = 0;
   steps_left_ = 0;
@@ -153,7 +158,7 @@ void LiveSimulation::advance() {
     const double sim_ms = simulating.elapsed_ms();
     record_ = measure_frame(*simulation_, ++frame_);
     record_.sim_ms = sim_ms;
-    positions_ = std::make_shared<const std::vector<sim::Vec3>>(simulation_->state().current);
+    positions_ = shown_positions(*simulation_);
   } catch (const std::exception& error) {
     stopped_ = true;
     tell(std::string(error.what()) + "; R starts again", true);

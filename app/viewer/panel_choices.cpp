@@ -67,7 +67,8 @@ void lay_out_solver(ViewerState& state) {
     ImGui::EndCombo();
   }
   note_place(state, "solver");
-  whole_slider(state, "substeps", "solver.substeps", solver.substeps, 1, 400);
+  whole_slider(state, solver.substeps == 0 ? "substeps (auto)" : "substeps", "solver.substeps",
+               solver.substeps, 0, 400);
   const bool sweeps = solver.kind == sim::SolverKind::strong;
   const bool hooke = solver.kind == sim::SolverKind::ideal || solver.kind == sim::SolverKind::provot;
   if (sweeps) {
@@ -79,6 +80,15 @@ void lay_out_solver(ViewerState& state) {
     if (number_slider(state, "max stretch", "solver.max_stretch", percent, 0.1, 30.0, "%.2f %%", true)) {
       solver.max_stretch = percent / 100.0;
     }
+  }
+  if (solver.kind == sim::SolverKind::bounded) {
+    sim::Fabric& fabric = solver.fabric;
+    double bending_un_m = 1e6 * fabric.bending_rigidity_n_m;
+    if (number_slider(state, "flexural", "fabric.bending", bending_un_m, 0.0, 100.0, "%.1f µN m", true)) {
+      fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
+    }
+    number_slider(state, "crumpling", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 200.0,
+                  "%.0f N/m");
   }
   if (hooke) {
     number_slider(state, "flexural", "solver.stiffness.flexural", solver.stiffness.flexural_n_per_m, 0.0,

@@ -25,7 +25,7 @@ ItemPlace plot_frame(const Plot& plot, float scale) {
   ImGui::SameLine(ImGui::GetCursorPosX() + width - ImGui::CalcTextSize(plot.reading.c_str()).x);
   ImGui::TextDisabled("%s", plot.reading.c_str());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = 34.0F * scale;
+  const float height = 27.0F * scale;
   ImGui::Dummy({width, height});
   ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height},
                                             ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0F * scale);

@@ -161,7 +161,7 @@ TEST(LiveSimulation, ABrokenGarmentLeavesTheOldOne) {
 TEST(LiveSimulation, RefusesASettingWithANotice) {
   LiveSimulation live(small_scene());
   ChangeSettings change{small_scene().simulation, small_scene().surroundings};
-  change.simulation.solver.substeps = 0;
+  change.simulation.solver.iterations = 0;
   live.apply(change);
   EXPECT_TRUE(live.take_snapshot()->notice.is_error);
   advance(live, 3);

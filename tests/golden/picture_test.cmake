@@ -27,6 +27,12 @@ function(taut_add_picture_test name)
   set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
 endfunction()
 
+# taut_add_view_test(NAME arguments of `taut view --headless`...): the same with what a window shows.
+function(taut_add_view_test name)
+  taut_internal_picture_test(picture.${name} ${name} BASELINE ${name} DEFINITIONS -DVIEW=ON ARGUMENTS ${ARGN})
+  set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
+endfunction()
+
 # taut_add_figure_test(NAME FIGURE [PLOT] arguments of `taut figures`...): the same with a whole figure, or the
 # contact sheet; PLOT: nothing in it is drawn by OpenGL.
 function(taut_add_figure_test name figure)

@@ -1,4 +1,5 @@
-# Draws ARGUMENTS with TAUT (`taut render`, or with FIGURE that one of `taut figures`) into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
+# Draws ARGUMENTS with TAUT (`taut render`, with VIEW `taut view --headless`, or with FIGURE that one of
+# `taut figures`) into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
 # A failure says what differs and how to accept it, and stands in FAILURES_PAGE until the test passes.
 # With MUST_DIFFER it is the other way round: the picture has to be told from the baseline.
 cmake_minimum_required(VERSION 3.25)
@@ -10,6 +11,8 @@ set(accept "tests/golden/accept.sh ${BUILD_DIR} ${NAME}")
 list(JOIN ARGUMENTS " " command)
 if(FIGURE)
   set(command "taut figures ${command}")
+elseif(VIEW)
+  set(command "taut view --headless ${command}")
 else()
   set(command "taut render ${command}")
 endif()
@@ -35,13 +38,15 @@ file(REMOVE_RECURSE ${OUTPUT_DIR})
 if(FIGURE)
   run_taut(${OUTPUT_DIR} figures ${ARGUMENTS} --output .)
   file(RENAME ${OUTPUT_DIR}/${FIGURE}.png ${actual})
+elseif(VIEW)
+  run_taut(${OUTPUT_DIR} view --headless ${ARGUMENTS} --screenshot actual.png)
 else()
   run_taut(${OUTPUT_DIR} render ${ARGUMENTS} --output actual.png --stats run.json)
 endif()
 if(IS_PLOT)
   set(renderer "no OpenGL")
-elseif(FIGURE)
-  # Figures do not say it: a small picture does.
+elseif(FIGURE OR VIEW)
+  # They do not say it: a small picture does.
   run_taut(${OUTPUT_DIR}/probe render cloth-fall --frames 0 --resolution 16,16 --stats run.json)
   read_renderer(${OUTPUT_DIR}/probe/run.json renderer)
 else()

@@ -10,7 +10,7 @@ file(WRITE ${DIR}/points.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\n")
 set(grid "[garment.grid]\ncolumns = 3\nrows = 3\n\n[solver]\n")
 file(WRITE ${DIR}/wrong_key.toml "${grid}substep = 4\n")
 file(WRITE ${DIR}/wrong_type.toml "${grid}substeps = \"many\"\n")
-file(WRITE ${DIR}/out_of_range.toml "${grid}substeps = 0\n")
+file(WRITE ${DIR}/out_of_range.toml "${grid}iterations = 0\n")
 file(WRITE ${DIR}/not_toml.toml "[garment.grid\n")
 
 string(REPLACE "@DIR@" "${DIR}" ARGUMENTS "${ARGUMENTS}")

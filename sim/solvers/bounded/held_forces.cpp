@@ -13,8 +13,8 @@ namespace {
 constexpr int wind_updates_per_frame = 8;
 constexpr int least_updates_per_frame = 4;
 
-/// Held forces are stable while rate^2 held^2 < 2 (see add_bending); half of that leaves a margin.
-constexpr double largest_rate_times_held = 1.0;
+/// Held forces are stable while rate^2 held^2 < 2 (see add_bending).
+constexpr double largest_rate_times_held = 1.2;
 
 AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s, double held_s) {
   const Vec3 velocity = wind_velocity(wind, time_s);

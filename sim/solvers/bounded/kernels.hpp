@@ -19,7 +19,8 @@ struct AirFlow {
   float per_time_step = 0.0F;          ///< 1 / dt, in 1/s
 };
 
-/// A sparse matrix by rows, without its diagonal: every row sums to zero with it.
+/// A sparse matrix by rows, without its diagonal: with it every row would sum to zero. Each row has an even
+/// number of entries, the last of which may be a 0.
 struct RowMatrix {
   std::vector<std::uint32_t> begin;  ///< one more than there are rows
   std::vector<std::uint32_t> column;
@@ -56,8 +57,8 @@ struct Kernels {
   void (*wind)(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
                const Row* start, const Row* current, const Row* previous, Row* corner_forces);
 
-  /// For rows [begin, end): result += sum over columns of value (x_column - x_row), where x = start + current
-  /// + ahead (current - previous).
+  /// For rows [begin, end): result += sum over columns of value (x_column - x_row), even entries summed apart
+  /// from odd ones, so that no sum waits for the one before it.
   void (*add_product)(const RowMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
                       Row* result);
 };

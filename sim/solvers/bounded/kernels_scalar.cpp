@@ -138,17 +138,24 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
   }
 }
 
+void add_scaled(const Triple& x, float factor, Row& total) {
+  total.x = total.x + x.x * factor;
+  total.y = total.y + x.y * factor;
+  total.z = total.z + x.z * factor;
+}
+
 void add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
                  Row* result) {
   for (std::size_t r = begin; r < end; ++r) {
     const Row& x = positions[r];
-    Row& sum_of = result[r];
-    for (std::uint32_t k = matrix.begin[r]; k < matrix.begin[r + 1]; ++k) {
-      const Row& other = positions[matrix.column[k]];
-      sum_of.x = sum_of.x + (other.x - x.x) * matrix.value[k];
-      sum_of.y = sum_of.y + (other.y - x.y) * matrix.value[k];
-      sum_of.z = sum_of.z + (other.z - x.z) * matrix.value[k];
+    Row even;
+    Row odd;
+    for (std::uint32_t k = matrix.begin[r]; k < matrix.begin[r + 1]; k += 2) {
+      add_scaled(difference(positions[matrix.column[k]], x), matrix.value[k], even);
+      add_scaled(difference(positions[matrix.column[k + 1]], x), matrix.value[k + 1], odd);
     }
+    Row& sum_of = result[r];
+    sum_of = {sum_of.x + (even.x + odd.x), sum_of.y + (even.y + odd.y), sum_of.z + (even.z + odd.z), 0.0F};
   }
 }
 

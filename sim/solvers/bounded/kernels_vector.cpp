@@ -253,12 +253,15 @@ void add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, co
   const FourFloats four;
   for (std::size_t r = begin; r < end; ++r) {
     const auto x = hn::Load(four, &positions[r].x);
-    auto sum = hn::Load(four, &result[r].x);
-    for (std::uint32_t k = matrix.begin[r]; k < matrix.begin[r + 1]; ++k) {
-      const auto apart = hn::Sub(load_row(positions, matrix.column[k]), x);
-      sum = hn::Add(sum, hn::Mul(apart, hn::Set(four, matrix.value[k])));
+    auto even = hn::Zero(four);
+    auto odd = hn::Zero(four);
+    for (std::uint32_t k = matrix.begin[r]; k < matrix.begin[r + 1]; k += 2) {
+      const auto to_even = hn::Sub(load_row(positions, matrix.column[k]), x);
+      const auto to_odd = hn::Sub(load_row(positions, matrix.column[k + 1]), x);
+      even = hn::Add(even, hn::Mul(to_even, hn::Set(four, matrix.value[k])));
+      odd = hn::Add(odd, hn::Mul(to_odd, hn::Set(four, matrix.value[k + 1])));
     }
-    hn::Store(sum, four, &result[r].x);
+    hn::Store(hn::Add(hn::Load(four, &result[r].x), hn::Add(even, odd)), four, &result[r].x);
   }
 }
 

@@ -86,6 +86,26 @@ TEST(LiveSimulation, AHandPullsTheHemAndLetsGo) {
   EXPECT_GT(glm::distance((*live.take_snapshot()->positions)[corner], wanted), 0.1);
 }
 
+TEST(LiveSimulation, ABoundHoldsWhileAHandPulls) {
+  LiveSimulation live(find_scene("pinned-9x9-5", std::vector{parse_override("solver.kind=\"bounded\""),
+                                                             parse_override("solver.substeps=0"),
+                                                             parse_override("solver.max_stretch=0.02")}));
+  advance(live, 60);
+  const SnapshotPtr hanging = live.take_snapshot();
+  Grip grip = take_grip(hanging->loaded->garment, *hanging->positions, 80);
+  const sim::Vec3 wanted = (*hanging->positions)[80] + sim::Vec3(0.0, 0.1, 0.25);
+  grip.target_m = wanted;
+  live.apply(TakeHold{grip});
+  advance(live, 60);
+  EXPECT_LT(glm::distance((*live.take_snapshot()->positions)[80], wanted), 0.05);
+  grip.target_m = {5.0, 2.0, 10.0};
+  live.apply(TakeHold{grip});
+  for (int frame = 0; frame < 120; ++frame) {
+    live.advance();
+    EXPECT_LE(live.take_snapshot()->record.stretch.max, 0.02 + 1e-9) << frame;
+  }
+}
+
 TEST(LiveSimulation, AHandOutOfReachDoesNotTearTheCloth) {
   LiveSimulation live(small_scene());
   advance(live, 10);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/hand_force.hpp"
+
 namespace taut::sim::bounded {
 namespace {
 
@@ -65,6 +67,26 @@ void HeldForces::add_gravity_and_artificial(const ExternalForces& external) {
   }
 }
 
+// A hand's spring is implicit over the time its force is held.
+void HeldForces::add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion,
+                          double time_step_s, double held_s) {
+  for (const HeldVertex& held : external.held_vertices) {
+    if (held.vertex >= layout_.vertex_count()) {
+      throw std::invalid_argument("a hand holds vertex " + std::to_string(held.vertex) +
+                                  ", but there are only " + std::to_string(layout_.vertex_count()));
+    }
+    const Index row = layout_.row_of_vertex[held.vertex];
+    const double mass_kg = garment.masses_kg[held.vertex];
+    const Vec3 moved = vector_of(motion.current[row]);
+    const Vec3 velocity_m_per_s = (moved - vector_of(motion.previous[row])) / time_step_s;
+    if (mass_kg > 0.0) {
+      add(accelerations_[row],
+          row_of(hand_force(held, mass_kg, motion.start_m[row] + moved, velocity_m_per_s, held_s)),
+          layout_.inverse_masses_per_kg[row]);
+    }
+  }
+}
+
 void HeldForces::add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
                           double time_step_s, double held_s, const Kernels& kernels) {
   if (wind.speed_m_per_s == 0.0) {
@@ -101,6 +123,7 @@ void HeldForces::add_bending(const Motion& motion, double ahead, const Kernels& 
 void HeldForces::update(const Garment& garment, const ExternalForces& external, const Motion& motion,
                         double time_s, double time_step_s, double held_s, const Kernels& kernels) {
   add_gravity_and_artificial(external);
+  add_hand(garment, external, motion, time_step_s, held_s);
   add_wind(garment, external.wind, motion, time_s, time_step_s, held_s, kernels);
   if (!bending_.matrix.value.empty()) {
     add_bending(motion, held_s / time_step_s, kernels);

@@ -36,6 +36,8 @@ class HeldForces {
 
  private:
   void add_gravity_and_artificial(const ExternalForces& external);
+  void add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion,
+                double time_step_s, double held_s);
   void add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
                 double time_step_s, double held_s, const Kernels& kernels);
   void add_bending(const Motion& motion, double ahead, const Kernels& kernels);

@@ -12,6 +12,7 @@ packages=(
   pkg-config
   # libraries
   libassimp-dev       # reads models
+  libbullet-dev       # taut bench compares with it; all else works without
   libcairo2-dev       # text and page composition
   libcli11-dev
   libdeflate-dev      # compresses PNG

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <memory>
 
+#include "app/bench/cases.hpp"
+#include "app/bench/entrants.hpp"
 #include "app/errors.hpp"
 #include "app/figures/figures.hpp"
 #include "app/version.hpp"
@@ -247,6 +249,51 @@ std::function<Command()> add_inspect(CLI::App& app) {
   return [options] { return Command(*options); };
 }
 
+std::vector<int> bench_triangles() {
+  std::vector<int> triangles;
+  for (const BenchSize& size : bench_sizes()) {
+    triangles.push_back(size.triangles);
+  }
+  return triangles;
+}
+
+void add_bench_extent(CLI::App& command, BenchOptions& options) {
+  command.add_option("--sizes", options.sizes, "triangles of the shirt, some of 1028,5280,10600,42400,84480")
+      ->delimiter(',')
+      ->check(CLI::IsMember(bench_triangles()));
+  command.add_option("--scenes", options.scenes, "some of " + joined_names(bench_scene_names(), ","))
+      ->delimiter(',')
+      ->check(CLI::IsMember(bench_scene_names()));
+  command.add_option("--bounds", options.bounds, "largest stretches to be kept (default 0.05,0.01,0.001)")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-5, 1.0));
+  command.add_option("--engines", options.engines, "some of " + joined_names(engine_names(), ","))
+      ->delimiter(',')
+      ->check(CLI::IsMember(engine_names()));
+  command.add_option("--seconds", options.seconds, "simulated time (default 2, with --full 10)")
+      ->check(CLI::Range(0.01, 3600.0));
+  command
+      .add_option("--limit", options.slowest_frame_ms,
+                  "ms per frame above which a setting is given up (default 250, with --full 500)")
+      ->check(CLI::PositiveNumber);
+}
+
+std::function<Command()> add_bench(CLI::App& app) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* command =
+      app.add_subcommand("bench", "Measure time per frame against stretch, side by side with other engines");
+  add_bench_extent(*command, *options);
+  command->add_flag("--full", options->full, "every scene, every size and more settings: takes hours");
+  command->add_option("--output", options->output, "folder for bench.json, bench.png and bench.pdf");
+  command->add_flag("--json", options->json, "print JSON instead of the table");
+  command->add_flag("--quiet", options->quiet, "print neither progress nor the table");
+  command->footer(
+      "Examples:\n  taut bench                                   about a minute\n"
+      "  taut bench --scenes wind --sizes 10600 --bounds 0.01 --seconds 5\n"
+      "  taut bench --full --output bench             every cell, 10 simulated seconds each\n");
+  return [options] { return Command(*options); };
+}
+
 std::function<Command()> add_scenes(CLI::App& app) {
   CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
   command->footer("Example:\n  taut scenes\n");
@@ -290,8 +337,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   app.footer(
       "taut COMMAND --help says more. Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
   const std::vector<std::function<Command()>> commands = {
-      add_figures(app), add_render(app), add_simulate(app), add_view(app),
-      add_inspect(app), add_scenes(app), add_help(app)};
+      add_figures(app), add_render(app), add_simulate(app), add_view(app), add_inspect(app),
+      add_bench(app),   add_scenes(app), add_help(app)};
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {

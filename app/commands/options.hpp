@@ -27,6 +27,20 @@ struct FrameRange {
   int last = 0;
 };
 
+struct BenchOptions {
+  std::vector<int> sizes;  ///< triangles; empty, as everything here: as `full` says
+  std::vector<std::string> scenes;
+  std::vector<double> bounds = {0.05, 0.01, 0.001};
+  std::vector<std::string> engines;
+  std::optional<double> seconds;           ///< simulated
+  std::optional<double> slowest_frame_ms;  ///< settings that need more are given up
+  bool full = false;
+  bool ablation = false;
+  bool json = false;
+  bool quiet = false;
+  std::filesystem::path output;  ///< folder for the results; empty: none
+};
+
 struct RenderOptions {
   std::string scene;   ///< or a picture that is to be made again
   std::string output;  ///< empty: SCENE_NAME.png
@@ -77,9 +91,10 @@ struct Answered {
   int exit_code = 0;
 };
 
-using Command = std::variant<Answered, FiguresOptions, RenderOptions, SimulateOptions, ViewOptions,
+using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions, ViewOptions,
                              InspectOptions, ScenesOptions, HelpOptions>;
 
+int run(const BenchOptions& options);
 int run(const FiguresOptions& options);
 int run(const RenderOptions& options);
 int run(const SimulateOptions& options);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/figures/job_runner.hpp"
+#include "app/figures/power_law.hpp"
 #include "app/figures/recording.hpp"
 #include "app/figures/spring_patch.hpp"
 #include "sim/solvers/solver.hpp"
@@ -122,12 +123,8 @@ RestartRun run_restart(const Scene& scene, int steps_before, int steps_after);
 /// nothing else runs.
 std::vector<FrameTimes> measure_frame_times(int repeats, const Checkpoint& checkpoint);
 
-/// The exponent p of ms = c * triangles^p by least squares on the logarithms of the shortest times, and c.
+/// ms = factor * triangles^exponent, through the shortest times.
 /// Other programs can only lengthen a time: on a busy machine medians bend the law, the shortest hardly do.
-struct PowerLaw {
-  double exponent = 0.0;
-  double factor_ms = 0.0;
-};
 PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps);
 
 /// A built-in scene with another model of the shirt.

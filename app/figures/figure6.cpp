@@ -39,7 +39,7 @@ Curve fitted_curve(const PowerLaw& law, const Axis& x, const Stroke& stroke) {
   Curve curve;
   curve.stroke = stroke;
   for (const double triangles : {x.minimum, x.maximum}) {
-    curve.points.push_back({triangles, law.factor_ms * std::pow(triangles, law.exponent)});
+    curve.points.push_back({triangles, law.factor * std::pow(triangles, law.exponent)});
   }
   return curve;
 }

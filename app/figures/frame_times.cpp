@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "app/figures/experiments.hpp"
 #include "app/garment/garment_loading.hpp"
@@ -67,19 +66,13 @@ std::vector<FrameTimes> measure_frame_times(int repeats, const Checkpoint& check
 }
 
 PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps) {
-  double n = 0.0, sum_x = 0.0, sum_y = 0.0, sum_xx = 0.0, sum_xy = 0.0;
+  std::vector<std::array<double, 2>> points;
   for (const FrameTimes& time : times) {
     if (time.substeps == substeps) {
-      const double x = std::log(time.triangles), y = std::log(time.shortest_ms());
-      n += 1.0;
-      sum_x += x;
-      sum_y += y;
-      sum_xx += x * x;
-      sum_xy += x * y;
+      points.push_back({static_cast<double>(time.triangles), time.shortest_ms()});
     }
   }
-  const double exponent = (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
-  return {exponent, std::exp((sum_y - exponent * sum_x) / n)};
+  return fit_power_law(points);
 }
 
 }  // namespace taut::app

@@ -5,6 +5,7 @@
 
 #include "app/errors.hpp"
 #include "app/scene/pins.hpp"
+#include "sim/subdivide.hpp"
 
 namespace taut::app {
 namespace {
@@ -26,6 +27,16 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded) {
   }
 }
 
+sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
+  for (int i = 0; i < times; ++i) {
+    if (!pinned.mesh.quads.empty()) {
+      throw InputError("garment.subdivisions is for models; give a grid more columns and rows instead");
+    }
+    pinned = sim::subdivide(pinned);
+  }
+  return pinned;
+}
+
 }  // namespace
 
 LoadedGarment load_garment(const Scene& scene) {
@@ -35,9 +46,11 @@ LoadedGarment load_garment(const Scene& scene) {
   if (!is_grid) {
     loaded.landmarks = read_landmarks(scene.garment.file, scene.garment.scale, mesh);
   }
+  // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
   const PinTargets targets{mesh, loaded.landmarks, is_grid ? &scene.garment.grid : nullptr};
   std::vector<sim::Index> pins = select_pins(scene.pins, targets);
-  loaded.garment = sim::make_garment(std::move(mesh), scene.mapping, std::move(pins));
+  sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
+  loaded.garment = sim::make_garment(std::move(pinned.mesh), scene.mapping, std::move(pinned.pins));
   return loaded;
 }
 

@@ -20,6 +20,7 @@ namespace taut::app {
 struct GarmentSource {
   std::filesystem::path file;  ///< empty: the grid
   double scale = 1.0;          ///< the file's unit in metres
+  int subdivisions = 0;        ///< of the file's triangles, four for one each time
   sim::GridSettings grid;
 };
 

@@ -31,6 +31,8 @@ void add_garment(SceneKeys& keys) {
   keys.push_back(text_key<Scene>("title", MEMBER(title), "shown by `taut scenes`"));
   keys.push_back(file_key());
   keys.push_back(number("garment.scale", "m", positive, MEMBER(garment.scale), "the model's unit of length"));
+  keys.push_back(whole("garment.subdivisions", 0, 5, MEMBER(garment.subdivisions),
+                       "of the model: each makes four of every triangle and keeps the shape"));
   keys.push_back(whole("garment.grid.columns", 2, 2000, MEMBER(garment.grid.columns), "mass points across"));
   keys.push_back(whole("garment.grid.rows", 2, 2000, MEMBER(garment.grid.rows), "mass points down"));
   keys.push_back(number("garment.grid.width", "m", positive, MEMBER(garment.grid.width_m), "of the cloth"));

@@ -162,7 +162,7 @@ TEST(FrameTimes, PowerLawIsRecoveredForEachSetting) {
     times.push_back({triangles, 100, 1, {n * n}});
   }
   EXPECT_NEAR(fit_power_law(times, 1).exponent, 1.0, 1e-9);
-  EXPECT_NEAR(fit_power_law(times, 1).factor_ms, 0.002, 1e-9);
+  EXPECT_NEAR(fit_power_law(times, 1).factor, 0.002, 1e-9);
   EXPECT_NEAR(fit_power_law(times, 100).exponent, 2.0, 1e-9);
   EXPECT_EQ((FrameTimes{1, 1, 1, {4.0, 1.0, 2.0, 3.0}}).median_ms(), 2.5);
 }

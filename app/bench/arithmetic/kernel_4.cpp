@@ -1,0 +1,11 @@
+#define TAUT_LANES 4
+#include "app/bench/arithmetic/kernels.hpp"
+#include "app/bench/arithmetic/spring_kernel.hpp"
+
+namespace taut::app {
+
+SpringKernel spring_kernel_4() {
+  return {springs_per_repeat, project_repeatedly};
+}
+
+}  // namespace taut::app

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace taut::app {
+
+struct SpringKernel {
+  int springs_per_repeat;
+  double (*run)(int repeats);  ///< returns a number that depends on every correction
+};
+
+// Named by the springs corrected at once: one in double precision, several in single precision. Those of 8
+// and 16 exist on x86 alone and need AVX2 and AVX-512.
+SpringKernel spring_kernel_1();
+SpringKernel spring_kernel_4();
+SpringKernel spring_kernel_8();
+SpringKernel spring_kernel_16();
+
+}  // namespace taut::app

@@ -1,0 +1,184 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "app/bench/bench_output.hpp"
+#include "app/figures/plot.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double usual_triangles = 10600.0;
+
+struct Look {
+  Stroke stroke;
+  Marker marker;
+};
+
+Look look_of(const std::string& engine) {
+  if (engine == "bounded") {
+    return {{palette::blue, 4.5F, {}}, Marker::disc};
+  }
+  if (engine == "bullet") {
+    return {{palette::vermilion, 4.0F, {4.0F, 2.5F}}, Marker::square};
+  }
+  return {{palette::quiet_ink, 3.5F, {1.5F, 2.5F}}, Marker::ring};
+}
+
+// Of the runs that reached their end: median ms against the worst stretch in percent.
+std::vector<DataPoint> points_of(const Heat& heat, const std::string& engine) {
+  std::vector<DataPoint> points;
+  for (const Run& run : heat.runs) {
+    if (run.entrant.engine == engine && run.end == RunEnd::finished && !run.frames.empty()) {
+      const RunFacts facts = facts_of(run);
+      points.push_back({facts.median_ms, 100.0 * facts.stretch});
+    }
+  }
+  return points;
+}
+
+Curve front_curve(const std::string& engine, const std::vector<DataPoint>& points) {
+  const Look look = look_of(engine);
+  Curve curve{title_of_engine(engine), {}, look.stroke, look.marker};
+  for (const std::size_t i : pareto_front(points)) {
+    curve.points.push_back(points[i]);
+  }
+  return curve;
+}
+
+Plot stretch_plot(const BenchResults& results, const Heat& heat) {
+  Plot plot;
+  std::vector<double> times_ms, stretches;
+  for (const std::string& engine : engines_in(results)) {
+    const std::vector<DataPoint> points = points_of(heat, engine);
+    for (const auto& [ms, stretch] : points) {
+      times_ms.push_back(ms);
+      stretches.push_back(stretch);
+    }
+    if (!points.empty()) {
+      plot.curves.push_back(front_curve(engine, points));
+    }
+  }
+  for (const double bound : results.bounds) {
+    stretches.push_back(100.0 * bound);
+    plot.levels.push_back({100.0 * bound, percent(bound)});
+  }
+  plot.x = decades_around("processor time for one frame in ms", times_ms);
+  plot.y = decades_around("stretch of the worst spring in all frames", stretches);
+  plot.y.suffix = " %";
+  // Markers at a bound stand free of the frame.
+  plot.y.minimum = 0.5 * *std::min_element(stretches.begin(), stretches.end());
+  return plot;
+}
+
+Curve growth_curve(const BenchResults& results, const std::string& scene, const std::string& engine,
+                   double bound) {
+  const Look look = look_of(engine);
+  Curve curve{fmt::format("{}, {}", title_of_engine(engine), percent(bound)), {}, look.stroke, look.marker};
+  for (const Heat& heat : results.heats) {
+    const Run* best = heat.scene.name == scene ? best_run(heat, engine, bound) : nullptr;
+    if (best != nullptr) {
+      curve.points.push_back({static_cast<double>(heat.size.triangles), facts_of(*best).median_ms});
+    }
+  }
+  if (const auto growth = growth_of(results, scene, engine, bound)) {
+    curve.name += fmt::format(": triangles to the power {:.2f}", growth->exponent);
+  }
+  return curve;
+}
+
+// At the loosest bound, the only one that every engine may keep.
+Plot growth_plot(const BenchResults& results, const std::string& scene) {
+  Plot plot;
+  std::vector<double> times_ms;
+  for (const std::string& engine : engines_in(results)) {
+    Curve curve = growth_curve(results, scene, engine, results.bounds.front());
+    for (const auto& [triangles, ms] : curve.points) {
+      times_ms.push_back(ms);
+    }
+    if (!curve.points.empty()) {
+      plot.curves.push_back(std::move(curve));
+    }
+  }
+  std::vector<double> sizes;
+  for (const Heat& heat : results.heats) {
+    if (heat.scene.name == scene) {
+      sizes.push_back(heat.size.triangles);
+    }
+  }
+  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+  plot.x = {"triangles", *least / 1.4, *most * 1.4, true, "", sizes};
+  plot.y = decades_around("processor time for one frame in ms", times_ms);
+  plot.legend = LegendCorner::upper_left;
+  return plot;
+}
+
+struct BenchPanel {
+  Plot plot;
+  Caption caption;
+};
+
+const Heat* heat_at_usual_size(const BenchResults& results, const std::string& scene) {
+  const Heat* nearest = nullptr;
+  const auto distance = [](const Heat& heat) { return std::abs(heat.size.triangles - usual_triangles); };
+  for (const Heat& heat : results.heats) {
+    if (heat.scene.name == scene && (nearest == nullptr || distance(heat) < distance(*nearest))) {
+      nearest = &heat;
+    }
+  }
+  return nearest;
+}
+
+std::vector<BenchPanel> panels_of(const BenchResults& results) {
+  std::vector<BenchPanel> panels;
+  for (const std::string& scene : bench_scene_names()) {
+    if (const Heat* heat = heat_at_usual_size(results, scene)) {
+      panels.push_back({stretch_plot(results, *heat),
+                        {'a', fmt::format("{}, {} triangles", scene, heat->size.triangles),
+                         "marked: settings that no other of the engine beats in both"}});
+    }
+  }
+  if (results.heats.empty()) {
+    return panels;
+  }
+  const std::string scene = results.heats.front().scene.name;
+  const auto same_scene = [&](const Heat& heat) { return heat.scene.name == scene; };
+  if (std::count_if(results.heats.begin(), results.heats.end(), same_scene) > 1) {
+    panels.push_back(
+        {growth_plot(results, scene),
+         {'a', fmt::format("{}: the fastest that keeps {}", scene, percent(results.bounds.front())),
+          "at every size the best setting of each engine"}});
+  }
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    panels[i].caption.letter = panels.size() == 1 ? '\0' : static_cast<char>('a' + i);
+  }
+  return panels;
+}
+
+}  // namespace
+
+Drawing draw_bench(const BenchResults& results) {
+  constexpr float width_px = 1300.0F, height_px = 1000.0F, gap_px = 60.0F;
+  const CaptionStyle style;
+  const std::vector<BenchPanel> panels = panels_of(results);
+  const std::size_t columns = std::min<std::size_t>(2, std::max<std::size_t>(1, panels.size()));
+  const std::size_t rows = std::max<std::size_t>(1, (panels.size() + columns - 1) / columns);
+  const float cell_height_px = height_px + style.height_px() + gap_px;
+  Drawing drawing;
+  drawing.width_px = static_cast<int>((width_px + gap_px) * static_cast<float>(columns) + gap_px);
+  drawing.height_px = static_cast<int>(cell_height_px * static_cast<float>(rows) + 0.5F * gap_px);
+  drawing.draw = [=](renderer::Canvas& canvas) {
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const float x_px = gap_px + (width_px + gap_px) * static_cast<float>(i % columns);
+      const float y_px = 0.5F * gap_px + cell_height_px * static_cast<float>(i / columns);
+      draw_plot(canvas, panels[i].plot, {x_px, y_px, width_px, height_px},
+                {.text_px = 34.0F, .marker_px = 12.0F});
+      draw_caption(canvas, panels[i].caption, x_px + 0.5F * width_px, y_px + height_px + 20.0F, style);
+    }
+  };
+  return drawing;
+}
+
+}  // namespace taut::app

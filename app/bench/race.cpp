@@ -1,0 +1,78 @@
+#include "app/bench/race.hpp"
+
+#include "sim/measures.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+namespace {
+
+// Too few frames say nothing: the first fill the caches, and cloth starts unstretched.
+constexpr std::size_t frames_before_giving_up = 6;
+
+FrameSample measured(const Engine& engine, const sim::Springs& springs, const FrameCost& cost) {
+  const sim::Stretch shown = sim::measure_stretch(springs, engine.shown_positions());
+  const bool is_corrected = &engine.raw_positions() != &engine.shown_positions();
+  const double raw = is_corrected ? sim::measure_stretch(springs, engine.raw_positions()).max : shown.max;
+  return {cost, raw, shown.max, shown.p99};
+}
+
+RunEnd end_so_far(const std::vector<FrameSample>& frames, const RaceSettings& settings) {
+  if (frames.size() < frames_before_giving_up) {
+    return RunEnd::finished;
+  }
+  double sum_ms = 0.0;
+  for (const FrameSample& frame : frames) {
+    sum_ms += frame.cost.cpu_ms;
+  }
+  if (sum_ms > settings.slowest_frame_ms * static_cast<double>(frames.size())) {
+    return RunEnd::too_slow;
+  }
+  return frames.back().stretch > settings.hopeless_stretch ? RunEnd::hopeless : RunEnd::finished;
+}
+
+void advance(Engine& engine, const sim::Springs& springs, const RaceSettings& settings, Run& run) {
+  try {
+    const FrameCost cost = engine.advance_frame();
+    run.frames.push_back(measured(engine, springs, cost));
+    run.end = end_so_far(run.frames, settings);
+  } catch (const sim::Diverged&) {
+    run.end = RunEnd::diverged;
+  }
+}
+
+}  // namespace
+
+const char* name_of(RunEnd end) {
+  switch (end) {
+    case RunEnd::finished:
+      return "finished";
+    case RunEnd::diverged:
+      return "diverged";
+    case RunEnd::too_slow:
+      return "too slow";
+    case RunEnd::hopeless:
+      return "hopeless";
+  }
+  return "";
+}
+
+std::vector<Run> race(const std::vector<Entrant>& entrants, const sim::Garment& garment, const Scene& scene,
+                      const RaceSettings& settings, const std::function<void(int)>& after_frame) {
+  std::vector<Run> runs;
+  std::vector<std::unique_ptr<Engine>> engines;
+  for (const Entrant& entrant : entrants) {
+    runs.push_back({entrant, {}, RunEnd::finished});
+    engines.push_back(entrant.make(garment, scene));
+  }
+  for (int frame = 1; frame <= settings.frames; ++frame) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (runs[i].end == RunEnd::finished) {
+        advance(*engines[i], garment.springs, settings, runs[i]);
+      }
+    }
+    after_frame(frame);
+  }
+  return runs;
+}
+
+}  // namespace taut::app

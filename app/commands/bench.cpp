@@ -1,0 +1,163 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/bench/bench_output.hpp"
+#include "app/commands/options.hpp"
+#include "app/errors.hpp"
+#include "app/garment/garment_loading.hpp"
+#include "app/interruption.hpp"
+#include "app/output/files.hpp"
+#include "app/output/progress.hpp"
+#include "app/version.hpp"
+
+namespace taut::app {
+namespace {
+
+// What is measured where nothing is said.
+struct Extent {
+  std::vector<int> sizes;
+  std::vector<std::string> scenes;
+  double seconds;
+  double slowest_frame_ms;
+};
+
+const Extent quick_extent = {{1028, 10600}, {"hanging"}, 2.0, 250.0};
+const Extent full_extent = {{1028, 5280, 10600, 42400, 84480}, {"hanging", "shaken", "wind"}, 10.0, 500.0};
+
+BenchOptions completed(BenchOptions options) {
+  const Extent& extent = options.full ? full_extent : quick_extent;
+  if (options.sizes.empty()) {
+    options.sizes = options.ablation ? std::vector<int>{10600} : extent.sizes;
+  }
+  if (options.scenes.empty()) {
+    options.scenes = extent.scenes;
+  }
+  if (options.engines.empty()) {
+    options.engines = engine_names();
+  }
+  options.seconds = options.seconds.value_or(extent.seconds);
+  options.slowest_frame_ms = options.slowest_frame_ms.value_or(extent.slowest_frame_ms);
+  std::sort(options.bounds.rbegin(), options.bounds.rend());
+  return options;
+}
+
+std::vector<Entrant> entrants_for(const BenchOptions& options) {
+  std::vector<Entrant> entrants;
+  for (const std::string& engine : options.engines) {
+    const std::vector<Entrant> some = entrants_of(engine, options.bounds, options.full);
+    entrants.insert(entrants.end(), some.begin(), some.end());
+  }
+  if (entrants.empty()) {
+    throw InputError("this program was built without Bullet; --engines names no other");
+  }
+  return entrants;
+}
+
+class BenchProgress {
+ public:
+  explicit BenchProgress(bool is_quiet) : is_shown_(!is_quiet && ::isatty(STDERR_FILENO) != 0) {}
+  ~BenchProgress() {
+    if (is_shown_) {
+      std::fputs("\r\033[K", stderr);
+    }
+  }
+  BenchProgress(const BenchProgress&) = delete;
+  BenchProgress& operator=(const BenchProgress&) = delete;
+
+  void show(const std::string& text) const {
+    if (is_shown_) {
+      fmt::print(stderr, "\r\033[K{}", text);
+      std::fflush(stderr);
+    }
+  }
+
+ private:
+  bool is_shown_;
+};
+
+Heat run_heat(const BenchScene& bench_scene, const BenchSize& size, const BenchOptions& options,
+              const std::vector<Entrant>& entrants, const BenchProgress& progress) {
+  const Scene scene = make_bench_scene(bench_scene, size);
+  const sim::Garment garment = load_garment(scene).garment;
+  Heat heat{bench_scene,
+            size,
+            garment.springs.structural_count,
+            garment.springs.count(sim::SpringKind::flexural),
+            {}};
+  RaceSettings settings;
+  settings.frames =
+      std::max(1, static_cast<int>(std::lround(*options.seconds * scene.simulation.frame_rate_hz)));
+  settings.slowest_frame_ms = *options.slowest_frame_ms;
+  heat.runs = race(entrants, garment, scene, settings, [&](int frame) {
+    throw_if_interrupted();
+    progress.show(fmt::format("{}, {} triangles, {} settings in turns: frame {} of {}", bench_scene.name,
+                              size.triangles, entrants.size(), frame, settings.frames));
+  });
+  return heat;
+}
+
+BenchResults run_all(const BenchOptions& options) {
+  const BenchProgress progress(options.quiet);
+  const std::vector<Entrant> entrants = entrants_for(options);
+  BenchResults results;
+  results.bounds = options.bounds;
+  results.is_ablation = options.ablation;
+  progress.show("the processor's arithmetic");
+  results.arithmetic = measure_arithmetic_limits();
+  for (const BenchScene& scene : bench_scenes()) {
+    for (const BenchSize& size : bench_sizes()) {
+      const auto is_wanted = [](const auto& list, const auto& item) {
+        return std::find(list.begin(), list.end(), item) != list.end();
+      };
+      if (is_wanted(options.scenes, scene.name) && is_wanted(options.sizes, size.triangles)) {
+        results.heats.push_back(run_heat(scene, size, options, entrants, progress));
+      }
+    }
+  }
+  results.frames = static_cast<int>(std::lround(*options.seconds * results.frame_rate_hz));
+  return results;
+}
+
+void write_results(const BenchOptions& options, const BenchResults& results, const std::string& json) {
+  const auto tell = [&](const std::filesystem::path& path) {
+    if (!options.quiet && !options.json) {
+      fmt::print("wrote {}\n", path.string());
+    }
+  };
+  write_text_file(options.output / "bench.json", json);
+  tell(options.output / "bench.json");
+  const Drawing drawing = draw_bench(results);
+  const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
+  renderer::write_png(options.output / "bench.png", to_image(drawing), texts,
+                      {.deflate_level = 6, .filter = 4});
+  tell(options.output / "bench.png");
+  write_pdf(options.output / "bench.pdf", drawing);
+  tell(options.output / "bench.pdf");
+}
+
+}  // namespace
+
+int run(const BenchOptions& given) {
+  const BenchOptions options = completed(given);
+  if (!options.output.empty()) {
+    prepare_folder_of(options.output / "bench.json");
+  }
+  const Machine machine = this_machine("");
+  const BenchResults results = run_all(options);
+  const std::string json = bench_json(results, machine);
+  if (options.json) {
+    fmt::print("{}", json);
+  } else if (!options.quiet) {
+    fmt::print("{}", bench_table(results));
+  }
+  if (!options.output.empty()) {
+    write_results(options, results, json);
+  }
+  return 0;
+}
+
+}  // namespace taut::app

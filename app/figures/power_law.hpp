@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+namespace taut::app {
+
+/// y = factor x^exponent.
+struct PowerLaw {
+  double exponent = 0.0;
+  double factor = 0.0;
+};
+
+/// The line of least squares through the logarithms of the points, which have to be above 0 and at no fewer
+/// than two different x; else nothing in it is finite.
+PowerLaw fit_power_law(std::span<const std::array<double, 2>> points);
+
+}  // namespace taut::app

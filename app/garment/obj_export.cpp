@@ -10,7 +10,7 @@ std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions
   std::string text = "# Taut; metres, y up\n";
   auto end = std::back_inserter(text);
   for (const sim::Vec3& p : positions) {
-    fmt::format_to(end, "v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
+    fmt::format_to(end, "v {} {} {}\n", p.x, p.y, p.z);
   }
   // Grid cells stay quads, so that the file maps to the same edges.
   for (const sim::Quad& q : mesh.quads) {

@@ -5,9 +5,6 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
-#include <cmath>
-#include <limits>
-
 #include "app/bench/cpu_clock.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
@@ -32,12 +29,22 @@ struct World {
   btSoftRigidDynamicsWorld dynamics{&dispatcher, &broadphase, &rigid_solver, &configuration};
 };
 
-std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world, const sim::Garment& garment) {
+// In single precision a substep's fall is lost in positions that are far from the origin.
+sim::Vec3 centre_of(const sim::Garment& garment) {
+  sim::Vec3 sum(0.0);
+  for (const sim::Vec3& position : garment.mesh.positions) {
+    sum += position;
+  }
+  return sum / static_cast<double>(garment.mesh.positions.size());
+}
+
+std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world, const sim::Garment& garment,
+                                      const sim::Vec3& origin_m) {
   const std::size_t count = garment.mesh.positions.size();
   btAlignedObjectArray<btVector3> nodes;
   btAlignedObjectArray<btScalar> masses;
   for (std::size_t v = 0; v < count; ++v) {
-    nodes.push_back(to_bullet(garment.mesh.positions[v]));
+    nodes.push_back(to_bullet(garment.mesh.positions[v] - origin_m));
     const bool is_pinned = garment.inverse_masses_per_kg[v] == 0.0;
     masses.push_back(is_pinned ? 0.0F : static_cast<btScalar>(garment.masses_kg[v]));
   }
@@ -58,9 +65,11 @@ class BulletEngine : public Engine {
         surroundings_(surroundings),
         settings_(settings),
         substep_s_(frame_time_s / settings.substeps),
+        origin_m_(centre_of(garment)),
         state_(sim::make_state(garment)) {
-    world_.dynamics.setGravity(to_bullet(surroundings.forces.gravity_m_per_s2));
-    body_ = make_body(world_.dynamics.getWorldInfo(), garment);
+    // Soft bodies have a gravity of their own, which the world's does not change.
+    world_.dynamics.getWorldInfo().m_gravity = to_bullet(surroundings.forces.gravity_m_per_s2);
+    body_ = make_body(world_.dynamics.getWorldInfo(), garment, origin_m_);
     body_->m_cfg.piterations = settings.iterations;
     body_->m_cfg.collisions = 0;
     // Bullet takes this fraction of the velocity in every substep, whatever its length.
@@ -100,7 +109,7 @@ class BulletEngine : public Engine {
   void read_state() {
     for (std::size_t v = 0; v < state_.current.size(); ++v) {
       const btSoftBody::Node& node = body_->m_nodes[static_cast<int>(v)];
-      state_.current[v] = from_bullet(node.m_x);
+      state_.current[v] = from_bullet(node.m_x) + origin_m_;
       state_.previous[v] = state_.current[v] - substep_s_ * from_bullet(node.m_v);
     }
   }
@@ -123,7 +132,8 @@ class BulletEngine : public Engine {
     }
     const sim::Vec3 offset = sim::pin_offset(surroundings_.pin_motion, state_.time_s + substep_s_);
     for (const sim::Index pin : garment_.pins) {
-      body_->m_nodes[static_cast<int>(pin)].m_x = to_bullet(garment_.mesh.positions[pin] + offset);
+      body_->m_nodes[static_cast<int>(pin)].m_x =
+          to_bullet(garment_.mesh.positions[pin] + offset - origin_m_);
     }
   }
 
@@ -131,7 +141,8 @@ class BulletEngine : public Engine {
   sim::Surroundings surroundings_;
   BulletSettings settings_;
   double substep_s_;
-  sim::State state_;  ///< of Bullet's nodes, for the wind and for whoever asks
+  sim::Vec3 origin_m_;  ///< of Bullet's coordinates
+  sim::State state_;    ///< of Bullet's nodes, for the wind and for whoever asks
   std::vector<sim::Vec3> forces_n_;
   World world_;
   std::unique_ptr<btSoftBody> body_;

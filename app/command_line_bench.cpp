@@ -1,0 +1,67 @@
+#include "app/command_line_bench.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/bench/cases.hpp"
+#include "app/bench/entrants.hpp"
+
+namespace taut::app {
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ",") + name;
+  }
+  return text;
+}
+
+std::vector<int> bench_triangles() {
+  std::vector<int> triangles;
+  for (const BenchSize& size : bench_sizes()) {
+    triangles.push_back(size.triangles);
+  }
+  return triangles;
+}
+
+void add_bench_extent(CLI::App& command, BenchOptions& options) {
+  command.add_option("--sizes", options.sizes, "triangles of the shirt, some of 1028,5280,10600,42400,84480")
+      ->delimiter(',')
+      ->check(CLI::IsMember(bench_triangles()));
+  command.add_option("--scenes", options.scenes, "some of " + listed(bench_scene_names()))
+      ->delimiter(',')
+      ->check(CLI::IsMember(bench_scene_names()));
+  command.add_option("--bounds", options.bounds, "largest stretches to be kept (default 0.05,0.01,0.001)")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-5, 1.0));
+  command.add_option("--engines", options.engines, "some of " + listed(engine_names()))
+      ->delimiter(',')
+      ->check(CLI::IsMember(engine_names()));
+  command.add_option("--seconds", options.seconds, "simulated time (default 2, with --full 10)")
+      ->check(CLI::Range(0.01, 3600.0));
+  command
+      .add_option("--limit", options.slowest_frame_ms,
+                  "ms per frame above which a setting is given up (default 250, with --full 500)")
+      ->check(CLI::PositiveNumber);
+}
+
+}  // namespace
+
+std::function<Command()> add_bench(CLI::App& app) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* command =
+      app.add_subcommand("bench", "Measure time per frame against stretch, side by side with other engines");
+  add_bench_extent(*command, *options);
+  command->add_flag("--full", options->full, "every scene, every size and more settings: takes hours");
+  command->add_option("--output", options->output, "folder for bench.json, bench.png and bench.pdf");
+  command->add_flag("--json", options->json, "print JSON instead of the table");
+  command->add_flag("--quiet", options->quiet, "print neither progress nor the table");
+  command->footer(
+      "Examples:\n  taut bench                                   about a minute\n"
+      "  taut bench --scenes wind --sizes 10600 --bounds 0.01 --seconds 5\n"
+      "  taut bench --full --output bench             every cell, 10 simulated seconds each\n");
+  return [options] { return Command(*options); };
+}
+
+}  // namespace taut::app

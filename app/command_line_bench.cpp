@@ -54,12 +54,15 @@ std::function<Command()> add_bench(CLI::App& app) {
       app.add_subcommand("bench", "Measure time per frame against stretch, side by side with other engines");
   add_bench_extent(*command, *options);
   command->add_flag("--full", options->full, "every scene, every size and more settings: takes hours");
+  command->add_flag("--ablation", options->ablation, "the bounded solver without one of its parts at a time")
+      ->excludes("--engines");
   command->add_option("--output", options->output, "folder for bench.json, bench.png and bench.pdf");
   command->add_flag("--json", options->json, "print JSON instead of the table");
   command->add_flag("--quiet", options->quiet, "print neither progress nor the table");
   command->footer(
       "Examples:\n  taut bench                                   about a minute\n"
       "  taut bench --scenes wind --sizes 10600 --bounds 0.01 --seconds 5\n"
+      "  taut bench --ablation --bounds 0.01          what each part of the solver is good for\n"
       "  taut bench --full --output bench             every cell, 10 simulated seconds each\n");
   return [options] { return Command(*options); };
 }

@@ -50,7 +50,7 @@ Json cell_json(const Heat& heat, const std::string& engine, double bound, const 
     json["run"] = index_of(heat, *told);
     json["median_ms"] = facts.median_ms;
     json["max_stretch"] = facts.stretch;
-    json["of_arithmetic"] = facts.springs_per_s / results.arithmetic.back().springs_per_s;
+    json["of_arithmetic"] = facts.springs_per_s / results.arithmetic.back().rootless_springs_per_s;
     const double strong = strong_springs_per_s(heat);
     json["times_strong_springs_per_s"] = strong > 0.0 ? Json(facts.springs_per_s / strong) : Json();
   }
@@ -148,8 +148,10 @@ Json machine_json(const Machine& machine) {
 std::string bench_json(const BenchResults& results, const Machine& machine) {
   Json arithmetic = Json::array();
   for (const ArithmeticLimit& limit : results.arithmetic) {
-    arithmetic.push_back(
-        {{"unit", limit.unit}, {"lanes", limit.lanes}, {"springs_per_s", limit.springs_per_s}});
+    arithmetic.push_back({{"unit", limit.unit},
+                          {"lanes", limit.lanes},
+                          {"springs_per_s", limit.springs_per_s},
+                          {"rootless_springs_per_s", limit.rootless_springs_per_s}});
   }
   Json json = {{"machine", machine_json(machine)},
                {"bullet", bullet_version().empty() ? Json() : Json(bullet_version())},

@@ -47,7 +47,7 @@ std::string cell_line(const Heat& heat, const std::string& engine, double bound,
 }
 
 std::string heat_table(const BenchResults& results, const Heat& heat) {
-  const double arithmetic_speed = results.arithmetic.back().springs_per_s;
+  const double arithmetic_speed = results.arithmetic.back().rootless_springs_per_s;
   std::string text = fmt::format(
       "\n{}, {} triangles: {}\n"
       "   bound  engine     median     mean   raw max shown max       p99 frames   not   million of arith-   "
@@ -134,8 +134,8 @@ std::string bench_table(const BenchResults& results) {
   text += titled("How time grows", growth_lines(results));
   std::string limits;
   for (const ArithmeticLimit& limit : results.arithmetic) {
-    limits +=
-        fmt::format("  {:<20} {:6.0f} million springs per second\n", limit.unit, 1e-6 * limit.springs_per_s);
+    limits += fmt::format("  {:<20} {:6.0f} million springs per second, {:6.0f} without a root\n", limit.unit,
+                          1e-6 * limit.springs_per_s, 1e-6 * limit.rootless_springs_per_s);
   }
   return text +
          titled("What the arithmetic of a spring alone would allow, one core, nothing fetched or stored",

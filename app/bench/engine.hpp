@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sim/types.hpp"
@@ -23,9 +24,10 @@ class Engine {
   /// Moves on by one frame of the scene. Throws sim::Diverged where the engine finds that itself.
   virtual FrameCost advance_frame() = 0;
 
-  /// What goes on into the next frame, and what is shown and written; in metres, one per vertex.
-  virtual const std::vector<sim::Vec3>& raw_positions() const = 0;
-  virtual const std::vector<sim::Vec3>& shown_positions() const = 0;
+  /// What goes on into the next frame, and what is shown and written; in metres, one per vertex; valid
+  /// until the next frame.
+  virtual std::span<const sim::Vec3> raw_positions() const = 0;
+  virtual std::span<const sim::Vec3> shown_positions() const = 0;
 };
 
 }  // namespace taut::app

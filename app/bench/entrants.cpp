@@ -27,6 +27,36 @@ Entrant taut_entrant(const std::string& engine, const std::string& words, std::o
           }};
 }
 
+// Asked for each bound and left to choose the substeps.
+std::vector<Entrant> bounded_entrants(const std::vector<double>& bounds,
+                                      const std::vector<Setting>& changes = {}) {
+  std::vector<Entrant> entrants;
+  for (const double bound : bounds) {
+    std::vector<Setting> settings = {{"solver.substeps", "0"},
+                                     {"solver.max_stretch", fmt::format("{}", bound)}};
+    settings.insert(settings.end(), changes.begin(), changes.end());
+    entrants.push_back(
+        taut_entrant("bounded", fmt::format("asked for {:g} %", 100.0 * bound), bound, std::move(settings)));
+  }
+  return entrants;
+}
+
+struct Ablation {
+  std::string name;
+  std::vector<Setting> settings;
+};
+
+// A part of the bounded solver that can be taken away, and how; the first is the whole.
+std::vector<Ablation> ablations() {
+  return {
+      {"bounded", {}},
+      {"no pin sweeps", {{"solver.extra_sweeps", "0"}}},
+      {"no bending", {{"cloth.bending_rigidity", "0"}}},
+      {"no vectors", {{"solver.vector_unit", "scalar"}}},
+      {"no softness", {{"cloth.compression_stiffness", "1e6"}}},
+  };
+}
+
 // The paper to the letter: every spring rigid both ways. One step a frame as the paper has it, and short
 // steps with one sweep each, of which it does not speak but which serve it better.
 std::vector<Entrant> strong_entrants(bool full) {
@@ -72,11 +102,25 @@ std::vector<Entrant> bullet_entrants(bool full) {
 }  // namespace
 
 std::vector<std::string> engine_names() {
-  return {"strong", "bullet"};
+  return {"bounded", "bullet", "strong"};
 }
 
-std::vector<Entrant> entrants_of(const std::string& engine, const std::vector<double>&, bool full) {
+std::vector<Entrant> entrants_of(const std::string& engine, const std::vector<double>& bounds, bool full) {
+  if (engine == "bounded") {
+    return bounded_entrants(bounds);
+  }
   return engine == "strong" ? strong_entrants(full) : bullet_entrants(full);
+}
+
+std::vector<Entrant> ablation_entrants(const std::vector<double>& bounds) {
+  std::vector<Entrant> entrants;
+  for (const Ablation& ablation : ablations()) {
+    for (Entrant entrant : bounded_entrants(bounds, ablation.settings)) {
+      entrant.engine = ablation.name;
+      entrants.push_back(entrant);
+    }
+  }
+  return entrants;
 }
 
 }  // namespace taut::app

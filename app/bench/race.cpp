@@ -11,7 +11,7 @@ constexpr std::size_t frames_before_giving_up = 6;
 
 FrameSample measured(const Engine& engine, const sim::Springs& springs, const FrameCost& cost) {
   const sim::Stretch shown = sim::measure_stretch(springs, engine.shown_positions());
-  const bool is_corrected = &engine.raw_positions() != &engine.shown_positions();
+  const bool is_corrected = engine.raw_positions().data() != engine.shown_positions().data();
   const double raw = is_corrected ? sim::measure_stretch(springs, engine.raw_positions()).max : shown.max;
   return {cost, raw, shown.max, shown.p99};
 }

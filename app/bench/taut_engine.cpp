@@ -21,17 +21,27 @@ class TautEngine : public Engine {
     const CpuClock clock;
     simulation_.advance_frame();
     cost.cpu_ms = clock.elapsed_ms();
-    const sim::SolverSettings& solver = simulation_.settings().solver;
-    cost.substeps = solver.substeps;
-    cost.springs_projected =
-        static_cast<double>(simulation_.garment().springs.size()) * solver.substeps * solver.iterations;
+    const sim::FrameReport& report = simulation_.frame_report();
+    cost.substeps = report.substeps;
+    cost.springs_projected = report.substeps * springs_in_a_step();
+    cost.is_certified = report.bound_kept;
     return cost;
   }
 
-  const std::vector<sim::Vec3>& raw_positions() const override { return simulation_.state().current; }
-  const std::vector<sim::Vec3>& shown_positions() const override { return simulation_.state().current; }
+  std::span<const sim::Vec3> raw_positions() const override { return simulation_.state().current; }
+  std::span<const sim::Vec3> shown_positions() const override { return simulation_.shown_positions(); }
 
  private:
+  // What `bounded` does besides one sweep over the springs it binds is left out: bending, which are no
+  // projections, sweeps near the pins and the certificate.
+  double springs_in_a_step() const {
+    const sim::SolverSettings& solver = simulation_.settings().solver;
+    const sim::Springs& springs = simulation_.garment().springs;
+    return solver.kind == sim::SolverKind::bounded
+               ? static_cast<double>(springs.begin_of(sim::SpringKind::flexural))
+               : static_cast<double>(springs.size()) * solver.iterations;
+  }
+
   sim::Simulation simulation_;
 };
 

@@ -46,6 +46,9 @@ BenchOptions completed(BenchOptions options) {
 }
 
 std::vector<Entrant> entrants_for(const BenchOptions& options) {
+  if (options.ablation) {
+    return ablation_entrants(options.bounds);
+  }
   std::vector<Entrant> entrants;
   for (const std::string& engine : options.engines) {
     const std::vector<Entrant> some = entrants_of(engine, options.bounds, options.full);

@@ -35,8 +35,8 @@ class ScriptedEngine : public Engine {
     }
     return {cpu_ms_, 3, 1000.0, true};
   }
-  const Positions& raw_positions() const override { return raw_; }
-  const Positions& shown_positions() const override { return shown_; }
+  std::span<const sim::Vec3> raw_positions() const override { return raw_; }
+  std::span<const sim::Vec3> shown_positions() const override { return shown_; }
 
  private:
   std::string name_;
@@ -89,8 +89,8 @@ TEST_F(Race, NotesThatAnEngineDiverged) {
   lost.make = [](const sim::Garment&, const Scene&) -> std::unique_ptr<Engine> {
     struct Lost : Engine {
       FrameCost advance_frame() override { throw sim::Diverged(0, 0.0); }
-      const Positions& raw_positions() const override { return none; }
-      const Positions& shown_positions() const override { return none; }
+      std::span<const sim::Vec3> raw_positions() const override { return none; }
+      std::span<const sim::Vec3> shown_positions() const override { return none; }
       Positions none;
     };
     return std::make_unique<Lost>();
@@ -170,7 +170,7 @@ TEST(BenchFindings, FitTheExponentOfGrowth) {
 }
 
 // Edges found and measured anew, from triangles and positions alone.
-double worst_edge(const sim::Mesh& mesh, const Positions& positions) {
+double worst_edge(const sim::Mesh& mesh, std::span<const sim::Vec3> positions) {
   double worst = -1.0;
   for (const sim::Triangle& t : mesh.triangles) {
     for (int k = 0; k < 3; ++k) {
@@ -192,8 +192,8 @@ class Witness : public Engine {
     seen_->push_back(worst_edge(mesh_, engine_->shown_positions()));
     return cost;
   }
-  const Positions& raw_positions() const override { return engine_->raw_positions(); }
-  const Positions& shown_positions() const override { return engine_->shown_positions(); }
+  std::span<const sim::Vec3> raw_positions() const override { return engine_->raw_positions(); }
+  std::span<const sim::Vec3> shown_positions() const override { return engine_->shown_positions(); }
 
  private:
   std::unique_ptr<Engine> engine_;
@@ -286,13 +286,14 @@ TEST(Arithmetic, AllowsMoreOnWiderUnits) {
   const std::vector<ArithmeticLimit> limits = measure_arithmetic_limits();
   ASSERT_GE(limits.size(), 2U);
   EXPECT_GT(limits.front().springs_per_s, 1e6);
+  EXPECT_GT(limits.front().rootless_springs_per_s, limits.front().springs_per_s);
   EXPECT_GT(limits.back().springs_per_s, 1.5 * limits.front().springs_per_s);
 }
 
 TEST(BenchJson, SaysForEveryCellWhetherItsBoundWasKept) {
   BenchResults results;
   results.bounds = {0.05, 0.01};
-  results.arithmetic = {{"1 double", 1, 2e9}};
+  results.arithmetic = {{"1 double", 1, 1e9, 2e9}};
   results.heats.push_back({bench_scenes()[0], bench_sizes()[0], 10, 0, {}});
   results.heats[0].runs = {made_run("strong", {}, {4.0, 4.0}, 0.03),
                            made_run("strong", {}, {2.0, 2.0}, 0.07)};

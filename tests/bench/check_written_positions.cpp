@@ -108,7 +108,10 @@ double worst_stretch(const Model& rest, const Model& frame) {
 }
 
 int check(const std::vector<std::string>& arguments) {
-  const Model rest = read_obj(arguments[0]);
+  Model rest = read_obj(arguments[0]);
+  for (Point& p : rest.points) {
+    p = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  }
   const double bound = std::strtod(arguments[1].c_str(), nullptr);
   double worst = -1.0;
   int frames_over = 0;

@@ -5,7 +5,7 @@
 namespace taut::app {
 
 SpringKernel spring_kernel_1() {
-  return {springs_per_repeat, project_repeatedly};
+  return {springs_per_repeat, project_repeatedly<true>, project_repeatedly<false>};
 }
 
 }  // namespace taut::app

@@ -4,7 +4,9 @@ namespace taut::app {
 
 struct SpringKernel {
   int springs_per_repeat;
-  double (*run)(int repeats);  ///< returns a number that depends on every correction
+  // Both return a number that depends on every correction.
+  double (*run)(int repeats);
+  double (*run_without_root)(int repeats);
 };
 
 // Named by the springs corrected at once: one in double precision, several in single precision. Those of 8

@@ -40,17 +40,28 @@ struct SpringPack {
   Pack i[3];
   Pack j[3];
   Pack rest_m;
-  Pack w_i;
-  Pack w_j;
+  Pack share_i;
+  Pack share_j;
 };
 
-// Eq. (3) of the strong constraint, the same operations in the same order: 1 root, 1 division, 12
-// multiplications, 14 additions and subtractions.
+// The error over the length: as eq. (3) has it, or to the second order without a root (Jakobsen 2001), as
+// `bounded` and Bullet do.
+template <bool has_root>
+inline Pack relative_error(Pack squared_m2, Pack rest_m) {
+  if constexpr (has_root) {
+    const Pack length_m = root_of(squared_m2);
+    return (length_m - rest_m) / length_m;
+  } else {
+    return (squared_m2 - rest_m) / (squared_m2 + rest_m);
+  }
+}
+
+// One correction of the strong constraint; the ends' shares are known beforehand.
+template <bool has_root>
 inline void project(SpringPack& s) {
   const Pack x = s.i[0] - s.j[0], y = s.i[1] - s.j[1], z = s.i[2] - s.j[2];
-  const Pack length_m = root_of(x * x + y * y + z * z);
-  const Pack scale = (length_m - s.rest_m) / (length_m * (s.w_i + s.w_j));
-  const Pack on_i = s.w_i * scale, on_j = s.w_j * scale;
+  const Pack scale = relative_error<has_root>(x * x + y * y + z * z, s.rest_m);
+  const Pack on_i = s.share_i * scale, on_j = s.share_j * scale;
   s.i[0] -= on_i * x;
   s.i[1] -= on_i * y;
   s.i[2] -= on_i * z;
@@ -64,6 +75,7 @@ inline void project(SpringPack& s) {
 // stored.
 constexpr int packs = 6;
 
+template <bool has_root>
 double project_repeatedly(int repeats) {
   SpringPack springs[packs];
   for (int p = 0; p < packs; ++p) {
@@ -73,12 +85,11 @@ double project_repeatedly(int repeats) {
       springs[p].j[axis] = one * static_cast<float>(axis * p + 5);
     }
     springs[p].rest_m = one;
-    springs[p].w_i = one;
-    springs[p].w_j = one + 1;
+    springs[p].share_i = springs[p].share_j = one / 2;
   }
   for (int repeat = 0; repeat < repeats; ++repeat) {
     for (int p = 0; p < packs; ++p) {
-      project(springs[p]);
+      project<has_root>(springs[p]);
     }
   }
   Pack sum = {};

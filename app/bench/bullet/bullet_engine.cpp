@@ -102,8 +102,8 @@ class BulletEngine : public Engine {
     return cost;
   }
 
-  const std::vector<sim::Vec3>& raw_positions() const override { return state_.current; }
-  const std::vector<sim::Vec3>& shown_positions() const override { return state_.current; }
+  std::span<const sim::Vec3> raw_positions() const override { return state_.current; }
+  std::span<const sim::Vec3> shown_positions() const override { return state_.current; }
 
  private:
   void read_state() {

@@ -110,6 +110,10 @@ Plot growth_plot(const BenchResults& results, const std::string& scene) {
   }
   const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
   plot.x = {"triangles", *least / 1.4, *most * 1.4, true, "", sizes};
+  if (!times_ms.empty()) {
+    // Room for the legend above the slowest.
+    times_ms.push_back(8.0 * *std::max_element(times_ms.begin(), times_ms.end()));
+  }
   plot.y = decades_around("processor time for one frame in ms", times_ms);
   plot.legend = LegendCorner::upper_left;
   return plot;

@@ -1,28 +1,16 @@
 #include "sim/mesh.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <set>
 #include <stdexcept>
-#include <unordered_map>
+#include <unordered_set>
+
+#include "sim/orientation.hpp"
+#include "sim/welding.hpp"
 
 namespace taut::sim {
 namespace {
-
-struct PositionHash {
-  std::size_t operator()(const Vec3& p) const {
-    std::size_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      // Adding zero turns -0 into +0, which compares equal and so has to hash equal.
-      hash = (hash ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * 0x9E3779B97F4A7C15ULL;
-      hash ^= hash >> 32;
-    }
-    return hash;
-  }
-};
 
 void require_well_formed(const Mesh& mesh) {
   if (!mesh.quads.empty()) {
@@ -45,17 +33,6 @@ void require_well_formed(const Mesh& mesh) {
   }
 }
 
-/// For each vertex the first vertex at exactly the same position.
-std::vector<Index> first_at_same_position(const std::vector<Vec3>& positions) {
-  std::unordered_map<Vec3, Index, PositionHash> first;
-  first.reserve(positions.size());
-  std::vector<Index> result(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    result[v] = first.emplace(positions[v], static_cast<Index>(v)).first->second;
-  }
-  return result;
-}
-
 bool is_degenerate(const std::vector<Vec3>& positions, const Triangle& t) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
     return true;
@@ -67,6 +44,49 @@ bool is_degenerate(const std::vector<Vec3>& positions, const Triangle& t) {
 Triangle sorted(Triangle t) {
   std::sort(t.begin(), t.end());
   return t;
+}
+
+struct TriangleHash {
+  std::size_t operator()(const Triangle& t) const {
+    std::size_t hash = 0;
+    for (const Index v : t) {
+      hash = (hash ^ v) * 0x9E3779B97F4A7C15ULL;
+      hash ^= hash >> 32;
+    }
+    return hash;
+  }
+};
+
+/// Keeps the triangles that have an area and are no repetition, told by `vertices`, which stand for the
+/// triangles' own.
+void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& report) {
+  std::unordered_set<Triangle, TriangleHash> seen;
+  seen.reserve(mesh.triangles.size());
+  std::size_t kept = 0;
+  for (const Triangle& raw : mesh.triangles) {
+    const Triangle t = {vertices[raw[0]], vertices[raw[1]], vertices[raw[2]]};
+    if (is_degenerate(mesh.positions, t)) {
+      ++report.degenerate_triangles;
+    } else if (!seen.insert(sorted(t)).second) {
+      ++report.duplicate_triangles;
+    } else {
+      mesh.triangles[kept++] = raw;
+    }
+  }
+  mesh.triangles.resize(kept);
+}
+
+/// How many more vertices than places the triangles use.
+std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places,
+                         const std::vector<Index>& welded) {
+  std::vector<char> used_place(places.size(), 0), used_vertex(places.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t) {
+      used_place[places[v]] = used_vertex[welded[v]] = 1;
+    }
+  }
+  return static_cast<std::size_t>(std::count(used_vertex.begin(), used_vertex.end(), 1) -
+                                  std::count(used_place.begin(), used_place.end(), 1));
 }
 
 /// Drops the vertices no triangle uses and renumbers the rest. Returns how many were dropped.
@@ -109,33 +129,34 @@ double surface_area(const Mesh& mesh) {
   return doubled / 2.0;
 }
 
-ValidatedMesh weld_and_validate(const Mesh& input) {
+ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings) {
   require_well_formed(input);
-  ValidatedMesh out;
-  out.report.input_vertices = input.positions.size();
-  out.report.input_triangles = input.triangles.size();
-  out.mesh.positions = input.positions;
+  ValidatedMesh out{{input.positions, input.triangles, {}}, {}};
+  Mesh& mesh = out.mesh;
+  MeshReport& report = out.report;
+  report.input_vertices = input.positions.size();
+  report.input_triangles = input.triangles.size();
 
-  const std::vector<Index> first = first_at_same_position(input.positions);
-  for (std::size_t v = 0; v < first.size(); ++v) {
-    out.report.welded_vertices += first[v] != v;
+  const std::vector<Index> places = first_at_same_position(mesh.positions);
+  drop_unsound(places, mesh, report);
+  std::vector<Index> welded = weld_at_places(mesh, places);
+  for (std::size_t v = 0; v < welded.size(); ++v) {
+    report.welded_vertices += welded[v] != v;
   }
-  std::set<Triangle> seen;
-  for (const Triangle& raw : input.triangles) {
-    const Triangle t = {first[raw[0]], first[raw[1]], first[raw[2]]};
-    if (is_degenerate(input.positions, t)) {
-      ++out.report.degenerate_triangles;
-    } else if (!seen.insert(sorted(t)).second) {
-      ++out.report.duplicate_triangles;
-    } else {
-      out.mesh.triangles.push_back(t);
-    }
+  report.parted_vertices = count_parted(mesh, places, welded);
+  if (settings.weld_distance_m > 0.0) {
+    report.near_vertices = weld_near_borders(settings.weld_distance_m, mesh, welded);
+    drop_unsound(welded, mesh, report);
   }
-  if (out.mesh.triangles.empty()) {
+  if (mesh.triangles.empty()) {
     throw std::invalid_argument("no triangle with an area remains of " +
                                 std::to_string(input.triangles.size()) + " triangles");
   }
-  out.report.unused_vertices = compact_vertices(out.mesh) - out.report.welded_vertices;
+  for (Triangle& t : mesh.triangles) {
+    t = {welded[t[0]], welded[t[1]], welded[t[2]]};
+  }
+  report.turned_triangles = orient_consistently(mesh);
+  report.unused_vertices = compact_vertices(mesh) - report.welded_vertices - report.near_vertices;
   return out;
 }
 

@@ -1,27 +1,11 @@
 #include "sim/topology.hpp"
 
-#include <numeric>
 #include <vector>
+
+#include "sim/groups.hpp"
 
 namespace taut::sim {
 namespace {
-
-/// Union-find with path halving.
-class Groups {
- public:
-  explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-
-  Index find(Index item) {
-    while (parent_[item] != item) {
-      item = parent_[item] = parent_[parent_[item]];
-    }
-    return item;
-  }
-  void join(Index a, Index b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<Index> parent_;
-};
 
 bool runs_along(const Triangle& t, const Edge& edge) {
   for (int k = 0; k < 3; ++k) {

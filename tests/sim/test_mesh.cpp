@@ -62,6 +62,95 @@ TEST(WeldAndValidate, KeepsTinyTriangles) {
   EXPECT_EQ(out.mesh.triangles.size(), 1u);
 }
 
+// A ring of triangles that closes around the vertex in its middle, as in the middle of a cloth.
+Mesh closed_fan(const Vec3& middle, double lift, bool shares_vertices) {
+  Mesh mesh;
+  const std::vector<Vec3> rim = {{1, 0, lift}, {0, 1, lift}, {-1, 0, lift}, {0, -1, lift}};
+  if (shares_vertices) {
+    mesh.positions = {middle, rim[0], rim[1], rim[2], rim[3]};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
+    return mesh;
+  }
+  for (Index k = 0; k < 4; ++k) {
+    mesh.positions.insert(mesh.positions.end(), {middle, rim[k], rim[(k + 1) % 4]});
+    mesh.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  return mesh;
+}
+
+Mesh both(Mesh a, const Mesh& b) {
+  const auto first = static_cast<Index>(a.positions.size());
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  for (const Triangle& t : b.triangles) {
+    a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return a;
+}
+
+TEST(WeldAndValidate, KeepsLayersThatTouchApart) {
+  for (const bool shares : {true, false}) {
+    const Mesh layers = both(closed_fan(origin, 0.5, shares), closed_fan(origin, -0.5, shares));
+    const ValidatedMesh out = weld_and_validate(layers);
+    EXPECT_EQ(out.mesh.positions.size(), 10u);
+    EXPECT_EQ(out.report.parted_vertices, 1u);
+    EXPECT_EQ(out.report.welded_vertices, layers.positions.size() - 10u);
+    EXPECT_EQ(out.report.unused_vertices, 0u);
+    EXPECT_EQ(out.mesh.triangles.size(), 8u);
+  }
+}
+
+// Along a whole line only a file that shares vertices tells which triangles belong together.
+TEST(WeldAndValidate, KeepsLayersThatTouchAlongALineApart) {
+  Mesh layer = {{{0, 0, 0},
+                 {1, 0, 0},
+                 {-1, 1, 0},
+                 {0, 1, 0},
+                 {1, 1, 0},
+                 {2, 1, 0},
+                 {0, -1, 0},
+                 {1, -1, 0},
+                 {-1, -1, 0},
+                 {2, 0, 0},
+                 {-1, 0, 0}},
+                {},
+                {}};
+  layer.triangles = {{0, 1, 3}, {1, 4, 3}, {0, 3, 2}, {0, 2, 10}, {0, 10, 8}, {0, 8, 6},
+                     {0, 6, 1}, {1, 6, 7}, {1, 7, 9}, {1, 9, 5},  {1, 5, 4}};
+  Mesh above = layer;
+  for (Vec3& p : above.positions) {
+    p.z = (p.y == 0 && p.x >= 0 && p.x <= 1) ? 0.0 : 0.5;
+  }
+  const ValidatedMesh out = weld_and_validate(both(layer, above));
+  EXPECT_EQ(out.report.parted_vertices, 2u);
+  EXPECT_EQ(out.mesh.positions.size(), 22u);
+}
+
+TEST(WeldAndValidate, DoesNotTearWhatTheFileJoins) {
+  const Mesh hourglass = {{origin, {1, 0, 1}, {0, 1, 1}, {-1, -1, 1}, {1, 0, -1}, {0, 1, -1}, {-1, -1, -1}},
+                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}},
+                          {}};
+  EXPECT_EQ(weld_and_validate(hourglass).mesh.positions.size(), 7u);
+}
+
+TEST(WeldAndValidate, WeldsWhatIsNearOnlyWhereAsked) {
+  const double gap = 1e-4;
+  const Mesh seam = {
+      {origin, right, up, {0, 1 + gap, 0}, {1 + gap, 0, 0}, diagonal}, {{0, 1, 2}, {3, 4, 5}}, {}};
+  EXPECT_EQ(weld_and_validate(seam).mesh.positions.size(), 6u);
+  const ValidatedMesh out = weld_and_validate(seam, {.weld_distance_m = 2e-4});
+  EXPECT_EQ(out.mesh.positions, (std::vector<Vec3>{origin, right, up, diagonal}));
+  EXPECT_EQ(out.report.near_vertices, 2u);
+  EXPECT_EQ(out.report.welded_vertices, 0u);
+  EXPECT_EQ(out.report.unused_vertices, 0u);
+}
+
+TEST(WeldAndValidate, TurnsTheFewTrianglesThatFaceTheOtherWay) {
+  const Mesh input = {{origin, right, diagonal, up, {0, 2, 0}}, {{0, 2, 1}, {0, 2, 3}, {2, 4, 3}}, {}};
+  const ValidatedMesh out = weld_and_validate(input);
+  EXPECT_EQ(out.report.turned_triangles, 1u);
+  EXPECT_EQ(out.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {2, 4, 3}}));
+}
+
 std::string error_of(const Mesh& mesh) {
   try {
     weld_and_validate(mesh);

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "app/garment/model_arrays.hpp"
+
+namespace taut::app {
+
+/// What reading one model may cost.
+struct ImportLimits {
+  std::size_t memory_mib = 4096;  ///< of address space; a million triangles take about a quarter
+  int seconds = 20;               ///< on the clock
+};
+
+/// Reads a model in a process of its own, which is ended where it takes too much: assimp crashes on some
+/// damaged files, and an error handler does not help against that. The process is `taut import-model FILE`,
+/// run from $TAUT_IMPORTER, this very program where it is taut, or the program of the build folder.
+/// Throws InputError with the reason, which does not name the file; Interrupted.
+ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& limits);
+
+/// The other process: keeps to the limits, reads the model and hands its arrays, or the reason why there are
+/// none, to standard output. Returns the exit code.
+int serve_import(const std::filesystem::path& path, const ImportLimits& limits);
+
+}  // namespace taut::app

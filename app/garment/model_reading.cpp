@@ -1,0 +1,125 @@
+#include "app/garment/model_reading.hpp"
+
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+
+#include "app/errors.hpp"
+
+namespace taut::app {
+namespace {
+
+void append_face(const aiFace& face, sim::Index first, bool mirrored, ModelArrays& model) {
+  switch (face.mNumIndices) {
+    case 0:
+      return;
+    case 1:
+      ++model.ignored_points;
+      return;
+    case 2:
+      ++model.ignored_lines;
+      return;
+    default:
+      break;
+  }
+  model.corner_counts.push_back(face.mNumIndices);
+  model.corners.push_back(first + face.mIndices[0]);
+  for (unsigned k = 1; k < face.mNumIndices; ++k) {
+    // A mirrored node would turn the garment inside out.
+    model.corners.push_back(first + face.mIndices[mirrored ? face.mNumIndices - k : k]);
+  }
+}
+
+void append_mesh(const aiMesh& mesh, const aiMatrix4x4& to_world, ModelArrays& model) {
+  const auto first = static_cast<sim::Index>(model.positions.size());
+  if (mesh.mNumVertices > 0 && mesh.mVertices == nullptr) {
+    throw InputError("one of its meshes has no positions");
+  }
+  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+    const aiVector3D p = to_world * mesh.mVertices[v];
+    model.positions.emplace_back(p.x, p.y, p.z);
+  }
+  const bool mirrored = to_world.Determinant() < 0.0F;
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    const aiFace& face = mesh.mFaces[f];
+    for (unsigned k = 0; k < face.mNumIndices; ++k) {
+      if (face.mIndices[k] >= mesh.mNumVertices) {
+        throw InputError("a face uses vertex " + std::to_string(face.mIndices[k]) + " of a mesh that has " +
+                         std::to_string(mesh.mNumVertices));
+      }
+    }
+    append_face(face, first, mirrored, model);
+  }
+}
+
+void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, ModelArrays& model) {
+  const aiMatrix4x4 to_world = parent * node.mTransformation;
+  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+    append_mesh(*scene.mMeshes[node.mMeshes[m]], to_world, model);
+  }
+  for (unsigned c = 0; c < node.mNumChildren; ++c) {
+    append_node(scene, *node.mChildren[c], to_world, model);
+  }
+}
+
+std::string format_of(const Assimp::Importer& importer) {
+  const int index = importer.GetPropertyInteger("importerIndex", -1);
+  const aiImporterDesc* description =
+      index < 0 ? nullptr : importer.GetImporterInfo(static_cast<std::size_t>(index));
+  return description != nullptr ? description->mName : "unknown";
+}
+
+// FBX counts in centimetres times this factor and names its axes by number.
+void read_fbx_settings(const aiMetadata& settings, ModelArrays& model) {
+  double factor = 0.0;
+  float single = 0.0F;
+  if (settings.Get("UnitScaleFactor", factor) && factor > 0.0) {
+    model.metres_per_unit = 0.01 * factor;
+  } else if (settings.Get("UnitScaleFactor", single) && single > 0.0F) {
+    model.metres_per_unit = 0.01 * static_cast<double>(single);
+  }
+  std::int32_t axis = -1, sign = 1;
+  if (settings.Get("UpAxis", axis) && axis >= 0 && axis <= 2) {
+    settings.Get("UpAxisSign", sign);
+    model.up = static_cast<Axis>(2 * axis + (sign < 0 ? 1 : 0));
+  }
+}
+
+bool contains(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+void read_units(const aiScene& scene, ModelArrays& model) {
+  if (contains(model.format, "FBX") && scene.mMetaData != nullptr) {
+    read_fbx_settings(*scene.mMetaData, model);
+  } else if (contains(model.format, "glTF") || contains(model.format, "Collada")) {
+    // glTF is in metres with y up by its specification; of Collada files assimp applies unit and axes.
+    model.metres_per_unit = 1.0;
+    model.up = Axis::y;
+  } else if (contains(model.format, "3mf") || contains(model.format, "3MF")) {
+    model.up = Axis::z;
+  }
+}
+
+}  // namespace
+
+ModelArrays read_model(const std::filesystem::path& path) {
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(path.string(), 0);
+  if (scene == nullptr) {
+    throw InputError(importer.GetErrorString());
+  }
+  if (scene->mRootNode == nullptr) {
+    throw InputError("it has no scene");
+  }
+  ModelArrays model;
+  model.format = format_of(importer);
+  model.meshes = scene->mNumMeshes;
+  read_units(*scene, model);
+  append_node(*scene, *scene->mRootNode, aiMatrix4x4(), model);
+  return model;
+}
+
+}  // namespace taut::app

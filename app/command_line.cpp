@@ -7,6 +7,7 @@
 #include "app/command_line_bench.hpp"
 #include "app/errors.hpp"
 #include "app/figures/figures.hpp"
+#include "app/garment/placement.hpp"
 #include "app/version.hpp"
 #include "renderer/context/context.hpp"
 
@@ -20,20 +21,48 @@ constexpr const char* scene_help_text =
 struct SceneArguments {
   std::string scene;
   std::vector<std::string> set;
+  std::string units;
+  std::string up;
   std::string statistics;
 };
 
-void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
-  command.add_option("SCENE", arguments.scene, scene_help_text)->required();
+std::string unit_symbols() {
+  std::string text;
+  for (const Unit& unit : units) {
+    text += std::string(text.empty() ? "" : ", ") + unit.symbol;
+  }
+  return text;
+}
+
+void add_garment_arguments(CLI::App& command, SceneArguments& arguments) {
+  command.add_option("--units", arguments.units,
+                     "of the model: " + unit_symbols() +
+                         ", or its unit in metres (default: what the file says, or a guess)");
+  command.add_option("--up", arguments.up, "the model's direction that is up: x, -x, y, -y, z or -z");
   command
       .add_option("--set", arguments.set,
                   "KEY=VALUE, any key of the scene; can be repeated (taut help scene)")
       ->allow_extra_args(false);
+}
+
+void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, scene_help_text)->required();
+  add_garment_arguments(command, arguments);
   command.add_option("--stats", arguments.statistics, "write measurements of every frame to this JSON file");
 }
 
 std::vector<Override> overrides_of(const SceneArguments& arguments) {
   std::vector<Override> overrides;
+  if (!arguments.units.empty()) {
+    std::string metres = arguments.units;
+    for (const Unit& unit : units) {
+      metres = arguments.units == unit.symbol ? std::to_string(unit.metres) : metres;
+    }
+    overrides.push_back({"garment.scale", metres, "--units " + arguments.units});
+  }
+  if (!arguments.up.empty()) {
+    overrides.push_back({"garment.up", arguments.up, "--up " + arguments.up});
+  }
   for (const std::string& text : arguments.set) {
     overrides.push_back(parse_override(text));
   }
@@ -235,16 +264,34 @@ std::function<Command()> add_view(CLI::App& app) {
 }
 
 std::function<Command()> add_inspect(CLI::App& app) {
-  auto options = std::make_shared<InspectOptions>();
+  struct Arguments {
+    SceneArguments scene;
+    InspectOptions options;
+  };
+  auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a 3D model and how it maps to springs");
-  command->add_option("GARMENT", options->garment, "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, ...")
+  command
+      ->add_option("GARMENT", arguments->options.garment,
+                   "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, 3MF, ...")
       ->required();
-  command->add_option("--scale", options->scale, "the model's unit in metres")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "for programs");
-  command->footer(
-      "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt_in_mm.fbx --scale 0.001 --json\n");
+  add_garment_arguments(*command, arguments->scene);
+  command->add_flag("--json", arguments->options.json, "for programs");
+  command->footer("Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.stl --units mm --up z --json\n");
+  return [arguments] {
+    InspectOptions options = arguments->options;
+    options.overrides = overrides_of(arguments->scene);
+    return Command(options);
+  };
+}
+
+std::function<Command()> add_import_model(CLI::App& app) {
+  auto options = std::make_shared<ImportModelOptions>();
+  CLI::App* command =
+      app.add_subcommand("import-model", "Read a model for the program that started this one");
+  command->group("");  // not shown: nothing a person could read comes out
+  command->add_option("MODEL", options->model)->required();
+  command->add_option("--memory", options->limits.memory_mib)->check(CLI::Range(64, 1 << 20));
+  command->add_option("--seconds", options->limits.seconds)->check(CLI::Range(1, 86400));
   return [options] { return Command(*options); };
 }
 
@@ -291,8 +338,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   app.footer(
       "taut COMMAND --help says more. Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
   const std::vector<std::function<Command()>> commands = {
-      add_figures(app), add_render(app), add_simulate(app), add_view(app), add_inspect(app),
-      add_bench(app),   add_scenes(app), add_help(app)};
+      add_figures(app), add_render(app), add_simulate(app),     add_view(app), add_inspect(app),
+      add_bench(app),   add_scenes(app), add_import_model(app), add_help(app)};
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {

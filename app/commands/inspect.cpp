@@ -9,7 +9,7 @@ namespace taut::app {
 int run(const InspectOptions& options) {
   Scene scene;
   scene.garment.file = options.garment;
-  scene.garment.scale = options.scale;
+  apply_overrides(options.overrides, scene);
   const Inspection inspection = inspect_garment(scene);
   fmt::print("{}", options.json ? inspection_json(inspection) : describe(inspection));
   return 0;

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/garment/import_process.hpp"
 #include "app/scene/scene_file.hpp"
 #include "renderer/context/window_event.hpp"
 
@@ -75,8 +76,14 @@ struct ViewOptions {
 
 struct InspectOptions {
   std::filesystem::path garment;
-  double scale = 1.0;
+  std::vector<Override> overrides;
   bool json = false;
+};
+
+/// The program as its own importer (import_process.hpp).
+struct ImportModelOptions {
+  std::filesystem::path model;
+  ImportLimits limits;
 };
 
 struct ScenesOptions {};
@@ -91,8 +98,8 @@ struct Answered {
   int exit_code = 0;
 };
 
-using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions, ViewOptions,
-                             InspectOptions, ScenesOptions, HelpOptions>;
+using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions,
+                             ViewOptions, InspectOptions, ImportModelOptions, ScenesOptions, HelpOptions>;
 
 int run(const BenchOptions& options);
 int run(const FiguresOptions& options);
@@ -100,6 +107,7 @@ int run(const RenderOptions& options);
 int run(const SimulateOptions& options);
 int run(const ViewOptions& options);
 int run(const InspectOptions& options);
+int run(const ImportModelOptions& options);
 int run(const ScenesOptions& options);
 int run(const HelpOptions& options);
 inline int run(const Answered& answered) {

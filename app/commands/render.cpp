@@ -12,6 +12,7 @@
 #include "app/errors.hpp"
 #include "app/frame_loop.hpp"
 #include "app/garment/garment_loading.hpp"
+#include "app/garment/garment_remarks.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/files.hpp"
 #include "app/output/output_pattern.hpp"
@@ -145,7 +146,9 @@ int run(const RenderOptions& options) {
   std::future<LoadedGarment> garment =
       std::async(std::launch::async, [&] { return load_garment(job.scene); });
   Studio studio(options.backend);
-  sim::Simulation simulation(garment.get().garment, job.scene.simulation, job.scene.surroundings);
+  LoadedGarment loaded = garment.get();
+  print_remarks(job.scene, loaded);
+  sim::Simulation simulation(std::move(loaded.garment), job.scene.simulation, job.scene.surroundings);
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
   const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin);
   const std::string written = output.finish();

@@ -6,6 +6,7 @@
 #include "app/commands/options.hpp"
 #include "app/frame_loop.hpp"
 #include "app/garment/garment_loading.hpp"
+#include "app/garment/garment_remarks.hpp"
 #include "app/garment/obj_export.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/files.hpp"
@@ -51,7 +52,9 @@ int run(const SimulateOptions& options) {
     prepare_folder_of(options.statistics);
   }
 
-  sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
+  LoadedGarment loaded = load_garment(scene);
+  print_remarks(scene, loaded);
+  sim::Simulation simulation(std::move(loaded.garment), scene.simulation, scene.surroundings);
   const std::vector<FrameRecord> records = run_frames(simulation, frame_count, outputs);
 
   const RunSummary summary = summarise(records);

@@ -2,16 +2,19 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/garment/import_process.hpp"
+#include "app/garment/model_arrays.hpp"
 #include "sim/types.hpp"
 
 namespace taut::app {
 
 /// What a model file holds, as flat arrays: all its meshes, where its nodes put them.
 struct ImportedModel {
-  std::vector<sim::Vec3> positions;  ///< in the file's unit
+  std::vector<sim::Vec3> positions;  ///< in the file's unit, along its axes
   std::vector<sim::Triangle> triangles;
   std::string format;  ///< the reader's name for it
   std::size_t meshes = 0;
@@ -20,9 +23,15 @@ struct ImportedModel {
   std::size_t file_polygons = 0;   ///< with more, cut in as many as they need
   std::size_t ignored_lines = 0;
   std::size_t ignored_points = 0;
+  std::optional<double> metres_per_unit;  ///< where the file or its format says
+  std::optional<ModelAxis> up;            ///< where the file or its format says
 };
 
-/// Reads any model the assimp library can. Throws InputError naming the file and the reason.
-ImportedModel import_garment(const std::filesystem::path& path);
+/// A model with more triangles would not fit into memory with its springs.
+inline constexpr std::size_t most_triangles = 4'000'000;
+
+/// Reads any model the assimp library can, in a process of its own, and cuts its faces into triangles.
+/// Throws InputError naming the file and the reason; Interrupted.
+ImportedModel import_garment(const std::filesystem::path& path, const ImportLimits& limits = {});
 
 }  // namespace taut::app

@@ -11,16 +11,16 @@ namespace taut::app {
 namespace {
 
 sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded) {
-  loaded.model = import_garment(source.file);
-  sim::Mesh soup;
-  soup.triangles = loaded.model->triangles;
-  soup.positions = loaded.model->positions;
-  for (sim::Vec3& position : soup.positions) {
-    position *= source.scale;
-  }
+  ImportedModel& model = loaded.model.emplace(import_garment(source.file));
+  const sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
+  const std::optional<double> scale = source.scale > 0.0 ? std::optional(source.scale) : std::nullopt;
+  loaded.placement = place_model(soup, {scale, source.up, model.metres_per_unit, model.up});
   try {
-    sim::ValidatedMesh valid = sim::weld_and_validate(soup);
+    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m / loaded.placement->scale});
     loaded.repairs = valid.report;
+    for (sim::Vec3& position : valid.mesh.positions) {
+      position = (*loaded.placement)(position);
+    }
     return std::move(valid.mesh);
   } catch (const std::invalid_argument& error) {
     throw InputError("cannot use the garment '" + source.file.string() + "': " + error.what());
@@ -37,6 +37,15 @@ sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
   return pinned;
 }
 
+std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, LoadedGarment& loaded) {
+  const bool is_grid = scene.garment.file.empty();
+  if (!is_grid && !scene.pins) {
+    loaded.hanging = hang(mesh, sim::make_adjacency(mesh));
+    return loaded.hanging->pins;
+  }
+  return select_pins(scene.pins, {mesh, loaded.landmarks, is_grid ? &scene.garment.grid : nullptr});
+}
+
 }  // namespace
 
 LoadedGarment load_garment(const Scene& scene) {
@@ -44,11 +53,10 @@ LoadedGarment load_garment(const Scene& scene) {
   const bool is_grid = scene.garment.file.empty();
   sim::Mesh mesh = is_grid ? sim::make_grid(scene.garment.grid) : read_mesh(scene.garment, loaded);
   if (!is_grid) {
-    loaded.landmarks = read_landmarks(scene.garment.file, scene.garment.scale, mesh);
+    loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh);
   }
   // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
-  const PinTargets targets{mesh, loaded.landmarks, is_grid ? &scene.garment.grid : nullptr};
-  std::vector<sim::Index> pins = select_pins(scene.pins, targets);
+  std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded);
   sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
   loaded.garment = sim::make_garment(std::move(pinned.mesh), scene.mapping, std::move(pinned.pins));
   return loaded;

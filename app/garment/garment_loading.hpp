@@ -3,7 +3,9 @@
 #include <optional>
 
 #include "app/garment/garment_import.hpp"
+#include "app/garment/hanging.hpp"
 #include "app/garment/landmarks.hpp"
+#include "app/garment/placement.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/garment.hpp"
 
@@ -16,6 +18,8 @@ struct LoadedGarment {
   // Of a model file; a grid is made, not read.
   std::optional<ImportedModel> model;
   std::optional<sim::MeshReport> repairs;
+  std::optional<Placement> placement;
+  std::optional<Hanging> hanging;  ///< where the scene does not say what is held
 };
 
 /// Reads or makes the garment, maps it to springs, finds its landmarks and pins it.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 namespace taut::app {
@@ -55,12 +56,8 @@ void remark(Inspection& result) {
   const double size_m = glm::length(result.upper_m - result.lower_m);
   if (size_m > 10.0 || size_m < 0.05) {
     result.remarks.push_back(fmt::format(
-        "it measures {:.3g} m across: is its unit the metre? --set garment.scale=0.001 reads millimetres",
+        "it measures {:.3g} m across, which is no garment's size: --units mm reads it as millimetres",
         size_m));
-  }
-  if (result.topology.components > 1) {
-    result.remarks.push_back(
-        fmt::format("its {} parts are not joined to each other", result.topology.components));
   }
   if (result.topology.non_manifold_edges + result.topology.non_manifold_vertices > 0) {
     result.remarks.emplace_back("more than two triangles meet in places; it can be simulated all the same");
@@ -96,6 +93,11 @@ Inspection inspect_garment(const Scene& scene) {
   result.model.positions.clear();
   result.model.triangles.clear();
   result.repairs = *loaded.repairs;
+  result.placement = *loaded.placement;
+  if (loaded.hanging) {
+    result.parts = loaded.hanging->parts;
+    result.hanging = describe(*loaded.hanging);
+  }
   result.vertices = garment.mesh.positions.size();
   result.triangles = garment.mesh.triangles.size();
   measure_size(garment.mesh, result);
@@ -118,9 +120,13 @@ std::string describe(const Inspection& i) {
   text += fmt::format("; ignored {} lines, {} points\n", i.model.ignored_lines, i.model.ignored_points);
   text += fmt::format(
       "repaired    {} of {} vertices welded, {} unused; {} degenerate and {} repeated of {} triangles "
-      "dropped\n",
+      "removed\n",
       i.repairs.welded_vertices, i.repairs.input_vertices, i.repairs.unused_vertices,
       i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, i.repairs.input_triangles);
+  text += fmt::format(
+      "            {} triangles turned, {} vertices welded to near ones, {} of touching layers kept apart\n",
+      i.repairs.turned_triangles, i.repairs.near_vertices, i.repairs.parted_vertices);
+  text += fmt::format("unit        {}\nup          {}\n", i.placement.unit_text, i.placement.up_text);
   text += fmt::format("mesh        {} vertices, {} triangles\n", i.vertices, i.triangles) + describe_size(i);
   text += fmt::format("topology    {} components, {} boundary loops of {} edges, Euler characteristic {}\n",
                       i.topology.components, i.topology.boundary_loops, i.topology.boundary_edges,
@@ -130,6 +136,9 @@ std::string describe(const Inspection& i) {
                       i.topology.misoriented_edges);
   text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs,
                       i.shear_springs, i.flexural_springs);
+  for (const std::string& line : i.hanging) {
+    text += "hung        " + line + '\n';
+  }
   for (const LandmarkSize& landmark : i.landmarks) {
     text += fmt::format("landmark    {}: {} vertices\n", landmark.name, landmark.vertices);
   }

@@ -19,6 +19,9 @@ struct Inspection {
   std::string file;
   ImportedModel model;  ///< its arrays are left empty
   sim::MeshReport repairs;
+  Placement placement;
+  std::vector<HungPart> parts;
+  std::vector<std::string> hanging;  ///< how the parts are held, for people
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   sim::Vec3 lower_m = {0.0, 0.0, 0.0};

@@ -37,7 +37,7 @@ struct Search {
   Source source;
   std::span<const sim::Vec3> positions;
   const std::vector<sim::Vec3>& obj_vertices;
-  double scale;
+  const Placement& placement;
 };
 
 std::optional<sim::Vec3> point_of(const Value& value, const Search& search) {
@@ -59,7 +59,7 @@ sim::Index find_vertex(const std::string& name, const Value& value, const Search
                          ? ""
                          : fmt::format(" or a vertex from 0 to {}", search.obj_vertices.size() - 1)));
   }
-  const sim::Vec3 scaled = *point * search.scale;
+  const sim::Vec3 scaled = search.placement(*point);
   const auto [vertex, distance_m] = nearest_vertex(search.positions, scaled);
   if (!(distance_m <= same_point_m)) {
     fail(search.source, value.line,
@@ -96,7 +96,8 @@ std::filesystem::path landmarks_path(const std::filesystem::path& garment) {
   return path.replace_extension(".landmarks.toml");
 }
 
-Landmarks read_landmarks(const std::filesystem::path& garment, double scale, const sim::Mesh& mesh) {
+Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement,
+                         const sim::Mesh& mesh) {
   const std::filesystem::path path = landmarks_path(garment);
   Landmarks landmarks;
   std::error_code error;
@@ -106,7 +107,7 @@ Landmarks read_landmarks(const std::filesystem::path& garment, double scale, con
   const Value file = read_toml(path);
   const bool is_obj = garment.extension() == ".obj" || garment.extension() == ".OBJ";
   const std::vector<sim::Vec3> vertices = is_obj ? obj_vertices(garment) : std::vector<sim::Vec3>{};
-  collect(*file.table(), {{path.string(), false}, mesh.positions, vertices, scale}, landmarks);
+  collect(*file.table(), {{path.string(), false}, mesh.positions, vertices, placement}, landmarks);
   return landmarks;
 }
 

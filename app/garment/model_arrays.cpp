@@ -91,11 +91,11 @@ ModelArrays decode(const std::string& bytes) {
   model.ignored_points = reader.take<std::uint64_t>();
   const auto unit = reader.take<double>();
   const auto axis = reader.take<std::uint8_t>();
-  if (!reader.at_end() || (axis != no_axis && axis > static_cast<std::uint8_t>(Axis::minus_z))) {
+  if (!reader.at_end() || (axis != no_axis && axis > static_cast<std::uint8_t>(ModelAxis::minus_z))) {
     throw std::runtime_error("the arrays of a model are not as expected");
   }
   model.metres_per_unit = unit > 0.0 ? std::optional(unit) : std::nullopt;
-  model.up = axis != no_axis ? std::optional(static_cast<Axis>(axis)) : std::nullopt;
+  model.up = axis != no_axis ? std::optional(static_cast<ModelAxis>(axis)) : std::nullopt;
   return model;
 }
 

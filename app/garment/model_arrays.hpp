@@ -11,7 +11,7 @@
 namespace taut::app {
 
 /// A direction of a model's own coordinates.
-enum class Axis { x, minus_x, y, minus_y, z, minus_z };
+enum class ModelAxis { x, minus_x, y, minus_y, z, minus_z };
 
 /// A model file as flat arrays: the faces of all its meshes, where its nodes put them.
 struct ModelArrays {
@@ -23,7 +23,7 @@ struct ModelArrays {
   std::size_t ignored_lines = 0;
   std::size_t ignored_points = 0;
   std::optional<double> metres_per_unit;  ///< where the file or its format says
-  std::optional<Axis> up;                 ///< where the file or its format says
+  std::optional<ModelAxis> up;            ///< where the file or its format says
 };
 
 /// As bytes for another process of this program.

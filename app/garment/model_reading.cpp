@@ -83,7 +83,7 @@ void read_fbx_settings(const aiMetadata& settings, ModelArrays& model) {
   std::int32_t axis = -1, sign = 1;
   if (settings.Get("UpAxis", axis) && axis >= 0 && axis <= 2) {
     settings.Get("UpAxisSign", sign);
-    model.up = static_cast<Axis>(2 * axis + (sign < 0 ? 1 : 0));
+    model.up = static_cast<ModelAxis>(2 * axis + (sign < 0 ? 1 : 0));
   }
 }
 
@@ -97,9 +97,9 @@ void read_units(const aiScene& scene, ModelArrays& model) {
   } else if (contains(model.format, "glTF") || contains(model.format, "Collada")) {
     // glTF is in metres with y up by its specification; of Collada files assimp applies unit and axes.
     model.metres_per_unit = 1.0;
-    model.up = Axis::y;
+    model.up = ModelAxis::y;
   } else if (contains(model.format, "3mf") || contains(model.format, "3MF")) {
-    model.up = Axis::z;
+    model.up = ModelAxis::z;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -102,6 +103,19 @@ Json point_json(const sim::Vec3& p) {
   return {p.x, p.y, p.z};
 }
 
+Json parts_json(const std::vector<HungPart>& parts) {
+  constexpr std::array ways = {"top opening", "highest points", "back edge"};
+  Json list = Json::array();
+  for (const HungPart& part : parts) {
+    list.push_back({{"vertices", part.vertices},
+                    {"hung_by", ways[static_cast<std::size_t>(part.by)]},
+                    {"pins", part.pins},
+                    {"closed", part.closed},
+                    {"flat", part.flat}});
+  }
+  return list;
+}
+
 // File names can hold bytes that are no UTF-8.
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -140,7 +154,16 @@ std::string inspection_json(const Inspection& i) {
                         {"welded_vertices", i.repairs.welded_vertices},
                         {"unused_vertices", i.repairs.unused_vertices},
                         {"degenerate_triangles", i.repairs.degenerate_triangles},
-                        {"duplicate_triangles", i.repairs.duplicate_triangles}};
+                        {"duplicate_triangles", i.repairs.duplicate_triangles},
+                        {"turned_triangles", i.repairs.turned_triangles},
+                        {"near_vertices", i.repairs.near_vertices},
+                        {"parted_vertices", i.repairs.parted_vertices}};
+  const Json placement = {{"metres_per_unit", i.placement.scale},
+                          {"unit", i.placement.unit_text},
+                          {"up", axis_names[static_cast<std::size_t>(i.placement.up)]},
+                          {"up_from", i.placement.up_text},
+                          {"guessed", i.placement.guessed},
+                          {"moved_m", point_json(i.placement.moved_m)}};
   const Json topology = {{"components", i.topology.components},
                          {"boundary_edges", i.topology.boundary_edges},
                          {"boundary_loops", i.topology.boundary_loops},
@@ -152,6 +175,8 @@ std::string inspection_json(const Inspection& i) {
       {{"file", i.file},
        {"import", import},
        {"repairs", repairs},
+       {"placement", placement},
+       {"parts", parts_json(i.parts)},
        {"vertices", i.vertices},
        {"triangles", i.triangles},
        {"bounding_box_m", {point_json(i.lower_m), point_json(i.upper_m)}},

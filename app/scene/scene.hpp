@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/garment/model_arrays.hpp"
 #include "renderer/camera.hpp"
 #include "renderer/frame_view.hpp"
 #include "sim/garment.hpp"
@@ -18,9 +19,11 @@ namespace taut::app {
 
 /// A regular grid, or a model file where one is named.
 struct GarmentSource {
-  std::filesystem::path file;  ///< empty: the grid
-  double scale = 1.0;          ///< the file's unit in metres
-  int subdivisions = 0;        ///< of the file's triangles, four for one each time
+  std::filesystem::path file;   ///< empty: the grid
+  double scale = 0.0;           ///< the file's unit in metres; 0: the file's own, or a guess (placement.hpp)
+  std::optional<ModelAxis> up;  ///< of the file; none: the file's own, or a guess
+  double weld_m = 0.0;          ///< borders nearer to each other than this are sewn
+  int subdivisions = 0;         ///< of the file's triangles, four for one each time
   sim::GridSettings grid;
 };
 

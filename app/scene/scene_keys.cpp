@@ -30,7 +30,11 @@ Key<Scene> whole(std::string name, double lowest, double highest, auto access, s
 void add_garment(SceneKeys& keys) {
   keys.push_back(text_key<Scene>("title", MEMBER(title), "shown by `taut scenes`"));
   keys.push_back(file_key());
-  keys.push_back(number("garment.scale", "m", positive, MEMBER(garment.scale), "the model's unit of length"));
+  keys.push_back(number("garment.scale", "m", not_negative, MEMBER(garment.scale),
+                        "the model's unit of length; 0: what the file says, or else a guess from its size"));
+  keys.push_back(up_key());
+  keys.push_back(number("garment.weld", "m", {0.0, 0.05}, MEMBER(garment.weld_m),
+                        "borders of the model nearer to each other than this are sewn together"));
   keys.push_back(whole("garment.subdivisions", 0, 5, MEMBER(garment.subdivisions),
                        "of the model: each makes four of every triangle and keeps the shape"));
   keys.push_back(whole("garment.grid.columns", 2, 2000, MEMBER(garment.grid.columns), "mass points across"));

@@ -1,8 +1,10 @@
 #include "app/scene/scene_lists.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "app/garment/placement.hpp"
 #include "app/scene/scene_keys.hpp"
 
 namespace taut::app {
@@ -190,12 +192,40 @@ Key<Scene> file_key() {
           read,           write};
 }
 
+Key<Scene> up_key() {
+  auto read = [](const Value& value, const Source&, Scene& scene) {
+    if (value.text() == nullptr) {
+      return false;
+    }
+    if (*value.text() == "auto") {
+      scene.garment.up.reset();
+      return true;
+    }
+    const auto* const name = std::find(axis_names.begin(), axis_names.end(), *value.text());
+    if (name == axis_names.end()) {
+      return false;
+    }
+    scene.garment.up = static_cast<ModelAxis>(name - axis_names.begin());
+    return true;
+  };
+  auto write = [](const Scene& scene) {
+    return Value{
+        std::string(scene.garment.up ? axis_names[static_cast<std::size_t>(*scene.garment.up)] : "auto")};
+  };
+  return {"garment.up",
+          "",
+          "\"auto\" or \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\"",
+          "the model's direction that is up; auto: what the file says, or else a guess from its size",
+          read,
+          write};
+}
+
 Key<Scene> pins_key() {
   return {"pins.at",
           "",
           "\"none\" or a list of landmark names, grid names (\"top-left\", ...), vertex numbers and "
           "{ nearest = [x, y, z] }",
-          "vertices that are held; not set: the upper edge of a grid, the top 3 % of a model",
+          "vertices that are held; not set: the upper edge of a grid, each part of a model by its top",
           read_pins,
           write_pins};
 }

@@ -83,7 +83,7 @@ TEST(GarmentLoading, ScalesAndPinsAModelByItsTop) {
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_EQ(loaded.garment.mesh.positions.size(), 4U);
   EXPECT_EQ(loaded.repairs->welded_vertices + loaded.garment.mesh.positions.size(),
-            loaded.model->positions.size());
+            loaded.repairs->input_vertices);
   EXPECT_NEAR(loaded.garment.mesh.positions[0].y, 1.0, 1e-9);
   EXPECT_EQ(loaded.garment.pins.size(), 2U);
 }

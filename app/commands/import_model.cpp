@@ -1,0 +1,9 @@
+#include "app/commands/options.hpp"
+
+namespace taut::app {
+
+int run(const ImportModelOptions& options) {
+  return serve_import(options.model, options.limits);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/garment/garment_loading.hpp"
+#include "app/scene/scene.hpp"
+
+namespace taut::app {
+
+/// What was guessed, repaired and chosen that the scene does not say, a line each; nothing is done silently.
+std::vector<std::string> remarks_of(const LoadedGarment& loaded);
+
+/// These lines on standard output, with the name of the garment's file.
+void print_remarks(const Scene& scene, const LoadedGarment& loaded);
+
+}  // namespace taut::app

@@ -22,14 +22,14 @@ TEST(Placement, GuessesTheUnitOfAGarment) {
 }
 
 TEST(Placement, BelievesTheFileWithinReason) {
-  const Placement inches = place_model(box_of(10, 30, 5), {.metres_per_unit = 0.0254});
+  const Placement inches = place_model(box_of(10, 30, 5), {{}, {}, 0.0254, {}});
   EXPECT_EQ(inches.scale, 0.0254);
   EXPECT_EQ(inches.unit_text, "inch, as the file says");
-  const Placement centimetres = place_model(box_of(50, 70, 30), {.metres_per_unit = 1.0});
+  const Placement centimetres = place_model(box_of(50, 70, 30), {{}, {}, 1.0, {}});
   EXPECT_EQ(centimetres.scale, 0.01);
   EXPECT_EQ(centimetres.unit_text,
             "centimetre, guessed, since the file's own, metre, would make it 70 m large");
-  EXPECT_EQ(place_model(box_of(50, 70, 30), {.asked_scale = 1.0, .metres_per_unit = 0.01}).scale, 1.0);
+  EXPECT_EQ(place_model(box_of(50, 70, 30), {1.0, {}, 0.01, {}}).scale, 1.0);
 }
 
 TEST(Placement, TurnsTheModelUpright) {
@@ -43,7 +43,7 @@ TEST(Placement, TurnsTheModelUpright) {
   EXPECT_EQ(turned(ModelAxis::minus_x), sim::Vec3(2, -1, 3));
   EXPECT_EQ(place_model(box_of(1, 0.3, 1), {}).up, ModelAxis::z);
   EXPECT_EQ(place_model(box_of(1, 0.6, 1), {}).up, ModelAxis::y);
-  EXPECT_EQ(place_model(box_of(1, 0.3, 1), {.up = ModelAxis::y}).up, ModelAxis::y);
+  EXPECT_EQ(place_model(box_of(1, 0.3, 1), {{}, {}, {}, ModelAxis::y}).up, ModelAxis::y);
 }
 
 TEST(Placement, BringsBackWhatIsVeryFarAway) {

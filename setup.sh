@@ -7,6 +7,7 @@ packages=(
   # build
   build-essential
   clang               # the tests compare the states that two compilers' programs end in
+  libclang-rt-dev     # libFuzzer and the sanitizers for Clang
   cmake
   ninja-build
   pkg-config

@@ -166,6 +166,8 @@ std::function<Command()> add_render(CLI::App& app) {
                       "(default SCENE.png)");
   command->add_option("--frames", arguments->frames,
                       "A:B or A; frame 0 is before the first step (default: the last; of a video: all)");
+  command->add_flag("--resume", arguments->options.resume,
+                    "draw only those pictures of a sequence that an earlier run did not finish");
   add_picture_shortcuts(*command, arguments->shortcuts);
   add_backend(*command, arguments->options.backend);
   command->footer(
@@ -354,6 +356,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       Command command = commands[i]();
       if (auto* render = std::get_if<RenderOptions>(&command)) {
         render->arguments.assign(arguments + 1, arguments + argument_count);
+        // A resumed run makes the same bytes as one that was never interrupted.
+        std::erase(render->arguments, "--resume");
       }
       return command;
     }

@@ -49,7 +49,8 @@ struct RenderOptions {
   std::vector<Override> overrides;
   std::filesystem::path statistics;
   std::string backend = "auto";
-  std::vector<std::string> arguments;  ///< as given to the program; every picture keeps them
+  bool resume = false;                 ///< only the frames that are not there yet
+  std::vector<std::string> arguments;  ///< as given to the program but for --resume; every picture keeps them
 };
 
 struct SimulateOptions {

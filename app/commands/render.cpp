@@ -22,6 +22,7 @@
 #include "app/output/video_writer.hpp"
 #include "app/scene/scene_lookup.hpp"
 #include "app/scene/scene_text.hpp"
+#include "app/version.hpp"
 
 namespace taut::app {
 namespace {
@@ -87,6 +88,14 @@ class PictureOutput {
     }
   }
 
+  /// Throws UsageError where there is one file for all frames.
+  std::filesystem::path path_of(int frame) const {
+    if (video_) {
+      throw UsageError("--resume continues a sequence of pictures, and '" + job_.output + "' is a video");
+    }
+    return pattern_->path_of(frame);
+  }
+
   /// Says what was written.
   std::string finish() {
     if (!video_) {
@@ -119,11 +128,34 @@ void compare_with_record(const Job& job, const std::vector<FrameRecord>& records
   }
 }
 
+// The frames a run that was cut short left to be drawn. Files are renamed into place when they are complete,
+// so those that exist are; but they have to show this very scene.
+std::vector<int> frames_left(const Job& job, const PictureOutput& output, const PictureOrigin& origin) {
+  std::vector<int> left;
+  for (const int frame : job.frames) {
+    const std::filesystem::path file = output.path_of(frame);
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+      left.push_back(frame);
+      continue;
+    }
+    const PictureRecord record = read_picture_record(file, {});
+    if (record.frame != frame || record.gl_renderer != origin.gl_renderer ||
+        record.program != "taut " + program_version() || scene_text(record.scene) != origin.scene) {
+      throw InputError(
+          "cannot resume: '" + file.string() +
+          "' was made from another scene or by another program; remove it, or run without --resume");
+    }
+  }
+  return left;
+}
+
 std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Studio& studio,
-                              PictureOutput& output, const PictureOrigin& origin) {
+                              PictureOutput& output, const PictureOrigin& origin,
+                              std::span<const int> frames) {
   GarmentPainter painter(studio.renderer(), job.scene, simulation.garment());
   FrameOutputs outputs;
-  outputs.pictures = job.frames;
+  outputs.pictures = frames;
   outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions) { return painter.draw(positions); };
   outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
     output.write(origin, record, picture);
@@ -150,7 +182,11 @@ int run(const RenderOptions& options) {
   print_remarks(job.scene, loaded);
   sim::Simulation simulation(std::move(loaded.garment), job.scene.simulation, job.scene.surroundings);
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
-  const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin);
+  const std::vector<int> frames = options.resume ? frames_left(job, output, origin) : job.frames;
+  if (frames.size() < job.frames.size()) {
+    fmt::print("{} of {} frames are there already\n", job.frames.size() - frames.size(), job.frames.size());
+  }
+  const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin, frames);
   const std::string written = output.finish();
 
   if (job.again && options.overrides.empty()) {

@@ -1,0 +1,24 @@
+#!/bin/sh
+# resume.sh PROGRAM FOLDER
+set -eu
+program=$1 folder=$2
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+draw() {
+  "$program" render pinned-9x9-5 --resolution 96,64 --frames 0:5 --output '{frame}.png' "$@"
+}
+draw
+sha256sum ./*.png > whole.txt
+rm 2.png 5.png
+draw --resume | grep -q '4 of 6 frames are there already'
+sha256sum -c --quiet whole.txt
+draw --resume | grep -q '6 of 6 frames are there already'
+
+# Pictures of another scene are not taken for ours, nor touched.
+if draw --resume --set wind.speed=3 2> error.txt; then
+  echo "resumed another scene's pictures"
+  exit 1
+fi
+grep -q "cannot resume: '0.png' was made from another scene" error.txt
+sha256sum -c --quiet whole.txt

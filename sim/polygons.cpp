@@ -141,9 +141,8 @@ void cut_quad(std::span<const Vec3> positions, std::span<const Index> q, std::ve
   const std::vector<Vec2> p = flattened(positions, q);
   const double first = std::min(fullness(p[0], p[1], p[2]), fullness(p[0], p[2], p[3]));
   const double second = std::min(fullness(p[0], p[1], p[3]), fullness(p[1], p[2], p[3]));
-  // Quads of a regular cloth shall all be cut the same way, whatever rounding says.
-  constexpr double clearly = 1e-6;
-  if (second > first + clearly) {
+  // The quads of one cloth shall all be cut the same way, however they are folded, unless that makes needles.
+  if (first < 0.5 * second) {
     triangles.push_back({q[0], q[1], q[3]});
     triangles.push_back({q[1], q[2], q[3]});
   } else {

@@ -50,7 +50,10 @@ HeldForces::HeldForces(const Garment& garment, const Layout& layout, double bend
 int HeldForces::updates_per_frame(const ExternalForces& external, double frame_time_s) const {
   const int for_wind = external.wind.speed_m_per_s != 0.0 ? wind_updates_per_frame : least_updates_per_frame;
   const double for_bending = std::ceil(bending_.largest_rate_per_s * frame_time_s / largest_rate_times_held);
-  return std::max(for_wind, static_cast<int>(for_bending));
+  // Vertices of next to no mass would ask for any number.
+  constexpr double most = 1e6;
+  return std::max(for_wind,
+                  static_cast<int>(std::isfinite(for_bending) ? std::min(for_bending, most) : most));
 }
 
 void HeldForces::add_gravity_and_artificial(const ExternalForces& external) {

@@ -28,6 +28,7 @@ packages=(
   libgl1-mesa-dri
   libstb-dev          # reads and writes PNG
   libtomlplusplus-dev
+  libx11-dev          # the tests drop files on the window
   nlohmann-json3-dev
   python3-glad        # generates the OpenGL loader
   # fonts

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/measures.hpp"
+#include "sim/within_bound.hpp"
 
 namespace taut::sim {
 namespace {
@@ -36,6 +37,7 @@ void Simulation::advance_frame() {
     return;
   }
   report_ = solver_->advance_frame(garment_, surroundings_, frame_time_s(), state_);
+  shown_before_m_.clear();
   const std::size_t lost = first_non_finite(state_.current);
   if (lost < state_.current.size()) {
     throw Diverged(static_cast<Index>(lost), state_.time_s);
@@ -44,8 +46,30 @@ void Simulation::advance_frame() {
 }
 
 std::span<const Vec3> Simulation::shown_positions() const {
+  if (!shown_before_m_.empty()) {
+    return shown_before_m_;
+  }
   const std::span<const Vec3> shown = solver_->shown_positions();
   return shown.size() == state_.current.size() ? shown : std::span<const Vec3>(state_.current);
+}
+
+// A new solver has shown nothing yet: what was shown stays, as far as it keeps the new bound.
+void Simulation::start_solver(std::span<const Vec3> shown) {
+  auto moved = moved_within_bound(garment_, shown, settings_.solver);
+  std::vector<Vec3> kept = moved ? std::move(*moved) : std::vector<Vec3>(shown.begin(), shown.end());
+  solver_ = make_solver(settings_.solver);
+  shown_before_m_ = std::move(kept);
+  wake();
+}
+
+void Simulation::go_back_to(const State& state, std::span<const Vec3> shown) {
+  const std::size_t count = garment_.mesh.positions.size();
+  if (state.current.size() != count || state.previous.size() != count || shown.size() != count) {
+    throw std::invalid_argument("a state of another garment cannot be gone back to");
+  }
+  state_ = state;
+  state_.predicted.resize(count);
+  start_solver(shown);
 }
 
 void Simulation::set_surroundings(const Surroundings& surroundings) {
@@ -58,9 +82,9 @@ void Simulation::set_surroundings(const Surroundings& surroundings) {
 void Simulation::set_settings(const SimulationSettings& settings) {
   if (settings != settings_) {
     require_frame_rate(settings);
-    solver_ = make_solver(settings.solver);
+    make_solver(settings.solver);  // refuses what is wrong before anything has changed
     settings_ = settings;
-    wake();
+    start_solver(shown_positions());
   }
 }
 

@@ -48,10 +48,14 @@ class Simulation {
   void set_settings(const SimulationSettings& settings);
   void set_pins(std::vector<Index> pins);
 
+  /// Goes on from a state that this garment was in, with what was shown of it; positions of this garment's
+  /// vertices. What a solver remembers of earlier frames is not part of a state: it begins anew.
+  void go_back_to(const State& state, std::span<const Vec3> shown);
+
   const Garment& garment() const { return garment_; }
   const State& state() const { return state_; }
   /// What is to be shown and written: the state's positions, or where a solver promises a bound on stretch,
-  /// positions near them that keep it. In metres, by vertex.
+  /// positions near them that keep it, also before the first frame of new settings. In metres, by vertex.
   std::span<const Vec3> shown_positions() const;
   /// Of the last frame; asleep, of the last frame that was computed.
   const FrameReport& frame_report() const { return report_; }
@@ -60,6 +64,7 @@ class Simulation {
   double frame_time_s() const { return 1.0 / settings_.frame_rate_hz; }
 
  private:
+  void start_solver(std::span<const Vec3> shown);
   void wake();
   void fall_asleep_at_rest();
 
@@ -68,6 +73,7 @@ class Simulation {
   Surroundings surroundings_;
   State state_;
   std::unique_ptr<Solver> solver_;
+  std::vector<Vec3> shown_before_m_;  ///< shown until the solver has computed a frame; empty: the state
   FrameReport report_;
 };
 

@@ -41,12 +41,7 @@ Session session_of(const ViewOptions& options) {
   return session;
 }
 
-void view_headless(const ViewOptions& options, const Session& session, const Scene& scene) {
-  HeadlessViewer viewer(scene, session.start, options.keep_folder, options.backend);
-  std::optional<SessionRecorder> recorder;
-  if (!options.record.empty()) {
-    recorder.emplace(options.record, session.start);
-  }
+void play(const Session& session, HeadlessViewer& viewer, std::optional<SessionRecorder>& recorder) {
   for (std::size_t i = 0; i < session.frames.size(); ++i) {
     SessionFrame played = viewer.play(session.frames[i]);
     if (i + 1 == session.frames.size()) {
@@ -55,6 +50,20 @@ void view_headless(const ViewOptions& options, const Session& session, const Sce
     if (recorder) {
       recorder->add(played);
     }
+  }
+}
+
+void view_headless(const ViewOptions& options, const Session& session, const Scene& scene) {
+  HeadlessViewer viewer(scene, session.start, options.keep_folder, options.backend);
+  std::optional<SessionRecorder> recorder;
+  if (!options.record.empty()) {
+    recorder.emplace(options.record, session.start);
+  }
+  try {
+    play(session, viewer, recorder);
+  } catch (const Interrupted&) {
+    viewer.viewer().finish_recording();
+    throw;
   }
   viewer.viewer().finish_recording();
   for (const Message& message : viewer.viewer().state().messages) {

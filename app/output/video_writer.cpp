@@ -40,11 +40,11 @@ std::vector<std::string> gif_arguments(double frame_rate_hz) {
           "-f", "gif"};
 }
 
-std::vector<std::string> mp4_arguments() {
+std::vector<std::string> mp4_arguments(bool is_live) {
   return {"-c:v",
           "libx264",
           "-preset",
-          "medium",
+          is_live ? "veryfast" : "medium",
           "-crf",
           "18",
           "-pix_fmt",
@@ -73,7 +73,7 @@ std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& 
       "-framerate",  fmt::format("{}", settings.frame_rate_hz),
       "-i",          "pipe:0"};
   const std::vector<std::string> kind =
-      file.extension() == ".gif" ? gif_arguments(settings.frame_rate_hz) : mp4_arguments();
+      file.extension() == ".gif" ? gif_arguments(settings.frame_rate_hz) : mp4_arguments(settings.is_live);
   // Without the date and the library's version in it, the same pictures are the same file.
   const std::vector<std::string> output = {"-fflags", "+bitexact", "-flags:v", "+bitexact",
                                            "file:" + temporary.string()};
@@ -131,7 +131,8 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
     : file_(std::move(file)),
       temporary_(file_.string() + ".part" + std::to_string(::getpid())),
       picture_bytes_(static_cast<std::size_t>(settings.width_px) * 3U *
-                     static_cast<std::size_t>(settings.height_px)) {
+                     static_cast<std::size_t>(settings.height_px)),
+      is_live_(settings.is_live) {
   require_video_size(file_, settings);
   // A socket and not a pipe: writing to one can be told not to raise SIGPIPE when ffmpeg is gone.
   std::array<int, 2> ends{};
@@ -173,6 +174,12 @@ void VideoWriter::add(const renderer::Image& picture) {
   ++frames_;
 }
 
+void VideoWriter::stop_if_interrupted() const {
+  if (!is_live_) {
+    throw_if_interrupted();
+  }
+}
+
 void VideoWriter::send(std::span<const std::uint8_t> bytes) {
   constexpr int look_up_after_ms = 100;
   while (!bytes.empty()) {
@@ -180,7 +187,7 @@ void VideoWriter::send(std::span<const std::uint8_t> bytes) {
     if (sent >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(sent));
     } else if (errno == EAGAIN) {
-      throw_if_interrupted();
+      stop_if_interrupted();
       pollfd room{input_, POLLOUT, 0};
       ::poll(&room, 1, look_up_after_ms);
     } else if (errno != EINTR) {
@@ -214,7 +221,7 @@ int VideoWriter::wait_for_end() {
   constexpr int look_again_after_ms = 5;
   int status = 0;
   while (::waitpid(process_, &status, WNOHANG) == 0) {
-    throw_if_interrupted();
+    stop_if_interrupted();
     ::poll(nullptr, 0, look_again_after_ms);
   }
   process_ = -1;

@@ -18,6 +18,9 @@ struct VideoSettings {
   int width_px = 0;
   int height_px = 0;
   double frame_rate_hz = 60.0;
+  /// Of something that happens once and cannot be drawn again: encoded with less effort, so that it goes on
+  /// undisturbed, and an interruption does not stop it before `finish`.
+  bool is_live = false;
 };
 
 /// Throws UsageError where the kind of video cannot have this size: H.264 with halved colour resolution needs
@@ -37,7 +40,7 @@ class VideoWriter {
   VideoWriter& operator=(const VideoWriter&) = delete;
 
   /// RGB of the size in the settings. Throws InputError with ffmpeg's own words when it has stopped, and
-  /// Interrupted.
+  /// Interrupted unless the video is live.
   void add(const renderer::Image& picture);
 
   /// Waits until all is encoded and gives the file its name. Throws as `add` does.
@@ -45,6 +48,7 @@ class VideoWriter {
 
  private:
   [[noreturn]] void fail_stopped();
+  void stop_if_interrupted() const;
   void send(std::span<const std::uint8_t> bytes);
   int wait_for_end();
   void close_input();
@@ -53,6 +57,7 @@ class VideoWriter {
   std::filesystem::path file_;
   std::filesystem::path temporary_;
   std::size_t picture_bytes_ = 0;
+  bool is_live_ = false;
   int frames_ = 0;
   pid_t process_ = -1;  ///< -1: ended
   int input_ = -1;      ///< our end of ffmpeg's standard input

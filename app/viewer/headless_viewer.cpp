@@ -56,8 +56,7 @@ SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
 renderer::Image HeadlessViewer::draw() {
   const WindowLayout layout = viewer_.layout();
   const unsigned framebuffer = target_->framebuffer(layout.width_px, layout.height_px);
-  place_.picture().draw(framebuffer, viewer_.state(), layout, picture_qualities.front(), viewer_.letters(),
-                        viewer_.overlay());
+  place_.picture().draw(framebuffer, viewer_.state(), layout, 0, viewer_.letters(), viewer_.overlay());
   return renderer::read_framebuffer(place_.context(), framebuffer, layout.width_px, layout.height_px);
 }
 

@@ -30,8 +30,11 @@ bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& take
     const auto* key = as<KeyChanged>(before);
     const auto* next_button = as<ButtonChanged>(next);
     const auto* next_key = as<KeyChanged>(next);
+    // Files are loaded one after the other, and what is wrong with each is said.
+    const bool drops_two =
+        as<renderer::FileDropped>(before) != nullptr && as<renderer::FileDropped>(next) != nullptr;
     const bool lets_go = next_button != nullptr && !next_button->down;
-    return (lets_go && moves_pointer(before)) ||
+    return drops_two || (lets_go && moves_pointer(before)) ||
            (button != nullptr && (moves_pointer(next) || next_button != nullptr)) ||
            (key != nullptr && next_key != nullptr && key->key == next_key->key &&
             key->down != next_key->down);

@@ -71,7 +71,7 @@ WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, 
   target_ = free_name(folder, stem, is_video ? ".mp4" : "-frames");
   if (is_video) {
     prepare_folder_of(target_);
-    video_ = std::make_unique<VideoWriter>(target_, VideoSettings{width_px_, height_px_, rate_hz});
+    video_ = std::make_unique<VideoWriter>(target_, VideoSettings{width_px_, height_px_, rate_hz, true});
   } else {
     prepare_folder_of(target_ / "frame.png");
   }

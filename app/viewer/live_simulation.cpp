@@ -14,11 +14,6 @@ std::shared_ptr<const LoadedScene> load(const Scene& scene, std::uint64_t genera
   return std::make_shared<const LoadedScene>(LoadedScene{scene, load_garment(scene).garment, generation});
 }
 
-std::shared_ptr<const std::vector<sim::Vec3>> shown_positions(const sim::Simulation& simulation) {
-  const std::span<const sim::Vec3> shown = simulation.shown_positions();
-  return std::make_shared<const std::vector<sim::Vec3>>(shown.begin(), shown.end());
-}
-
 // The outer third on one side of what the pins extend over, across.
 std::vector<sim::Index> without_side(const sim::Garment& garment, bool right) {
   double lowest = INFINITY;
@@ -53,12 +48,25 @@ void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   loaded_ = std::move(loaded);
   surroundings_ = loaded_->scene.surroundings;
   pins_ = std::make_shared<const std::vector<sim::Index>>(loaded_->garment.pins);
-  positions_ = shown_positions(*simulation_);
+  note_shape();
   grip_.reset();
   frame_ = 0;
   steps_left_ = 0;
   stopped_ = false;
   pristine_ = true;
+}
+
+// Hundreds of shapes are kept: one that is shown as it is takes its place once.
+void LiveSimulation::note_shape() {
+  sim::State state = simulation_->state();
+  state.predicted = {};
+  state_ = std::make_shared<const sim::State>(std::move(state));
+  const std::span<const sim::Vec3> shown = simulation_->shown_positions();
+  if (std::equal(shown.begin(), shown.end(), state_->current.begin(), state_->current.end())) {
+    positions_ = std::shared_ptr<const std::vector<sim::Vec3>>(state_, &state_->current);
+  } else {
+    positions_ = std::make_shared<const std::vector<sim::Vec3>>(shown.begin(), shown.end());
+  }
 }
 
 void LiveSimulation::apply(const SimulationCommand& command) {
@@ -76,7 +84,12 @@ void LiveSimulation::perform(const LoadScene& asked) {
 
 void LiveSimulation::perform(const ChangeSettings& change) {
   pristine_ = pristine_ && frame_ == 0;
-  simulation_->set_settings(change.simulation);
+  if (change.simulation != simulation_->settings()) {
+    simulation_->set_settings(change.simulation);
+    // Another bound may show another shape before another frame.
+    note_shape();
+    record_.stretch = sim::measure_stretch(simulation_->garment().springs, *positions_);
+  }
   surroundings_ = change.surroundings;
   simulation_->set_surroundings(surroundings_);
 }
@@ -130,6 +143,23 @@ void LiveSimulation::perform(const Reset&) {
   simulation_->set_surroundings(surroundings);
 }
 
+void LiveSimulation::perform(const GoBack& back) {
+  const Snapshot& past = *back.to;
+  if (past.loaded != loaded_) {
+    return;  // of a garment that has been replaced since
+  }
+  perform(LetGo{});
+  set_pins(*past.pins);
+  simulation_->go_back_to(*past.state, *past.positions);
+  record_ = past.record;
+  frame_ = past.record.frame;
+  note_shape();
+  record_.stretch = sim::measure_stretch(simulation_->garment().springs, *positions_);
+  steps_left_ = 0;
+  stopped_ = false;
+  pristine_ = frame_ == 0;
+}
+
 void LiveSimulation::perform(const SetPaused& pause) {
   paused_ = pause.paused;
   steps_left_ = 0;
@@ -158,7 +188,7 @@ void LiveSimulation::advance() {
     const double sim_ms = simulating.elapsed_ms();
     record_ = measure_frame(*simulation_, ++frame_);
     record_.sim_ms = sim_ms;
-    positions_ = shown_positions(*simulation_);
+    note_shape();
   } catch (const std::exception& error) {
     stopped_ = true;
     tell(std::string(error.what()) + "; R starts again", true);
@@ -172,8 +202,9 @@ SnapshotPtr LiveSimulation::take_snapshot() {
   snapshot.loaded = loaded_;
   snapshot.pins = pins_;
   snapshot.positions = positions_;
+  snapshot.state = state_;
   snapshot.record = record_;
-  snapshot.notice = notice_;
+  snapshot.notices = notices_;
   snapshot.paused = paused_;
   snapshot.stopped = stopped_;
   snapshot.pristine = pristine_;
@@ -181,7 +212,13 @@ SnapshotPtr LiveSimulation::take_snapshot() {
 }
 
 void LiveSimulation::tell(const std::string& text, bool is_error) {
-  notice_ = {text, is_error, notice_.number + 1};
+  constexpr std::size_t most = 8;
+  std::vector<Notice> notices = *notices_;
+  notices.push_back({text, is_error, notices.empty() ? 1 : notices.back().number + 1});
+  if (notices.size() > most) {
+    notices.erase(notices.begin());
+  }
+  notices_ = std::make_shared<const std::vector<Notice>>(std::move(notices));
 }
 
 }  // namespace taut::app

@@ -40,12 +40,14 @@ class LiveSimulation {
   void perform(const TakeHold& hold);
   void perform(const LetGo&);
   void perform(const Reset&);
+  void perform(const GoBack& back);
   void perform(const SetPaused& pause);
   void perform(const StepOnce&) { steps_left_ += paused_ ? 1 : 0; }
   void perform(const SetSpeed& speed) { speed_ = speed.factor; }
 
   void start(std::shared_ptr<const LoadedScene> loaded);
   void set_pins(std::vector<sim::Index> pins);
+  void note_shape();
   void tell(const std::string& text, bool is_error);
   void pull();
 
@@ -55,9 +57,10 @@ class LiveSimulation {
   std::optional<Grip> grip_;
   sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};  ///< on its way to the grip's target
   std::shared_ptr<const std::vector<sim::Index>> pins_;
+  std::shared_ptr<const sim::State> state_;
   std::shared_ptr<const std::vector<sim::Vec3>> positions_;
   FrameRecord record_;
-  Notice notice_;
+  std::shared_ptr<const std::vector<Notice>> notices_ = std::make_shared<const std::vector<Notice>>();
   std::uint64_t serial_ = 0;
   std::uint64_t advances_ = 0;
   int frame_ = 0;

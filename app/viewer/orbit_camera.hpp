@@ -48,6 +48,8 @@ class OrbitCamera {
   /// Where a point is seen; nothing for one behind the eye.
   std::optional<glm::vec2> pixel_of(const glm::vec3& point, const ViewArea& area) const;
 
+  bool operator==(const OrbitCamera&) const = default;
+
  private:
   glm::vec3 target_{0.0F};
   float distance_m_ = 3.0F;

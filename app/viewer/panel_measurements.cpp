@@ -100,7 +100,7 @@ void plot_times(const ViewerState& state, float scale) {
       rounded_up(std::max(largest(m.simulate_ms.values()), largest(m.draw_ms.values())), 10.0F);
   const std::string reading = fmt::format("simulate {:.1f}  draw {:.1f}  panel {:.1f}", m.simulate_ms.last(),
                                           m.draw_ms.last(), m.panel_ms.last());
-  const ItemPlace place = plot_frame({"ms", reading, highest}, scale);
+  const ItemPlace place = plot_frame({"ms" + state.quality, reading, highest}, scale);
   draw_curve(m.simulate_ms.values(), place, highest, curve_colour, scale);
   draw_curve(m.draw_ms.values(), place, highest, second_colour, scale);
 }

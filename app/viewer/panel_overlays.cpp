@@ -89,7 +89,7 @@ void lay_out_time_bar(ViewerState& state, const ViewArea& area, float scale) {
 }
 
 void lay_out_messages(const ViewerState& state, const ViewArea& area, float scale) {
-  if (state.messages.empty() && state.quality.empty()) {
+  if (state.messages.empty()) {
     return;
   }
   const auto width = static_cast<float>(area.width_px);
@@ -106,9 +106,6 @@ void lay_out_messages(const ViewerState& state, const ViewArea& area, float scal
       ImGui::PushStyleColor(ImGuiCol_Text, ink);
       ImGui::TextUnformatted(message.text.c_str());
       ImGui::PopStyleColor();
-    }
-    if (!state.quality.empty()) {
-      ImGui::TextDisabled("%s", state.quality.c_str());
     }
     ImGui::PopTextWrapPos();
   }

@@ -5,6 +5,7 @@
 
 #include "app/scene/scene.hpp"
 #include "app/viewer/grip.hpp"
+#include "app/viewer/snapshot.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::app {
@@ -33,6 +34,10 @@ struct TakeHold {
 struct LetGo {};
 /// Back to the garment as modelled, with the scene's pins and the present settings.
 struct Reset {};
+/// Back to a frame, with the pins of then and the present settings; what came after it is forgotten.
+struct GoBack {
+  SnapshotPtr to;
+};
 struct SetPaused {
   bool paused = false;
 };
@@ -44,6 +49,6 @@ struct SetSpeed {
 };
 
 using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, ReleasePins, TakeHold, LetGo,
-                                       Reset, SetPaused, StepOnce, SetSpeed>;
+                                       Reset, GoBack, SetPaused, StepOnce, SetSpeed>;
 
 }  // namespace taut::app

@@ -22,8 +22,8 @@ class SimulationHost {
   /// by now.
   virtual std::uint64_t post(std::vector<SimulationCommand> commands) = 0;
 
-  /// A frame of the last ten seconds, or the nearest that is still kept.
-  virtual SnapshotPtr past_frame(int frame) = 0;
+  /// A frame of the last ten seconds before `now`, or the nearest that is still kept.
+  virtual SnapshotPtr past_frame(const SnapshotPtr& now, int frame) = 0;
 
   /// Of the newest state; waits for a frame that is under way.
   virtual std::uint64_t state_hash() = 0;

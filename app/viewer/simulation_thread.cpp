@@ -46,9 +46,9 @@ std::uint64_t SimulationThread::post(std::vector<SimulationCommand> commands) {
   return begun_;
 }
 
-SnapshotPtr SimulationThread::past_frame(int frame) {
+SnapshotPtr SimulationThread::past_frame(const SnapshotPtr& now, int frame) {
   const std::lock_guard lock(mutex_);
-  return timeline_.of_frame(frame);
+  return timeline_.of_frame(now, frame);
 }
 
 std::uint64_t SimulationThread::state_hash() {

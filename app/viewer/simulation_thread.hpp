@@ -22,7 +22,7 @@ class SimulationThread : public SimulationHost {
 
   SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;
   std::uint64_t post(std::vector<SimulationCommand> commands) override;
-  SnapshotPtr past_frame(int frame) override;
+  SnapshotPtr past_frame(const SnapshotPtr& now, int frame) override;
   std::uint64_t state_hash() override;
 
   /// Nothing is simulated any more; waits for what is under way and for commands that were posted.

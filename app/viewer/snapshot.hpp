@@ -8,6 +8,7 @@
 #include "app/output/frame_record.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/garment.hpp"
+#include "sim/state.hpp"
 
 namespace taut::app {
 
@@ -33,8 +34,10 @@ struct Snapshot {
   std::shared_ptr<const LoadedScene> loaded;
   std::shared_ptr<const std::vector<sim::Index>> pins;
   std::shared_ptr<const std::vector<sim::Vec3>> positions;  ///< to be drawn; metres, one for each vertex
+  std::shared_ptr<const sim::State> state;                  ///< to go on from; without `predicted`
   FrameRecord record;
-  Notice notice;
+  /// The latest, oldest first; never null. A window that missed a snapshot must not miss what it said.
+  std::shared_ptr<const std::vector<Notice>> notices;
   bool paused = false;
   bool stopped = false;   ///< diverged: nothing moves before a reset
   bool pristine = false;  ///< since the start or the last reset no setting changed and nobody pulled

@@ -15,7 +15,9 @@ class SteppedSimulation : public SimulationHost {
   /// Throws InputError where `pace` cannot follow what was done before.
   SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;
   std::uint64_t post(std::vector<SimulationCommand> commands) override;
-  SnapshotPtr past_frame(int frame) override { return timeline_.of_frame(frame); }
+  SnapshotPtr past_frame(const SnapshotPtr& now, int frame) override {
+    return timeline_.of_frame(now, frame);
+  }
   std::uint64_t state_hash() override { return simulation_.state_hash(); }
 
  private:

@@ -1,6 +1,7 @@
 #include "app/viewer/timeline.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace taut::app {
@@ -8,22 +9,38 @@ namespace {
 
 constexpr std::size_t most_bytes = 256U << 20U;
 constexpr int fewest_frames = 30;
-// The window may be so many frames behind the newest snapshot and still reach as far back as it promises.
-constexpr int slack_frames = 120;
-// While paused every change of a setting makes a snapshot of the same frame.
-constexpr std::size_t most_snapshots = 4096;
+// The window may be so many snapshots behind the newest and still look back as far as it promises.
+constexpr int slack = 120;
+constexpr int look_after = 16;
+// Two arrays of the state and what is shown.
+constexpr std::size_t vertex_bytes = 3 * sizeof(sim::Vec3);
 
 int reach_frames(const Snapshot& newest) {
   const double rate_hz = newest.loaded->scene.simulation.frame_rate_hz;
   const auto by_time = static_cast<int>(std::min(Timeline::span_s * rate_hz, 1e6));
-  const std::size_t frame_bytes = std::max<std::size_t>(1, newest.positions->size() * sizeof(sim::Vec3));
+  const std::size_t frame_bytes = std::max<std::size_t>(1, newest.positions->size() * vertex_bytes);
   const auto by_memory = static_cast<int>(std::min<std::size_t>(most_bytes / frame_bytes, 1000000));
   return std::max(fewest_frames, std::min(by_time, by_memory));
 }
 
-bool belong_together(const Snapshot& older, const Snapshot& newer) {
-  return older.loaded == newer.loaded && older.record.frame <= newer.record.frame;
-}
+// Goes from a snapshot back through what led to it.
+class PastWalk {
+ public:
+  explicit PastWalk(const Snapshot& now) : loaded_(now.loaded), frame_(now.record.frame) {}
+
+  // Whether an older snapshot led to those before; of one frame, the last that it had.
+  bool takes(const Snapshot& older) {
+    if (older.loaded != loaded_ || older.record.frame >= frame_) {
+      return false;
+    }
+    frame_ = older.record.frame;
+    return true;
+  }
+
+ private:
+  std::shared_ptr<const LoadedScene> loaded_;
+  int frame_;
+};
 
 }  // namespace
 
@@ -32,18 +49,28 @@ int first_frame_in_reach(const Snapshot& newest) {
 }
 
 void Timeline::add(SnapshotPtr snapshot) {
-  if (!kept_.empty() && !belong_together(*kept_.back(), *snapshot)) {
-    kept_.clear();
-  }
   kept_.push_back(std::move(snapshot));
-  forget_what_is_past();
+  if (++added_ >= look_after) {
+    added_ = 0;
+    forget_what_is_past();
+  }
 }
 
+// Of what is older than the slack, only the past of the first one younger is of use.
 void Timeline::forget_what_is_past() {
-  const int first = first_frame_in_reach(*newest()) - slack_frames;
-  while (kept_.size() > most_snapshots || (kept_.size() > 1 && kept_.front()->record.frame < first)) {
-    kept_.pop_front();
+  if (kept_.size() <= slack) {
+    return;
   }
+  const auto young = kept_.end() - slack;
+  const int first = first_frame_in_reach(**young) - slack;
+  PastWalk walk(**young);
+  std::deque<SnapshotPtr> useful(young, kept_.end());
+  for (auto older = std::make_reverse_iterator(young); older != kept_.rend(); ++older) {
+    if (walk.takes(**older) && (*older)->record.frame >= first) {
+      useful.push_front(*older);
+    }
+  }
+  kept_ = std::move(useful);
 }
 
 const SnapshotPtr& Timeline::with_serial(std::uint64_t serial) const {
@@ -53,11 +80,19 @@ const SnapshotPtr& Timeline::with_serial(std::uint64_t serial) const {
   return found == kept_.end() ? kept_.back() : *found;
 }
 
-const SnapshotPtr& Timeline::of_frame(int frame) const {
-  const auto after =
-      std::upper_bound(kept_.begin(), kept_.end(), frame,
-                       [](int wanted, const SnapshotPtr& kept) { return wanted < kept->record.frame; });
-  return after == kept_.begin() ? kept_.front() : *std::prev(after);
+SnapshotPtr Timeline::of_frame(const SnapshotPtr& now, int frame) const {
+  SnapshotPtr nearest = now;
+  PastWalk walk(*now);
+  const auto end =
+      std::upper_bound(kept_.begin(), kept_.end(), now->serial,
+                       [](std::uint64_t serial, const SnapshotPtr& kept) { return serial < kept->serial; });
+  for (auto older = std::make_reverse_iterator(end); older != kept_.rend() && nearest->record.frame > frame;
+       ++older) {
+    if (walk.takes(**older)) {
+      nearest = *older;
+    }
+  }
+  return nearest;
 }
 
 }  // namespace taut::app

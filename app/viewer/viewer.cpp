@@ -8,6 +8,7 @@
 #include "app/scene/scene_lookup.hpp"
 #include "app/viewer/choices.hpp"
 #include "app/viewer/key_bindings.hpp"
+#include "sim/within_bound.hpp"
 
 namespace taut::app {
 namespace {
@@ -122,9 +123,11 @@ void Viewer::note_snapshot(SnapshotPtr newest) {
   if (is_new_garment) {
     adopt_scene();
   }
-  if (state_.newest->notice.number != told_notice_) {
-    told_notice_ = state_.newest->notice.number;
-    tell(state_.newest->notice.text, state_.newest->notice.is_error);
+  for (const Notice& notice : *state_.newest->notices) {
+    if (notice.number > told_notice_) {
+      told_notice_ = notice.number;
+      tell(notice.text, notice.is_error);
+    }
   }
   note_measurements();
   choose_shown();
@@ -142,32 +145,45 @@ void Viewer::adopt_scene() {
   state_.camera = OrbitCamera(scene_camera(state_.scene, reach, scene_area(layout()).aspect()));
 }
 
-// The window may have missed some frames; the plots must not.
+// The window may have missed some frames, or time has gone back; the plots must not show it.
 void Viewer::note_measurements() {
   const int newest = state_.newest->record.frame;
+  constexpr int most = static_cast<int>(RecentValues::most);
+  int first = noted_frame_ ? *noted_frame_ + 1 : newest;
   if (noted_frame_ && newest < *noted_frame_) {
     state_.measurements.forget();
-    noted_frame_.reset();
+    first = first_frame_in_reach(*state_.newest);
   }
-  constexpr int most_missed = static_cast<int>(RecentValues::most);
-  const int first = std::max(noted_frame_ ? *noted_frame_ + 1 : newest, newest - most_missed);
-  for (int frame = first; frame <= newest; ++frame) {
-    state_.measurements.add(frame == newest ? state_.newest->record : simulation_.past_frame(frame)->record);
+  for (int frame = std::max(first, newest - most); frame <= newest; ++frame) {
+    state_.measurements.add(simulation_.past_frame(state_.newest, frame)->record);
   }
   noted_frame_ = newest;
 }
 
 void Viewer::choose_shown() {
+  state_.shown = state_.newest;
   if (state_.past_frame) {
     state_.past_frame =
         std::clamp(*state_.past_frame, first_frame_in_reach(*state_.newest), state_.newest->record.frame);
-    state_.shown = simulation_.past_frame(*state_.past_frame);
-  } else {
-    state_.shown = state_.newest;
+    state_.shown = within_present_bound(simulation_.past_frame(state_.newest, *state_.past_frame));
   }
-  if (state_.shown->loaded != state_.newest->loaded) {
-    state_.shown = state_.newest;
+}
+
+SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
+  const sim::SolverSettings& solver = state_.scene.simulation.solver;
+  if (past == past_ && solver == past_bound_) {
+    return past_within_bound_;
   }
+  past_ = past_within_bound_ = past;
+  past_bound_ = solver;
+  const sim::Garment garment = sim::with_pins(past->loaded->garment, *past->pins);
+  if (auto moved = sim::moved_within_bound(garment, *past->positions, solver)) {
+    Snapshot snapshot = *past;
+    snapshot.record.stretch = sim::measure_stretch(garment.springs, *moved);
+    snapshot.positions = std::make_shared<const std::vector<sim::Vec3>>(std::move(*moved));
+    past_within_bound_ = std::make_shared<const Snapshot>(std::move(snapshot));
+  }
+  return past_within_bound_;
 }
 
 void Viewer::collect_settings() {

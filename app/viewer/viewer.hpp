@@ -45,6 +45,7 @@ class Viewer {
 
   /// What was drawn is wanted: for a screenshot, or a recording goes on.
   bool wants_picture() const { return screenshot_ || recorder_; }
+  bool wants_screenshot() const { return screenshot_; }
   void take_picture(const renderer::Image& picture);
   /// Text for the clipboard, once.
   std::optional<std::string> take_clipboard();
@@ -52,8 +53,8 @@ class Viewer {
   void note_times(double draw_ms, double panel_ms);
   void note_quality(const std::string& quality) { state_.quality = quality; }
   void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
-  /// Completes a recording that is under way.
-  void finish_recording();
+  /// Completes a recording that is under way; says what came of it, as a message too.
+  std::optional<std::string> finish_recording();
 
  private:
   void take(const SessionEvent& event);
@@ -63,10 +64,12 @@ class Viewer {
   void adopt_scene();
   void note_measurements();
   void choose_shown();
+  SnapshotPtr within_present_bound(const SnapshotPtr& past);
 
   void perform(Action action);
   void perform_asked();
   void pause(bool paused);
+  void go_on_from_shown();
   void change_wind(double by_m_per_s);
   void turn_wind(double by_rad);
   void toggle_pin();
@@ -96,6 +99,10 @@ class Viewer {
   double told_speed_ = 1.0;
   std::uint64_t told_notice_ = 0;
   std::optional<int> noted_frame_;
+  // A frame of the past, as it is shown under a bound that was set since.
+  SnapshotPtr past_;
+  SnapshotPtr past_within_bound_;
+  sim::SolverSettings past_bound_;
 
   double elapsed_s_ = 0.0;
   int still_frames_ = 0;

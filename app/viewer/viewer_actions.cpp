@@ -44,7 +44,7 @@ void Viewer::perform(Action action) {
       return pause(!state_.paused);
     case Action::step:
       pause(true);
-      state_.past_frame.reset();
+      go_on_from_shown();
       commands_.emplace_back(StepOnce{});
       return;
     case Action::reset:
@@ -96,10 +96,16 @@ void Viewer::pause(bool paused) {
     state_.paused = paused;
     commands_.emplace_back(SetPaused{paused});
   }
-  // What goes on is the newest frame: the past is for looking at.
   if (!paused) {
-    state_.past_frame.reset();
+    go_on_from_shown();
   }
+}
+
+void Viewer::go_on_from_shown() {
+  if (state_.past_frame && state_.shown != state_.newest) {
+    commands_.emplace_back(GoBack{state_.shown});
+  }
+  state_.past_frame.reset();
 }
 
 void Viewer::change_wind(double by_m_per_s) {
@@ -117,7 +123,9 @@ void Viewer::turn_wind(double by_rad) {
 
 void Viewer::toggle_pin() {
   const auto picked = cloth_under(pointer_.place_px, scene_area(layout()), state_);
-  if (picked && state_.shown == state_.newest) {
+  if (state_.shown != state_.newest) {
+    tell("this is past: Space goes on from here, then P pins", false);
+  } else if (picked) {
     commands_.emplace_back(TogglePin{picked->vertex});
   } else {
     tell("P pins the cloth under the pointer; there is none", false);
@@ -139,7 +147,8 @@ void Viewer::save_scene() {
 
 void Viewer::start_or_stop_recording() {
   if (recorder_) {
-    return finish_recording();
+    finish_recording();
+    return;
   }
   const WindowLayout size = layout();
   recorder_.emplace(keep_folder_, state_.scene.name, state_.recording_kind, size.width_px, size.height_px);
@@ -147,17 +156,21 @@ void Viewer::start_or_stop_recording() {
   tell("recording; F10 ends it", false);
 }
 
-void Viewer::finish_recording() {
+std::optional<std::string> Viewer::finish_recording() {
   if (!recorder_) {
-    return;
+    return std::nullopt;
   }
   state_.is_recording = false;
+  std::string outcome;
   try {
-    tell(recorder_->finish(), false);
+    outcome = recorder_->finish();
+    tell(outcome, false);
   } catch (const InputError& error) {
-    tell(error.what(), true);
+    outcome = error.what();
+    tell(outcome, true);
   }
   recorder_.reset();
+  return outcome;
 }
 
 void Viewer::take_picture(const renderer::Image& picture) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <string_view>
 #include <utility>
 
 #include "app/viewer/spring_colours.hpp"
@@ -28,10 +30,29 @@ float diagonal(const std::vector<sim::Vec3>& positions) {
   return static_cast<float>(glm::distance(lower, upper));
 }
 
+bool has_room(const ViewArea& area) {
+  return area.width_px >= smallest_side_px && area.height_px >= smallest_side_px;
+}
+
+std::uint64_t hash_of(const renderer::OverlayView& overlay) {
+  std::uint64_t hash = 0;
+  const auto add = [&hash](const auto& values) {
+    const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
+                                 values.size() * sizeof(values[0]));
+    hash = hash * 0x9E3779B97F4A7C15ULL + std::hash<std::string_view>{}(bytes);
+  };
+  add(overlay.vertices);
+  add(overlay.indices);
+  for (const renderer::OverlayPart& part : overlay.parts) {
+    add(std::array{part.clip_lower_px, part.clip_upper_px});
+  }
+  return hash;
+}
+
 }  // namespace
 
 ViewerPicture::ViewerPicture(renderer::Context& context)
-    : context_(context), scene_renderer_(context), overlay_pass_(context), small_target_(context) {}
+    : context_(context), scene_renderer_(context), overlay_pass_(context), scene_target_(context) {}
 
 GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewArea& area) {
   const Snapshot& shown = *state.shown;
@@ -83,7 +104,34 @@ void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& f
       {.points = normal_points_, .colours = std::span(&normal_colour, 1), .width_px = 1.0F});
 }
 
-void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
+ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const ViewArea& area) const {
+  const Snapshot& shown = *state.shown;
+  const PictureStyle& picture = state.scene.picture;
+  return {shown.loaded,
+          shown.pins,
+          shown.positions,
+          state.camera,
+          picture.surface,
+          picture.wireframe,
+          picture.settings.shadows,
+          state.show_springs,
+          state.show_normals,
+          area.width_px,
+          area.height_px};
+}
+
+bool ViewerPicture::is_scene_drawn(const SceneLook& look, std::size_t level) const {
+  return drawn_level_ <= level && look == drawn_look_;
+}
+
+bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
+                             const renderer::OverlayView& overlay) const {
+  const ViewArea area = scene_area(layout);
+  return (!has_room(area) || is_scene_drawn(look_of(state, area), level)) &&
+         hash_of(overlay) == drawn_overlay_;
+}
+
+void ViewerPicture::draw_scene(const ViewerState& state, const ViewArea& area,
                                const PictureQuality& quality) {
   renderer::FrameView frame = painter_for(state, area).view(*state.shown->positions);
   frame.camera = state.camera.camera();
@@ -105,30 +153,33 @@ void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, c
   };
   settings.width_px = scaled(area.width_px);
   settings.height_px = scaled(area.height_px);
-  if (quality.scale == 1.0F) {
-    scene_renderer_.draw_to(framebuffer, frame, settings);
-  } else {
-    scene_renderer_.draw_to(small_target_.framebuffer(settings.width_px, settings.height_px), frame,
-                            settings);
-    small_target_.copy_to(framebuffer, area.width_px, area.height_px);
-  }
+  scene_renderer_.draw_to(scene_target_.framebuffer(settings.width_px, settings.height_px), frame, settings);
 }
 
 void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
-                         const PictureQuality& quality, const UserInterface::Letters& letters,
+                         std::size_t level, const UserInterface::Letters& letters,
                          const renderer::OverlayView& overlay) {
   context_.make_current();
   if (letters.number != letters_number_) {
     overlay_pass_.set_coverage(letters.width_px, letters.height_px, letters.coverage);
     letters_number_ = letters.number;
   }
+  const ViewArea area = scene_area(layout);
+  SceneLook look = look_of(state, area);
+  drew_scene_ = has_room(area) && !is_scene_drawn(look, level);
+  if (drew_scene_) {
+    drawn_look_.reset();
+    draw_scene(state, area, picture_qualities[level]);
+    drawn_look_ = std::move(look);
+    drawn_level_ = level;
+  }
   renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px,
                               behind_everything_grey);
-  const ViewArea area = scene_area(layout);
-  if (area.width_px >= smallest_side_px && area.height_px >= smallest_side_px) {
-    draw_scene(framebuffer, state, area, quality);
+  if (has_room(area)) {
+    scene_target_.copy_to(framebuffer, area.width_px, area.height_px);
   }
   overlay_pass_.draw(framebuffer, layout.width_px, layout.height_px, overlay);
+  drawn_overlay_ = hash_of(overlay);
 }
 
 }  // namespace taut::app

@@ -20,15 +20,40 @@ class ViewerPicture {
   /// The context has to outlive it. Throws renderer::ContextError or renderer::ShaderError.
   explicit ViewerPicture(renderer::Context& context);
 
-  /// Draws the scene and the user interface to a framebuffer of the layout's size (0: the window). Throws
-  /// renderer::ContextError.
-  void draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
-            const PictureQuality& quality, const UserInterface::Letters& letters,
-            const renderer::OverlayView& overlay);
+  /// Draws the scene and the user interface to a framebuffer of the layout's size (0: the window). `level` is
+  /// one of picture_qualities. Throws renderer::ContextError.
+  void draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
+            const UserInterface::Letters& letters, const renderer::OverlayView& overlay);
+
+  /// Whether `draw` would draw the same as before.
+  bool is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
+                const renderer::OverlayView& overlay) const;
+
+  /// Whether the last `draw` drew the scene, which takes most of the time. A scene that has not changed since
+  /// it was drawn at least as well is only copied.
+  bool drew_scene() const { return drew_scene_; }
 
  private:
-  void draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
-                  const PictureQuality& quality);
+  // What the scene's picture depends on.
+  struct SceneLook {
+    std::shared_ptr<const LoadedScene> loaded;
+    std::shared_ptr<const std::vector<sim::Index>> pins;
+    std::shared_ptr<const std::vector<sim::Vec3>> positions;
+    OrbitCamera camera;
+    SurfaceLook surface = SurfaceLook::shaded;
+    bool wireframe = false;
+    bool shadows = true;
+    bool springs = false;
+    bool normals = false;
+    int width_px = 0;
+    int height_px = 0;
+
+    bool operator==(const SceneLook&) const = default;
+  };
+
+  SceneLook look_of(const ViewerState& state, const ViewArea& area) const;
+  bool is_scene_drawn(const SceneLook& look, std::size_t level) const;
+  void draw_scene(const ViewerState& state, const ViewArea& area, const PictureQuality& quality);
   GarmentPainter& painter_for(const ViewerState& state, const ViewArea& area);
   void add_springs(const ViewerState& state, renderer::FrameView& frame);
   void add_normals(const ViewerState& state, renderer::FrameView& frame);
@@ -47,7 +72,11 @@ class ViewerPicture {
   renderer::Context& context_;
   renderer::SceneRenderer scene_renderer_;
   renderer::OverlayPass overlay_pass_;
-  renderer::ColourTarget small_target_;
+  renderer::ColourTarget scene_target_;
+  std::optional<SceneLook> drawn_look_;  ///< of what is in `scene_target_`
+  std::size_t drawn_level_ = 0;
+  bool drew_scene_ = false;
+  std::uint64_t drawn_overlay_ = 0;  ///< its hash
   std::uint64_t letters_number_ = 0;
   PaintedAs painted_as_;
   std::optional<GarmentPainter> painter_;

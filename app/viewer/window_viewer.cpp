@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <chrono>
 #include <optional>
 
@@ -15,15 +17,14 @@ namespace {
 constexpr double frame_time_s = 1.0 / 60.0;
 // While nothing moves: how late a signal or a message that has to go is noticed.
 constexpr double rest_time_s = 0.1;
+// A picture at best quality takes some time: a hand that only pauses should not have to wait for it.
+constexpr double until_best_s = 0.3;
 // A driver that loses every context it is asked for has to be given up on.
 constexpr int most_losses = 3;
 constexpr double losses_forgotten_after_s = 10.0;
 
 std::string describe(const PictureQuality& quality) {
-  if (quality.scale < 1.0F) {
-    return "the picture is drawn coarser, to move smoothly";
-  }
-  return "";
+  return quality.scale < 1.0F ? fmt::format(", drawn at {:.0f} %", 100.0F * quality.scale) : "";
 }
 
 class WindowSession {
@@ -44,15 +45,22 @@ class WindowSession {
   void run() {
     try {
       run_until_closed();
-    } catch (const Interrupted&) {
-      finish_record();
+    } catch (...) {
+      finish();
       throw;
     }
-    viewer_.finish_recording();
-    finish_record();
+    finish();
   }
 
  private:
+  // Nobody can see messages any more, but the terminal is there.
+  void finish() {
+    if (const auto outcome = viewer_.finish_recording()) {
+      fmt::print("{}\n", *outcome);
+    }
+    finish_record();
+  }
+
   void run_until_closed() {
     while (!window_->is_asked_to_close() && !viewer_.is_ended()) {
       throw_if_interrupted();
@@ -80,7 +88,7 @@ class WindowSession {
   // Until the next frame is due; as long as nothing moves, until something happens.
   void gather_input() {
     const double until_due_s = frame_time_s - since_frame_.elapsed_ms() / 1000.0;
-    const bool rests = viewer_.is_still() && is_shown_at_best_;
+    const bool rests = viewer_.is_still();
     double left_s = rests ? rest_time_s : until_due_s;
     const Stopwatch waiting;
     do {
@@ -101,14 +109,21 @@ class WindowSession {
   }
 
   void show() {
+    if (!viewer_.is_still()) {
+      since_change_ = Stopwatch();
+    }
     const renderer::Resized size = window_->framebuffer_size();
     const bool is_minimised = size.width_px < 1 || size.height_px < 1;
-    const bool rests = viewer_.is_still();
-    if (is_minimised || (rests && is_shown_at_best_ && !viewer_.wants_picture())) {
+    const bool is_best_wanted =
+        viewer_.wants_screenshot() || since_change_.elapsed_ms() > 1000.0 * until_best_s;
+    const std::size_t level = is_best_wanted ? 0 : quality_.level();
+    const bool is_shown =
+        place_.picture().is_drawn(viewer_.state(), viewer_.layout(), level, viewer_.overlay());
+    if (is_minimised || (!window_->take_damage() && is_shown && !viewer_.wants_picture())) {
       return;
     }
     try {
-      draw(rests ? picture_qualities.front() : quality_.moving(), rests);
+      draw(level);
       if (window_->is_lost()) {
         throw renderer::ContextError("the graphics driver lost the picture");
       }
@@ -117,23 +132,21 @@ class WindowSession {
     }
   }
 
-  void draw(const PictureQuality& quality, bool rests) {
+  void draw(std::size_t level) {
     const Stopwatch drawing;
-    place_.picture().draw(0, viewer_.state(), viewer_.layout(), quality, viewer_.letters(),
-                          viewer_.overlay());
+    place_.picture().draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay());
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
-    if (!rests) {
-      quality_.note(draw_ms);
-    }
     viewer_.note_times(draw_ms, panel_ms_);
-    viewer_.note_quality(describe(quality_.moving()));
     if (viewer_.wants_picture()) {
       const WindowLayout layout = viewer_.layout();
       viewer_.take_picture(renderer::read_framebuffer(*window_, 0, layout.width_px, layout.height_px));
     }
     window_->present();
-    is_shown_at_best_ = rests;
+    if (place_.picture().drew_scene() && level == quality_.level()) {
+      quality_.note(panel_ms_ + drawing.elapsed_ms());
+      viewer_.note_quality(describe(quality_.moving()));
+    }
   }
 
   // What the window showed is gone, the simulation is not.
@@ -149,7 +162,6 @@ class WindowSession {
     queue_.add(renderer::WindowEvent(window_->framebuffer_size()));
     queue_.add(renderer::WindowEvent(renderer::ScaleChanged{window_->content_scale()}));
     viewer_.tell(std::string(error.what()) + "; the window was opened anew", true);
-    is_shown_at_best_ = false;
   }
 
   // The last line says what a replay has to end in.
@@ -172,9 +184,9 @@ class WindowSession {
   QualityControl quality_;
   Stopwatch since_frame_;
   Stopwatch since_loss_;
+  Stopwatch since_change_;  ///< of anything that is drawn
   double panel_ms_ = 0.0;
   int losses_ = 0;
-  bool is_shown_at_best_ = false;
 };
 
 }  // namespace

@@ -84,6 +84,7 @@ class GlfwWindow final : public Window {
   }
 
   void present() override { glfwSwapBuffers(handle); }
+  bool take_damage() override { return std::exchange(is_damaged, false); }
   bool is_asked_to_close() const override { return glfwWindowShouldClose(handle) == GLFW_TRUE; }
   bool is_lost() const override { return reset_status != nullptr && reset_status() != GL_NO_ERROR; }
   void set_clipboard(const std::string& text) override { glfwSetClipboardString(handle, text.c_str()); }
@@ -126,6 +127,9 @@ class GlfwWindow final : public Window {
     glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* window, int width, int height) {
       note(window, Resized{width, height});
     });
+    glfwSetWindowRefreshCallback(handle, [](GLFWwindow* window) {
+      static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->is_damaged = true;
+    });
     glfwSetWindowContentScaleCallback(
         handle, [](GLFWwindow* window, float x, float y) { note(window, ScaleChanged{std::max(x, y)}); });
   }
@@ -134,6 +138,7 @@ class GlfwWindow final : public Window {
   GLFWwindow* handle = nullptr;
   ResetStatus reset_status = nullptr;
   std::vector<WindowEvent> events;
+  bool is_damaged = false;
 };
 
 }  // namespace

@@ -28,6 +28,9 @@ class Window : public Context {
   /// Shows what was drawn to framebuffer 0.
   virtual void present() = 0;
 
+  /// Whether the display has lost what was shown, so that it has to be presented again; once.
+  virtual bool take_damage() = 0;
+
   virtual bool is_asked_to_close() const = 0;
   /// The driver has thrown the context away; nothing can be drawn with it any more.
   virtual bool is_lost() const = 0;

@@ -103,7 +103,7 @@ TEST(VideoWriter, LeavesNothingWhenAbandoned) {
 
 TEST(VideoWriterDeathTest, CanBeInterruptedWhileFfmpegHangs) {
   const TemporaryFolder folder;
-  use_ffmpeg(folder, "sleep 60");
+  use_ffmpeg(folder, "exec sleep 60");
   const auto interrupted = [&] {
     watch_for_interruption();
     std::raise(SIGTERM);
@@ -112,6 +112,26 @@ TEST(VideoWriterDeathTest, CanBeInterruptedWhileFfmpegHangs) {
   };
   EXPECT_EXIT(interrupted(), testing::ExitedWithCode(42), "");
   EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(VideoWriterDeathTest, ALiveVideoIsCompletedAfterAnInterruption) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "sleep 0.3; cat > \"$out\"");
+  constexpr int frames = 1000;  // more than waits between the two programs
+  const auto interrupted = [&] {
+    watch_for_interruption();
+    std::raise(SIGTERM);
+    VideoSettings live = small;
+    live.is_live = true;
+    VideoWriter video(folder / "film.mp4", live);
+    for (int frame = 0; frame < frames; ++frame) {
+      video.add(grey(32, 16, 7));
+    }
+    video.finish();
+    std::exit(42);
+  };
+  EXPECT_EXIT(interrupted(), testing::ExitedWithCode(42), "");
+  EXPECT_EQ(std::filesystem::file_size(folder / "film.mp4"), 32U * 16U * 3U * frames);
 }
 
 TEST(VideoWriter, AnOddSizeIsRefusedForMp4Alone) {

@@ -130,22 +130,48 @@ TEST(Timeline, ReachesTenSecondsBackAndForgetsWhatIsBeyond) {
   for (int frame = 0; frame <= 2000; ++frame) {
     timeline.add(snapshot_of(loaded, static_cast<std::uint64_t>(frame) + 1, frame));
   }
-  EXPECT_EQ(first_frame_in_reach(*timeline.newest()), 1400);
-  EXPECT_EQ(timeline.of_frame(1400)->record.frame, 1400);
-  EXPECT_EQ(timeline.of_frame(1999)->record.frame, 1999);
-  EXPECT_GT(timeline.of_frame(3)->record.frame, 1000);
+  const SnapshotPtr now = timeline.newest();
+  EXPECT_EQ(first_frame_in_reach(*now), 1400);
+  EXPECT_EQ(timeline.of_frame(now, 1400)->record.frame, 1400);
+  EXPECT_EQ(timeline.of_frame(now, 1999)->record.frame, 1999);
+  EXPECT_GT(timeline.of_frame(now, 3)->record.frame, 1000);
   EXPECT_EQ(timeline.with_serial(1500)->serial, 1500U);
 }
 
-TEST(Timeline, AResetForgetsThePast) {
+TEST(Timeline, WhatWasBeforeAResetIsNotThePastOfWhatCameAfter) {
   const auto loaded = std::make_shared<const LoadedScene>();
   Timeline timeline;
   timeline.add(snapshot_of(loaded, 1, 40));
   timeline.add(snapshot_of(loaded, 2, 41));
+  const SnapshotPtr before = timeline.newest();
   timeline.add(snapshot_of(loaded, 3, 0));
-  EXPECT_EQ(timeline.of_frame(41)->serial, 3U);
-  timeline.add(snapshot_of(std::make_shared<const LoadedScene>(), 4, 0));
-  EXPECT_EQ(timeline.with_serial(1)->serial, 4U);
+  EXPECT_EQ(timeline.of_frame(timeline.newest(), 41)->serial, 3U);
+  EXPECT_EQ(timeline.of_frame(before, 40)->serial, 1U) << "a window that is one snapshot behind";
+  EXPECT_EQ(timeline.with_serial(2)->serial, 2U);
+  timeline.add(snapshot_of(std::make_shared<const LoadedScene>(), 4, 50));
+  EXPECT_EQ(timeline.of_frame(timeline.newest(), 41)->serial, 4U);
+}
+
+// 0..99, back to 60, 60..79, back to 30, 30..
+TEST(Timeline, GoingBackTwiceLeavesOnePast) {
+  const auto loaded = std::make_shared<const LoadedScene>();
+  for (const int last : {35, 900}) {
+    Timeline timeline;
+    std::uint64_t serial = 0;
+    for (const auto& [first, end] : {std::pair(0, 100), std::pair(60, 80), std::pair(30, last + 1)}) {
+      for (int frame = first; frame < end; ++frame) {
+        timeline.add(snapshot_of(loaded, ++serial, frame));
+      }
+    }
+    const SnapshotPtr now = timeline.newest();
+    const int reach = first_frame_in_reach(*now);
+    for (int frame = reach; frame <= last; ++frame) {
+      const SnapshotPtr past = timeline.of_frame(now, frame);
+      EXPECT_EQ(past->record.frame, frame);
+      EXPECT_EQ(past->serial, static_cast<std::uint64_t>(frame < 30 ? frame + 1 : frame - 30 + 121));
+    }
+    EXPECT_LT(timeline.count(), 900U);
+  }
 }
 
 TEST(Timeline, ManyChangesOfOneFrameDoNotGrowIt) {
@@ -154,7 +180,7 @@ TEST(Timeline, ManyChangesOfOneFrameDoNotGrowIt) {
   for (std::uint64_t serial = 1; serial <= 10000; ++serial) {
     timeline.add(snapshot_of(loaded, serial, 7));
   }
-  EXPECT_GT(timeline.with_serial(1)->serial, 5000U);
+  EXPECT_LT(timeline.count(), 200U);
   EXPECT_EQ(timeline.newest()->serial, 10000U);
 }
 

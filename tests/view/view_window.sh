@@ -1,61 +1,49 @@
 #!/bin/sh
-# A real window on a display of its own, with a real pointer and keyboard: the wind slider, a pull at the cloth,
-# pause, step, reset, another scene, screenshots, saved scenes. What the window did is read from what it
-# saved, and its record has to replay to the same state.
+# A real window on a display of its own, with a real pointer and keyboard: the wind slider, back in time and
+# on from there, pause, step, reset, a pull at the cloth, another scene, screenshots, saved scenes. What the
+# window did is read from what it saved, and its record has to replay to the same state.
 #   view_window.sh TAUT FOLDER
 set -eu
 taut=$1
 folder=$2
 command -v xvfb-run >/dev/null && command -v xdotool >/dev/null || { echo "SKIPPED: no xvfb or xdotool"; exit 77; }
+here=$(cd "$(dirname "$0")" && pwd)
 if [ -z "${3:-}" ]; then
-  exec xvfb-run -a -s "-screen 0 1280x800x24" sh "$0" "$taut" "$folder" inside
+  exec xvfb-run -a -s "-screen 0 1280x800x24" sh "$here/view_window.sh" "$taut" "$folder" inside
 fi
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
-fail() { echo "$1" >&2; cat window.log >&2; exit 1; }
+. "$here/window_support.sh"
 
 "$taut" view cloth-fall --headless --size 1280,720 --layout layout.txt >/dev/null
-# x and y of a part of the panel, X of 10 across it.
-place() { awk -v name="$1" -v part="$2" '$1 == name { print int($2 + ($4 - $2) * part / 10), int(($3 + $5) / 2) }' layout.txt; }
-move() { xdotool mousemove "$1" "$2"; sleep 0.06; }
-drag() {  # from x y to x y in steps; the button stays down
-  move "$1" "$2"
-  xdotool mousedown 1
-  for step in 1 2 3 4 5 6; do
-    move $(($1 + ($3 - $1) * step / 6)) $(($2 + ($4 - $2) * step / 6))
-  done
-}
-press() { xdotool key "$1"; sleep 0.25; }
-wait_for() {
-  for attempt in $(seq 50); do
-    [ -e "$1" ] && return
-    sleep 0.1
-  done
-  fail "there is no $1"
-}
 
 "$taut" view cloth-fall --size 1280,720 --record session.txt --keep . >window.log 2>&1 &
 window=$!
-wait_for session.txt
+wait_for_file session.txt
 sleep 1
 move 100 100
 press F12
-wait_for cloth-fall-1.png
+wait_for_file cloth-fall-1.png
 drag $(place wind.speed 0) $(place wind.speed 5)
 xdotool mouseup 1
 sleep 0.7
 move 100 100
 press s
-wait_for cloth-fall-1.toml
+wait_for_file cloth-fall-1.toml
 press F12
-wait_for cloth-fall-2.png
+wait_for_file cloth-fall-2.png
+drag $(place timeline 9) $(place timeline 3)
+xdotool mouseup 1
+move 100 100
+press Up
+press space
 press space
 press period
 press period
 press r
 press s
-wait_for cloth-fall-2.toml
+wait_for_file cloth-fall-2.toml
 press space
 drag 480 330 300 250
 sleep 0.3
@@ -65,7 +53,7 @@ xdotool click 1
 sleep 0.8
 move 100 100
 press s
-wait_for pinned-9x9-5-1.toml
+wait_for_file pinned-9x9-5-1.toml
 kill -INT $window
 wait $window || true
 

@@ -1,0 +1,60 @@
+#include "sim/within_bound.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "sim/solvers/bounded/certificate.hpp"
+#include "sim/solvers/bounded/kernels.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+
+namespace taut::sim {
+namespace {
+
+/// In sweeps over all springs: this is done once, and not sixty times a second.
+constexpr double largest_cost = 1000.0;
+
+bool keeps_bound(const Springs& springs, std::span<const Vec3> positions, double max_stretch) {
+  const double longest = 1.0 + max_stretch;
+  const std::size_t bound_count = springs.begin_of(SpringKind::flexural);
+  for (std::size_t s = 0; s < bound_count; ++s) {
+    const double length_m = glm::distance(positions[springs.ends[s][0]], positions[springs.ends[s][1]]);
+    if (!(length_m <= longest * springs.rest_lengths_m[s])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void start_at(std::span<const Vec3> positions, bounded::Layout& layout) {
+  bounded::SpringLanes& springs = layout.springs;
+  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
+    if (springs.spring[k] != bounded::SpringLanes::no_spring) {
+      const Vec3 start = positions[layout.vertex_of_row[springs.row_i[k]]] -
+                         positions[layout.vertex_of_row[springs.row_j[k]]];
+      springs.start_x[k] = static_cast<float>(start.x);
+      springs.start_y[k] = static_cast<float>(start.y);
+      springs.start_z[k] = static_cast<float>(start.z);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<std::vector<Vec3>> moved_within_bound(const Garment& garment, std::span<const Vec3> positions,
+                                                    const SolverSettings& settings) {
+  if (settings.kind != SolverKind::bounded || keeps_bound(garment.springs, positions, settings.max_stretch)) {
+    return std::nullopt;
+  }
+  bounded::Layout layout = bounded::make_layout(garment);
+  start_at(positions, layout);
+  bounded::Certifier certifier(layout);
+  certifier.certify(layout, bounded::Rows(layout.row_count()), settings.max_stretch, largest_cost,
+                    bounded::kernels_for(settings.vector_unit));
+  std::vector<Vec3> moved(positions.begin(), positions.end());
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    moved[layout.vertex_of_row[row]] += bounded::vector_of(certifier.shown()[row]);
+  }
+  return moved;
+}
+
+}  // namespace taut::sim

@@ -61,7 +61,8 @@ class Drag {
       throw std::runtime_error("the window takes no files");
     }
     send("XdndDrop", 0, CurrentTime, 0, 0);
-    if ((answer("XdndFinished").data.l[1] & 1) == 0) {
+    // The lowest bit alone says it, but GLFW 3.3 answers with the number of bytes it was handed.
+    if (answer("XdndFinished").data.l[1] == 0) {
       throw std::runtime_error("the window has not taken the files");
     }
   }

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <array>
-
-#include "renderer/frame_view.hpp"
+#include <cstddef>
 
 namespace taut::app {
 
@@ -21,27 +20,33 @@ struct PictureQuality {
 inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 24, 1.0F},
                                                                      {1, 2048, 24, 1.0F},
                                                                      {1, 1024, 12, 1.0F},
-                                                                     {1, 1024, 6, 1.0F},
-                                                                     {1, 1024, 6, 0.75F},
-                                                                     {1, 512, 0, 0.5F}}};
+                                                                     {1, 1024, 6, 0.8F},
+                                                                     {1, 1024, 6, 0.65F},
+                                                                     {1, 1024, 6, 0.5F}}};
 
-/// Chooses the quality by how long frames took.
+/// Chooses the quality by how long frames took: 30 of them a second, as well as that allows.
 class QualityControl {
  public:
   /// What a frame that moves is to be drawn with.
   const PictureQuality& moving() const { return picture_qualities[level_]; }
   std::size_t level() const { return level_; }
 
-  /// A frame of the moving picture took so long to draw.
-  void note(double measured_ms);
+  /// All the work for a frame in which the scene was drawn took so long.
+  void note(double frame_ms);
 
-  static constexpr double longest_ms = 26.0;  ///< above: cheaper; leaves room for the rest of 1/30 s
-  static constexpr double enough_ms = 11.0;   ///< below: dearer, which at most about doubles the time
+  static constexpr double longest_ms = 30.0;  ///< above: cheaper; leaves a little of 1/30 s
+  static constexpr double enough_ms = 18.0;   ///< below: dearer, which takes about half as long again
 
  private:
+  void go_to(std::size_t level);
+
   std::size_t level_ = 1;
   double mean_ms_ = 0.0;
-  int frames_ = 0;  ///< since the level changed
+  int frames_ = 0;                 ///< since the level changed
+  int patience_ = least_patience;  ///< frames that have to be fast enough before a dearer level is tried
+  bool is_trial_ = false;          ///< the level is dearer than the one before, and new
+
+  static constexpr int least_patience = 90;
 };
 
 }  // namespace taut::app

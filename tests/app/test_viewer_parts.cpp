@@ -189,11 +189,11 @@ TEST(QualityControl, GivesWayStepByStepResolutionLastAndComesBack) {
   std::size_t level = quality.level();
   for (int frame = 0; frame < 200; ++frame) {
     quality.note(80.0);
-    EXPECT_LE(quality.level(), level + 1);
+    EXPECT_LE(quality.level(), level + 2);
     level = quality.level();
   }
   EXPECT_EQ(level, picture_qualities.size() - 1);
-  for (int frame = 0; frame < 2000; ++frame) {
+  for (int frame = 0; frame < 1000; ++frame) {
     quality.note(4.0);
   }
   EXPECT_EQ(quality.level(), 0U);
@@ -204,10 +204,26 @@ TEST(QualityControl, GivesWayStepByStepResolutionLastAndComesBack) {
   }
 }
 
+// A machine on which one level is fast and the next better one too slow.
+TEST(QualityControl, SettlesInsteadOfPumping) {
+  constexpr std::array<double, picture_qualities.size()> cost_ms = {100.0, 60.0, 35.0, 16.0, 12.0, 10.0};
+  QualityControl quality;
+  int changes = 0;
+  int frames_at_best = 0;
+  for (int frame = 0; frame < 5000; ++frame) {
+    const std::size_t before = quality.level();
+    quality.note(cost_ms[before]);
+    changes += quality.level() != before ? 1 : 0;
+    frames_at_best += before == 3 ? 1 : 0;
+  }
+  EXPECT_LT(changes, 20);
+  EXPECT_GT(frames_at_best, 4800);
+}
+
 TEST(QualityControl, OneSlowFrameChangesNothing) {
   QualityControl quality;
   for (int frame = 0; frame < 300; ++frame) {
-    quality.note(frame == 150 ? 60.0 : 15.0);
+    quality.note(frame == 150 ? 90.0 : 20.0);
   }
   EXPECT_EQ(quality.level(), QualityControl().level());
 }

@@ -9,7 +9,7 @@
 namespace taut::app {
 namespace {
 
-constexpr const char* first_scene = "tshirt-wind-1";
+constexpr const char* first_scene = "tshirt";
 
 std::string layout_text(const ViewerState& state) {
   std::string text;

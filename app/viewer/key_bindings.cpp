@@ -7,7 +7,7 @@ namespace {
 
 namespace keys = renderer::keys;
 
-constexpr std::array<KeyBinding, 23> bindings = {{
+constexpr std::array<KeyBinding, 24> bindings = {{
     {"Left drag", "on cloth: pull it; elsewhere: orbit"},
     {"Right drag", "move the view"},
     {"Wheel", "nearer, farther"},
@@ -17,6 +17,7 @@ constexpr std::array<KeyBinding, 23> bindings = {{
     {"", "", keys::right, Action::turn_wind_right, true},
     {"Space", "pause, go on", keys::space, Action::pause},
     {".", "one frame", keys::period, Action::step, true},
+    {"Time bar", "back in time; Space goes on from there"},
     {"R", "start again, with the scene's pins", 'R', Action::reset},
     {"P", "pin or free the cloth under the pointer", 'P', Action::toggle_pin},
     {"1, 2", "let go the left, the right corner", '1', Action::release_left},

@@ -1,5 +1,8 @@
 #include <imgui.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "app/viewer/panel_parts.hpp"
 
 namespace taut::app {
@@ -55,6 +58,14 @@ void lay_out_garment_list(ViewerState& state) {
   note_place(state, "garment");
 }
 
+// Colours that ended at the bound go on ending there; others have to show where it is.
+void keep_range_to_bound(PictureStyle& picture, double before, double bound) {
+  double& highest = picture.stretch_range[1];
+  if (highest == before || highest < bound) {
+    highest = std::max(bound, picture.stretch_range[0] + 1e-4);
+  }
+}
+
 void lay_out_solver(ViewerState& state) {
   sim::SolverSettings& solver = state.scene.simulation.solver;
   if (ImGui::BeginCombo("solver", sim::name_of(solver.kind))) {
@@ -78,10 +89,12 @@ void lay_out_solver(ViewerState& state) {
   if (stretch_bound(state.scene)) {
     double percent = 100.0 * solver.max_stretch;
     if (number_slider(state, "max stretch", "solver.max_stretch", percent, 0.1, 30.0, "%.2f %%", true)) {
-      solver.max_stretch = percent / 100.0;
+      const double before = std::exchange(solver.max_stretch, percent / 100.0);
+      keep_range_to_bound(state.scene.picture, before, solver.max_stretch);
     }
   }
   if (solver.kind == sim::SolverKind::bounded) {
+    whole_slider(state, "extra sweeps", "solver.extra_sweeps", solver.extra_sweeps, 0, 20);
     sim::Fabric& fabric = solver.fabric;
     double bending_un_m = 1e6 * fabric.bending_rigidity_n_m;
     if (number_slider(state, "flexural", "fabric.bending", bending_un_m, 0.0, 100.0, "%.1f µN m", true)) {

@@ -2,6 +2,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "app/viewer/panel_parts.hpp"
 
@@ -12,18 +15,32 @@ constexpr ImU32 curve_colour = IM_COL32(63, 111, 168, 255);
 constexpr ImU32 second_colour = IM_COL32(201, 126, 42, 255);
 constexpr ImU32 bound_colour = IM_COL32(192, 57, 43, 255);
 
-struct Plot {
-  std::string title;
-  std::string reading;  ///< the newest value, in words
-  float highest = 1.0F;
+struct Words {
+  std::string text;
+  ImU32 colour = ImGui::GetColorU32(ImGuiCol_TextDisabled);
 };
 
-// The frame of a plot with its two lines of text above; returns the rectangle for the curves.
+struct Plot {
+  std::string title;
+  std::vector<Words> reading;  ///< the newest values; in the colours of their curves where there are several
+};
+
+// The frame of a plot with its line of text above; returns the rectangle for the curves.
 ItemPlace plot_frame(const Plot& plot, float scale) {
   ImGui::TextUnformatted(plot.title.c_str());
   const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::SameLine(ImGui::GetCursorPosX() + width - ImGui::CalcTextSize(plot.reading.c_str()).x);
-  ImGui::TextDisabled("%s", plot.reading.c_str());
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  float left = ImGui::GetCursorPosX() + width + gap;
+  for (const Words& words : plot.reading) {
+    left -= ImGui::CalcTextSize(words.text.c_str()).x + gap;
+  }
+  for (const Words& words : plot.reading) {
+    ImGui::SameLine(left);
+    ImGui::PushStyleColor(ImGuiCol_Text, words.colour);
+    ImGui::TextUnformatted(words.text.c_str());
+    ImGui::PopStyleColor();
+    left += ImGui::CalcTextSize(words.text.c_str()).x + gap;
+  }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = 27.0F * scale;
   ImGui::Dummy({width, height});
@@ -75,7 +92,9 @@ void plot_stretch(const ViewerState& state, float scale) {
       bound ? fmt::format("{:.2f} %, bound {:.4g} %", 100.0F * stretch.last(), 100.0 * *bound)
             : fmt::format("{:.2f} %, no bound", 100.0F * stretch.last());
   const float highest = rounded_up(largest(stretch.values()), std::max(1.25F * limit, 0.001F));
-  const ItemPlace place = plot_frame({"Largest stretch", reading, highest}, scale);
+  const bool is_exceeded = bound && !state.newest->record.bound_kept;
+  const Words words = is_exceeded ? Words{reading, bound_colour} : Words{reading};
+  const ItemPlace place = plot_frame({"Largest stretch", {words}}, scale);
   if (bound) {
     const float y = height_of(limit, place, highest);
     ImGui::GetWindowDrawList()->AddLine({place.lower_px.x, y}, {place.upper_px.x, y}, bound_colour, scale);
@@ -87,21 +106,27 @@ void plot_convergence(const ViewerState& state, float scale) {
   const RecentValues& moved = state.measurements.convergence_mm;
   const float highest = rounded_up(largest(moved.values()), 0.01F);
   const ItemPlace place =
-      plot_frame({"Convergence", fmt::format("{:.3f} mm a step", moved.last()), highest}, scale);
+      plot_frame({"Convergence", {{fmt::format("{:.3f} mm a step", moved.last())}}}, scale);
   draw_curve(moved.values(), place, highest, curve_colour, scale);
+}
+
+std::string few_digits(float milliseconds) {
+  return fmt::format("{:.{}f}", milliseconds, milliseconds < 10.0F ? 1 : 0);
 }
 
 void plot_times(const ViewerState& state, float scale) {
   const Measurements& m = state.measurements;
   if (!m.shows_times) {
-    plot_frame({"Milliseconds", "not shown here", 1.0F}, scale);
+    plot_frame({"Milliseconds", {{"not shown here"}}}, scale);
     return;
   }
   const float highest =
       rounded_up(std::max(largest(m.simulate_ms.values()), largest(m.draw_ms.values())), 10.0F);
-  const std::string reading = fmt::format("simulate {:.1f}  draw {:.1f}  panel {:.1f}", m.simulate_ms.last(),
-                                          m.draw_ms.last(), m.panel_ms.last());
-  const ItemPlace place = plot_frame({"ms" + state.quality, reading, highest}, scale);
+  const std::vector<Words> reading = {
+      {"simulate " + few_digits(m.simulate_ms.last()), curve_colour},
+      {"draw" + state.quality + ' ' + few_digits(m.draw_ms.last()), second_colour},
+      {"panel " + few_digits(m.panel_ms.last())}};
+  const ItemPlace place = plot_frame({"ms", reading}, scale);
   draw_curve(m.simulate_ms.values(), place, highest, curve_colour, scale);
   draw_curve(m.draw_ms.values(), place, highest, second_colour, scale);
 }

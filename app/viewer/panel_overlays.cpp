@@ -46,13 +46,17 @@ void lay_out_speed(ViewerState& state) {
 
 void lay_out_timeline(ViewerState& state, float width) {
   const Snapshot& newest = *state.newest;
-  const int first = first_frame_in_reach(newest);
-  int frame = state.past_frame.value_or(newest.record.frame);
-  const double behind_s = (newest.record.frame - frame) / newest.loaded->scene.simulation.frame_rate_hz;
+  // In floating point, or the knob would be as wide as one of a few frames.
+  const double last = newest.record.frame;
+  const double first = std::min<double>(first_frame_in_reach(newest), last - 1.0);
+  double place = state.past_frame.value_or(newest.record.frame);
+  const double behind_s = (last - place) / newest.loaded->scene.simulation.frame_rate_hz;
   const std::string text = behind_s > 0.0 ? fmt::format("{:.2f} s ago", behind_s) : std::string("now");
   ImGui::SetNextItemWidth(width);
-  if (ImGui::SliderInt("##timeline", &frame, first, std::max(newest.record.frame, first + 1), text.c_str(),
-                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
+  if (ImGui::SliderScalar(
+          "##timeline", ImGuiDataType_Double, &place, &first, &last, text.c_str(),
+          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat)) {
+    const int frame = std::max(0, static_cast<int>(std::lround(place)));
     state.past_frame = frame < newest.record.frame ? std::optional(frame) : std::nullopt;
     if (state.past_frame && !state.paused) {
       state.asked.push_back(Action::pause);

@@ -12,7 +12,7 @@
 namespace taut::app {
 namespace {
 
-constexpr float behind_everything_grey = 0.93F;
+constexpr float behind_everything_grey = 0.965F;
 // What cannot be seen need not be drawn; smaller targets than this are a window being dragged shut.
 constexpr int smallest_side_px = 8;
 constexpr float spring_width_px = 1.2F;
@@ -57,7 +57,8 @@ ViewerPicture::ViewerPicture(renderer::Context& context)
 GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewArea& area) {
   const Snapshot& shown = *state.shown;
   const PictureStyle& picture = state.scene.picture;
-  PaintedAs wanted{shown.loaded, shown.pins, picture.surface, picture.wireframe, area.height_px};
+  PaintedAs wanted{shown.loaded,          shown.pins,        picture.surface,
+                   picture.stretch_range, picture.wireframe, area.height_px};
   if (!painter_ || wanted != painted_as_) {
     Scene scene = state.scene;
     scene.picture.settings.width_px = area.width_px;
@@ -107,17 +108,12 @@ void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& f
 ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const ViewArea& area) const {
   const Snapshot& shown = *state.shown;
   const PictureStyle& picture = state.scene.picture;
-  return {shown.loaded,
-          shown.pins,
-          shown.positions,
-          state.camera,
-          picture.surface,
-          picture.wireframe,
-          picture.settings.shadows,
-          state.show_springs,
-          state.show_normals,
-          area.width_px,
-          area.height_px};
+  return {shown.loaded,       shown.pins,
+          shown.positions,    state.camera,
+          picture.surface,    picture.stretch_range,
+          picture.wireframe,  picture.settings.shadows,
+          state.show_springs, state.show_normals,
+          area.width_px,      area.height_px};
 }
 
 bool ViewerPicture::is_scene_drawn(const SceneLook& look, std::size_t level) const {

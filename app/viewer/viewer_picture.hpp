@@ -41,6 +41,7 @@ class ViewerPicture {
     std::shared_ptr<const std::vector<sim::Vec3>> positions;
     OrbitCamera camera;
     SurfaceLook surface = SurfaceLook::shaded;
+    std::array<double, 2> stretch_range = {0.0, 0.0};
     bool wireframe = false;
     bool shadows = true;
     bool springs = false;
@@ -63,6 +64,7 @@ class ViewerPicture {
     std::shared_ptr<const LoadedScene> loaded;
     std::shared_ptr<const std::vector<sim::Index>> pins;
     SurfaceLook surface = SurfaceLook::shaded;
+    std::array<double, 2> stretch_range = {0.0, 0.0};
     bool wireframe = false;
     int height_px = 0;
 

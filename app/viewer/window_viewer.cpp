@@ -24,7 +24,7 @@ constexpr int most_losses = 3;
 constexpr double losses_forgotten_after_s = 10.0;
 
 std::string describe(const PictureQuality& quality) {
-  return quality.scale < 1.0F ? fmt::format(", drawn at {:.0f} %", 100.0F * quality.scale) : "";
+  return quality.scale < 1.0F ? fmt::format(" at {:.0f} %", 100.0F * quality.scale) : "";
 }
 
 class WindowSession {

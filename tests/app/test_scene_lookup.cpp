@@ -17,8 +17,8 @@ constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 TEST(SceneLookup, FindsBuiltInScenes) {
   const auto scenes = built_in_scenes();
-  for (const char* name :
-       {"cloth-fall", "pinned-9x9-5", "pinned-9x9-20", "tshirt-gravity", "tshirt-wind-1", "tshirt-wind-10"}) {
+  for (const char* name : {"cloth-fall", "pinned-9x9-5", "pinned-9x9-20", "tshirt", "tshirt-gravity",
+                           "tshirt-wind-1", "tshirt-wind-10"}) {
     EXPECT_TRUE(std::any_of(scenes.begin(), scenes.end(), [&](const auto& scene) {
       return scene.name == name;
     })) << name;

@@ -1,6 +1,7 @@
 #include "renderer/backdrop_pass.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
@@ -16,6 +17,15 @@ int texel_px(int tile_height_px) {
   return std::clamp(tile_height_px / 180, 1, 4);
 }
 
+// As much for the floor's shadow.
+int shadow_texel_px(int tile_height_px) {
+  return std::clamp(tile_height_px / 360, 1, 2);
+}
+
+// A fourth of the pixels can have twice the taps.
+constexpr std::array<std::string_view, 1> many_taps{"FILTER_TAPS 28"};
+constexpr std::array<std::string_view, 1> with_shadow{"SHADED"};
+
 }  // namespace
 
 PixelRect shaded_floor(const FrameBlock& block) {
@@ -25,7 +35,7 @@ PixelRect shaded_floor(const FrameBlock& block) {
   const glm::vec3 ray = -glm::vec3{block.towards_key};
   if (ray.y > -1e-3F) return all;
   const glm::mat4 map_to_world = glm::inverse(block.world_to_shadow);
-  const glm::vec2 soft{widest_penumbra_texels * block.shadow.y};
+  const glm::vec2 soft{block.shadow_blur.x * block.shadow.y};
   const glm::vec2 corners[] = {glm::vec2{block.shadow_bounds} - soft,
                                glm::vec2{block.shadow_bounds.z, block.shadow_bounds.w} + soft};
   glm::vec2 lower{size};
@@ -46,46 +56,82 @@ PixelRect shaded_floor(const FrameBlock& block) {
           static_cast<int>(upper.y - lower.y)};
 }
 
+BackdropPass::CoarseMap::CoarseMap(const GladGLContext& context) : texture(context) {}
+
 BackdropPass::BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files)
     : gl(&context),
       coarse(context, files, "fullscreen.vert", "backdrop_map.frag"),
       stretched(context, files, "fullscreen.vert", "backdrop.frag"),
-      shaded_part(context, files, "ground.vert", "ground.frag"),
+      floor_shadow(context, files, "fullscreen.vert", "floor_shadow.frag", many_taps),
+      shaded(context, files, "fullscreen.vert", "backdrop.frag", with_shadow),
       floor_depth(context, files, "ground.vert", "depth.frag"),
-      map(context),
+      lit_map(context),
+      dark_map(context),
+      shadow_map(context),
       map_framebuffer(context),
+      shadow_framebuffer(context),
       no_arrays(context) {}
 
-void BackdropPass::draw_map(const FrameBlock& block, const glm::mat4& clip_to_direction, bool floor) {
+// To be called with the framebuffer bound that it is to be attached to.
+void BackdropPass::allocate(CoarseMap& map, const glm::ivec2& size_px, GLint format,
+                            GLenum attachment) const {
+  if (size_px == map.size_px) return;
+  map.size_px = size_px;
+  gl->ActiveTexture(GL_TEXTURE0 + backdrop_lit_unit);
+  gl->BindTexture(GL_TEXTURE_2D, map.texture.name());
+  gl->TexImage2D(GL_TEXTURE_2D, 0, format, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+    gl->TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
+  }
+  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, map.texture.name(), 0);
+}
+
+void BackdropPass::draw_maps(const FrameBlock& block, bool floor) {
   const int texel = texel_px(static_cast<int>(block.viewport.y));
   const glm::ivec2 size_px = (glm::ivec2{block.viewport} + texel - 1) / texel;
-  if (size_px != map_px) {
-    bind_texture(*gl, backdrop_map_unit, GL_TEXTURE_2D, map);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-      gl->TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
-    }
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, map_framebuffer.name());
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, map.name(), 0);
-    check_framebuffer(*gl, "backdrop");
-    map_px = size_px;
-  }
   gl->BindFramebuffer(GL_FRAMEBUFFER, map_framebuffer.name());
-  gl->Viewport(0, 0, map_px.x, map_px.y);
+  if (size_px != lit_map.size_px) {
+    allocate(lit_map, size_px, GL_RGBA8, GL_COLOR_ATTACHMENT0);
+    allocate(dark_map, size_px, GL_RGBA8, GL_COLOR_ATTACHMENT1);
+    constexpr GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    gl->DrawBuffers(2, both);
+    check_framebuffer(*gl, "backdrop");
+  }
+  gl->Viewport(0, 0, size_px.x, size_px.y);
   const Program& program = coarse.use();
-  program.set("clip_to_direction", clip_to_direction);
   program.set("coarse", glm::vec4{static_cast<float>(texel), floor ? 1.0F : 0.0F, 0.0F, 0.0F});
   gl->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void BackdropPass::draw_shaded_floor(const FrameBlock& block) {
-  const PixelRect part = shaded_floor(block);
-  if (part.width_px <= 0 || part.height_px <= 0) return;
+void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& part) {
+  const int texel = shadow_texel_px(static_cast<int>(block.viewport.y));
+  const glm::ivec2 size_px = (glm::ivec2{part.width_px, part.height_px} + texel - 1) / texel;
+  gl->BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer.name());
+  // Its size changes with every step of a garment: it only grows.
+  const glm::ivec2 roomy_px = glm::max(size_px, shadow_map.size_px);
+  if (roomy_px != shadow_map.size_px) {
+    allocate(shadow_map, roomy_px, GL_R8, GL_COLOR_ATTACHMENT0);
+    check_framebuffer(*gl, "floor's shadow");
+  }
+  gl->Viewport(0, 0, size_px.x, size_px.y);
+  floor_shadow.use().set("coarse", glm::vec4{static_cast<float>(part.x_px), static_cast<float>(part.y_px),
+                                             static_cast<float>(texel), 0.0F});
+  gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void BackdropPass::draw_shaded(const FrameBlock& block, const PixelRect& part, const glm::vec4& to_maps) {
+  const auto texel = static_cast<float>(shadow_texel_px(static_cast<int>(block.viewport.y)));
+  const glm::vec2 scale = 1.0F / (texel * glm::vec2{shadow_map.size_px});
+  bind_texture(*gl, backdrop_dark_unit, GL_TEXTURE_2D, dark_map.texture);
+  bind_texture(*gl, floor_shadow_unit, GL_TEXTURE_2D, shadow_map.texture);
   gl->Enable(GL_SCISSOR_TEST);
   gl->Scissor(part.x_px, part.y_px, part.width_px, part.height_px);
-  shaded_part.use();
-  gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  const Program& program = shaded.use();
+  program.set("coarse", to_maps);
+  program.set("shaded_part", glm::vec4{scale, -scale * glm::vec2{part.x_px, part.y_px}});
+  gl->DrawArrays(GL_TRIANGLES, 0, 3);
   gl->Disable(GL_SCISSOR_TEST);
 }
 
@@ -101,20 +147,21 @@ void BackdropPass::draw_floor_depth() {
   gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, const glm::mat4& clip_to_direction,
-                        bool floor) {
+void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor) {
   gl->Disable(GL_DEPTH_TEST);
   gl->BindVertexArray(no_arrays.name());
-  draw_map(block, clip_to_direction, floor);
+  draw_maps(block, floor);
+  const PixelRect part = floor ? shaded_floor(block) : PixelRect{};
+  const bool any_shadow = part.width_px > 0 && part.height_px > 0;
+  if (any_shadow) draw_floor_shadow(block, part);
   gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   const glm::ivec2 size_px{block.viewport};
   gl->Viewport(0, 0, size_px.x, size_px.y);
-  bind_texture(*gl, backdrop_map_unit, GL_TEXTURE_2D, map);
-  const Program& program = stretched.use();
-  const glm::vec2 to_texture = 1.0F / glm::vec2{map_px * texel_px(size_px.y)};
-  program.set("coarse", glm::vec4{0.0F, 0.0F, to_texture});
+  bind_texture(*gl, backdrop_lit_unit, GL_TEXTURE_2D, lit_map.texture);
+  const glm::vec4 to_maps{0.0F, 0.0F, 1.0F / glm::vec2{lit_map.size_px * texel_px(size_px.y)}};
+  stretched.use().set("coarse", to_maps);
   gl->DrawArrays(GL_TRIANGLES, 0, 3);
-  if (floor) draw_shaded_floor(block);
+  if (any_shadow) draw_shaded(block, part, to_maps);
   gl->Enable(GL_DEPTH_TEST);
 }
 

@@ -6,14 +6,6 @@
 
 namespace taut::renderer {
 
-/// A rectangle of drawn pixels of the tile, counted from its lower left corner.
-struct PixelRect {
-  int x_px = 0;
-  int y_px = 0;
-  int width_px = 0;
-  int height_px = 0;
-};
-
 /// The part of the tile in which the key light's shadow may fall on the floor; the block has to be complete.
 PixelRect shaded_floor(const FrameBlock& block);
 
@@ -24,24 +16,35 @@ class BackdropPass {
 
   /// Draws the tile the block is for into `framebuffer`, without looking at depth. `floor`: whether there is
   /// one to be seen. The block `Frame` and the light's textures have to be bound.
-  void draw(GLuint framebuffer, const FrameBlock& block, const glm::mat4& clip_to_direction, bool floor);
+  void draw(GLuint framebuffer, const FrameBlock& block, bool floor);
 
   /// Draws the floor's depth alone, so that it hides what is below it.
   void draw_floor_depth();
 
  private:
-  void draw_map(const FrameBlock& block, const glm::mat4& clip_to_direction, bool floor);
-  void draw_shaded_floor(const FrameBlock& block);
+  // A texture that is drawn with larger pixels than the picture.
+  struct CoarseMap {
+    explicit CoarseMap(const GladGLContext& context);
+    Texture texture;
+    glm::ivec2 size_px{0};
+  };
+  void allocate(CoarseMap& map, const glm::ivec2& size_px, GLint format, GLenum attachment) const;
+  void draw_maps(const FrameBlock& block, bool floor);
+  void draw_floor_shadow(const FrameBlock& block, const PixelRect& part);
+  void draw_shaded(const FrameBlock& block, const PixelRect& part, const glm::vec4& to_maps);
 
   const GladGLContext* gl;
   LazyProgram coarse;
   LazyProgram stretched;
-  LazyProgram shaded_part;
+  LazyProgram floor_shadow;
+  LazyProgram shaded;
   LazyProgram floor_depth;
-  Texture map;
+  CoarseMap lit_map;
+  CoarseMap dark_map;
+  CoarseMap shadow_map;
   Framebuffer map_framebuffer;
+  Framebuffer shadow_framebuffer;
   VertexArray no_arrays;
-  glm::ivec2 map_px{0};
 };
 
 }  // namespace taut::renderer

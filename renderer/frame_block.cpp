@@ -17,6 +17,14 @@ namespace {
 constexpr float key_softness = 0.06F;
 // Radius of the lit floor in units of the scene's radius. Smaller shows where the floor ends.
 constexpr float floor_radius = 9.0F;
+// Radius of the widest blur of a shadow, share of the map's side. Larger is softer far from what casts it,
+// and needs more taps against noise.
+constexpr float widest_blur = 24.0F / 2048.0F;
+// Texels of the shadow map for a drawn pixel of the picture's shorter side. More is sharper than the picture
+// can show.
+constexpr float texels_for_pixel = 1.4F;
+// Less shows as dots in narrow penumbrae, however small the picture.
+constexpr int least_shadow_map_px = 1024;
 
 glm::vec4 light(const glm::vec3& towards, float strength) {
   const float length = glm::length(towards);
@@ -40,9 +48,10 @@ void set_shadow(FrameBlock& block, const Lighting& lighting, const PictureSettin
   const glm::vec3 towards{block.towards_key};
   block.world_to_shadow = world_to_unit_cube(*casters, towards);
   const float side_m = 2.0F * radius_of(*casters);
-  const auto texels = static_cast<float>(settings.shadow_map_px);
+  const auto texels = static_cast<float>(shadow_map_side(settings));
   const float tangent = std::max(lighting.penumbra, 0.0F) * key_softness;
   block.shadow = {side_m / texels, 1.0F / texels, side_m, std::max(tangent, 1e-5F)};
+  block.shadow_blur = {widest_blur * texels, 0.0F, 0.0F, 0.0F};
 }
 
 void set_ground(FrameBlock& block, const FrameView& frame, const std::optional<Box>& casters) {
@@ -72,7 +81,28 @@ float aspect_of(const PictureSettings& settings) {
   return static_cast<float>(settings.width_px) / static_cast<float>(settings.height_px);
 }
 
+// Directions through a plane at distance 1 in front of the eye.
+void set_rays(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile) {
+  const glm::mat3 axes = glm::transpose(glm::mat3{camera.view()});
+  const float half_height = std::tan(0.5F * camera.vertical_fov_rad);
+  const float pixel = 2.0F * half_height / static_cast<float>(settings.height_px);
+  const auto left = static_cast<float>(tile.x_px) - 0.5F * static_cast<float>(settings.width_px);
+  const auto bottom =
+      0.5F * static_cast<float>(settings.height_px) - static_cast<float>(tile.y_px + tile.height_px);
+  const float drawn_pixel = pixel / static_cast<float>(settings.supersampling);
+  block.ray_corner = glm::vec4{axes * glm::vec3{pixel * left, pixel * bottom, -1.0F}, 0.0F};
+  block.ray_across = glm::vec4{drawn_pixel * axes[0], 0.0F};
+  block.ray_up = glm::vec4{drawn_pixel * axes[1], 0.0F};
+}
+
 }  // namespace
+
+int shadow_map_side(const PictureSettings& settings) {
+  const int drawn_px = settings.supersampling * std::min(settings.width_px, settings.height_px);
+  int side_px = least_shadow_map_px;
+  while (static_cast<float>(side_px) < texels_for_pixel * static_cast<float>(drawn_px)) side_px *= 2;
+  return std::min(side_px, settings.shadow_map_px);
+}
 
 FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& settings,
                             const std::optional<Box>& casters) {
@@ -113,14 +143,7 @@ void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& se
   const auto scale = static_cast<float>(settings.supersampling);
   block.viewport = {static_cast<float>(tile.width_px) * scale, static_cast<float>(tile.height_px) * scale,
                     scale, 0.0F};
-}
-
-glm::mat4 clip_to_direction(const Camera& camera, const PictureSettings& settings, const Tile& tile) {
-  Camera at_origin = camera;
-  at_origin.target -= camera.eye;
-  at_origin.eye = glm::vec3{0.0F};
-  return glm::inverse(tile_of_clip(settings, tile) * camera.projection(aspect_of(settings)) *
-                      at_origin.view());
+  set_rays(block, camera, settings, tile);
 }
 
 glm::mat4 world_to_unit_cube(const Box& box, const glm::vec3& towards) {

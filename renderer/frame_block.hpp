@@ -9,9 +9,6 @@
 
 namespace taut::renderer {
 
-/// Radius of the widest blur of a shadow, in texels of its map; `widest` in shaders/shadow.glsl.
-inline constexpr float widest_penumbra_texels = 24.0F;
-
 /// What every shader of a frame shares: the std140 block `Frame` of shaders/frame.glsl, member by member.
 struct FrameBlock {
   glm::mat4 world_to_clip;
@@ -25,9 +22,13 @@ struct FrameBlock {
   glm::vec4 ground;
   glm::vec4 viewport;
   glm::vec4 shadow;
+  glm::vec4 shadow_blur;
   glm::vec4 shadow_bounds;
   glm::vec4 ground_light_area;
   glm::vec4 backdrop_horizon;
+  glm::vec4 ray_corner;
+  glm::vec4 ray_across;
+  glm::vec4 ray_up;
 };
 
 /// A part of the picture that is drawn at once, in pixels of the finished picture; y counts from the top.
@@ -37,6 +38,18 @@ struct Tile {
   int width_px = 0;
   int height_px = 0;
 };
+
+/// A rectangle of drawn pixels of a target, counted from its lower left corner.
+struct PixelRect {
+  int x_px = 0;
+  int y_px = 0;
+  int width_px = 0;
+  int height_px = 0;
+};
+
+/// Side of the shadow map: what the settings allow, or less where the picture is too small to show a
+/// difference.
+int shadow_map_side(const PictureSettings& settings);
 
 /// `casters` is the box around everything that throws a shadow; none when nothing does. The block is complete
 /// but for what depends on the tile.
@@ -48,9 +61,6 @@ void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> ca
 
 /// Fills in what depends on the tile.
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile);
-
-/// Clip space of the tile to a direction from the eye, in world space (w is to be ignored).
-glm::mat4 clip_to_direction(const Camera& camera, const PictureSettings& settings, const Tile& tile);
 
 /// An orthographic view of the sphere around the box, from the given direction: world to 0..1 in all three
 /// axes. Depth grows away from where `towards` points.

@@ -119,17 +119,16 @@ struct FrameView {
 };
 
 /// How the picture is made. The defaults are for publication. What a window lowers first when the machine is
-/// too slow, dearest first: samples to 1 (a half to three fifths of the time), shadow_map_px to 1024 (a fifth
-/// of what is left; shadows get softer, since their widest blur is counted in texels, and below 1024 pixels
-/// have more to look up than is saved), sky_directions to 12 (a tenth; folds get a little blotchy), shadows
-/// to false.
+/// too slow, dearest first: samples to 1 (a third of the time), sky_directions to 12 (a tenth; folds get a
+/// little blotchy), shadows to false.
 struct PictureSettings {
   int width_px = 1280;
   int height_px = 720;
-  int samples = 4;        ///< multisampling, 1 to what the context offers (more is lowered to that)
+  int samples = 4;        ///< multisampling: 1, or 4 for anything above where the context offers as many
   int supersampling = 1;  ///< drawn this many times as wide and high, then averaged in linear light; 1 to 8
   bool shadows = true;
-  int shadow_map_px = 2048;  ///< side of the square shadow map, 256 to 8192
+  /// Side of the square shadow map, 256 to 8192; less is taken where the picture is too small to show it.
+  int shadow_map_px = 2048;
   /// Directions that test how much sky each vertex sees, 0 to 64; odd numbers count as the next even one, 0:
   /// no ambient occlusion.
   int sky_directions = 24;

@@ -33,6 +33,17 @@ void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const T
   gl.BindTexture(target, texture.name());
 }
 
+void begin_laying_over(const GladGLContext& gl) {
+  gl.Enable(GL_FRAMEBUFFER_SRGB);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void end_laying_over(const GladGLContext& gl) {
+  gl.Disable(GL_BLEND);
+  gl.Disable(GL_FRAMEBUFFER_SRGB);
+}
+
 void check_errors(const GladGLContext& gl, const char* stage) {
   const GLenum error = gl.GetError();
   if (error == GL_NO_ERROR) return;

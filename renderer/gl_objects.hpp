@@ -55,6 +55,11 @@ void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffe
 
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture);
 
+/// Between the two, fragments are linear light, premultiplied with alpha, and laid over what an sRGB-encoded
+/// framebuffer holds.
+void begin_laying_over(const GladGLContext& gl);
+void end_laying_over(const GladGLContext& gl);
+
 /// Throws ContextError naming `stage` when OpenGL has recorded an error, or the bound framebuffer is
 /// incomplete.
 void check_errors(const GladGLContext& gl, const char* stage);

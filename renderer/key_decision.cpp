@@ -1,49 +1,36 @@
 #include "renderer/key_decision.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
+
+#include "renderer/triangle_spans.hpp"
 
 namespace taut::renderer {
 
 namespace {
 
-constexpr int taps = 24;
-// Farther around than this share of the map, taps may step over a shadow: the pixels have to look.
-constexpr float widest = 0.05F;
-// A surface seen this flat by the light hides itself in the map; sine of the angle.
-constexpr float flattest = 0.1F;
-// Radius of the narrowest blur of a shadow, texels of its map, and as much again for the lift off the
-// surface.
+// Texels of the map from sample to sample. Shadows narrower than that may be missed.
+constexpr int stride = 2;
+// A surface this steep in the map hides itself; depth for each step across.
+constexpr float steepest = 8.0F;
+// What is less than this in front is the surface itself; texels of the map, and as many for each unit of
+// slope.
+constexpr float allowance_texels = 2.0F;
+// Radius of the narrowest blur of a shadow and of the lift off the surface, texels of the map.
 constexpr float sharpest_texels = 4.0F;
-// Of the map, as a share of its depth.
-constexpr float depth_allowance = 1.5F / 1024.0F;
-// Spots on the surface's own plane are not in its way, nor is what bends this much out of it.
-constexpr float bend = 0.04F;
+// Rounds in which penumbrae spread from vertex to vertex: more edges than this are in no blur's width, or so
+// short that they do not matter.
+constexpr int most_rounds = 12;
+// A straight line is shorter than the edges along it, by this factor where they meet at right angles.
+constexpr float straightness = 0.7F;
 
-// Evenly over the unit disc (Vogel 1979).
-std::array<glm::vec2, taps> disc() {
-  std::array<glm::vec2, taps> spots;
-  for (int i = 0; i < taps; ++i) {
-    const float radius = std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(taps));
-    const float turn = 2.39996323F * static_cast<float>(i);
-    spots[static_cast<std::size_t>(i)] = radius * glm::vec2{std::cos(turn), std::sin(turn)};
-  }
-  return spots;
-}
+constexpr std::uint8_t by_light = 1;
+constexpr std::uint8_t by_shadow = 2;
 
-// For every vertex the length of the longest edge of its triangles.
-void longest_edges(const SurfaceView& surface, std::vector<float>& lengths_m) {
-  lengths_m.assign(surface.positions.size(), 0.0F);
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    const std::uint32_t a = surface.triangles[i];
-    const std::uint32_t b = surface.triangles[i % 3 == 2 ? i - 2 : i + 1];
-    const float length_m = glm::distance(surface.positions[a], surface.positions[b]);
-    lengths_m[a] = std::max(lengths_m[a], length_m);
-    lengths_m[b] = std::max(lengths_m[b], length_m);
-  }
+glm::vec2 slope_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  const glm::vec3 across = glm::cross(b - a, c - a);
+  return across.z == 0.0F ? glm::vec2{INFINITY} : -glm::vec2{across} / across.z;
 }
 
 }  // namespace
@@ -53,52 +40,106 @@ void KeyDecision::look(const DepthMap& casters, const FrameBlock& block) {
   const bool any = casters.drawn().lower != casters.drawn().upper;
   side_m = !any || block.shadow.w <= 0.0F ? 0.0F : block.shadow.z;
   world_to_map = block.world_to_shadow;
-  towards_key = glm::vec3{block.towards_key};
-  softness_m = widest_penumbra_texels * block.shadow.x;
+  softness_m = block.shadow_blur.x * block.shadow.x;
   sharpest_m = sharpest_texels * block.shadow.x;
   tangent = block.shadow.w;
 }
 
-void KeyDecision::decide(const SurfaceView& surface, std::vector<float>& decided) {
-  decided.assign(surface.positions.size(), 1.0F);
-  if (side_m <= 0.0F) return;
-  longest_edges(surface, reaches_m);
+float KeyDecision::penumbra_m(float gap) const {
+  return std::clamp(gap * side_m * tangent, std::min(sharpest_m, softness_m), softness_m);
+}
+
+KeyDecision::Sight KeyDecision::sight_of(Corners corners) const {
+  const glm::vec3& a = projected[corners[0]];
+  const glm::vec3& b = projected[corners[1]];
+  const glm::vec3& c = projected[corners[2]];
+  const int side_px = map->side_px();
+  const float sample = static_cast<float>(stride) / static_cast<float>(side_px);
+  const glm::vec2 slope = slope_of(a, b, c) / sample;
+  const float steepness = glm::length(slope);
+  Sight sight;
+  if (!(steepness < steepest)) return {1, 1, 0.0F};
+  const float allowance = allowance_texels * (1.0F + steepness) / static_cast<float>(side_px);
+  const auto look_at = [&](float gap) {
+    const bool hidden = gap > allowance;
+    sight.dark += hidden ? 1 : 0;
+    sight.lit += hidden ? 0 : 1;
+    sight.widest_gap = std::max(sight.widest_gap, gap);
+  };
+  const float* depths = map->depths().data();
+  triangle_spans(a, b, c, side_px / stride, [&](const TriangleSpan& span) {
+    const float* row = depths + static_cast<std::ptrdiff_t>(span.row * stride) * side_px;
+    for (int column = span.first; column <= span.last; ++column) {
+      look_at(span.depth + span.depth_step * static_cast<float>(column) - row[column * stride]);
+    }
+  });
+  if (sight.lit + sight.dark == 0) {
+    const glm::vec3 middle = (a + b + c) / 3.0F;
+    look_at(middle.z - map->depth_at(glm::vec2{middle} * sample));
+  }
+  return sight;
+}
+
+// Every triangle with itself alone.
+void KeyDecision::compare(const SurfaceView& surface, std::vector<KeyLight>& decided) {
+  project_to_map(world_to_map, map->side_px() / stride, surface.positions, projected);
+  penumbrae_m.resize(decided.size());
   for (std::size_t i = 0; i < decided.size(); ++i) {
-    decided[i] = decide_vertex(surface.positions[i], surface.normals[i], reaches_m[i]);
+    const Sight sight = sight_of(Corners(&surface.triangles[3 * i], 3));
+    const KeyLight whole = sight.dark == 0 ? KeyLight::light : KeyLight::shadow;
+    decided[i] = sight.lit > 0 && sight.dark > 0 ? KeyLight::open : whole;
+    penumbrae_m[i] = sight.dark == 0 ? 0.0F : penumbra_m(sight.widest_gap);
   }
 }
 
-KeyDecision::Blockers KeyDecision::look_around(const glm::vec3& place, const glm::vec2& slope,
-                                               float radius) const {
-  static const std::array<glm::vec2, taps> spots = disc();
-  const float allowance = (depth_allowance + bend * radius) * (1.0F + 0.5F * glm::length(slope));
-  Blockers found;
-  for (const glm::vec2& spot : spots) {
-    const glm::vec2 offset = radius * spot;
-    const float gap = place.z + glm::dot(slope, offset) - map->depth_at(glm::vec2{place} + offset);
-    found.count += gap > allowance ? 1 : 0;
-    found.widest_gap = std::max(found.widest_gap, gap);
+// Penumbrae start at vertices which both light and shadow touch.
+void KeyDecision::find_edges(std::span<const std::uint32_t> triangles, const std::vector<KeyLight>& decided) {
+  std::fill(touched.begin(), touched.end(), std::uint8_t{0});
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const KeyLight own = decided[i / 3];
+    touched[triangles[i]] |= own == KeyLight::shadow ? by_shadow : own == KeyLight::light ? by_light : 3;
   }
-  return found;
+  std::fill(reaches_m.begin(), reaches_m.end(), 0.0F);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const std::uint32_t vertex = triangles[i];
+    if (touched[vertex] == (by_light | by_shadow)) {
+      reaches_m[vertex] = std::max(reaches_m[vertex], penumbrae_m[i / 3]);
+    }
+  }
 }
 
-float KeyDecision::decide_vertex(const glm::vec3& position, const glm::vec3& normal, float reach_m) const {
-  const float radius = (softness_m + reach_m) / side_m;
-  const glm::vec3 facing = glm::dot(normal, towards_key) >= 0.0F ? normal : -normal;
-  const glm::vec3 across = glm::mat3{world_to_map} * facing;
-  if (radius > widest || across.z > -flattest * glm::length(across)) return 0.5F;
-  const glm::vec3 place{world_to_map * glm::vec4{position, 1.0F}};
-  const glm::vec2 slope = -glm::vec2{across} / across.z;
-  const Blockers around = look_around(place, slope, radius);
-  if (around.count == 0) return 1.0F;
-  if (around.count == taps) return 0.0F;
-  // What is close in front throws a sharp shadow: only what is near enough to the vertex can reach its
-  // triangles.
-  const float penumbra_m = std::max(around.widest_gap * side_m * tangent, sharpest_m);
-  if (penumbra_m >= softness_m) return 0.5F;
-  const Blockers near = look_around(place, slope, (penumbra_m + reach_m) / side_m);
-  if (near.count == 0) return 1.0F;
-  return near.count == taps ? 0.0F : 0.5F;
+void KeyDecision::spread(const SurfaceView& surface) {
+  bool changed = true;
+  const auto pass_on = [&](std::uint32_t from, std::uint32_t to) {
+    if (reaches_m[from] <= reaches_m[to]) return;
+    const float edge_m = glm::distance(surface.positions[from], surface.positions[to]);
+    const float left_m = reaches_m[from] - straightness * edge_m;
+    if (left_m <= reaches_m[to]) return;
+    reaches_m[to] = left_m;
+    changed = true;
+  };
+  for (int round = 0; round < most_rounds && changed; ++round) {
+    changed = false;
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+      const std::uint32_t from = surface.triangles[i];
+      const std::uint32_t to = surface.triangles[i % 3 == 2 ? i - 2 : i + 1];
+      pass_on(from, to);
+      pass_on(to, from);
+    }
+  }
+}
+
+void KeyDecision::decide(const SurfaceView& surface, std::vector<KeyLight>& decided) {
+  decided.assign(surface.triangles.size() / 3, KeyLight::light);
+  if (side_m <= 0.0F) return;
+  compare(surface, decided);
+  touched.resize(surface.positions.size());
+  reaches_m.resize(surface.positions.size());
+  find_edges(surface.triangles, decided);
+  spread(surface);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    if (reaches_m[surface.triangles[i]] > 0.0F) decided[i / 3] = KeyLight::open;
+  }
 }
 
 }  // namespace taut::renderer

@@ -1,48 +1,54 @@
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <optional>
-#include <span>
 
-#include "renderer/frame_block.hpp"
 #include "renderer/gl_objects.hpp"
-#include "renderer/lazy_program.hpp"
 
 namespace taut::renderer {
 
-/// Where things are drawn with more than one sample for each pixel of the picture, and how they get into it.
+/// Where things are drawn before they get into the picture: which triangle each sample sees, how far away it
+/// is, and the marks in front.
 class LayerTarget {
  public:
-  LayerTarget(const GladGLContext& context, std::span<const ShaderFile> files);
+  explicit LayerTarget(const GladGLContext& context);
 
-  /// As many samples as the context offers, up to the number asked for.
-  int usable_samples(int wanted) const;
-  /// Binds a target of the size given in drawn pixels and clears it: nothing drawn, alpha 0. Colours are
-  /// sRGB-encoded, premultiplied with alpha in linear light.
-  void begin(int width_px, int height_px, int samples);
-  GLuint framebuffer() const { return drawn.name(); }
-  /// Averages what was drawn in linear light and lays it over the tile's place in the picture, a framebuffer
-  /// of `picture_height_px`.
-  void resolve(GLuint picture, const Tile& tile, int picture_height_px, int supersampling);
+  /// Makes room for a size in drawn pixels, clears it and binds what holds the triangles. More than one
+  /// sample means four, where the context offers as many.
+  void begin(int width_px, int height_px, int wanted_samples);
+  int samples() const { return layer_samples; }
+  /// Where in a pixel four samples are, 0 to 1 from its lower left corner.
+  const glm::vec4& samples_x() const { return sample_places_x; }
+  const glm::vec4& samples_y() const { return sample_places_y; }
+  /// Binds the texture of what was seen.
+  void bind_seen() const;
+
+  /// Binds a target for marks, with nothing in it but the depth of what was drawn. Colours are sRGB-encoded,
+  /// premultiplied with alpha in linear light.
+  void begin_marks();
+  const Texture& marks() const { return *marks_colour; }
 
   /// Largest side, in drawn pixels: memory for a large print stays bounded.
   static constexpr int max_side_px = 2048;
 
  private:
+  int usable_samples(int wanted) const;
   void allocate(int width_px, int height_px, int samples);
-  void copy_behind(GLuint picture, const Tile& tile, int bottom_px);
+  void ask_sample_places();
+  void allocate_texture(const Texture& texture, GLenum format) const;
 
   const GladGLContext* gl;
-  LazyProgram resolve_one;
-  LazyProgram resolve_many;
-  VertexArray no_arrays;
-  std::optional<Texture> colour;
+  std::optional<Texture> seen;
   std::optional<Renderbuffer> depth;
-  Texture behind;  // the picture's tile, to be blended with
-  Framebuffer drawn;
-  int drawn_width_px = 0;
-  int drawn_height_px = 0;
-  int drawn_samples = 0;
+  std::optional<Texture> marks_colour;
+  Framebuffer seen_framebuffer;
+  Framebuffer marks_framebuffer;
+  int layer_width_px = 0;
+  int layer_height_px = 0;
+  int layer_samples = 0;
   int most_samples = 1;
+  glm::vec4 sample_places_x{0.5F};
+  glm::vec4 sample_places_y{0.5F};
 };
 
 }  // namespace taut::renderer

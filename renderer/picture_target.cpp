@@ -21,17 +21,13 @@ void PictureTarget::bind() const {
 void PictureTarget::allocate(int width_px, int height_px) {
   picture_width_px = picture_height_px = 0;
   colour.emplace(*gl);
-  depth.emplace(*gl);
   bind_texture(*gl, drawn_unit, GL_TEXTURE_2D, *colour);
   // Eight bits are enough because sRGB encoding spends them where the eye does.
   gl->TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, width_px, height_px, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  nullptr);
   gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  gl->BindRenderbuffer(GL_RENDERBUFFER, depth->name());
-  gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width_px, height_px);
   gl->BindFramebuffer(GL_FRAMEBUFFER, finished.name());
   gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour->name(), 0);
-  gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth->name());
   check_errors(*gl, "making the picture's buffers");
   check_framebuffer(*gl, "finished picture");
   picture_width_px = width_px;

@@ -7,8 +7,7 @@
 
 namespace taut::renderer {
 
-/// The finished picture: one sample a pixel, sRGB-encoded bytes, and a depth for what is drawn straight into
-/// it.
+/// A picture: one sample a pixel, sRGB-encoded bytes.
 class PictureTarget {
  public:
   explicit PictureTarget(const GladGLContext& context);
@@ -17,6 +16,7 @@ class PictureTarget {
   void begin(int width_px, int height_px);
   void bind() const;
   GLuint framebuffer() const { return finished.name(); }
+  const Texture& texture() const { return *colour; }
   /// The picture, top row first.
   Image read() const;
   /// Copies the picture into a framebuffer of the same size.
@@ -27,7 +27,6 @@ class PictureTarget {
 
   const GladGLContext* gl;
   std::optional<Texture> colour;
-  std::optional<Renderbuffer> depth;
   Framebuffer finished;
   int picture_width_px = 0;
   int picture_height_px = 0;

@@ -11,6 +11,7 @@
 #include "renderer/mark_pass.hpp"
 #include "renderer/merged_spheres.hpp"
 #include "renderer/picture_target.hpp"
+#include "renderer/resolve_pass.hpp"
 #include "renderer/studio_light.hpp"
 #include "renderer/surface_pass.hpp"
 
@@ -20,6 +21,17 @@ namespace {
 
 bool sees_floor(const FrameView& frame) {
   return frame.ground_height_m && !frame.backdrop.plain && frame.camera.eye.y > *frame.ground_height_m;
+}
+
+bool has_marks(const FrameView& frame) {
+  return !frame.lines.empty() || !frame.points.empty() ||
+         std::any_of(frame.surfaces.begin(), frame.surfaces.end(),
+                     [](const SurfaceView& surface) { return surface.wireframe.has_value(); });
+}
+
+// OpenGL counts rows from the bottom.
+PixelRect place_of(const Tile& tile, const PictureSettings& settings) {
+  return {tile.x_px, settings.height_px - tile.y_px - tile.height_px, tile.width_px, tile.height_px};
 }
 
 // Pieces of an area that the layer has room for.
@@ -46,6 +58,8 @@ struct SceneRenderer::Parts {
   MarkPass mark_pass;
   PictureTarget picture;
   LayerTarget layer;
+  ResolvePass resolve_pass;
+  PictureTarget large;  // a supersampled tile
   Buffer block_buffer;
   std::vector<SurfaceView> surfaces;  // those of the frame and the balls
 
@@ -57,9 +71,9 @@ struct SceneRenderer::Parts {
                    const Tile& tile) const;
   void draw_whole(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
   void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
-  void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
-                   const glm::mat4& to_direction);
-  void draw_things(const FrameView& frame);
+  void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame);
+  void draw_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
+                   const FrameView& frame, int samples);
   void draw_marks(const FrameView& frame);
 };
 
@@ -71,7 +85,9 @@ SceneRenderer::Parts::Parts(Context& made)
       backdrop_pass(gl, embedded_shaders()),
       mark_pass(gl, embedded_shaders()),
       picture(gl),
-      layer(gl, embedded_shaders()),
+      layer(gl),
+      resolve_pass(gl, embedded_shaders()),
+      large(gl),
       block_buffer(gl) {
   check_errors(gl, "starting the renderer");
 }
@@ -90,7 +106,6 @@ void SceneRenderer::Parts::reset_state() const {
   gl.ClearDepth(1.0);
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   gl.BlendEquation(GL_FUNC_ADD);
-  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   light.unbind();
 }
 
@@ -106,6 +121,7 @@ void SceneRenderer::Parts::collect_surfaces(const FrameView& frame, std::vector<
 // Blending has to happen in linear light, so marks are encoded by the framebuffer. Everything opaque encodes
 // in its shader: once for each pixel instead of once for each sample.
 void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
+  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl.Enable(GL_FRAMEBUFFER_SRGB);
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
@@ -119,12 +135,27 @@ void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
   gl.DepthMask(GL_TRUE);
 }
 
-void SceneRenderer::Parts::draw_things(const FrameView& frame) {
-  gl.Enable(GL_DEPTH_TEST);
-  if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces))
+// `place` is the tile's in the framebuffer. Marks have edges of their own between pixels: they are drawn
+// apart and laid over.
+void SceneRenderer::Parts::draw_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
+                                       const FrameView& frame, int samples) {
+  layer.begin(place.width_px, place.height_px, samples);
+  if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) {
     backdrop_pass.draw_floor_depth();
-  surface_pass.draw(surfaces);
+  }
+  surface_pass.draw_seen();
+  const glm::ivec2 corner_px{place.x_px, place.y_px};
+  const auto aim = [&] {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
+  };
+  aim();
+  surface_pass.shade(layer, block, place);
+  if (!has_marks(frame)) return;
+  layer.begin_marks();
   draw_marks(frame);
+  aim();
+  resolve_pass.draw(layer.marks(), layer.samples(), 1, corner_px);
 }
 
 void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame,
@@ -133,36 +164,28 @@ void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame
   upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
 }
 
-void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
-                                       const glm::mat4& to_direction) {
+void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame) {
   if (frame.backdrop.plain) {
     const Colour& colour = frame.backdrop.lower_colour;
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl.ClearColor(colour[0], colour[1], colour[2], 1.0F);
     gl.Clear(GL_COLOR_BUFFER_BIT);
     return;
   }
-  backdrop_pass.draw(framebuffer, block, to_direction, sees_floor(frame));
+  backdrop_pass.draw(framebuffer, block, sees_floor(frame));
 }
 
 // What is behind has no edges that more samples would smooth, and things seldom fill the picture: only the
 // part that they can touch is drawn with many samples, and laid over.
 void SceneRenderer::Parts::draw_whole(FrameBlock& block, const FrameView& frame,
                                       const PictureSettings& settings) {
-  const Tile whole{0, 0, settings.width_px, settings.height_px};
-  set_tile_of(block, frame, settings, whole);
-  draw_behind(picture.framebuffer(), block, frame, clip_to_direction(frame.camera, settings, whole));
+  set_tile_of(block, frame, settings, {0, 0, settings.width_px, settings.height_px});
+  draw_behind(picture.framebuffer(), block, frame);
   const Tile area = drawn_area(frame, surfaces, block.world_to_clip, settings);
   if (area.width_px == 0) return;
-  if (layer.usable_samples(settings.samples) == 1) {
-    gl.Clear(GL_DEPTH_BUFFER_BIT);
-    draw_things(frame);
-    return;
-  }
   for (const Tile& tile : tiles_of(area, 1)) {
     set_tile_of(block, frame, settings, tile);
-    layer.begin(tile.width_px, tile.height_px, settings.samples);
-    draw_things(frame);
-    layer.resolve(picture.framebuffer(), tile, settings.height_px, 1);
+    draw_things(picture.framebuffer(), place_of(tile, settings), block, frame, settings.samples);
   }
 }
 
@@ -171,11 +194,15 @@ void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView&
                                              const PictureSettings& settings) {
   const int factor = settings.supersampling;
   for (const Tile& tile : tiles_of({0, 0, settings.width_px, settings.height_px}, factor)) {
+    const glm::ivec2 large_px = factor * glm::ivec2{tile.width_px, tile.height_px};
     set_tile_of(block, frame, settings, tile);
-    layer.begin(tile.width_px * factor, tile.height_px * factor, settings.samples);
-    draw_behind(layer.framebuffer(), block, frame, clip_to_direction(frame.camera, settings, tile));
-    draw_things(frame);
-    layer.resolve(picture.framebuffer(), tile, settings.height_px, factor);
+    large.begin(large_px.x, large_px.y);
+    draw_behind(large.framebuffer(), block, frame);
+    draw_things(large.framebuffer(), {0, 0, large_px.x, large_px.y}, block, frame, settings.samples);
+    const PixelRect place = place_of(tile, settings);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
+    gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
+    resolve_pass.draw(large.texture(), 1, factor, {place.x_px, place.y_px});
   }
 }
 

@@ -69,7 +69,7 @@ void StudioLight::look(FrameBlock& block, const FrameView& frame, std::span<cons
   set_shadow_bounds(block, casters);
   // The two look at the same casters and share nothing else.
   std::future<void> shadows =
-      std::async(std::launch::async, [&] { draw_shadow_map(block, casters, settings.shadow_map_px); });
+      std::async(std::launch::async, [&] { draw_shadow_map(block, casters, shadow_map_side(settings)); });
   sky_light.look(casters, casters.empty() ? std::nullopt : box, settings.sky_directions);
   shadows.get();
   upload_shadow_map();
@@ -77,7 +77,7 @@ void StudioLight::look(FrameBlock& block, const FrameView& frame, std::span<cons
   if (frame.ground_height_m && !frame.backdrop.plain) draw_floor_light(block);
 }
 
-void StudioLight::gather(const SurfaceView& surface, VertexLight& light) {
+void StudioLight::gather(const SurfaceView& surface, SurfaceLight& light) {
   key_decision.decide(surface, light.key);
   sky_light.gather(surface, light.sky);
 }
@@ -133,6 +133,7 @@ void StudioLight::unbind() const {
     gl->ActiveTexture(GL_TEXTURE0 + unit);
     gl->BindTexture(GL_TEXTURE_2D, 0);
     gl->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+    gl->BindTexture(GL_TEXTURE_BUFFER, 0);
   }
   gl->ActiveTexture(GL_TEXTURE0);
 }

@@ -9,7 +9,7 @@
 #include "renderer/gl_objects.hpp"
 #include "renderer/key_decision.hpp"
 #include "renderer/sky_light.hpp"
-#include "renderer/surface_buffers.hpp"
+#include "renderer/surface_tables.hpp"
 
 namespace taut::renderer {
 
@@ -23,7 +23,7 @@ class StudioLight {
   void look(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,
             const PictureSettings& settings);
   /// What arrives at each vertex of a surface.
-  void gather(const SurfaceView& surface, VertexLight& light);
+  void gather(const SurfaceView& surface, SurfaceLight& light);
 
   void bind() const;
   /// Nothing may be left of the textures and samplers for whoever draws next.

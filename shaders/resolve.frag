@@ -1,14 +1,12 @@
 #version 330 core
-#include "frame.glsl"
-// Averages samples and supersampled pixels in linear light, lays them over what is behind, and encodes.
+// Averages samples and supersampled pixels in linear light.
 uniform ivec4 resolve;  // x: samples, y: supersampling, zw: where the tile starts in the picture, px
 #ifdef MULTISAMPLED
 uniform sampler2DMS drawn;
 #else
 uniform sampler2D drawn;
 #endif
-uniform sampler2D behind;  // the picture's tile
-layout(location = 0) out vec4 colour;
+layout(location = 0) out vec4 colour;  // linear, premultiplied
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - resolve.zw;
@@ -23,7 +21,5 @@ void main() {
 #endif
     }
   }
-  sum /= float(resolve.x * resolve.y * resolve.y);
-  vec3 light = sum.rgb + (1.0 - sum.a) * texelFetch(behind, pixel, 0).rgb;
-  colour = vec4(linear_to_srgb_fast(light), 1.0);
+  colour = sum / float(resolve.x * resolve.y * resolve.y);
 }

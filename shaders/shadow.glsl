@@ -3,9 +3,11 @@
 uniform sampler2DShadow shadow_compare;
 uniform sampler2D shadow_depth;
 
-const int search_taps = 6;
-const int filter_taps = 18;
-const float widest = 24.0;  // largest blur radius, texels
+const int search_taps = 8;
+#ifndef FILTER_TAPS
+#define FILTER_TAPS 20
+#endif
+const int filter_taps = FILTER_TAPS;
 
 // Interleaved gradient noise (Jimenez 2014): neighbours differ as much as possible, so the eye averages them.
 // Around a square instead of a circle, then back to length 1: near enough to all directions alike.
@@ -30,7 +32,7 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
     depth_sum += closer * depth;
   }
   float gap = place.z - depth_sum / max(blockers, 1.0);
-  float radius = clamp(gap * depth_to_uv, 1.5 * shadow.y, widest * shadow.y);
+  float radius = clamp(gap * depth_to_uv, 1.5 * shadow.y, shadow_blur.x * shadow.y);
   // A wide filter on a slanted surface would meet the surface itself: the allowance grows with the radius.
   float allowance = (radius / shadow.y) * 0.15 * slope * shadow.x / shadow.z;
   // The search reaches farther than the filter: where it finds nothing but blockers, so would the filter.
@@ -45,8 +47,8 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
   return mixed ? lit / float(filter_taps) : 1.0 - step(0.5, blockers);
 }
 
-// 1 in the light, 0 in the shadow. `normal` points to the lit side.
-float key_visibility(vec3 position, vec3 normal) {
+// 1 in the light, 0 in the shadow; 1 unless `asked`. `normal` points to the lit side.
+float key_visibility(vec3 position, vec3 normal, bool asked) {
   // Along the normal rather than towards the light: grazing surfaces need it most, and a thin cloth keeps its
   // shadow attached. More would lift the shadow off, less gives acne.
   float cosine = dot(normal, towards_key.xyz);
@@ -55,8 +57,8 @@ float key_visibility(vec3 position, vec3 normal) {
   vec3 place = (world_to_shadow * vec4(lifted, 1.0)).xyz;
   place.z = min(place.z, 1.0);
   float depth_to_uv = shadow.z * shadow.w / shadow.x * shadow.y;  // blur radius per unit of depth between
-  float search_radius = clamp(place.z * depth_to_uv, 2.5 * shadow.y, widest * shadow.y);
+  float search_radius = clamp(place.z * depth_to_uv, 2.5 * shadow.y, shadow_blur.x * shadow.y);
   vec4 to_bounds = vec4(place.xy - shadow_bounds.xy, shadow_bounds.zw - place.xy);
-  bool open = shadow.w > 0.0 && all(greaterThan(to_bounds, vec4(-search_radius)));
+  bool open = asked && shadow.w > 0.0 && all(greaterThan(to_bounds, vec4(-search_radius)));
   return searched_visibility(place, slope, search_radius, depth_to_uv, open);
 }

@@ -1,93 +1,149 @@
 #version 330 core
 #include "frame.glsl"
+#include "tables.glsl"
 #include "weave.glsl"
-#ifdef OPEN
+#ifdef OPEN  // some triangle here may be in light and shadow
 #include "shadow.glsl"
 #endif
-uniform vec3 outside_colour;   // linear
-uniform vec3 inside_colour;    // linear
-uniform vec4 finish;           // x: roughness, y: sheen, z: translucency, w: strength of the weave
-uniform sampler2D scalar_map;
-centroid in vec3 world;
-centroid in vec3 world_normal;
-centroid in float shown_scalar;
-centroid in vec2 sky_light;
-centroid in float decided_shadow;
-in vec3 material;  // not centroid: its derivatives are used
-layout(location = 0) out vec4 colour;  // encoded
+#include "cloth_light.glsl"
+// Shades what is seen, once for every surface in a pixel: most triangles are so small that shading them while they
+// are drawn would work on more pixels outside than inside.
+uniform ivec4 corner;  // xy: where the tile starts in the framebuffer, px
+#ifdef MULTISAMPLED
+uniform usampler2DMS seen_map;  // four samples
+uniform vec4 samples_x;         // where they are in a pixel, 0..1
+uniform vec4 samples_y;
+#else
+uniform usampler2D seen_map;
+#endif
+uniform sampler2D scalar_maps;  // one row each
+layout(location = 0) out vec4 colour;  // linear, premultiplied; encoded with one sample
 
-// What arrives from all around with nothing in the way, as SkyLight has it.
-float open_sky(vec3 normal) { return 0.75 + 0.25 * normal.y; }
-
-// A lamp with some extent: light reaches a little around the edge of a form.
-float wrapped(float cosine, float wrap) {
-  float light = max((cosine + wrap) / (1.0 + wrap), 0.0);
-  return light * light * (1.0 - 0.5 * wrap) + light * 0.5 * wrap;
-}
-
-// GGX (Walter et al. 2007) with the visibility approximated after Kelemen and Szirmay-Kalos (2001).
-float highlight(vec3 normal, vec3 towards_light, vec3 towards_eye, float roughness) {
-  vec3 halfway = normalize(towards_light + towards_eye);
-  float a2 = roughness * roughness * roughness * roughness;
-  float nh = max(dot(normal, halfway), 0.0);
-  float lh = max(dot(towards_light, halfway), 0.1);
-  float d = nh * nh * (a2 - 1.0) + 1.0;
-  return 0.04 * a2 / (4.0 * d * d * lh * lh);
-}
-
-struct Light {
-  float diffuse;   // times the surface's own colour
-  float fringe;    // of cloth fibres and rim, nearly white
-  float gloss;
+// One spot of a triangle, and how its material moves from pixel to pixel.
+struct Spot {
+  vec3 world;
+  vec3 normal;
+  vec3 material;
+  vec3 material_across;
+  vec3 material_up;
+  vec2 sky;  // x: outside, y: inside
 };
 
-Light gathered(vec3 normal, vec3 towards_eye, float open) {
-  float key_cosine = dot(normal, towards_key.xyz);
-#ifdef OPEN
-  float key_light = towards_key.w * key_visibility(world, key_cosine >= 0.0 ? normal : -normal);
-#else
-  float key_light = towards_key.w * step(0.5, decided_shadow);
-#endif
-  float facing = max(dot(normal, towards_eye), 0.0);
-  float grazing = (1.0 - facing) * (1.0 - facing) * (1.0 - facing);
-  float direct = 0.80 * key_light * wrapped(key_cosine, 0.15);
-  float through = 0.80 * key_light * finish.z * max(-key_cosine, 0.0);
-  // The fill has no shadow map; what is closed to the sky is closed to it too.
-  float openness = clamp(open / max(open_sky(normal), 0.05), 0.0, 1.0);
-  float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), 0.3) * openness;
-  // Closed folds lose more than their share, so that they read beside lit ones.
-  float around = upper_colour.w * mix(0.25, 1.0, open) * mix(0.7, 1.0, openness);
-  float rim = towards_rim.w * grazing * max(dot(normal, towards_rim.xyz), 0.0) * openness;
-  Light light;
-  light.diffuse = direct + through + fill + around;
-  light.fringe = rim + finish.y * grazing * 0.85 * (around + 0.6 * direct + fill);
-  light.gloss = key_light * max(key_cosine, 0.0) * highlight(normal, towards_key.xyz, towards_eye, finish.x);
-  return light;
+// Where a ray meets the triangle (Moeller and Trumbore 1997).
+Spot spot_on(uvec3 corners, vec3 ray) {
+  ivec3 first = 3 * ivec3(corners);
+  vec4 a = texelFetch(vertex_table, first.x);
+  vec4 b = texelFetch(vertex_table, first.y);
+  vec4 c = texelFetch(vertex_table, first.z);
+  vec3 ab = b.xyz - a.xyz;
+  vec3 ac = c.xyz - a.xyz;
+  vec3 from_a = eye.xyz - a.xyz;
+  mat3 shares = mat3(cross(ac, from_a), cross(from_a, ab), cross(ac, ab));
+  vec3 middle = ray * shares;
+  vec3 right = middle + ray_across.xyz * shares;
+  vec3 above = middle + ray_up.xyz * shares;
+  vec2 place = middle.xy / middle.z;
+  vec2 across = right.xy / right.z - place;
+  vec2 up = above.xy / above.z - place;
+  // It does, but for rounding.
+  place = clamp(place, 0.0, 1.0);
+  place /= max(place.x + place.y, 1.0);
+
+  vec4 na = texelFetch(vertex_table, first.x + 1);
+  vec4 nb = texelFetch(vertex_table, first.y + 1) - na;
+  vec4 nc = texelFetch(vertex_table, first.z + 1) - na;
+  vec4 ma = texelFetch(vertex_table, first.x + 2);
+  vec4 mb = texelFetch(vertex_table, first.y + 2) - ma;
+  vec4 mc = texelFetch(vertex_table, first.z + 2) - ma;
+  vec4 n = na + place.x * nb + place.y * nc;
+  vec4 m = ma + place.x * mb + place.y * mc;
+  Spot spot;
+  spot.world = a.xyz + place.x * ab + place.y * ac;
+  spot.normal = normalize(n.xyz);
+  spot.material = m.xyz;
+  spot.material_across = across.x * mb.xyz + across.y * mc.xyz;
+  spot.material_up = up.x * mb.xyz + up.y * mc.xyz;
+  spot.sky = vec2(n.w, m.w);
+  return spot;
 }
 
-vec3 data_colour() {
-  if (shown_scalar < -0.5) return vec3(0.21);
-  float width = float(textureSize(scalar_map, 0).x);
-  float t = (clamp(shown_scalar, 0.0, 1.0) * (width - 1.0) + 0.5) / width;
-  return textureLod(scalar_map, vec2(t, 0.5), 0.0).rgb;
+vec3 data_colour(float scalar, float row) {
+  vec2 size = vec2(textureSize(scalar_maps, 0));
+  vec2 place = vec2(clamp(scalar, 0.0, 1.0) * (size.x - 1.0), row) + 0.5;
+  return scalar < -0.5 ? vec3(0.21) : textureLod(scalar_maps, place / size, 0.0).rgb;
 }
 
-void main() {
-  vec3 towards_eye = normalize(eye.xyz - world);
-  vec3 normal = normalize(world_normal);
-  float side = gl_FrontFacing ? 1.0 : -1.0;
-  normal *= side;
+// Linear light.
+vec3 shaded(uvec4 corners, bool front, vec3 ray) {
+  Spot spot = spot_on(corners.xyz, ray);
+  int look = 3 * int(corners.w >> 2u);
+  uint key = corners.w & 3u;
+  vec4 outside = texelFetch(look_table, look);
+  vec4 inside = texelFetch(look_table, look + 1);
+  vec4 rest = texelFetch(look_table, look + 2);
+  vec3 towards_eye = normalize(eye.xyz - spot.world);
+  vec3 normal = front ? spot.normal : -spot.normal;
   // Near a silhouette an interpolated normal can turn away from the eye; it is brought back to grazing.
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
-  Light light = gathered(normal, towards_eye, gl_FrontFacing ? sky_light.x : sky_light.y);
+  float lit = float(key);
+#ifdef OPEN
+  vec3 lit_side = dot(normal, towards_key.xyz) >= 0.0 ? normal : -normal;
+  float found = key_visibility(spot.world, lit_side, key == 2u);
+  lit = key == 2u ? found : lit;
+#endif
+  Light light = gathered(normal, towards_eye, lit, front ? spot.sky.x : spot.sky.y,
+                         Finish(outside.w, inside.w, rest.x));
+  vec3 base = front ? outside.rgb : inside.rgb;
+  vec3 cloth =
+      base * light.diffuse * weave_brightness(spot.material, spot.material_across, spot.material_up, rest.y) +
+      mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
 #ifdef DATA
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
   // A dark colour cannot show form by getting darker, so a little light from the edges is added.
-  vec3 seen = data_colour() * mix(1.0, light.diffuse / 1.15, 0.5) + vec3(0.1 * light.fringe);
+  vec3 data = data_colour(spot.material.x, rest.z) * mix(1.0, light.diffuse / 1.15, 0.5) + vec3(0.1 * light.fringe);
+  return tone_mapped(rest.z < 0.0 ? cloth : data);
 #else
-  vec3 base = gl_FrontFacing ? outside_colour : inside_colour;
-  vec3 seen = base * light.diffuse * weave_brightness(material, finish.w) +
-              mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
+  return tone_mapped(cloth);
 #endif
-  colour = vec4(linear_to_srgb_fast(tone_mapped(seen)), 1.0);
 }
+
+#ifdef MULTISAMPLED
+bool share_a_corner(uvec3 a, uvec3 b) {
+  return any(equal(a, b)) || any(equal(a, b.yzx)) || any(equal(a, b.zxy));
+}
+
+// Whether a sample shows the surface that `first` is part of: triangles around one vertex, from the same side.
+bool continues(uint sample_seen, uint first, uvec3 corners) {
+  uvec3 others = texelFetch(triangle_table, max(triangle_of(sample_seen), 0)).xyz;
+  return sample_seen != 0u && is_front(sample_seen) == is_front(first) && share_a_corner(others, corners);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - corner.xy;
+  uvec4 left = uvec4(texelFetch(seen_map, pixel, 0).r, texelFetch(seen_map, pixel, 1).r,
+                     texelFetch(seen_map, pixel, 2).r, texelFetch(seen_map, pixel, 3).r);
+  vec4 sum = vec4(0.0);
+  while (left != uvec4(0u)) {
+    bvec3 none = equal(left.xyz, uvec3(0u));
+    int i = !none.x ? 0 : !none.y ? 1 : !none.z ? 2 : 3;
+    uint first = left[i];
+    // Through the sample, not the pixel's middle, which the triangle may miss.
+    vec3 ray = ray_through(vec2(pixel) + vec2(samples_x[i], samples_y[i]));
+    uvec4 corners = texelFetch(triangle_table, max(triangle_of(first), 0));
+    bvec4 same = bvec4(continues(left.x, first, corners.xyz), continues(left.y, first, corners.xyz),
+                       continues(left.z, first, corners.xyz), continues(left.w, first, corners.xyz));
+    sum += 0.25 * dot(vec4(same), vec4(1.0)) * vec4(shaded(corners, is_front(first), ray), 1.0);
+    left *= uvec4(not(same));
+  }
+  colour = sum;
+}
+#else
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - corner.xy;
+  uint seen = texelFetch(seen_map, pixel, 0).r;
+  if (seen == 0u) discard;
+  vec3 ray = ray_through(vec2(pixel) + 0.5);
+  vec3 light = shaded(texelFetch(triangle_table, triangle_of(seen)), is_front(seen), ray);
+  colour = vec4(linear_to_srgb_fast(light), 1.0);
+}
+#endif

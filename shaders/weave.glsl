@@ -16,12 +16,11 @@ vec3 fade(vec3 phase_per_pixel) { return clamp(2.0 - 4.0 * phase_per_pixel, 0.0,
 // One plane's stitches: columns, and rows between them.
 float stitches(float column, float crossed, float row) { return 0.6 * column + 0.4 * crossed * row; }
 
-float weave_brightness(vec3 material, float strength) {
-  vec3 across = dFdx(material);
-  vec3 down = dFdy(material);
-  vec3 extent = abs(across) + abs(down);
+// `across`, `up`: how the material moves from pixel to pixel.
+float weave_brightness(vec3 material, vec3 across, vec3 up, float strength) {
+  vec3 extent = abs(across) + abs(up);
   // Three planes, each where the material faces it: jersey has no direction that a garment's rest shape would tell.
-  vec3 facing = cross(across, down);
+  vec3 facing = cross(across, up);
   vec3 share = facing * facing / max(dot(facing, facing), 1e-30);
   vec3 thread_share = fade(stitches_per_m * extent);
   float knit = 0.0;
@@ -38,6 +37,6 @@ float weave_brightness(vec3 material, float strength) {
   const mat3 first = mat3(61.0, 97.0, -43.0, 89.0, -37.0, 71.0, -53.0, 47.0, 101.0);
   const mat3 second = mat3(-83.0, 59.0, 107.0, 67.0, 103.0, 29.0, 41.0, -79.0, 73.0);
   vec3 slubs = wave(first * material) * wave(second * material) *
-               fade(abs(first * across) + abs(first * down)) * fade(abs(second * across) + abs(second * down));
+               fade(abs(first * across) + abs(first * up)) * fade(abs(second * across) + abs(second * up));
   return 1.0 + strength * (stitch_contrast * knit + slub_contrast * dot(slubs, vec3(1.0)));
 }

@@ -55,7 +55,7 @@ struct TwoSheets {
     const Box box = united(bounding_box(low.positions), bounding_box(high.positions));
     block = make_frame_block(frame, PictureSettings{}, box);
   }
-  std::vector<float> decided() {
+  std::vector<KeyLight> decided() {
     const std::array casters{&frame.surfaces[0], &frame.surfaces[1]};
     DepthMap map;
     map.resize(1024);
@@ -64,52 +64,83 @@ struct TwoSheets {
     }
     KeyDecision decision;
     decision.look(map, block);
-    std::vector<float> numbers;
-    decision.decide(frame.surfaces[0], numbers);
-    return numbers;
+    std::vector<KeyLight> triangles;
+    decision.decide(frame.surfaces[0], triangles);
+    return triangles;
+  }
+  // Of a triangle of the large sheet: how far its nearest and its farthest corner are from the middle, as
+  // squares around it are.
+  glm::vec2 reach_m(std::size_t triangle) const {
+    glm::vec2 reach{1e9F, 0.0F};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3 p = low.positions[low.triangles[3 * triangle + k]];
+      const float own = std::max(std::abs(p.x), std::abs(p.z));
+      reach = {std::min(reach.x, own), std::max(reach.y, own)};
+    }
+    return reach;
   }
 };
 
 TEST(KeyDecision, FineMeshKnowsLightShadowAndTheirEdge) {
   TwoSheets scene(50);
-  const std::vector<float> decided = scene.decided();
-  int dark = 0;
-  int open = 0;
+  const std::vector<KeyLight> decided = scene.decided();
   for (std::size_t i = 0; i < decided.size(); ++i) {
-    const glm::vec3 p = scene.low.positions[i];
-    const float from_middle = std::max(std::abs(p.x), std::abs(p.z));
-    if (from_middle < 0.12F) {
-      EXPECT_EQ(decided[i], 0.0F) << p.x << "," << p.z;
+    const glm::vec2 reach_m = scene.reach_m(i);
+    if (reach_m.y < 0.16F) {
+      EXPECT_EQ(decided[i], KeyLight::shadow) << reach_m.y;
     }
-    if (from_middle > 0.28F && from_middle < 0.45F) {
-      EXPECT_EQ(decided[i], 1.0F) << p.x << "," << p.z;
+    if (reach_m.x > 0.24F) {
+      EXPECT_EQ(decided[i], KeyLight::light) << reach_m.x;
     }
-    if (std::abs(from_middle - 0.2F) < 0.005F) {
-      EXPECT_EQ(decided[i], 0.5F) << p.x << "," << p.z;
+    // The edge is at 0.2; the penumbra reaches as far as the widest blur.
+    if (reach_m.x < 0.2F && reach_m.y > 0.2F) {
+      EXPECT_EQ(decided[i], KeyLight::open) << reach_m.x;
     }
-    dark += decided[i] == 0.0F ? 1 : 0;
-    open += decided[i] == 0.5F ? 1 : 0;
   }
-  EXPECT_GT(dark, 100);
-  EXPECT_LT(open, 700);
+  EXPECT_GT(std::count(decided.begin(), decided.end(), KeyLight::shadow), 300);
+  EXPECT_LT(std::count(decided.begin(), decided.end(), KeyLight::open), 700);
+}
+
+// The mesh is finer than the penumbra is wide.
+TEST(KeyDecision, PenumbraSpreadsOverSeveralTriangles) {
+  TwoSheets scene(200);
+  const std::vector<KeyLight> decided = scene.decided();
+  const float blur_m = scene.block.shadow_blur.x * scene.block.shadow.x;
+  ASSERT_GT(blur_m, 0.011F);
+  for (std::size_t i = 0; i < decided.size(); ++i) {
+    const glm::vec2 reach_m = scene.reach_m(i);
+    if (std::abs(reach_m.x - 0.2F) < 0.8F * blur_m) {
+      EXPECT_EQ(decided[i], KeyLight::open) << reach_m.x;
+    }
+  }
 }
 
 // What is close above throws a sharp shadow, which reaches less far.
-TEST(KeyDecision, FewerVerticesAreOpenWhereTheShadowIsSharp) {
-  const auto open_among = [](const std::vector<float>& decided) {
-    return std::count(decided.begin(), decided.end(), 0.5F);
+TEST(KeyDecision, FewerTrianglesAreOpenWhereTheShadowIsSharp) {
+  const auto open_among = [](const std::vector<KeyLight>& decided) {
+    return std::count(decided.begin(), decided.end(), KeyLight::open);
   };
   TwoSheets close(100, 0.02F);
   TwoSheets apart(100, 0.3F);
   const auto sharp = open_among(close.decided());
-  EXPECT_GT(sharp, 100);
+  EXPECT_GT(sharp, 200);
   EXPECT_LT(sharp, 0.8 * static_cast<double>(open_among(apart.decided())));
 }
 
 // The shadow lies between the vertices, where they cannot see it.
 TEST(KeyDecision, CoarseMeshLeavesItToThePixels) {
   TwoSheets scene(1);
-  for (const float number : scene.decided()) EXPECT_EQ(number, 0.5F);
+  for (const KeyLight triangle : scene.decided()) EXPECT_EQ(triangle, KeyLight::open);
+}
+
+// Its sides rise in front of its bottom's plane, but nothing is between them and the light.
+TEST(KeyDecision, AValleyIsWhollyInTheLight) {
+  TwoSheets scene(50);
+  for (glm::vec3& p : scene.low.positions) p.y = 2.0F * p.x * p.x - 0.3F;
+  for (glm::vec3& p : scene.high.positions) p += glm::vec3{2.0F, -0.3F, 0.0F};
+  const Box box = united(bounding_box(scene.low.positions), bounding_box(scene.high.positions));
+  scene.block = make_frame_block(scene.frame, PictureSettings{}, box);
+  for (const KeyLight triangle : scene.decided()) EXPECT_EQ(triangle, KeyLight::light);
 }
 
 TEST(KeyDecision, WithoutCastersEverythingIsInTheLight) {
@@ -117,9 +148,10 @@ TEST(KeyDecision, WithoutCastersEverythingIsInTheLight) {
   KeyDecision decision;
   const DepthMap nothing;
   decision.look(nothing, scene.block);
-  std::vector<float> decided;
+  std::vector<KeyLight> decided;
   decision.decide(scene.frame.surfaces[0], decided);
-  for (const float number : decided) EXPECT_EQ(number, 1.0F);
+  EXPECT_EQ(decided.size(), 32U);
+  for (const KeyLight triangle : decided) EXPECT_EQ(triangle, KeyLight::light);
 }
 
 TEST(ShadedFloor, HoldsTheShadowAndLittleElse) {

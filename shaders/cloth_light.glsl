@@ -1,0 +1,53 @@
+// What of the studio's light comes back from cloth.
+
+// What arrives from all around with nothing in the way, as SkyLight has it.
+float open_sky(vec3 normal) { return 0.75 + 0.25 * normal.y; }
+
+// A lamp with some extent: light reaches a little around the edge of a form.
+float wrapped(float cosine, float wrap) {
+  float light = max((cosine + wrap) / (1.0 + wrap), 0.0);
+  return light * light * (1.0 - 0.5 * wrap) + light * 0.5 * wrap;
+}
+
+// GGX (Walter et al. 2007) with the visibility approximated after Kelemen and Szirmay-Kalos (2001).
+float highlight(vec3 normal, vec3 towards_light, vec3 towards_eye, float roughness) {
+  vec3 halfway = normalize(towards_light + towards_eye);
+  float a2 = roughness * roughness * roughness * roughness;
+  float nh = max(dot(normal, halfway), 0.0);
+  float lh = max(dot(towards_light, halfway), 0.1);
+  float d = nh * nh * (a2 - 1.0) + 1.0;
+  return 0.04 * a2 / (4.0 * d * d * lh * lh);
+}
+
+struct Finish {
+  float roughness;
+  float sheen;
+  float translucency;
+};
+
+struct Light {
+  float diffuse;   // times the surface's own colour
+  float fringe;    // of cloth fibres and rim, nearly white
+  float gloss;
+};
+
+// `key`: how much of the key light arrives; `open`: how much of the sky.
+Light gathered(vec3 normal, vec3 towards_eye, float key, float open, Finish finish) {
+  float key_cosine = dot(normal, towards_key.xyz);
+  float key_light = towards_key.w * key;
+  float facing = max(dot(normal, towards_eye), 0.0);
+  float grazing = (1.0 - facing) * (1.0 - facing) * (1.0 - facing);
+  float direct = 0.80 * key_light * wrapped(key_cosine, 0.15);
+  float through = 0.80 * key_light * finish.translucency * max(-key_cosine, 0.0);
+  // The fill has no shadow map; what is closed to the sky is closed to it too.
+  float openness = clamp(open / max(open_sky(normal), 0.05), 0.0, 1.0);
+  float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), 0.3) * openness;
+  // Closed folds lose more than their share, so that they read beside lit ones.
+  float around = upper_colour.w * mix(0.25, 1.0, open) * mix(0.7, 1.0, openness);
+  float rim = towards_rim.w * grazing * max(dot(normal, towards_rim.xyz), 0.0) * openness;
+  Light light;
+  light.diffuse = direct + through + fill + around;
+  light.fringe = rim + finish.sheen * grazing * 0.85 * (around + 0.6 * direct + fill);
+  light.gloss = key_light * max(key_cosine, 0.0) * highlight(normal, towards_key.xyz, towards_eye, finish.roughness);
+  return light;
+}

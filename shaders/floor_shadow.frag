@@ -1,0 +1,13 @@
+#version 330 core
+#include "frame.glsl"
+#include "shadow.glsl"
+// How much of the key light reaches the floor, for two by two drawn pixels at a time: what throws the shadow is far
+// enough away for its edge to be no sharper, and backdrop.frag smooths between.
+uniform vec4 coarse;  // xy: drawn pixels left of and below the part that is drawn, z: drawn pixels for one here
+layout(location = 0) out float lit;
+
+void main() {
+  vec3 ray = ray_through(coarse.xy + coarse.z * gl_FragCoord.xy);
+  vec3 spot = eye.xyz + ray * ((ground.y - eye.y) / min(ray.y, -1e-6));
+  lit = key_visibility(spot, vec3(0.0, 1.0, 0.0), ray.y < 0.0);
+}

@@ -90,6 +90,10 @@ renderer::Resized read_size(Line& line, const char* expected) {
   return {width, line.number<int>(expected, 0, largest_side_px)};
 }
 
+WindowEvent read_resize(Line& line) {
+  return read_size(line, "resize WIDTH HEIGHT in pixels");
+}
+
 WindowEvent read_key(Line& line) {
   constexpr const char* expected = "key NAME down|up, with a name such as space, a, f12, left";
   const std::optional<int> key = key_named(line.word(expected));
@@ -131,7 +135,7 @@ std::optional<SessionEvent> read_event(Line& line) {
   if (verb == "button") return read_button(line);
   if (verb == "text") return read_text(line);
   if (verb == "drop") return WindowEvent(renderer::FileDropped{line.rest("drop PATH")});
-  if (verb == "resize") return WindowEvent(read_size(line, "resize WIDTH HEIGHT in pixels"));
+  if (verb == "resize") return read_resize(line);
   if (verb == "lose-context") return ContextLost{};
   if (verb == "scale") return WindowEvent(renderer::ScaleChanged{line.number("scale 0.25 to 8", 0.25, 8.0)});
   if (verb == "move") {

@@ -49,17 +49,6 @@ unsigned ColourTarget::framebuffer(int width_px, int height_px) {
   return parts->drawn.name();
 }
 
-void ColourTarget::copy_to(unsigned framebuffer, int width_px, int height_px) const {
-  const GladGLContext& gl = parts->context.gl();
-  gl.Disable(GL_SCISSOR_TEST);
-  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, parts->drawn.name());
-  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  gl.BlitFramebuffer(0, 0, parts->width_px, parts->height_px, 0, 0, width_px, height_px, GL_COLOR_BUFFER_BIT,
-                     GL_LINEAR);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  check_errors(gl, "stretching the picture");
-}
-
 Image read_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px) {
   const GladGLContext& gl = context.gl();
   Image image = make_image(width_px, height_px);

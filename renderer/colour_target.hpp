@@ -20,9 +20,6 @@ class ColourTarget {
   /// The framebuffer's name, with room for this size. Throws ContextError.
   unsigned framebuffer(int width_px, int height_px);
 
-  /// Stretches what was drawn over the lower left part of another framebuffer (0: the window).
-  void copy_to(unsigned framebuffer, int width_px, int height_px) const;
-
  private:
   struct Parts;
   std::unique_ptr<Parts> parts;

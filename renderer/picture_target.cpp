@@ -48,11 +48,12 @@ Image PictureTarget::read() const {
   return image;
 }
 
-void PictureTarget::show(GLuint target) const {
+void PictureTarget::show(GLuint target, int width_px, int height_px) const {
+  const bool is_same_size = width_px == picture_width_px && height_px == picture_height_px;
   gl->BindFramebuffer(GL_READ_FRAMEBUFFER, finished.name());
   gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
-  gl->BlitFramebuffer(0, 0, picture_width_px, picture_height_px, 0, 0, picture_width_px, picture_height_px,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl->BlitFramebuffer(0, 0, picture_width_px, picture_height_px, 0, 0, width_px, height_px,
+                      GL_COLOR_BUFFER_BIT, is_same_size ? GL_NEAREST : GL_LINEAR);
   gl->BindFramebuffer(GL_FRAMEBUFFER, target);
 }
 

@@ -19,8 +19,8 @@ class PictureTarget {
   const Texture& texture() const { return *colour; }
   /// The picture, top row first.
   Image read() const;
-  /// Copies the picture into a framebuffer of the same size.
-  void show(GLuint target) const;
+  /// Copies the picture, stretched to this size, to the lower left part of a framebuffer.
+  void show(GLuint target, int width_px, int height_px) const;
 
  private:
   void allocate(int width_px, int height_px);

@@ -251,11 +251,22 @@ Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& setting
 }
 
 void SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings) {
+  draw_kept(frame, settings);
+  show_kept(framebuffer, settings.width_px, settings.height_px);
+}
+
+void SceneRenderer::draw_kept(const FrameView& frame, const PictureSettings& settings) {
   check_frame(frame);
   check_settings(settings);
   parts->context.make_current();
   parts->draw(frame, settings);
-  parts->picture.show(framebuffer);
+}
+
+void SceneRenderer::show_kept(unsigned framebuffer, int width_px, int height_px) const {
+  parts->context.make_current();
+  parts->gl.Disable(GL_SCISSOR_TEST);
+  parts->picture.show(framebuffer, width_px, height_px);
+  check_errors(parts->gl, "showing the picture");
 }
 
 }  // namespace taut::renderer

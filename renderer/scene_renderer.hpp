@@ -27,6 +27,12 @@ class SceneRenderer {
   /// height_px. The target must not be sRGB-encoding: the bytes written are already encoded.
   void draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings);
 
+  /// As draw; the picture stays inside.
+  void draw_kept(const FrameView& frame, const PictureSettings& settings);
+  /// Copies what was drawn last, stretched to this size, to the lower left part of a framebuffer (0: the
+  /// window).
+  void show_kept(unsigned framebuffer, int width_px, int height_px) const;
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts;

@@ -15,14 +15,14 @@ struct PictureQuality {
   bool operator==(const PictureQuality&) const = default;
 };
 
-/// From best to cheapest: first samples give way, then the sky's shade and the size of shadows, and only then
+/// From best to cheapest: first the sky's shade and the size of shadows give way, then samples, and only then
 /// the resolution.
 inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 24, 1.0F},
-                                                                     {1, 2048, 24, 1.0F},
-                                                                     {1, 1024, 12, 1.0F},
-                                                                     {1, 1024, 6, 0.8F},
-                                                                     {1, 1024, 6, 0.65F},
-                                                                     {1, 1024, 6, 0.5F}}};
+                                                                     {4, 1024, 12, 1.0F},
+                                                                     {1, 1024, 6, 1.0F},
+                                                                     {1, 512, 6, 1.0F},
+                                                                     {1, 512, 6, 0.65F},
+                                                                     {1, 512, 6, 0.5F}}};
 
 /// Chooses the quality by how long frames took: 30 of them a second, as well as that allows.
 class QualityControl {
@@ -40,7 +40,7 @@ class QualityControl {
  private:
   void go_to(std::size_t level);
 
-  std::size_t level_ = 1;
+  std::size_t level_ = 2;
   double mean_ms_ = 0.0;
   int frames_ = 0;                 ///< since the level changed
   int patience_ = least_patience;  ///< frames that have to be fast enough before a dearer level is tried

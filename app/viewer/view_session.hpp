@@ -6,6 +6,7 @@
 #include "app/viewer/simulation_host.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/viewer_picture.hpp"
+#include "renderer/colour_target.hpp"
 
 namespace taut::app {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/viewer/spring_colours.hpp"
+#include "renderer/colour_target.hpp"
 
 namespace taut::app {
 namespace {
@@ -52,7 +53,7 @@ std::uint64_t hash_of(const renderer::OverlayView& overlay) {
 }  // namespace
 
 ViewerPicture::ViewerPicture(renderer::Context& context)
-    : context_(context), scene_renderer_(context), overlay_pass_(context), scene_target_(context) {}
+    : context_(context), scene_renderer_(context), overlay_pass_(context) {}
 
 GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewArea& area) {
   const Snapshot& shown = *state.shown;
@@ -149,7 +150,7 @@ void ViewerPicture::draw_scene(const ViewerState& state, const ViewArea& area,
   };
   settings.width_px = scaled(area.width_px);
   settings.height_px = scaled(area.height_px);
-  scene_renderer_.draw_to(scene_target_.framebuffer(settings.width_px, settings.height_px), frame, settings);
+  scene_renderer_.draw_kept(frame, settings);
 }
 
 void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
@@ -172,7 +173,7 @@ void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const W
   renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px,
                               behind_everything_grey);
   if (has_room(area)) {
-    scene_target_.copy_to(framebuffer, area.width_px, area.height_px);
+    scene_renderer_.show_kept(framebuffer, area.width_px, area.height_px);
   }
   overlay_pass_.draw(framebuffer, layout.width_px, layout.height_px, overlay);
   drawn_overlay_ = hash_of(overlay);

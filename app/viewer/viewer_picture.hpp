@@ -8,7 +8,6 @@
 #include "app/viewer/picture_quality.hpp"
 #include "app/viewer/user_interface.hpp"
 #include "app/viewer/viewer_state.hpp"
-#include "renderer/colour_target.hpp"
 #include "renderer/overlay_pass.hpp"
 #include "renderer/scene_renderer.hpp"
 
@@ -74,8 +73,7 @@ class ViewerPicture {
   renderer::Context& context_;
   renderer::SceneRenderer scene_renderer_;
   renderer::OverlayPass overlay_pass_;
-  renderer::ColourTarget scene_target_;
-  std::optional<SceneLook> drawn_look_;  ///< of what is in `scene_target_`
+  std::optional<SceneLook> drawn_look_;  ///< of the picture that the renderer keeps
   std::size_t drawn_level_ = 0;
   bool drew_scene_ = false;
   std::uint64_t drawn_overlay_ = 0;  ///< its hash

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "renderer/colour_target.hpp"
 #include "scene_support.hpp"
 
 namespace taut::renderer {
@@ -17,6 +18,24 @@ TEST_F(SceneRendererTest, TriangleHasItsColourAndStandsUpright) {
   expect_colour(image, 26, 60, rgb(0x2E8B57), 1.0F);
   expect_colour(image, 26, 4, rgb(0xFFFFFF), 0.0F);
   expect_colour(image, 2, 60, rgb(0xFFFFFF), 0.0F);
+}
+
+TEST_F(SceneRendererTest, AKeptPictureIsShownAgainAndStretched) {
+  const Image drawn = renderer.draw(triangle_frame(), small_picture());
+  ColourTarget target(*context);
+  renderer.draw_kept(triangle_frame(), small_picture());
+  for (const int factor : {1, 2, 1}) {
+    const unsigned framebuffer = target.framebuffer(factor * drawn.width_px, factor * drawn.height_px);
+    clear_framebuffer(*context, framebuffer, factor * drawn.width_px, factor * drawn.height_px, 0.0F);
+    renderer.show_kept(framebuffer, factor * drawn.width_px, factor * drawn.height_px);
+    const Image shown =
+        read_framebuffer(*context, framebuffer, factor * drawn.width_px, factor * drawn.height_px);
+    expect_colour(shown, factor * 48, factor * 40, rgb(0x2E8B57), 1.0F);
+    expect_colour(shown, factor * 26, factor * 4, rgb(0xFFFFFF), 0.0F);
+    if (factor == 1) {
+      EXPECT_EQ(shown.pixels, drawn.pixels);
+    }
+  }
 }
 
 TEST_F(SceneRendererTest, TheOtherSideHasTheInsideColour) {

@@ -38,11 +38,15 @@ std::string number(float value, float step, const std::string& suffix) {
 
 void draw_bar(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
   const int rows = static_cast<int>(std::ceil(place.bar_height_px));
+  // Rows need not lie on whole pixels: each goes on below, and the bar to under its frame, so that what is
+  // behind shines through no seam.
+  constexpr float under_frame = 0.5F;
   for (int row = 0; row < rows; ++row) {
     const float y = static_cast<float>(row);
-    const float height = std::min(1.0F, place.bar_height_px - y);
     const float t = 1.0F - (y + 0.5F) / place.bar_height_px;
-    canvas.fill_rectangle(place.x_px, place.y_px + y, place.bar_width_px, height, colour_at(legend.map, t));
+    const float top = row == 0 ? -under_frame : y;
+    canvas.fill_rectangle(place.x_px - under_frame, place.y_px + top, place.bar_width_px + 2.0F * under_frame,
+                          place.bar_height_px - top + under_frame, colour_at(legend.map, t));
   }
   canvas.rectangle(place.x_px - 0.5F, place.y_px - 0.5F, place.bar_width_px + 1.0F,
                    place.bar_height_px + 1.0F, place.text.colour);
@@ -53,8 +57,10 @@ void draw_arrow(Canvas& canvas, const Legend& legend, const LegendPlace& place) 
   const float height = 0.6F * place.bar_width_px;
   for (float y = 0.0F; y < height; y += 1.0F) {
     const float half = 0.5F * place.bar_width_px * (1.0F - (y + 0.5F) / height);
+    // Into the row below, which is wider, so that no seam shows between the two.
+    const float depth = y > 0.0F ? 2.0F : 1.0F;
     canvas.fill_rectangle(place.x_px + 0.5F * place.bar_width_px - half, place.y_px - 2.0F - y, 2.0F * half,
-                          1.0F, colour_at(legend.map, 1.0F));
+                          depth, colour_at(legend.map, 1.0F));
   }
 }
 

@@ -18,6 +18,9 @@ const renderer::Colour outline_colour = renderer::rgb(0xC0392B);
 // looks like a small one.
 constexpr float full_line_height_px = 600.0F;
 
+// A few pins stand out better with their shadow; light between those of a whole row streaks the cloth below.
+constexpr std::size_t most_pins_with_shadows = 8;
+
 std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
   std::vector<std::uint32_t> indices;
   indices.reserve(triangles.size() * 3);
@@ -147,7 +150,9 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
     for (const sim::Index pin : pins_) {
       pin_positions_.push_back(positions_[pin]);
     }
-    frame_.spheres.push_back({.centres = pin_positions_, .radius_m = pin_radius_m_});
+    frame_.spheres.push_back({.centres = pin_positions_,
+                              .radius_m = pin_radius_m_,
+                              .casts_shadow = pins_.size() <= most_pins_with_shadows});
   }
   return frame_;
 }

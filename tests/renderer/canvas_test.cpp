@@ -126,5 +126,24 @@ TEST(Legend, BarRunsFromTheMinimumBelowToTheMaximumAbove) {
   EXPECT_GT(dark_pixels(drawn, x + 12, middle - 8, 190, middle + 8), 40) << "and labelled";
 }
 
+// Half a pixel off in both directions every row has two soft edges.
+TEST(Legend, BarKeepsItsColoursBetweenPixels) {
+  Canvas canvas(200, 320, rgb(0xFFFFFF));
+  Legend legend{"stretch", 0.0F, 0.02F, ColourMap::viridis, 100.0F, " %", {}, "", true};
+  LegendPlace place;
+  place.x_px = 24.5F;
+  place.y_px = 48.5F;
+  draw_legend(canvas, legend, place);
+  const Image drawn = canvas.to_image();
+  for (int y = 50; y < 287; ++y) {
+    const Colour expected =
+        colour_at(legend.map, 1.0F - (static_cast<float>(y) - 48.0F) / place.bar_height_px);
+    for (const int x : {26, 32, 39}) {
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(pixel(drawn, x, y)[k], expected[k], 0.02F) << x << "," << y;
+    }
+  }
+  for (int y = 40; y < 45; ++y) EXPECT_LT(pixel(drawn, 32, y).b, 0.2F) << "the arrow, " << y;
+}
+
 }  // namespace
 }  // namespace taut::renderer

@@ -56,6 +56,15 @@ PixelRect shaded_floor(const FrameBlock& block) {
           static_cast<int>(upper.y - lower.y)};
 }
 
+std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& size_px) {
+  const int right_px = part.x_px + part.width_px;
+  const int top_px = part.y_px + part.height_px;
+  return {{{0, 0, size_px.x, part.y_px},
+           {0, part.y_px, part.x_px, part.height_px},
+           {right_px, part.y_px, size_px.x - right_px, part.height_px},
+           {0, top_px, size_px.x, size_px.y - top_px}}};
+}
+
 BackdropPass::CoarseMap::CoarseMap(const GladGLContext& context) : texture(context) {}
 
 BackdropPass::BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files)
@@ -160,7 +169,12 @@ void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor)
   bind_texture(*gl, backdrop_lit_unit, GL_TEXTURE_2D, lit_map.texture);
   const glm::vec4 to_maps{0.0F, 0.0F, 1.0F / glm::vec2{lit_map.size_px * texel_px(size_px.y)}};
   stretched.use().set("coarse", to_maps);
-  gl->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl->Enable(GL_SCISSOR_TEST);
+  for (const PixelRect& band : bands_around(any_shadow ? part : PixelRect{}, size_px)) {
+    gl->Scissor(band.x_px, band.y_px, band.width_px, band.height_px);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  gl->Disable(GL_SCISSOR_TEST);
   if (any_shadow) draw_shaded(block, part, to_maps);
   gl->Enable(GL_DEPTH_TEST);
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <glm/vec2.hpp>
+
 #include "renderer/frame_block.hpp"
 #include "renderer/gl_objects.hpp"
 #include "renderer/lazy_program.hpp"
@@ -8,6 +11,9 @@ namespace taut::renderer {
 
 /// The part of the tile in which the key light's shadow may fall on the floor; the block has to be complete.
 PixelRect shaded_floor(const FrameBlock& block);
+
+/// What of a target of that size is left without the part: below, to its left and right, above.
+std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& size_px);
 
 /// What is behind everything: the backdrop and the studio's floor.
 class BackdropPass {

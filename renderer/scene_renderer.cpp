@@ -14,6 +14,7 @@
 #include "renderer/resolve_pass.hpp"
 #include "renderer/studio_light.hpp"
 #include "renderer/surface_pass.hpp"
+#include "renderer/trial_frame.hpp"
 
 namespace taut::renderer {
 
@@ -240,6 +241,13 @@ SceneRenderer::~SceneRenderer() {
     // Deleting names without their context is undefined; they go when the process does.
     static_cast<void>(parts.release());
   }
+}
+
+void SceneRenderer::prepare(const PictureSettings& settings, bool numbers) {
+  check_settings(settings);
+  parts->context.make_current();
+  const TrialFrame trial;
+  parts->draw(trial.view(numbers), TrialFrame::small(settings));
 }
 
 Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& settings) {

@@ -18,6 +18,10 @@ class SceneRenderer {
   SceneRenderer(const SceneRenderer&) = delete;
   SceneRenderer& operator=(const SceneRenderer&) = delete;
 
+  /// Makes ready what drawing cloth with such settings takes, or (`numbers`) surfaces with scalars: compiling
+  /// shaders takes longer than a frame, and need not wait for what is to be drawn. Throws as draw does.
+  void prepare(const PictureSettings& settings, bool numbers);
+
   /// An RGB image of width_px by height_px. Throws std::invalid_argument naming what is wrong with the frame
   /// (lengths that do not match, an index out of range, a position that is not finite) or the settings,
   /// before anything is drawn; ContextError when OpenGL reports an error.

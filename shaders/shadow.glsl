@@ -3,9 +3,9 @@
 uniform sampler2DShadow shadow_compare;
 uniform sampler2D shadow_depth;
 
-const int search_taps = 8;
+const int search_taps = 6;
 #ifndef FILTER_TAPS
-#define FILTER_TAPS 20
+#define FILTER_TAPS 16
 #endif
 const int filter_taps = FILTER_TAPS;
 
@@ -17,20 +17,24 @@ vec2 pixel_direction() {
 }
 
 // How much of the key light passes at a place of the map, where `open` asks for it. `slope` is the sine of the angle
-// between the light and the surface's normal. A software rasteriser skips no branch, but ends a loop early.
+// between the light and the surface's normal. A software rasteriser skips no branch, but ends a loop early; when
+// the question comes first, it works through the loop once more for nothing.
 float searched_visibility(vec3 place, float slope, float search_radius, float depth_to_uv, bool open) {
   vec2 first = pixel_direction();
   float blockers = 0.0;
   float depth_sum = 0.0;
   vec2 direction = first;
-  for (int i = 0; i < (open ? search_taps : 0); ++i) {
+  int i = 0;
+  do {
     vec2 tap = place.xy + search_radius * disc_radius(i, search_taps) * direction;
     float depth = textureLod(shadow_depth, tap, 0.0).r;
     direction = golden_turn * direction;
     float closer = step(depth, place.z - 0.5 * shadow.x / shadow.z);
     blockers += closer;
     depth_sum += closer * depth;
-  }
+    ++i;
+  } while (i < (open ? search_taps : 0));
+  blockers = open ? blockers : 0.0;
   float gap = place.z - depth_sum / max(blockers, 1.0);
   float radius = clamp(gap * depth_to_uv, 1.5 * shadow.y, shadow_blur.x * shadow.y);
   // A wide filter on a slanted surface would meet the surface itself: the allowance grows with the radius.
@@ -39,11 +43,13 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
   bool mixed = blockers > 0.0 && blockers < float(search_taps);
   float lit = 0.0;
   direction = first;
-  for (int i = 0; i < (mixed ? filter_taps : 0); ++i) {
+  i = 0;
+  do {
     vec2 tap = place.xy + radius * disc_radius(i, filter_taps) * direction;
     direction = golden_turn * direction;
     lit += textureLod(shadow_compare, vec3(tap, place.z - allowance), 0.0);
-  }
+    ++i;
+  } while (i < (mixed ? filter_taps : 0));
   return mixed ? lit / float(filter_taps) : 1.0 - step(0.5, blockers);
 }
 

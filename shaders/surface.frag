@@ -123,7 +123,7 @@ void main() {
   uvec4 left = uvec4(texelFetch(seen_map, pixel, 0).r, texelFetch(seen_map, pixel, 1).r,
                      texelFetch(seen_map, pixel, 2).r, texelFetch(seen_map, pixel, 3).r);
   vec4 sum = vec4(0.0);
-  while (left != uvec4(0u)) {
+  do {
     bvec3 none = equal(left.xyz, uvec3(0u));
     int i = !none.x ? 0 : !none.y ? 1 : !none.z ? 2 : 3;
     uint first = left[i];
@@ -134,7 +134,7 @@ void main() {
                        continues(left.z, first, corners.xyz), continues(left.w, first, corners.xyz));
     sum += 0.25 * dot(vec4(same), vec4(1.0)) * vec4(shaded(corners, is_front(first), ray), 1.0);
     left *= uvec4(not(same));
-  }
+  } while (left != uvec4(0u));
   colour = sum;
 }
 #else

@@ -174,10 +174,12 @@ int run(const RenderOptions& options) {
     prepare_folder_of(options.statistics);
   }
 
-  // Starting OpenGL takes as long as reading a model.
+  // Starting OpenGL and compiling shaders takes as long as reading a model.
   std::future<LoadedGarment> garment =
       std::async(std::launch::async, [&] { return load_garment(job.scene); });
   Studio studio(options.backend);
+  const PictureStyle& style = job.scene.picture;
+  studio.renderer().prepare(style.settings, style.surface == SurfaceLook::stretch);
   LoadedGarment loaded = garment.get();
   print_remarks(job.scene, loaded);
   sim::Simulation simulation(std::move(loaded.garment), job.scene.simulation, job.scene.surroundings);

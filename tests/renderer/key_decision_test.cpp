@@ -175,5 +175,22 @@ TEST(ShadedFloor, HoldsTheShadowAndLittleElse) {
   EXPECT_LT(part.height_px, 600);
 }
 
+TEST(BandsAround, CoverEveryPixelButThePartsOnce) {
+  for (const PixelRect& part :
+       {PixelRect{}, PixelRect{3, 2, 4, 5}, PixelRect{0, 0, 12, 9}, PixelRect{5, 0, 7, 9}}) {
+    std::array<int, 12 * 9> times{};
+    const auto count = [&](const PixelRect& rect) {
+      for (int y = rect.y_px; y < rect.y_px + rect.height_px; ++y) {
+        for (int x = rect.x_px; x < rect.x_px + rect.width_px; ++x) {
+          ++times[static_cast<std::size_t>(12 * y + x)];
+        }
+      }
+    };
+    count(part);
+    for (const PixelRect& band : bands_around(part, {12, 9})) count(band);
+    for (const int number : times) EXPECT_EQ(number, 1);
+  }
+}
+
 }  // namespace
 }  // namespace taut::renderer

@@ -197,6 +197,19 @@ TEST_F(SceneRendererTest, SameBytesEveryTimeAndFromEveryRenderer) {
   EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels) << "with two contexts alive";
 }
 
+TEST_F(SceneRendererTest, PreparingChangesNoPicture) {
+  const Sheet sheet;
+  FrameView frame = sheet.frame();
+  const std::array<float, 4> values{0.0F, 0.3F, 0.6F, 1.0F};
+  for (const bool numbers : {false, true}) {
+    if (numbers) frame.surfaces[0].scalars = ScalarColours{values};
+    const Image expected = renderer.draw(frame, small_picture());
+    SceneRenderer other(*context);
+    other.prepare(small_picture(), numbers);
+    EXPECT_EQ(other.draw(frame, small_picture()).pixels, expected.pixels);
+  }
+}
+
 TEST_F(SceneRendererTest, TilesOfALargePictureFitTogether) {
   const Sheet sheet;
   const FrameView frame = sheet.frame();

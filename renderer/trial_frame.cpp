@@ -1,0 +1,30 @@
+#include "renderer/trial_frame.hpp"
+
+#include <algorithm>
+
+namespace taut::renderer {
+
+FrameView TrialFrame::view(bool numbers) const {
+  FrameView frame;
+  SurfaceView surface;
+  surface.positions = positions;
+  surface.normals = normals;
+  surface.triangles = triangles;
+  surface.material_coordinates = positions;
+  if (numbers) surface.scalars = ScalarColours{scalars};
+  frame.surfaces.push_back(surface);
+  frame.ground_height_m = -0.5F;
+  frame.camera.eye = {0.0F, 3.0F, 4.0F};
+  frame.camera.target = {0.0F, 0.0F, 0.0F};
+  return frame;
+}
+
+PictureSettings TrialFrame::small(const PictureSettings& settings) {
+  PictureSettings less = settings;
+  less.width_px = less.height_px = 64;
+  less.shadow_map_px = 256;
+  less.sky_directions = std::min(settings.sky_directions, 2);
+  return less;
+}
+
+}  // namespace taut::renderer

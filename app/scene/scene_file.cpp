@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/errors.hpp"
+#include "app/output/files.hpp"
 #include "app/scene/scene_keys.hpp"
 #include "app/scene/toml_reader.hpp"
 
@@ -54,12 +55,12 @@ void apply(std::span<const Override> overrides, const std::vector<Key<Scene>>& k
 void insert(ValueTable& table, const std::string& name, const Value& value) {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) {
-    table.emplace_back(name, value);
+    table.push_back({name, value});
     return;
   }
   const std::string section = name.substr(0, dot);
   if (find(table, section) == nullptr) {
-    table.emplace_back(section, Value{ValueTable{}});
+    table.push_back({section, Value{ValueTable{}}});
   }
   for (auto& [key, inner] : table) {
     if (key == section) {
@@ -87,8 +88,12 @@ Override parse_override(const std::string& text) {
 }
 
 Scene read_scene_file(const std::filesystem::path& path, std::span<const Override> overrides) {
-  const Value file = read_toml(path);
-  const Source source{path.string(), false};
+  return read_scene_text(read_text_file(path), path.string(), overrides);
+}
+
+Scene read_scene_text(const std::string& text, const std::string& name, std::span<const Override> overrides) {
+  const Value file = read_toml_text(text, name);
+  const Source source{name, false};
   const std::vector<Key<Scene>> keys = scene_keys();
   Scene scene;
   KeyReader(keys, source, scene).read(*file.table());

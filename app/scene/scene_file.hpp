@@ -24,6 +24,11 @@ Override parse_override(const std::string& text);
 /// UsageError for an override.
 Scene read_scene_file(const std::filesystem::path& path, std::span<const Override> overrides = {});
 
+/// The same of a text that was read before. `name` is its file's: relative garment files are looked for
+/// beside it.
+Scene read_scene_text(const std::string& text, const std::string& name,
+                      std::span<const Override> overrides = {});
+
 /// Changes keys of a scene made otherwise. Throws UsageError.
 void apply_overrides(std::span<const Override> overrides, Scene& scene);
 

@@ -12,10 +12,10 @@ namespace {
 
 std::optional<NearestTo> nearest_of(const Value& value) {
   const ValueTable* table = value.table();
-  if (table == nullptr || table->size() != 1 || table->front().first != "nearest") {
+  if (table == nullptr || table->size() != 1 || table->front().key != "nearest") {
     return std::nullopt;
   }
-  const auto point = three_numbers(table->front().second);
+  const auto point = three_numbers(table->front().value);
   return point ? std::optional(NearestTo{{(*point)[0], (*point)[1], (*point)[2]}}) : std::nullopt;
 }
 
@@ -79,7 +79,7 @@ template <class T>
 Value write_entry(const std::vector<Key<T>>& keys, const T& entry) {
   ValueTable table;
   for (const Key<T>& key : keys) {
-    table.emplace_back(key.name, key.write(entry));
+    table.push_back({key.name, key.write(entry)});
   }
   return {table};
 }

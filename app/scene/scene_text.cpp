@@ -118,8 +118,7 @@ std::string scene_text(const Scene& scene) {
   ValueTable settings = *scene_settings(named).table();
   for (auto& [key, value] : settings) {
     if (key == "garment" && has_file) {
-      std::erase_if(std::get<ValueTable>(value.data),
-                    [](const auto& entry) { return entry.first == "grid"; });
+      std::erase_if(std::get<ValueTable>(value.data), [](const auto& entry) { return entry.key == "grid"; });
     }
   }
   std::string text;

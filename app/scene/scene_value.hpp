@@ -2,15 +2,15 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace taut::app {
 
 struct Value;
+struct ValueEntry;
 using ValueList = std::vector<Value>;
-using ValueTable = std::vector<std::pair<std::string, Value>>;
+using ValueTable = std::vector<ValueEntry>;
 
 /// A value of a scene file, whichever library read it. Nothing (std::monostate) is a key without a value.
 struct Value {
@@ -20,6 +20,13 @@ struct Value {
   const ValueTable* table() const { return std::get_if<ValueTable>(&data); }
   const ValueList* list() const { return std::get_if<ValueList>(&data); }
   const std::string* text() const { return std::get_if<std::string>(&data); }
+};
+
+/// Not a std::pair: Clang 14 wants to know all of a pair's members where a variant of such vectors is
+/// declared.
+struct ValueEntry {
+  std::string key;
+  Value value;
 };
 
 /// Where values come from, for messages.

@@ -24,10 +24,10 @@ Value convert_array(const toml::array& array) {
 Value convert_table(const toml::table& source) {
   ValueTable table;
   for (const auto& [key, node] : source) {
-    table.emplace_back(std::string(key.str()), convert(node));
+    table.push_back({std::string(key.str()), convert(node)});
   }
   std::stable_sort(table.begin(), table.end(),
-                   [](const auto& a, const auto& b) { return a.second.line < b.second.line; });
+                   [](const auto& a, const auto& b) { return a.value.line < b.value.line; });
   return {std::move(table)};
 }
 

@@ -1,0 +1,27 @@
+// Any text as a scene file: nothing but InputError may come of it, and what is read means the same when it is
+// written as a scene file and read again.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "app/errors.hpp"
+#include "app/scene/scene_file.hpp"
+#include "app/scene/scene_text.hpp"
+
+using namespace taut::app;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    Scene scene = read_scene_text({reinterpret_cast<const char*>(data), size}, "fuzzed.toml");
+    // A record names its garment by its place in the assets, which is not where a scene file looks for it.
+    if (scene.garment.file.empty()) {
+      const std::string text = scene_text(scene);
+      if (scene_text(read_scene_text(text, "again.toml")) != text) {
+        std::abort();
+      }
+    }
+  } catch (const InputError&) {
+  }
+  return 0;
+}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +12,17 @@ namespace {
 
 double area(const Mesh& mesh, std::size_t triangle) {
   return glm::length(doubled_area_vector(mesh.positions, mesh.triangles[triangle])) / 2.0;
+}
+
+/// Of the mean over all vertices. A vertex with next to no mass between heavy ones passes on next to nothing of
+/// what a correction of its springs should move, which no number of sweeps makes good.
+constexpr double least_mass = 0.05;
+
+void raise_to_least_mass(std::vector<double>& masses) {
+  const double mean = std::accumulate(masses.begin(), masses.end(), 0.0) / static_cast<double>(masses.size());
+  for (double& mass : masses) {
+    mass = std::max(mass, least_mass * mean);
+  }
 }
 
 std::vector<double> lumped_masses(const Mesh& mesh, double density) {
@@ -27,6 +39,7 @@ std::vector<double> lumped_masses(const Mesh& mesh, double density) {
       masses[v] += density * area(mesh, t) / 3.0;
     }
   }
+  raise_to_least_mass(masses);
   return masses;
 }
 

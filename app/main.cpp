@@ -1,5 +1,7 @@
+#include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 #include <variant>
 
 #include "app/command_line.hpp"
@@ -24,7 +26,11 @@ int main(int argument_count, char** arguments) {
   try {
     watch_for_interruption();
     const Command command = parse_command_line(argument_count, arguments);
-    return std::visit([](const auto& options) { return run(options); }, command);
+    const int exit_code = std::visit([](const auto& options) { return run(options); }, command);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw std::system_error(errno, std::generic_category(), "cannot write to the standard output");
+    }
+    return exit_code;
   } catch (const Interrupted& interrupted) {
     report(interrupted, 1);
     end_by_signal(interrupted.signal);

@@ -13,6 +13,7 @@
 #include "app/frame_loop.hpp"
 #include "app/garment/garment_loading.hpp"
 #include "app/garment/garment_remarks.hpp"
+#include "app/garment/layers.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/files.hpp"
 #include "app/output/output_pattern.hpp"
@@ -182,7 +183,8 @@ int run(const RenderOptions& options) {
   studio.renderer().prepare(style.settings, style.surface == SurfaceLook::stretch);
   LoadedGarment loaded = garment.get();
   print_remarks(job.scene, loaded);
-  sim::Simulation simulation(std::move(loaded.garment), job.scene.simulation, job.scene.surroundings);
+  const sim::Surroundings surroundings = settled(job.scene.surroundings, loaded.garment);
+  sim::Simulation simulation(std::move(loaded.garment), job.scene.simulation, surroundings);
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
   const std::vector<int> frames = options.resume ? frames_left(job, output, origin) : job.frames;
   if (frames.size() < job.frames.size()) {

@@ -7,6 +7,7 @@
 #include "app/frame_loop.hpp"
 #include "app/garment/garment_loading.hpp"
 #include "app/garment/garment_remarks.hpp"
+#include "app/garment/layers.hpp"
 #include "app/garment/obj_export.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/files.hpp"
@@ -54,7 +55,8 @@ int run(const SimulateOptions& options) {
 
   LoadedGarment loaded = load_garment(scene);
   print_remarks(scene, loaded);
-  sim::Simulation simulation(std::move(loaded.garment), scene.simulation, scene.surroundings);
+  const sim::Surroundings surroundings = settled(scene.surroundings, loaded.garment);
+  sim::Simulation simulation(std::move(loaded.garment), scene.simulation, surroundings);
   const std::vector<FrameRecord> records = run_frames(simulation, frame_count, outputs);
 
   const RunSummary summary = summarise(records);

@@ -103,13 +103,27 @@ void read_units(const aiScene& scene, ModelArrays& model) {
   }
 }
 
+/// The library's reason without the file's name, which the whole message has.
+std::string reason_of(std::string reason, const std::string& file) {
+  if (contains(reason, "No suitable reader found")) {
+    return "no reader knows this kind of file";
+  }
+  for (const std::string& name : {" \"" + file + '"', ' ' + file, file}) {
+    for (std::size_t at = reason.find(name); at != std::string::npos; at = reason.find(name)) {
+      reason.erase(at, name.size());
+    }
+  }
+  return reason;
+}
+
 }  // namespace
 
 ModelArrays read_model(const std::filesystem::path& path) {
-  Assimp::Importer importer;
+  // Never destroyed: of some files (3MF with textures) it reads all there is and crashes while clearing away.
+  Assimp::Importer& importer = *new Assimp::Importer;
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene == nullptr) {
-    throw InputError(importer.GetErrorString());
+    throw InputError(reason_of(importer.GetErrorString(), path.string()));
   }
   if (scene->mRootNode == nullptr) {
     throw InputError("it has no scene");

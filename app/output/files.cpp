@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -29,16 +30,29 @@ fs::path temporary_name(const fs::path& path) {
   return name;
 }
 
-void write_bytes(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+/// Such as /dev/stdout and named pipes: a rename would put a file in their place. Where the standard output
+/// is a regular file, it still is one to be written on and not to be replaced.
+bool is_written_straight(const fs::path& path) {
+  std::error_code error;
+  const fs::path link = fs::read_symlink(path, error);
+  if (link.string().starts_with("/proc/") || path.string().starts_with("/proc/")) {
+    return true;
+  }
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// Returns the reason where it fails, and nothing where it does not.
+std::optional<std::string> try_to_write(const fs::path& path, const std::string& text,
+                                        std::ios::openmode mode) {
+  std::ofstream file(path, std::ios::binary | mode);
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
-  if (!file) {
-    const std::string reason = reason_of(errno);
-    std::error_code ignored;
-    fs::remove(path, ignored);
-    throw InputError("cannot write '" + path.string() + "': " + reason);
-  }
+  return file ? std::nullopt : std::optional(reason_of(errno));
+}
+
+[[noreturn]] void fail_to_write(const fs::path& path, const std::string& reason) {
+  throw InputError("cannot write '" + path.string() + "': " + reason);
 }
 
 }  // namespace
@@ -84,6 +98,9 @@ void prepare_folder_of(const fs::path& file) {
   if (fs::is_directory(file, error)) {
     throw InputError("cannot write '" + file.string() + "': there is a folder of this name");
   }
+  if (is_written_straight(file)) {
+    return;
+  }
   // Asking for permissions is not enough: a read-only file system, a full quota.
   const fs::path probe = temporary_name(folder / ".taut");
   const int descriptor = ::open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
@@ -95,14 +112,23 @@ void prepare_folder_of(const fs::path& file) {
 }
 
 void write_text_file(const fs::path& path, const std::string& text) {
+  if (is_written_straight(path)) {
+    if (const auto reason = try_to_write(path, text, std::ios::app)) {
+      fail_to_write(path, *reason);
+    }
+    return;
+  }
   const fs::path temporary = temporary_name(path);
-  write_bytes(temporary, text);
+  std::optional<std::string> reason = try_to_write(temporary, text, std::ios::trunc);
   std::error_code error;
-  fs::rename(temporary, path, error);
-  if (error) {
+  if (!reason) {
+    fs::rename(temporary, path, error);
+    reason = error ? std::optional(error.message()) : std::nullopt;
+  }
+  if (reason) {
     std::error_code ignored;
     fs::remove(temporary, ignored);
-    throw InputError("cannot write '" + path.string() + "': " + error.message());
+    fail_to_write(path, *reason);
   }
 }
 

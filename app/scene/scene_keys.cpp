@@ -142,9 +142,7 @@ void add_forces(SceneKeys& keys) {
   keys.push_back(number("cloth.compression_stiffness", "N/m", not_negative,
                         MEMBER(simulation.solver.fabric.compression_stiffness_n_per_m),
                         "bounded: of springs that are too short; less crumples more easily"));
-  keys.push_back(
-      number("cloth.layer_distance", "m", not_negative, MEMBER(surroundings.layer_distance_m),
-             "kept between layers of the cloth, about its mesh's edge length; 0: they pass through"));
+  keys.push_back(layer_distance_key());
 }
 
 void add_camera(SceneKeys& keys) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "app/garment/layers.hpp"
 #include "app/garment/placement.hpp"
 #include "app/scene/scene_keys.hpp"
 
@@ -53,6 +54,21 @@ bool read_pins(const Value& value, const Source&, Scene& scene) {
   }
   scene.pins = pins;
   return true;
+}
+
+bool read_layer_distance(const Value& value, const Source&, Scene& scene) {
+  const bool from_mesh = value.text() != nullptr && *value.text() == "auto";
+  const auto distance_m = from_mesh ? layer_distance_from_mesh : finite_number(value).value_or(-INFINITY);
+  if (!from_mesh && distance_m < 0.0) {
+    return false;
+  }
+  scene.surroundings.layer_distance_m = distance_m;
+  return true;
+}
+
+Value write_layer_distance(const Scene& scene) {
+  const double distance_m = scene.surroundings.layer_distance_m;
+  return distance_m == layer_distance_from_mesh ? Value{std::string("auto")} : Value{distance_m};
 }
 
 struct PinWriter {
@@ -237,6 +253,17 @@ Key<Scene> forces_key() {
 Key<Scene> colliders_key() {
   return {"colliders",    "", "a list of tables [[colliders]]", "what cloth cannot enter", read_colliders,
           write_colliders};
+}
+
+Key<Scene> layer_distance_key() {
+  return {
+      "cloth.layer_distance",
+      "m",
+      "\"auto\" or a number from 0",
+      "kept between layers of the cloth, about its mesh's edge length; auto: what suits the mesh, as when a "
+      "model is given without a scene; 0: they pass through",
+      read_layer_distance,
+      write_layer_distance};
 }
 
 std::vector<std::pair<std::string, sim::SolverKind>> solver_choices() {

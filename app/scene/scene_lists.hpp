@@ -21,6 +21,7 @@ Key<Scene> camera_box_key();
 Key<Scene> camera_eye_key();
 Key<Scene> camera_target_key();
 Key<Scene> ground_key();
+Key<Scene> layer_distance_key();
 Key<Scene> stretch_range_key();
 
 std::vector<std::pair<std::string, sim::SolverKind>> solver_choices();

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "app/errors.hpp"
+#include "app/garment/layers.hpp"
 #include "app/scene/suggest.hpp"
 
 namespace taut::app {
@@ -43,6 +44,7 @@ Scene scene_of_garment(const fs::path& file, std::span<const Override> overrides
   scene.title = file.filename().string();
   scene.garment.file = file;
   scene.frames = 240;
+  scene.surroundings.layer_distance_m = layer_distance_from_mesh;
   apply_overrides(overrides, scene);
   return scene;
 }

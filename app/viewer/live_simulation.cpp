@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/garment/garment_loading.hpp"
+#include "app/garment/layers.hpp"
 #include "app/stopwatch.hpp"
 
 namespace taut::app {
@@ -42,11 +43,12 @@ LiveSimulation::LiveSimulation(const Scene& scene) {
 // Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
 void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   const Scene& scene = loaded->scene;
-  sim::Simulation simulation(loaded->garment, scene.simulation, scene.surroundings);
+  const sim::Surroundings surroundings = settled(scene.surroundings, loaded->garment);
+  sim::Simulation simulation(loaded->garment, scene.simulation, surroundings);
   record_ = measure_frame(simulation, 0);
   simulation_.emplace(std::move(simulation));
   loaded_ = std::move(loaded);
-  surroundings_ = loaded_->scene.surroundings;
+  surroundings_ = surroundings;
   pins_ = std::make_shared<const std::vector<sim::Index>>(loaded_->garment.pins);
   note_shape();
   grip_.reset();
@@ -90,7 +92,7 @@ void LiveSimulation::perform(const ChangeSettings& change) {
     note_shape();
     record_.stretch = sim::measure_stretch(simulation_->garment().springs, *positions_);
   }
-  surroundings_ = change.surroundings;
+  surroundings_ = settled(change.surroundings, loaded_->garment);
   simulation_->set_surroundings(surroundings_);
 }
 

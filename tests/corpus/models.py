@@ -78,6 +78,7 @@ def faces():
     unused = s.Shape(s.triangle().points + [(5, 5, 5)], s.triangle().faces)
     yield Model('unused_vertex.ply', w.ply(unused), {'repairs.unused_vertices': 1, 'vertices': 3})
     yield Model('needles.obj', w.obj(s.needles()), {'triangles': 38})
+    yield Model('hung_by_a_thread.obj', w.obj(s.hung_by_a_thread()), {'topology.components': 1})
     yield Model('crumpled.ply', w.ply_binary(s.crumpled()), {'topology.components': 1})
 
 

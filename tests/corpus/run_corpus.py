@@ -12,7 +12,7 @@ import sys
 
 import models
 
-FRAMES = 4
+FRAMES = 6
 LONGEST_S = 60  # an import may take 20
 
 

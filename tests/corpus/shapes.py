@@ -137,6 +137,18 @@ def needles():
     return Shape(points, faces)
 
 
+def hung_by_a_thread(links=40, width=1e-5, length=0.4):
+    """A cloth below a string of needles that weighs a hundred-millionth of it."""
+    string, faces = [(0, 0.5, 0), (width, 0.5, 0)], []
+    for k in range(1, links + 1):
+        string += [(0, 0.5 - length * k / links, 0), (width, 0.5 - length * k / links, 0)]
+        faces += [(2 * k - 2, 2 * k, 2 * k - 1), (2 * k - 1, 2 * k, 2 * k + 1)]
+    cloth = sheet(5, 5).moved(0, 0.499 - length - 0.8, 0)
+    top = max(range(len(cloth.points)), key=lambda v: (cloth.points[v][1], -abs(cloth.points[v][0])))
+    both = joined(Shape(string, faces), cloth)
+    return both.with_faces(both.faces + [(2 * links, len(string) + top, 2 * links + 1)])
+
+
 def crumpled(seed=7):
     chance = random.Random(seed)
     return sheet(12, 12).mapped(lambda x, y, z: (x, y, 0.03 * chance.uniform(-1, 1)))

@@ -228,6 +228,19 @@ TEST(Garment, SharesATrianglesMassAmongItsCorners) {
   }
 }
 
+TEST(Garment, GivesVerticesOfNeedlesALeastMass) {
+  Mesh mesh = grid_of(9, 9);
+  const Garment even = make_garment(mesh, {}, {});
+  const auto corner = static_cast<Index>(mesh.positions.size());
+  // A triangle of next to no area, outside at a corner of the grid.
+  mesh.positions.push_back(mesh.positions[0] + Vec3(0.0, 1e-6, 1e-6));
+  mesh.triangles.push_back({0, 1, corner});
+  const Garment garment = make_garment(mesh, {}, {});
+  EXPECT_GT(garment.masses_kg[corner], 0.03 * even.masses_kg[40]);
+  EXPECT_LT(garment.masses_kg[corner], 0.05 * even.masses_kg[40]);
+  EXPECT_NEAR(garment.masses_kg[40], even.masses_kg[40], 1e-12);
+}
+
 TEST(Garment, RefusesPinsThatAreNoVertices) {
   EXPECT_THROW(make_garment(grid_of(3, 3), {}, {9}), std::invalid_argument);
   EXPECT_THROW(make_garment(grid_of(3, 3), {.mapping = {}, .areal_density_kg_per_m2 = 0.0}, {}),

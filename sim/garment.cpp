@@ -14,8 +14,8 @@ double area(const Mesh& mesh, std::size_t triangle) {
   return glm::length(doubled_area_vector(mesh.positions, mesh.triangles[triangle])) / 2.0;
 }
 
-/// Of the mean over all vertices. A vertex with next to no mass between heavy ones passes on next to nothing of
-/// what a correction of its springs should move, which no number of sweeps makes good.
+/// Of the mean over all vertices. A vertex with next to no mass between heavy ones passes on next to nothing
+/// of what a correction of its springs should move, which no number of sweeps makes good.
 constexpr double least_mass = 0.05;
 
 void raise_to_least_mass(std::vector<double>& masses) {

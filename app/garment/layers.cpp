@@ -18,8 +18,8 @@ constexpr double largest_distance = 0.02;
 constexpr double of_the_gap = 0.45;
 /// Of the edges' length: parts nearer to each other than this touch and are not kept apart by vertices.
 constexpr double smallest_gap = 0.1;
-/// Vertices compared one by one; of more, some are passed over.
-constexpr std::size_t most_distances = 20'000'000;
+/// Vertices compared one by one, within some milliseconds; of more, some are passed over.
+constexpr std::size_t most_distances = 4'000'000;
 
 double usual_edge(const sim::Garment& garment) {
   std::vector<double> lengths_m;

@@ -14,6 +14,8 @@ namespace {
 
 /// Of the garment's size: more would hold a coarse model's folds apart like stuffing.
 constexpr double largest_distance = 0.02;
+/// Of the garment's size: cloth this fine beside its size is a damaged model, not layers.
+constexpr double smallest_distance = 1e-4;
 /// Of the way between parts: a little less than half, or they count as one cloth.
 constexpr double of_the_gap = 0.45;
 /// Of the edges' length: parts nearer to each other than this touch and are not kept apart by vertices.
@@ -81,9 +83,11 @@ double gap_between_parts(const sim::Garment& garment, double smallest_m, double 
 
 double suitable_layer_distance(const sim::Garment& garment) {
   const double edge_m = usual_edge(garment);
-  const double distance_m = std::min(edge_m, largest_distance * size_of(garment.mesh));
+  const double size_m = size_of(garment.mesh);
+  const double distance_m = std::min(edge_m, largest_distance * size_m);
   const double gap_m = gap_between_parts(garment, smallest_gap * edge_m, distance_m / of_the_gap);
-  return std::min(distance_m, of_the_gap * gap_m);
+  const double suitable_m = std::min(distance_m, of_the_gap * gap_m);
+  return suitable_m < smallest_distance * size_m ? 0.0 : suitable_m;
 }
 
 sim::Surroundings settled(sim::Surroundings surroundings, const sim::Garment& garment) {

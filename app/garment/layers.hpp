@@ -10,7 +10,7 @@ inline constexpr double layer_distance_from_mesh = -1.0;
 
 /// A distance in metres that keeps the garment's layers apart: about the length of its edges, but less than
 /// half the way between parts that lie over one another, since what is modelled nearer than twice the
-/// distance counts as one cloth (sim/self_collision.hpp).
+/// distance counts as one cloth (sim/self_collision.hpp). 0 where the edges are next to nothing.
 double suitable_layer_distance(const sim::Garment& garment);
 
 /// The surroundings as the simulation needs them, with the suitable distance where it is left to the mesh.

@@ -40,6 +40,12 @@ TEST(Layers, SheetsNearEachOtherAreKeptApartByLessThanHalfTheGap) {
   EXPECT_NEAR(suitable_layer_distance(sheets({0.0, 0.015, 0.025})), 0.45 * 0.01, 1e-12);
 }
 
+TEST(Layers, EdgesNextToNothingBesideTheSizeAreNoLayers) {
+  sim::Garment damaged = sheets({0.0}, 1e-9);
+  damaged.mesh.positions.back() = sim::Vec3(1.0, 0.0, 0.0);
+  EXPECT_EQ(suitable_layer_distance(damaged), 0.0);
+}
+
 TEST(Layers, SheetsThatTouchOrAreFarAwayDoNotCount) {
   const double alone_m = suitable_layer_distance(sheets({0.0}));
   EXPECT_NEAR(suitable_layer_distance(sheets({0.0, 0.001})), alone_m, 1e-4);

@@ -49,6 +49,17 @@ unsigned ColourTarget::framebuffer(int width_px, int height_px) {
   return parts->drawn.name();
 }
 
+void ColourTarget::copy_part_to(unsigned framebuffer, int x_px, int y_px, int width_px, int height_px) const {
+  const GladGLContext& gl = parts->context.gl();
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, parts->drawn.name());
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  gl.BlitFramebuffer(x_px, y_px, x_px + width_px, y_px + height_px, x_px, y_px, x_px + width_px,
+                     y_px + height_px, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  check_errors(gl, "copying a picture");
+}
+
 Image read_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px) {
   const GladGLContext& gl = context.gl();
   Image image = make_image(width_px, height_px);

@@ -20,6 +20,10 @@ class ColourTarget {
   /// The framebuffer's name, with room for this size. Throws ContextError.
   unsigned framebuffer(int width_px, int height_px);
 
+  /// Copies a part of what was drawn to the same place of another framebuffer (0: the window); `x_px` and
+  /// `y_px` are its lower left corner, from that of the picture.
+  void copy_part_to(unsigned framebuffer, int x_px, int y_px, int width_px, int height_px) const;
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts;

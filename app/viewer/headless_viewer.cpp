@@ -56,7 +56,7 @@ SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
 renderer::Image HeadlessViewer::draw() {
   const WindowLayout layout = viewer_.layout();
   const unsigned framebuffer = target_->framebuffer(layout.width_px, layout.height_px);
-  place_.picture().draw(framebuffer, viewer_.state(), layout, 0, viewer_.letters(), viewer_.overlay());
+  place_.picture().draw(framebuffer, viewer_.state(), layout, 0, viewer_.letters(), viewer_.overlay(), true);
   return renderer::read_framebuffer(place_.context(), framebuffer, layout.width_px, layout.height_px);
 }
 

@@ -18,7 +18,6 @@ int panel_width(const WindowLayout& layout) {
 void lay_out_panel(ViewerState& state, const WindowLayout& layout, const ViewArea& area) {
   ImGui::SetNextWindowPos({static_cast<float>(area.width_px), 0.0F});
   ImGui::SetNextWindowSize({static_cast<float>(panel_width(layout)), static_cast<float>(layout.height_px)});
-  // Its background is what the window is cleared with: a quarter of a million pixels that need no shader.
   constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground;
   if (ImGui::Begin("panel", nullptr, fixed & ~ImGuiWindowFlags_NoScrollbar)) {

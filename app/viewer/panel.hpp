@@ -12,6 +12,9 @@ struct WindowLayout {
   bool has_panel = true;
 };
 
+/// The panel has no background of its own: a quarter of a million pixels that need no shader.
+inline constexpr float behind_panel_grey = 0.965F;
+
 /// What the panel leaves for the scene. A window too narrow for both has no panel.
 ViewArea scene_area(const WindowLayout& layout);
 bool panel_fits(const WindowLayout& layout);

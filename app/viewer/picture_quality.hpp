@@ -17,12 +17,13 @@ struct PictureQuality {
 
 /// From best to cheapest: first the sky's shade and the size of shadows give way, then samples, and only then
 /// the resolution.
-inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 24, 1.0F},
+inline constexpr std::array<PictureQuality, 7> picture_qualities = {{{4, 2048, 24, 1.0F},
                                                                      {4, 1024, 12, 1.0F},
                                                                      {1, 1024, 6, 1.0F},
                                                                      {1, 512, 6, 1.0F},
                                                                      {1, 512, 6, 0.65F},
-                                                                     {1, 512, 6, 0.5F}}};
+                                                                     {1, 512, 6, 0.5F},
+                                                                     {1, 256, 0, 0.5F}}};
 
 /// Chooses the quality by how long frames took: 30 of them a second, as well as that allows.
 class QualityControl {

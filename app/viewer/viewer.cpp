@@ -209,6 +209,7 @@ void Viewer::note_changes(const SessionFrame& frame) {
   const bool moves = !state_.paused && !state_.newest->record.asleep && !state_.newest->stopped;
   const bool is_changing =
       moves || !frame.events.empty() || gone > 0 || hands_.is_busy() || recorder_ || !key_actions_.empty();
+  frames_since_input_ = !frame.events.empty() || hands_.is_busy() ? 0 : frames_since_input_ + 1;
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }
 

@@ -40,6 +40,9 @@ class Viewer {
   /// Nothing that is drawn has changed in this frame or is about to.
   bool is_still() const { return still_frames_ > 2; }
 
+  /// A person does something, or did in the last frame or two: the panel shows what came of it one later.
+  bool has_input() const { return frames_since_input_ <= 2; }
+
   /// A person has asked to end.
   bool is_ended() const { return is_ended_; }
 
@@ -106,6 +109,7 @@ class Viewer {
 
   double elapsed_s_ = 0.0;
   int still_frames_ = 0;
+  int frames_since_input_ = 0;
   bool screenshot_ = false;
   bool is_ended_ = false;
   std::optional<WindowRecorder> recorder_;

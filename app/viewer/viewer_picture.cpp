@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
-#include <string_view>
 #include <utility>
 
 #include "app/viewer/spring_colours.hpp"
@@ -13,7 +11,6 @@
 namespace taut::app {
 namespace {
 
-constexpr float behind_everything_grey = 0.965F;
 // What cannot be seen need not be drawn; smaller targets than this are a window being dragged shut.
 constexpr int smallest_side_px = 8;
 constexpr float spring_width_px = 1.2F;
@@ -35,25 +32,10 @@ bool has_room(const ViewArea& area) {
   return area.width_px >= smallest_side_px && area.height_px >= smallest_side_px;
 }
 
-std::uint64_t hash_of(const renderer::OverlayView& overlay) {
-  std::uint64_t hash = 0;
-  const auto add = [&hash](const auto& values) {
-    const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
-                                 values.size() * sizeof(values[0]));
-    hash = hash * 0x9E3779B97F4A7C15ULL + std::hash<std::string_view>{}(bytes);
-  };
-  add(overlay.vertices);
-  add(overlay.indices);
-  for (const renderer::OverlayPart& part : overlay.parts) {
-    add(std::array{part.clip_lower_px, part.clip_upper_px});
-  }
-  return hash;
-}
-
 }  // namespace
 
 ViewerPicture::ViewerPicture(renderer::Context& context)
-    : context_(context), scene_renderer_(context), overlay_pass_(context) {}
+    : context_(context), scene_renderer_(context), interface_(context) {}
 
 GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewArea& area) {
   const Snapshot& shown = *state.shown;
@@ -124,8 +106,7 @@ bool ViewerPicture::is_scene_drawn(const SceneLook& look, std::size_t level) con
 bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
                              const renderer::OverlayView& overlay) const {
   const ViewArea area = scene_area(layout);
-  return (!has_room(area) || is_scene_drawn(look_of(state, area), level)) &&
-         hash_of(overlay) == drawn_overlay_;
+  return (!has_room(area) || is_scene_drawn(look_of(state, area), level)) && interface_.is_drawn(overlay);
 }
 
 void ViewerPicture::draw_scene(const ViewerState& state, const ViewArea& area,
@@ -155,12 +136,8 @@ void ViewerPicture::draw_scene(const ViewerState& state, const ViewArea& area,
 
 void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
                          std::size_t level, const UserInterface::Letters& letters,
-                         const renderer::OverlayView& overlay) {
+                         const renderer::OverlayView& overlay, bool is_urgent) {
   context_.make_current();
-  if (letters.number != letters_number_) {
-    overlay_pass_.set_coverage(letters.width_px, letters.height_px, letters.coverage);
-    letters_number_ = letters.number;
-  }
   const ViewArea area = scene_area(layout);
   SceneLook look = look_of(state, area);
   drew_scene_ = has_room(area) && !is_scene_drawn(look, level);
@@ -170,13 +147,12 @@ void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const W
     drawn_look_ = std::move(look);
     drawn_level_ = level;
   }
-  renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px,
-                              behind_everything_grey);
   if (has_room(area)) {
     scene_renderer_.show_kept(framebuffer, area.width_px, area.height_px);
+  } else {
+    renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px, behind_panel_grey);
   }
-  overlay_pass_.draw(framebuffer, layout.width_px, layout.height_px, overlay);
-  drawn_overlay_ = hash_of(overlay);
+  interface_.draw(framebuffer, layout, letters, overlay, is_urgent);
 }
 
 }  // namespace taut::app

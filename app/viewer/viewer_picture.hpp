@@ -4,11 +4,10 @@
 #include <optional>
 
 #include "app/drawing/garment_painter.hpp"
+#include "app/viewer/interface_picture.hpp"
 #include "app/viewer/panel.hpp"
 #include "app/viewer/picture_quality.hpp"
-#include "app/viewer/user_interface.hpp"
 #include "app/viewer/viewer_state.hpp"
-#include "renderer/overlay_pass.hpp"
 #include "renderer/scene_renderer.hpp"
 
 namespace taut::app {
@@ -20,9 +19,10 @@ class ViewerPicture {
   explicit ViewerPicture(renderer::Context& context);
 
   /// Draws the scene and the user interface to a framebuffer of the layout's size (0: the window). `level` is
-  /// one of picture_qualities. Throws renderer::ContextError.
+  /// one of picture_qualities. Unless it is urgent, the panel may be a little old. Throws
+  /// renderer::ContextError.
   void draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
-            const UserInterface::Letters& letters, const renderer::OverlayView& overlay);
+            const UserInterface::Letters& letters, const renderer::OverlayView& overlay, bool is_urgent);
 
   /// Whether `draw` would draw the same as before.
   bool is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
@@ -72,12 +72,10 @@ class ViewerPicture {
 
   renderer::Context& context_;
   renderer::SceneRenderer scene_renderer_;
-  renderer::OverlayPass overlay_pass_;
+  InterfacePicture interface_;
   std::optional<SceneLook> drawn_look_;  ///< of the picture that the renderer keeps
   std::size_t drawn_level_ = 0;
   bool drew_scene_ = false;
-  std::uint64_t drawn_overlay_ = 0;  ///< its hash
-  std::uint64_t letters_number_ = 0;
   PaintedAs painted_as_;
   std::optional<GarmentPainter> painter_;
   std::array<std::vector<glm::vec3>, sim::all_spring_kinds.size()> spring_points_;

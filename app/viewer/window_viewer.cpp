@@ -134,7 +134,9 @@ class WindowSession {
 
   void draw(std::size_t level) {
     const Stopwatch drawing;
-    place_.picture().draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay());
+    const bool is_urgent = viewer_.has_input() || viewer_.is_still() || viewer_.wants_screenshot();
+    place_.picture().draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(),
+                          is_urgent);
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
     viewer_.note_times(draw_ms, panel_ms_);

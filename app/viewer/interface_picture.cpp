@@ -1,0 +1,76 @@
+#include "app/viewer/interface_picture.hpp"
+
+#include <functional>
+#include <string_view>
+
+namespace taut::app {
+namespace {
+
+std::uint64_t hash_of(const renderer::OverlayView& overlay) {
+  std::uint64_t hash = 0;
+  const auto add = [&hash](const auto& values) {
+    const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
+                                 values.size() * sizeof(values[0]));
+    hash = hash * 0x9E3779B97F4A7C15ULL + std::hash<std::string_view>{}(bytes);
+  };
+  add(overlay.vertices);
+  add(overlay.indices);
+  for (const renderer::OverlayPart& part : overlay.parts) {
+    add(std::array{part.clip_lower_px, part.clip_upper_px});
+  }
+  return hash;
+}
+
+// What lies beside the scene, or over it.
+renderer::OverlayView parts_of(const renderer::OverlayView& overlay, int scene_width_px, bool beside) {
+  renderer::OverlayView part = overlay;
+  std::erase_if(part.parts, [&](const renderer::OverlayPart& each) {
+    return (each.clip_lower_px.x >= scene_width_px) != beside;
+  });
+  return part;
+}
+
+}  // namespace
+
+InterfacePicture::InterfacePicture(renderer::Context& context)
+    : context_(context), pass_(context), panel_target_(context) {}
+
+bool InterfacePicture::is_drawn(const renderer::OverlayView& overlay) const {
+  return hash_of(overlay) == drawn_;
+}
+
+void InterfacePicture::draw_panel(const WindowLayout& layout, const renderer::OverlayView& panel) {
+  const unsigned framebuffer = panel_target_.framebuffer(layout.width_px, layout.height_px);
+  renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px, behind_panel_grey);
+  pass_.draw(framebuffer, layout.width_px, layout.height_px, panel);
+  panel_size_ = {layout.width_px, layout.height_px};
+  since_panel_ = Stopwatch();
+}
+
+void InterfacePicture::draw(unsigned framebuffer, const WindowLayout& layout,
+                            const UserInterface::Letters& letters, const renderer::OverlayView& overlay,
+                            bool is_urgent) {
+  const bool has_new_letters = letters.number != letters_number_;
+  if (has_new_letters) {
+    pass_.set_coverage(letters.width_px, letters.height_px, letters.coverage);
+    letters_number_ = letters.number;
+  }
+  const int scene_width_px = scene_area(layout).width_px;
+  const std::uint64_t look = hash_of(overlay);
+  if (scene_width_px < layout.width_px) {
+    const bool fits = panel_size_ == renderer::Resized{layout.width_px, layout.height_px};
+    const bool is_old = since_panel_.elapsed_ms() >= 1000.0 * longest_s;
+    if (!fits || has_new_letters || (look != panel_look_ && (is_urgent || is_old))) {
+      draw_panel(layout, parts_of(overlay, scene_width_px, true));
+      panel_look_ = look;
+    }
+    panel_target_.copy_part_to(framebuffer, scene_width_px, 0, layout.width_px - scene_width_px,
+                               layout.height_px);
+  } else {
+    panel_look_ = look;
+  }
+  pass_.draw(framebuffer, layout.width_px, layout.height_px, parts_of(overlay, scene_width_px, false));
+  drawn_ = panel_look_;
+}
+
+}  // namespace taut::app

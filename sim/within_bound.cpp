@@ -25,19 +25,6 @@ bool keeps_bound(const Springs& springs, std::span<const Vec3> positions, double
   return true;
 }
 
-void start_at(std::span<const Vec3> positions, bounded::Layout& layout) {
-  bounded::SpringLanes& springs = layout.springs;
-  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    if (springs.spring[k] != bounded::SpringLanes::no_spring) {
-      const Vec3 start = positions[layout.vertex_of_row[springs.row_i[k]]] -
-                         positions[layout.vertex_of_row[springs.row_j[k]]];
-      springs.start_x[k] = static_cast<float>(start.x);
-      springs.start_y[k] = static_cast<float>(start.y);
-      springs.start_z[k] = static_cast<float>(start.z);
-    }
-  }
-}
-
 }  // namespace
 
 std::optional<std::vector<Vec3>> moved_within_bound(const Garment& garment, std::span<const Vec3> positions,
@@ -46,7 +33,11 @@ std::optional<std::vector<Vec3>> moved_within_bound(const Garment& garment, std:
     return std::nullopt;
   }
   bounded::Layout layout = bounded::make_layout(garment);
-  start_at(positions, layout);
+  std::vector<Vec3> by_row;
+  for (const Index v : layout.vertex_of_row) {
+    by_row.push_back(positions[v]);
+  }
+  bounded::start_springs(by_row, layout.springs);
   bounded::Certifier certifier(layout);
   certifier.certify(layout, bounded::Rows(layout.row_count()), settings.max_stretch, largest_cost,
                     bounded::kernels_for(settings.vector_unit));

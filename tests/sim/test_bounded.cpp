@@ -11,6 +11,7 @@
 #include "sim/grid.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
+#include "sim/solvers/bounded/bending.hpp"
 #include "sim/solvers/bounded/certificate.hpp"
 #include "sim/solvers/bounded/flexural.hpp"
 #include "sim/solvers/bounded/held_forces.hpp"
@@ -82,15 +83,15 @@ TEST(Layout, EveryMovableSpringIsInOneLaneAndColoursShareNoVertex) {
     std::vector<int> used(layout.row_count(), 0);
     for (std::size_t k = lanes.colour_begin[c] * block_size; k < lanes.colour_begin[c + 1] * block_size;
          ++k) {
-      EXPECT_EQ(used[lanes.row_i[k]]++, 0);
-      EXPECT_EQ(used[lanes.row_j[k]]++, 0);
+      EXPECT_EQ(used[lanes.row_i(k)]++, 0);
+      EXPECT_EQ(used[lanes.row_j(k)]++, 0);
       if (lanes.spring[k] != SpringLanes::no_spring) {
         ++seen[lanes.spring[k]];
         const auto [a, b] = garment.springs.ends[lanes.spring[k]];
-        EXPECT_EQ(std::minmax(layout.vertex_of_row[lanes.row_i[k]], layout.vertex_of_row[lanes.row_j[k]]),
+        EXPECT_EQ(std::minmax(layout.vertex_of_row[lanes.row_i(k)], layout.vertex_of_row[lanes.row_j(k)]),
                   std::minmax(a, b));
       } else {
-        EXPECT_GE(lanes.row_i[k], layout.vertex_count());
+        EXPECT_GE(lanes.row_i(k), layout.vertex_count());
       }
     }
   }
@@ -110,6 +111,22 @@ TEST(Layout, RowsAreInTheOrderOfTheirDistanceFromThePins) {
       << "two diagonals and two edges";
 }
 
+/// Six entries in each row.
+RowMatrix some_matrix(std::size_t size, std::mt19937& random) {
+  std::uniform_int_distribution<std::uint32_t> column(0, static_cast<std::uint32_t>(size) - 1);
+  std::normal_distribution<float> value(0.0F, 1.0F);
+  RowMatrix matrix;
+  for (std::size_t row = 0; row < size; ++row) {
+    matrix.begin.push_back(static_cast<std::uint32_t>(matrix.column.size()));
+    for (int k = 0; k < 6; ++k) {
+      matrix.column.push_back(column(random));
+      matrix.value.push_back(value(random));
+    }
+  }
+  matrix.begin.push_back(static_cast<std::uint32_t>(matrix.column.size()));
+  return matrix;
+}
+
 TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
   const Garment garment = make_garment(irregular_sheet(23, 1.0), {}, {0, 22});
   Layout layout = make_layout(garment);
@@ -123,16 +140,16 @@ TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
     return rows;
   };
   SpringLanes& springs = layout.springs;
-  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    springs.short_share[k] = 0.1F;
-    springs.start_x[k] = metres(random);
-    springs.start_y[k] = 0.05F;
-    springs.start_z[k] = metres(random);
+  for (SpringBlock& block : springs.blocks) {
+    block.short_share.fill(0.1F);
+    block.start_y.fill(0.05F);
+    std::generate(block.start_x.begin(), block.start_x.end(), [&] { return metres(random); });
+    std::generate(block.start_z.begin(), block.start_z.end(), [&] { return metres(random); });
   }
   const Rows start = random_rows();
   const Rows current = random_rows();
   const Rows previous = random_rows();
-  const Bending bending = make_bending(garment, layout, 1e-5, 1e4);
+  const RowMatrix matrix = some_matrix(layout.vertex_count(), random);
   const AirFlow air = {{3.0F, -1.0F, 2.0F}, 0.7F, 0.03F, 0.02F, 1000.0F};
 
   struct Results {
@@ -148,7 +165,7 @@ TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
                     r.predicted.data());
     kernels.wind(layout.triangles, air, 0, layout.triangles.lane_count(), start.data(), current.data(),
                  previous.data(), r.wind.data());
-    kernels.add_product(bending.matrix, 0, layout.vertex_count(), start.data(), r.product.data());
+    kernels.add_product(matrix, 0, layout.vertex_count(), start.data(), r.product.data());
     r.ratios.resize(springs.block_count());
     kernels.largest_ratios(springs, 0, springs.block_count(), current.data(), r.ratios.data());
     return r;
@@ -231,31 +248,43 @@ TEST(Flexural, FlatShapesAreNotBent) {
   }
 }
 
-/// The bending energy of a sheet rolled to a cylinder, over B kappa^2 area / 2.
-double cylinder_energy_ratio(const Mesh& flat, double axis_angle_rad) {
-  const Garment garment = make_garment(flat, {}, {});
-  const double curvature_per_m = 0.5;
+constexpr double rolled_curvature_per_m = 0.5;
+
+std::vector<Vec3> rolled(const Mesh& flat, double axis_angle_rad) {
+  const double curvature_per_m = rolled_curvature_per_m;
   const Vec3 along(std::cos(axis_angle_rad), std::sin(axis_angle_rad), 0.0);
   const Vec3 across(-along.y, along.x, 0.0);
-  std::vector<Vec3> rolled;
-  double area_m2 = 0.0;
+  std::vector<Vec3> positions;
   for (const Vec3& p : flat.positions) {
     const double angle = glm::dot(p, across) * curvature_per_m;
-    rolled.push_back(glm::dot(p, along) * along + across * (std::sin(angle) / curvature_per_m) +
-                     Vec3(0, 0, (1.0 - std::cos(angle)) / curvature_per_m));
+    positions.push_back(glm::dot(p, along) * along + across * (std::sin(angle) / curvature_per_m) +
+                        Vec3(0, 0, (1.0 - std::cos(angle)) / curvature_per_m));
   }
+  return positions;
+}
+
+/// What bending with a rigidity of 1 costs per curvature^2 / 2.
+double rolling_energy_j(const Garment& garment, double rigidity_n_m) {
+  double area_m2 = 0.0;
   for (const double m : garment.masses_kg) {
     area_m2 += m / garment.areal_density_kg_per_m2;
   }
+  return 0.5 * rigidity_n_m * rolled_curvature_per_m * rolled_curvature_per_m * area_m2;
+}
+
+/// The bending energy of a sheet rolled to a cylinder, over B kappa^2 area / 2.
+double cylinder_energy_ratio(const Mesh& flat, double axis_angle_rad) {
+  const Garment garment = make_garment(flat, {}, {});
+  const std::vector<Vec3> positions = rolled(flat, axis_angle_rad);
   double energy = 0.0;
   for (const FlexuralElement& e : flexural_elements(garment)) {
     Vec3 deflection(0.0);
     for (std::size_t k = 0; k < 4; ++k) {
-      deflection += e.weights[k] * rolled[e.vertices[k]];
+      deflection += e.weights[k] * positions[e.vertices[k]];
     }
     energy += 0.5 * e.stiffness_per_rigidity * glm::dot(deflection, deflection);
   }
-  return energy / (0.5 * curvature_per_m * curvature_per_m * area_m2);
+  return energy / rolling_energy_j(garment, 1.0);
 }
 
 TEST(Flexural, ASheetResistsRollingWithItsRigidityWhateverItsMesh) {
@@ -270,6 +299,47 @@ TEST(Flexural, ASheetResistsRollingWithItsRigidityWhateverItsMesh) {
     }
   }
   EXPECT_NEAR(sum, 1.0, 0.15);
+}
+
+/// -1/2 x . M a, as bending is linear; over B kappa^2 area / 2.
+double cylinder_energy_ratio(const Garment& garment, Bending& bending, double rigidity_n_m,
+                             double axis_angle_rad) {
+  const Layout layout = make_layout(garment);
+  const std::vector<Vec3> positions = rolled(garment.mesh, axis_angle_rad);
+  Rows rows(layout.row_count());
+  Rows accelerations(layout.row_count());
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    rows[row] = row_of(positions[layout.vertex_of_row[row]]);
+  }
+  bending.add_accelerations(rows, kernels_for(VectorUnit::best), accelerations);
+  double energy = 0.0;
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    const Vec3 force = garment.masses_kg[layout.vertex_of_row[row]] * vector_of(accelerations[row]);
+    energy -= 0.5 * glm::dot(vector_of(rows[row]), force);
+  }
+  return energy / rolling_energy_j(garment, rigidity_n_m);
+}
+
+TEST(Bending, WavesTooFastToFollowAreSlowedAndWideFoldsKeepTheirRigidity) {
+  constexpr double rigidity_n_m = 1e-4;
+  for (const Mesh& mesh : {sheet(49, 1.0), irregular_sheet(49, 1.0)}) {
+    const Garment garment = make_garment(mesh, {}, {});
+    const Layout layout = make_layout(garment);
+    Bending whole(garment, layout, rigidity_n_m, 1e9);
+    ASSERT_EQ(whole.level_count(), 1u);
+    const double allowed_per_s = whole.largest_rate_per_s() / 12.0;
+    Bending shared(garment, layout, rigidity_n_m, allowed_per_s);
+    EXPECT_GE(shared.level_count(), 3u);
+    EXPECT_LE(shared.largest_rate_per_s(), 2.0 * allowed_per_s);
+    double sum = 0.0;
+    for (const double angle : {0.2, 0.7, 1.3, 1.9, 2.5}) {
+      const double ratio = cylinder_energy_ratio(garment, shared, rigidity_n_m, angle);
+      EXPECT_GT(ratio, 0.4) << angle;
+      EXPECT_LT(ratio, 1.9) << angle;
+      sum += ratio / 5.0;
+    }
+    EXPECT_NEAR(sum, 1.0, 0.25);
+  }
 }
 
 TEST(Bounded, KeepsTheBoundInEveryFrame) {

@@ -16,9 +16,6 @@ using namespace bounded;
 
 namespace {
 
-/// Bending faster than this would force time steps on the whole garment that it does not need otherwise.
-constexpr double stiffest_rate_times_frame = 32.0;
-
 /// Springs near the pins carry the most and stretch the most. This part of all, the nearest, is swept more
 /// often.
 constexpr double often_swept_part = 0.1;
@@ -26,7 +23,9 @@ constexpr double often_swept_part = 0.1;
 constexpr int least_substeps = 8;
 
 /// A certificate that costs more sweeps than this many times the substeps is not worth it: more substeps are.
-constexpr double costliest_certificate = 1.0;
+constexpr double costliest_certificate = 3.0;
+/// A frame shown this many times further from the state than allowed is repeated.
+constexpr double too_far = 3.0;
 /// Where no more substeps are to be had, it is.
 constexpr double last_resort_sweeps = 1000.0;
 
@@ -46,11 +45,11 @@ std::vector<std::uint32_t> blocks_near_pins(const SpringLanes& springs) {
 
 /// What the solver derives from a garment, and keeps from frame to frame.
 struct BoundedSolver::Cloth {
-  Cloth(const Garment& garment, double bending_rigidity_n_m, double stiffest_rate_per_s)
+  Cloth(const Garment& garment, double bending_rigidity_n_m, double frame_time_s)
       : pins(garment.pins),
         layout(make_layout(garment)),
         often_swept(blocks_near_pins(layout.springs)),
-        forces(garment, layout, bending_rigidity_n_m, stiffest_rate_per_s),
+        forces(garment, layout, bending_rigidity_n_m, frame_time_s),
         certifier(layout) {}
 
   std::vector<Index> pins;
@@ -62,6 +61,7 @@ struct BoundedSolver::Cloth {
   SubstepControl control{1, 1, 1};
   Motion motion;
   Rows velocities;           ///< m/s, when the frame began
+  double shift = 0.0;        ///< of the last frame, in parts of the largest allowed
   double time_step_s = 0.0;  ///< the one the springs' short_share is made for
 };
 
@@ -75,8 +75,7 @@ void BoundedSolver::lay_out(const Garment& garment, const Surroundings& surround
       cloth_->layout.vertex_count() == garment.mesh.positions.size()) {
     return;
   }
-  cloth_ = std::make_unique<Cloth>(garment, settings_.fabric.bending_rigidity_n_m,
-                                   stiffest_rate_times_frame / frame_time_s);
+  cloth_ = std::make_unique<Cloth>(garment, settings_.fabric.bending_rigidity_n_m, frame_time_s);
   if (settings_.substeps > 0) {
     cloth_->control = SubstepControl(settings_.substeps, settings_.substeps, settings_.substeps);
   } else {
@@ -101,15 +100,7 @@ void BoundedSolver::begin_frame(const State& state) {
     motion.start[row] = row_of(state.current[v] - motion.origin_m);
     cloth_->velocities[row] = row_of(velocity(state, v));
   }
-  SpringLanes& springs = cloth_->layout.springs;
-  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    if (springs.spring[k] != SpringLanes::no_spring) {
-      const Vec3 start = motion.start_m[springs.row_i[k]] - motion.start_m[springs.row_j[k]];
-      springs.start_x[k] = static_cast<float>(start.x);
-      springs.start_y[k] = static_cast<float>(start.y);
-      springs.start_z[k] = static_cast<float>(start.z);
-    }
-  }
+  start_springs(motion.start_m, cloth_->layout.springs);
 }
 
 // A spring too short pushes back with a stiffness in N/m: of its error it corrects k dt^2 w / (1 + k dt^2 w),
@@ -130,9 +121,9 @@ void BoundedSolver::begin_substeps(double time_step_s) {
   const auto stiffness =
       static_cast<float>(settings_.fabric.compression_stiffness_n_per_m * time_step_s * time_step_s);
   for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    const float w = cloth.layout.inverse_masses_per_kg[springs.row_i[k]] +
-                    cloth.layout.inverse_masses_per_kg[springs.row_j[k]];
-    springs.short_share[k] = stiffness * w / (1.0F + stiffness * w);
+    const float w = cloth.layout.inverse_masses_per_kg[springs.row_i(k)] +
+                    cloth.layout.inverse_masses_per_kg[springs.row_j(k)];
+    springs.blocks[k / block_size].short_share[k % block_size] = stiffness * w / (1.0F + stiffness * w);
   }
 }
 
@@ -213,16 +204,21 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
                              frame_time_s);
   SubstepControl& control = cloth.control;
   Certificate certificate;
+  const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
   double largest_cost = 0.0;
+  double shift = 0.0;
   do {
     run_substeps(garment, surroundings, state.time_s, frame_time_s, control.substeps());
     largest_cost = control.is_spent() ? last_resort_sweeps : costliest_certificate * control.substeps();
     certificate = cloth.certifier.certify(cloth.layout, cloth.motion.current, settings_.max_stretch,
                                           largest_cost, kernels_);
-  } while (!certificate.kept && control.try_more());
+    shift = allowed_m > 0.0 ? certificate.largest_shift_m / allowed_m : 0.0;
+  } while ((!certificate.kept || (shift > too_far && shift > 1.2 * cloth.shift)) && control.try_more());
+  cloth.shift = shift;
+  cloth.certifier.end_frame();
 
   const int substeps = control.substeps();
-  control.frame_kept(certificate.cost);
+  control.frame_kept(certificate.cost, shift);
   end_frame(surroundings, frame_time_s, substeps, state);
   return {substeps, true, certificate.kept, certificate.raw_max_stretch, certificate.max_stretch};
 }

@@ -13,23 +13,38 @@ constexpr double rounding = 2e-6;
 /// Over-relaxed sweeps between two looks at all springs, and then one of factor 1: where springs pull at each
 /// other, a sweep that is over-relaxed leaves some of them too long.
 constexpr int relaxed_sweeps = 6;
-constexpr float relaxation = 1.8F;
+
+/// Below 2 the distance to every shape within the bound can only fall, whatever the weights (Agmon 1954).
+/// What is best for a chain of n springs is 2 / (1 + sin(pi / n)) (Young 1954); the weights make chains
+/// shorter.
+float relaxation_of(const Layout& layout) {
+  constexpr double least_springs = 16.0;
+  constexpr double most_springs = 64.0;
+  return static_cast<float>(2.0 /
+                            (1.0 + 2.0 / std::clamp(layout.reach_springs, least_springs, most_springs)));
+}
 
 /// Springs this close to the bound may get too long by the correction of others.
 constexpr float nearly = 0.995F;
 
 /// Of the last frame's correction. All of it would be fewest sweeps, but what is shown would drift off.
-constexpr float kept_correction = 0.95F;
+constexpr float kept_correction = 0.9F;
 
-Row scaled_sum(const Row& a, const Row& b, float factor) {
-  return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z, 0.0F};
+/// Aims a little below what is checked: the last of a correction takes the most sweeps.
+constexpr double aimed_part = 0.97;
+
+float aim(double max_stretch, double part) {
+  const double length = (1.0 + part * max_stretch) * (1.0 - 2.0 * rounding);
+  return static_cast<float>(length * length);
 }
 
 }  // namespace
 
 Certifier::Certifier(const Layout& layout)
-    : shown_(layout.row_count()),
+    : relaxation_(relaxation_of(layout)),
+      shown_(layout.row_count()),
       corrections_(layout.row_count()),
+      new_corrections_(layout.row_count()),
       squared_ratios_(layout.springs.block_count()) {}
 
 void Certifier::start_from_last_frame(const Rows& raw) {
@@ -60,7 +75,7 @@ void Certifier::choose_long_blocks(float squared_bound) {
 
 void Certifier::shorten_chosen(const Layout& layout, float squared_bound, const Kernels& kernels) {
   for (int sweep = 0; sweep <= relaxed_sweeps; ++sweep) {
-    const float factor = sweep < relaxed_sweeps ? relaxation : 1.0F;
+    const float factor = sweep < relaxed_sweeps ? relaxation_ : 1.0F;
     for (const std::uint32_t block : long_blocks_) {
       kernels.shorten(layout.springs, block, block + 1, squared_bound, factor, shown_.data());
     }
@@ -71,15 +86,18 @@ Certificate Certifier::certify(const Layout& layout, const Rows& raw, double max
                                const Kernels& kernels) {
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;
-  // Aims a little below what is checked, or rounding could leave a spring for ever at the bound's edge.
-  const auto squared_aim = static_cast<float>(squared_bound * (1.0 - rounding));
+  const float squared_aim = aim(max_stretch, aimed_part);
   Certificate certificate;
   shown_ = raw;
   double ratio = largest_ratio(layout, kernels);
   certificate.raw_max_stretch = std::sqrt(ratio) - 1.0;
-  if (!(ratio <= squared_bound)) {
+  if (const double raw_ratio = ratio; !(raw_ratio <= squared_bound)) {
     start_from_last_frame(raw);
     ratio = largest_ratio(layout, kernels);
+    if (!(ratio <= raw_ratio)) {
+      shown_ = raw;
+      ratio = largest_ratio(layout, kernels);
+    }
   }
   while (!(ratio <= squared_bound) && certificate.cost < largest_cost && std::isfinite(ratio)) {
     choose_long_blocks(squared_aim);
@@ -88,9 +106,12 @@ Certificate Certifier::certify(const Layout& layout, const Rows& raw, double max
     certificate.cost += 1.0 + (1.0 + relaxed_sweeps) * static_cast<double>(long_blocks_.size()) /
                                   static_cast<double>(squared_ratios_.size());
   }
+  float largest_shift2 = 0.0F;
   for (std::size_t row = 0; row < raw.size(); ++row) {
-    corrections_[row] = scaled_sum(shown_[row], raw[row], -1.0F);
+    const Row& shift = new_corrections_[row] = scaled_sum(shown_[row], raw[row], -1.0F);
+    largest_shift2 = std::max(largest_shift2, shift.x * shift.x + shift.y * shift.y + shift.z * shift.z);
   }
+  certificate.largest_shift_m = std::sqrt(largest_shift2);
   certificate.max_stretch = std::sqrt(ratio) - 1.0;
   certificate.kept = ratio <= squared_bound;
   return certificate;

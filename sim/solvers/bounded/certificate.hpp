@@ -13,6 +13,7 @@ struct Certificate {
   double raw_max_stretch = 0.0;  ///< before
   double max_stretch = 0.0;      ///< after
   double cost = 0.0;             ///< the work it took, in sweeps over all springs
+  double largest_shift_m = 0.0;  ///< how far a vertex shown is from where the state has it
   bool kept = false;             ///< no spring is longer than the bound allows
 };
 
@@ -20,8 +21,10 @@ struct Certificate {
 /// state itself is left alone; feeding the copy back would gain nothing and can add energy.
 ///
 /// Springs no longer than a bound are a convex set of shapes, so that correcting the longer ones again and
-/// again ends in it wherever the pins allow it (cyclic projection; Bregman 1965). The correction of the last
-/// frame, a little faded, is where the next one starts.
+/// again ends in it wherever the pins allow it (cyclic projection; Bregman 1965). That is so for any weights
+/// of the vertices, and the copy need not move as masses do: weights that grow towards the pins hand
+/// corrections down the cloth instead of back and forth. The correction of the last frame, a little faded, is
+/// where the next one starts.
 class Certifier {
  public:
   explicit Certifier(const Layout& layout);
@@ -29,6 +32,9 @@ class Certifier {
   /// Gives up when it has cost `largest_cost`.
   Certificate certify(const Layout& layout, const Rows& raw, double max_stretch, double largest_cost,
                       const Kernels& kernels);
+
+  /// The last certificate is that of the frame; the next call is for the next one.
+  void end_frame() { corrections_.swap(new_corrections_); }
 
   /// Displacements since the frame's start that keep the bound.
   const Rows& shown() const { return shown_; }
@@ -39,8 +45,10 @@ class Certifier {
   void choose_long_blocks(float squared_bound);
   void shorten_chosen(const Layout& layout, float squared_bound, const Kernels& kernels);
 
+  float relaxation_;
   Rows shown_;
-  Rows corrections_;
+  Rows corrections_;                   ///< of the last frame
+  Rows new_corrections_;               ///< of this one
   std::vector<float> squared_ratios_;  ///< by block
   std::vector<std::uint32_t> long_blocks_;
 };

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
-#include <utility>
 
 namespace taut::sim::bounded {
 namespace {
@@ -118,113 +117,6 @@ void scale_by_area(const Garment& garment, std::vector<FlexuralElement>& element
   }
 }
 
-/// The square of the angular frequency of one element alone.
-double squared_rate(const FlexuralElement& e, double stiffness, const Garment& garment) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    sum += garment.inverse_masses_per_kg[e.vertices[k]] * e.weights[k] * e.weights[k];
-  }
-  return stiffness * sum;
-}
-
-struct Entry {
-  Index row;
-  Index column;
-  double value;
-};
-
-/// Sums entries of the same place; the result is in the order of rows, then columns.
-std::vector<Entry> summed(std::vector<Entry> entries) {
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.row != b.row ? a.row < b.row : a.column < b.column;
-  });
-  std::vector<Entry> sums;
-  for (const Entry& e : entries) {
-    if (!sums.empty() && sums.back().row == e.row && sums.back().column == e.column) {
-      sums.back().value += e.value;
-    } else {
-      sums.push_back(e);
-    }
-  }
-  return sums;
-}
-
-std::vector<Entry> stiffness_entries(const Garment& garment, const Layout& layout, double rigidity_n_m,
-                                     double stiffest_rate_per_s) {
-  const double stiffest2 = stiffest_rate_per_s * stiffest_rate_per_s;
-  std::vector<Entry> entries;
-  for (const FlexuralElement& e : flexural_elements(garment)) {
-    double k = rigidity_n_m * e.stiffness_per_rigidity;
-    const double rate2 = squared_rate(e, k, garment);
-    k *= rate2 > stiffest2 ? stiffest2 / rate2 : 1.0;
-    for (std::size_t p = 0; p < 4; ++p) {
-      for (std::size_t q = 0; q < 4; ++q) {
-        const double value = k * e.weights[p] * e.weights[q];
-        if (value != 0.0) {
-          entries.push_back(
-              {layout.row_of_vertex[e.vertices[p]], layout.row_of_vertex[e.vertices[q]], value});
-        }
-      }
-    }
-  }
-  return summed(std::move(entries));
-}
-
-RowMatrix acceleration_matrix(const std::vector<Entry>& stiffness, const Layout& layout) {
-  RowMatrix matrix;
-  matrix.begin.push_back(0);
-  auto e = stiffness.begin();
-  for (Index row = 0; row < layout.vertex_count(); ++row) {
-    const double w = layout.inverse_masses_per_kg[row];
-    for (; e != stiffness.end() && e->row == row; ++e) {
-      if (w > 0.0 && e->column != row) {
-        matrix.column.push_back(e->column);
-        matrix.value.push_back(static_cast<float>(-w * e->value));
-      }
-    }
-    if (matrix.column.size() % 2 == 1) {
-      matrix.column.push_back(row);
-      matrix.value.push_back(0.0F);
-    }
-    matrix.begin.push_back(static_cast<std::uint32_t>(matrix.column.size()));
-  }
-  return matrix;
-}
-
-/// The square root of the largest eigenvalue of W K. The power method comes from below, and is close after a
-/// few steps, as the highest modes are many and alike; the sum of a row's absolute values is never below.
-double largest_rate(const std::vector<Entry>& stiffness, const Layout& layout) {
-  constexpr int steps = 24;
-  constexpr double margin = 1.15;
-  std::vector<double> mode(layout.vertex_count());
-  std::vector<double> image(layout.vertex_count());
-  std::vector<double> row_sums(layout.vertex_count(), 0.0);
-  for (std::size_t row = 0; row < mode.size(); ++row) {
-    mode[row] = row % 2 == 0 ? 1.0 : -0.7;
-  }
-  double eigenvalue = 0.0;
-  for (int step = 0; step < steps; ++step) {
-    std::fill(image.begin(), image.end(), 0.0);
-    for (const Entry& e : stiffness) {
-      image[e.row] += layout.inverse_masses_per_kg[e.row] * e.value * mode[e.column];
-    }
-    const double largest = std::abs(*std::max_element(
-        image.begin(), image.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    if (!(largest > 0.0)) {
-      break;
-    }
-    eigenvalue = largest;
-    for (std::size_t row = 0; row < mode.size(); ++row) {
-      mode[row] = image[row] / largest;
-    }
-  }
-  for (const Entry& e : stiffness) {
-    row_sums[e.row] += layout.inverse_masses_per_kg[e.row] * std::abs(e.value);
-  }
-  const double never_below = row_sums.empty() ? 0.0 : *std::max_element(row_sums.begin(), row_sums.end());
-  return std::sqrt(std::min(never_below, margin * eigenvalue));
-}
-
 }  // namespace
 
 std::vector<FlexuralElement> flexural_elements(const Garment& garment) {
@@ -238,15 +130,6 @@ std::vector<FlexuralElement> flexural_elements(const Garment& garment) {
   }
   scale_by_area(garment, elements);
   return elements;
-}
-
-Bending make_bending(const Garment& garment, const Layout& layout, double rigidity_n_m,
-                     double stiffest_rate_per_s) {
-  if (!(rigidity_n_m > 0.0)) {
-    return {};
-  }
-  const std::vector<Entry> stiffness = stiffness_entries(garment, layout, rigidity_n_m, stiffest_rate_per_s);
-  return {acceleration_matrix(stiffness, layout), largest_rate(stiffness, layout)};
 }
 
 }  // namespace taut::sim::bounded

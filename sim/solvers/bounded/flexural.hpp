@@ -4,8 +4,6 @@
 #include <vector>
 
 #include "sim/garment.hpp"
-#include "sim/solvers/bounded/kernels.hpp"
-#include "sim/solvers/bounded/layout.hpp"
 
 namespace taut::sim::bounded {
 
@@ -27,17 +25,5 @@ struct FlexuralElement {
 /// area, and the shares are scaled so that a sheet of any mesh resists cylindrical bending, averaged over its
 /// directions, with B per unit width.
 std::vector<FlexuralElement> flexural_elements(const Garment& garment);
-
-/// The accelerations of bending as a matrix on positions, -B W K, by rows of the layout, and how fast the
-/// fastest bending wave can be.
-struct Bending {
-  RowMatrix matrix;
-  double largest_rate_per_s =
-      0.0;  ///< no mode of the matrix has a higher angular frequency (Gershgorin 1931)
-};
-
-/// Elements stiffer than `stiffest_rate_per_s` allows, such as needles, are softened to it.
-Bending make_bending(const Garment& garment, const Layout& layout, double rigidity_n_m,
-                     double stiffest_rate_per_s);
 
 }  // namespace taut::sim::bounded

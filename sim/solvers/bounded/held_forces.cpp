@@ -18,6 +18,9 @@ constexpr int least_updates_per_frame = 4;
 /// Held forces are stable while rate^2 held^2 < 2 (see add_bending).
 constexpr double largest_rate_times_held = 1.2;
 
+/// Waves of bending faster than this, in radians per frame, are slowed down.
+constexpr double fastest_bending_per_frame = 5.0;
+
 AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s, double held_s) {
   const Vec3 velocity = wind_velocity(wind, time_s);
   AirFlow air;
@@ -31,25 +34,20 @@ AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double
   return air;
 }
 
-void add(Row& sum, const Row& r, float factor) {
-  sum.x += factor * r.x;
-  sum.y += factor * r.y;
-  sum.z += factor * r.z;
-}
-
 }  // namespace
 
 HeldForces::HeldForces(const Garment& garment, const Layout& layout, double bending_rigidity_n_m,
-                       double stiffest_rate_per_s)
+                       double frame_time_s)
     : layout_(layout),
-      bending_(make_bending(garment, layout, bending_rigidity_n_m, stiffest_rate_per_s)),
+      bending_(garment, layout, bending_rigidity_n_m, fastest_bending_per_frame / frame_time_s),
       accelerations_(layout.row_count()),
       corner_forces_n_(layout.triangles.lane_count()),
       positions_(layout.row_count()) {}
 
 int HeldForces::updates_per_frame(const ExternalForces& external, double frame_time_s) const {
   const int for_wind = external.wind.speed_m_per_s != 0.0 ? wind_updates_per_frame : least_updates_per_frame;
-  const double for_bending = std::ceil(bending_.largest_rate_per_s * frame_time_s / largest_rate_times_held);
+  const double for_bending =
+      std::ceil(bending_.largest_rate_per_s() * frame_time_s / largest_rate_times_held);
   // Vertices of next to no mass would ask for any number.
   constexpr double most = 1e6;
   return std::max(for_wind,
@@ -66,7 +64,7 @@ void HeldForces::add_gravity_and_artificial(const ExternalForces& external) {
                                   ", but there are only " + std::to_string(layout_.vertex_count()));
     }
     const Index row = layout_.row_of_vertex[f.vertex];
-    add(accelerations_[row], row_of(f.force_n), layout_.inverse_masses_per_kg[row]);
+    add_scaled(accelerations_[row], row_of(f.force_n), layout_.inverse_masses_per_kg[row]);
   }
 }
 
@@ -83,9 +81,9 @@ void HeldForces::add_hand(const Garment& garment, const ExternalForces& external
     const Vec3 moved = vector_of(motion.current[row]);
     const Vec3 velocity_m_per_s = (moved - vector_of(motion.previous[row])) / time_step_s;
     if (mass_kg > 0.0) {
-      add(accelerations_[row],
-          row_of(hand_force(held, mass_kg, motion.start_m[row] + moved, velocity_m_per_s, held_s)),
-          layout_.inverse_masses_per_kg[row]);
+      add_scaled(accelerations_[row],
+                 row_of(hand_force(held, mass_kg, motion.start_m[row] + moved, velocity_m_per_s, held_s)),
+                 layout_.inverse_masses_per_kg[row]);
     }
   }
 }
@@ -101,9 +99,9 @@ void HeldForces::add_wind(const Garment& garment, const Wind& wind, const Motion
   for (std::size_t row = 0; row < layout_.vertex_count(); ++row) {
     Row force_n;
     for (std::uint32_t k = triangles.corner_begin[row]; k < triangles.corner_begin[row + 1]; ++k) {
-      add(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
+      add_scaled(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
     }
-    add(accelerations_[row], force_n, layout_.inverse_masses_per_kg[row]);
+    add_scaled(accelerations_[row], force_n, layout_.inverse_masses_per_kg[row]);
   }
 }
 
@@ -119,8 +117,7 @@ void HeldForces::add_bending(const Motion& motion, double ahead, const Kernels& 
     positions_[row] = {x.x + (d.x + (d.x - p.x) * factor), x.y + (d.y + (d.y - p.y) * factor),
                        x.z + (d.z + (d.z - p.z) * factor), 0.0F};
   }
-  kernels.add_product(bending_.matrix, layout_.pin_count, layout_.vertex_count(), positions_.data(),
-                      accelerations_.data());
+  bending_.add_accelerations(positions_, kernels, accelerations_);
 }
 
 void HeldForces::update(const Garment& garment, const ExternalForces& external, const Motion& motion,
@@ -128,7 +125,7 @@ void HeldForces::update(const Garment& garment, const ExternalForces& external, 
   add_gravity_and_artificial(external);
   add_hand(garment, external, motion, time_step_s, held_s);
   add_wind(garment, external.wind, motion, time_s, time_step_s, held_s, kernels);
-  if (!bending_.matrix.value.empty()) {
+  if (!bending_.empty()) {
     add_bending(motion, held_s / time_step_s, kernels);
   }
 }

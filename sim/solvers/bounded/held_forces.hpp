@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/forces.hpp"
-#include "sim/solvers/bounded/flexural.hpp"
+#include "sim/solvers/bounded/bending.hpp"
 #include "sim/solvers/bounded/kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 
@@ -22,8 +22,7 @@ struct Motion {
 class HeldForces {
  public:
   /// `layout` has to outlive this.
-  HeldForces(const Garment& garment, const Layout& layout, double bending_rigidity_n_m,
-             double stiffest_rate_per_s);
+  HeldForces(const Garment& garment, const Layout& layout, double bending_rigidity_n_m, double frame_time_s);
 
   /// How often a frame the forces have to be evaluated so that holding them is stable.
   int updates_per_frame(const ExternalForces& external, double frame_time_s) const;

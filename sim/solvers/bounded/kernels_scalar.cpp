@@ -12,27 +12,33 @@ struct Spring {
   float squared_length;
 };
 
-Spring spring_between(const SpringLanes& springs, std::size_t k, const Row* rows) {
-  const Row& i = rows[springs.row_i[k]];
-  const Row& j = rows[springs.row_j[k]];
-  const float x = (i.x - j.x) + springs.start_x[k];
-  const float y = (i.y - j.y) + springs.start_y[k];
-  const float z = (i.z - j.z) + springs.start_z[k];
+Row& row_at(Row* rows, std::uint32_t at) {
+  return rows[at / 4];
+}
+
+Spring spring_between(const SpringBlock& block, std::size_t k, const Row* rows) {
+  const Row& i = rows[block.at_i[k] / 4];
+  const Row& j = rows[block.at_j[k] / 4];
+  const float x = (i.x - j.x) + block.start_x[k];
+  const float y = (i.y - j.y) + block.start_y[k];
+  const float z = (i.z - j.z) + block.start_z[k];
   return {x, y, z, (x * x + y * y) + z * z};
 }
 
-void shorten_spring(const SpringLanes& springs, std::size_t k, const Spring& spring, float fraction,
-                    Row* rows) {
-  const float part_i = fraction * springs.share_i[k];
-  const float part_j = fraction - part_i;
-  Row& i = rows[springs.row_i[k]];
-  Row& j = rows[springs.row_j[k]];
-  i.x = i.x - part_i * spring.x;
-  i.y = i.y - part_i * spring.y;
-  i.z = i.z - part_i * spring.z;
-  j.x = j.x + part_j * spring.x;
-  j.y = j.y + part_j * spring.y;
-  j.z = j.z + part_j * spring.z;
+/// What end j moves by along one axis, where end i has moved the other way by the rest of it.
+float shorten_along(float whole, float share_i, float& i) {
+  const float part_i = whole * share_i;
+  i = i - part_i;
+  return whole - part_i;
+}
+
+void shorten_spring(const SpringBlock& block, std::size_t k, const Spring& spring, float fraction,
+                    float share_i, Row* rows) {
+  Row& i = row_at(rows, block.at_i[k]);
+  Row& j = row_at(rows, block.at_j[k]);
+  j.x = j.x + shorten_along(spring.x * fraction, share_i, i.x);
+  j.y = j.y + shorten_along(spring.y * fraction, share_i, i.y);
+  j.z = j.z + shorten_along(spring.z * fraction, share_i, i.z);
 }
 
 float predicted(float current, float previous, float decay, float acceleration, float dt_squared) {
@@ -51,34 +57,43 @@ void predict(std::size_t begin, std::size_t end, float decay, float dt_squared, 
 }
 
 void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows) {
-  for (std::size_t k = begin * block_size; k < end * block_size; ++k) {
-    const Spring spring = spring_between(springs, k, rows);
-    const float excess = spring.squared_length - springs.squared_rest[k];
-    const float error = excess / (spring.squared_length + springs.squared_rest[k]);
-    shorten_spring(springs, k, spring, excess > 0.0F ? error : error * springs.short_share[k], rows);
+  for (std::size_t b = begin; b < end; ++b) {
+    const SpringBlock& block = springs.blocks[b];
+    for (std::size_t k = 0; k < block_size; ++k) {
+      const Spring spring = spring_between(block, k, rows);
+      const float error =
+          (spring.squared_length - block.squared_rest[k]) / (spring.squared_length + block.squared_rest[k]);
+      shorten_spring(block, k, spring, std::max(error, error * block.short_share[k]), block.share_i[k], rows);
+    }
   }
 }
 
 void shorten(const SpringLanes& springs, std::size_t begin, std::size_t end, float squared_bound,
              float relaxation, Row* rows) {
-  for (std::size_t k = begin * block_size; k < end * block_size; ++k) {
-    const Spring spring = spring_between(springs, k, rows);
-    const float limit = springs.squared_rest[k] * squared_bound;
-    const float excess = spring.squared_length - limit;
-    if (excess > 0.0F) {
-      shorten_spring(springs, k, spring, (excess / (spring.squared_length + limit)) * relaxation, rows);
+  for (std::size_t b = begin; b < end; ++b) {
+    const SpringBlock& block = springs.blocks[b];
+    for (std::size_t k = 0; k < block_size; ++k) {
+      const Spring spring = spring_between(block, k, rows);
+      const float limit = block.squared_rest[k] * squared_bound;
+      const float excess = spring.squared_length - limit;
+      if (excess > 0.0F) {
+        const float error = excess / (spring.squared_length + std::sqrt(spring.squared_length * limit));
+        shorten_spring(block, k, spring, error * relaxation, springs.certificate_share_i[b * block_size + k],
+                       rows);
+      }
     }
   }
 }
 
 void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Row* rows,
                     float* squared_ratios) {
-  for (std::size_t block = begin; block < end; ++block) {
+  for (std::size_t b = begin; b < end; ++b) {
+    const SpringBlock& block = springs.blocks[b];
     float largest = 0.0F;
-    for (std::size_t k = block * block_size; k < (block + 1) * block_size; ++k) {
-      largest = std::max(largest, spring_between(springs, k, rows).squared_length / springs.squared_rest[k]);
+    for (std::size_t k = 0; k < block_size; ++k) {
+      largest = std::max(largest, spring_between(block, k, rows).squared_length / block.squared_rest[k]);
     }
-    squared_ratios[block] = largest;
+    squared_ratios[b] = largest;
   }
 }
 
@@ -111,9 +126,9 @@ Triple cross(const Triple& a, const Triple& b) {
 void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
           const Row* start, const Row* current, const Row* previous, Row* corner_forces) {
   for (std::size_t t = begin; t < end; ++t) {
-    const std::uint32_t a = triangles.row[0][t];
-    const std::uint32_t b = triangles.row[1][t];
-    const std::uint32_t c = triangles.row[2][t];
+    const std::uint32_t a = triangles.at[0][t] / 4;
+    const std::uint32_t b = triangles.at[1][t] / 4;
+    const std::uint32_t c = triangles.at[2][t] / 4;
     const Triple at = sum(start[a], current[a]);
     const Triple edge_b = sum(start[b], current[b]) - at;
     const Triple edge_c = sum(start[c], current[c]) - at;

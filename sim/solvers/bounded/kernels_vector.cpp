@@ -25,32 +25,6 @@ HWY_INLINE hn::Vec<FourFloats> load_row(const Row* rows, std::uint32_t index) {
   return hn::Load(FourFloats(), &rows[index].x);
 }
 
-HWY_INLINE void store_row(hn::Vec<FourFloats> v, Row* rows, std::uint32_t index) {
-  hn::Store(v, FourFloats(), &rows[index].x);
-}
-
-/// The rows with the indices [0], [4], ... side by side.
-template <std::size_t count>
-HWY_INLINE auto load_every_fourth(const Row* rows, const std::uint32_t* index) {
-  if constexpr (count == 4) {
-    return load_row(rows, index[0]);
-  } else {
-    return hn::Combine(hn::FixedTag<float, count>(), load_every_fourth<count / 2>(rows, index + count / 2),
-                       load_every_fourth<count / 2>(rows, index));
-  }
-}
-
-template <std::size_t count, typename Vector>
-HWY_INLINE void store_every_fourth(Vector v, Row* rows, const std::uint32_t* index) {
-  if constexpr (count == 4) {
-    store_row(v, rows, index[0]);
-  } else {
-    const hn::FixedTag<float, count / 2> half;
-    store_every_fourth<count / 2>(hn::LowerHalf(half, v), rows, index);
-    store_every_fourth<count / 2>(hn::UpperHalf(half, v), rows, index + count / 2);
-  }
-}
-
 /// Four vectors of rows as they are loaded, or of one coordinate each.
 struct Four {
   V a, b, c, d;
@@ -67,16 +41,38 @@ HWY_INLINE Four transposed(const Four& m) {
           hn::InterleaveLower(f, ac_high, bd_high), hn::InterleaveUpper(f, ac_high, bd_high)};
 }
 
-HWY_INLINE Four load_rows(const Row* rows, const std::uint32_t* index) {
-  return {load_every_fourth<lanes>(rows, index + 0), load_every_fourth<lanes>(rows, index + 1),
-          load_every_fourth<lanes>(rows, index + 2), load_every_fourth<lanes>(rows, index + 3)};
+/// The rows that begin at [0], [4], ..., counted in floats, side by side.
+template <std::size_t count>
+HWY_INLINE auto load_every_fourth(const float* rows, const std::uint32_t* at) {
+  if constexpr (count == 4) {
+    return hn::Load(FourFloats(), rows + at[0]);
+  } else {
+    return hn::Combine(hn::FixedTag<float, count>(), load_every_fourth<count / 2>(rows, at + count / 2),
+                       load_every_fourth<count / 2>(rows, at));
+  }
 }
 
-HWY_INLINE void store_rows(const Four& v, Row* rows, const std::uint32_t* index) {
-  store_every_fourth<lanes>(v.a, rows, index + 0);
-  store_every_fourth<lanes>(v.b, rows, index + 1);
-  store_every_fourth<lanes>(v.c, rows, index + 2);
-  store_every_fourth<lanes>(v.d, rows, index + 3);
+template <std::size_t count, typename Vector>
+HWY_INLINE void store_every_fourth(Vector v, float* rows, const std::uint32_t* at) {
+  if constexpr (count == 4) {
+    hn::Store(v, FourFloats(), rows + at[0]);
+  } else {
+    const hn::FixedTag<float, count / 2> half;
+    store_every_fourth<count / 2>(hn::LowerHalf(half, v), rows, at);
+    store_every_fourth<count / 2>(hn::UpperHalf(half, v), rows, at + count / 2);
+  }
+}
+
+HWY_INLINE Four load_rows(const float* rows, const std::uint32_t* at) {
+  return {load_every_fourth<lanes>(rows, at + 0), load_every_fourth<lanes>(rows, at + 1),
+          load_every_fourth<lanes>(rows, at + 2), load_every_fourth<lanes>(rows, at + 3)};
+}
+
+HWY_INLINE void store_rows(const Four& v, float* rows, const std::uint32_t* at) {
+  store_every_fourth<lanes>(v.a, rows, at + 0);
+  store_every_fourth<lanes>(v.b, rows, at + 1);
+  store_every_fourth<lanes>(v.c, rows, at + 2);
+  store_every_fourth<lanes>(v.d, rows, at + 3);
 }
 
 HWY_INLINE Four operator+(const Four& x, const Four& y) {
@@ -115,20 +111,30 @@ HWY_INLINE Four as_rows(const Triple& coordinates) {
   return transposed({coordinates.x, coordinates.y, coordinates.z, hn::Zero(Floats())});
 }
 
-/// L' of `lanes` springs, between rows that are loaded already.
-HWY_INLINE Triple springs_between(const SpringLanes& springs, std::size_t k, const Four& i, const Four& j) {
+HWY_INLINE Four operator*(const Four& x, const Four& y) {
+  return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b), hn::Mul(x.c, y.c), hn::Mul(x.d, y.d)};
+}
+
+/// One number for each row, in the places of its coordinates.
+HWY_INLINE Four for_rows(V numbers) {
+  return {hn::Broadcast<0>(numbers), hn::Broadcast<1>(numbers), hn::Broadcast<2>(numbers),
+          hn::Broadcast<3>(numbers)};
+}
+
+/// L' of `lanes` springs from lane k of a block, between rows that are loaded already.
+HWY_INLINE Triple springs_between(const SpringBlock& block, std::size_t k, const Four& i, const Four& j) {
   const Floats f;
-  const Triple start = {hn::Load(f, &springs.start_x[k]), hn::Load(f, &springs.start_y[k]),
-                        hn::Load(f, &springs.start_z[k])};
+  const Triple start = {hn::Load(f, &block.start_x[k]), hn::Load(f, &block.start_y[k]),
+                        hn::Load(f, &block.start_z[k])};
   return as_coordinates(i - j) + start;
 }
 
-HWY_INLINE void shorten_springs(const SpringLanes& springs, std::size_t k, const Four& i, const Four& j,
-                                const Triple& spring, V fraction, Row* rows) {
-  const V part_i = hn::Mul(fraction, hn::Load(Floats(), &springs.share_i[k]));
-  const V part_j = hn::Sub(fraction, part_i);
-  store_rows(i - as_rows(spring * part_i), rows, &springs.row_i[k]);
-  store_rows(j + as_rows(spring * part_j), rows, &springs.row_j[k]);
+HWY_INLINE void shorten_springs(const SpringBlock& block, std::size_t k, const Four& i, const Four& j,
+                                const Triple& spring, V fraction, V share_i, float* rows) {
+  const Four whole = as_rows(spring * fraction);
+  const Four part_i = whole * for_rows(share_i);
+  store_rows(i - part_i, rows, &block.at_i[k]);
+  store_rows(j + (whole - part_i), rows, &block.at_j[k]);
 }
 
 void predict(std::size_t begin, std::size_t end, float decay, float dt_squared, const Row* accelerations,
@@ -146,52 +152,62 @@ void predict(std::size_t begin, std::size_t end, float decay, float dt_squared, 
 
 void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows) {
   const Floats f;
-  for (std::size_t k = begin * block_size; k < end * block_size; k += lanes) {
-    const Four i = load_rows(rows, &springs.row_i[k]);
-    const Four j = load_rows(rows, &springs.row_j[k]);
-    const Triple spring = springs_between(springs, k, i, j);
-    const V squared_length = dot(spring, spring);
-    const V squared_rest = hn::Load(f, &springs.squared_rest[k]);
-    const V excess = hn::Sub(squared_length, squared_rest);
-    const V error = hn::Div(excess, hn::Add(squared_length, squared_rest));
-    const V short_error = hn::Mul(error, hn::Load(f, &springs.short_share[k]));
-    const V fraction = hn::IfThenElse(hn::Gt(excess, hn::Zero(f)), error, short_error);
-    shorten_springs(springs, k, i, j, spring, fraction, rows);
+  float* first = &rows->x;
+  const SpringBlock* const last = springs.blocks.data() + end;
+  for (const SpringBlock* block = springs.blocks.data() + begin; block != last; ++block) {
+    for (std::size_t k = 0; k < block_size; k += lanes) {
+      const Four i = load_rows(first, &block->at_i[k]);
+      const Four j = load_rows(first, &block->at_j[k]);
+      const Triple spring = springs_between(*block, k, i, j);
+      const V squared_length = dot(spring, spring);
+      const V squared_rest = hn::Load(f, &block->squared_rest[k]);
+      const V error = hn::Div(hn::Sub(squared_length, squared_rest), hn::Add(squared_length, squared_rest));
+      // A share is at most 1, so the larger of the two is the error of springs too long, a share of it else.
+      const V fraction = hn::Max(error, hn::Mul(error, hn::Load(f, &block->short_share[k])));
+      shorten_springs(*block, k, i, j, spring, fraction, hn::Load(f, &block->share_i[k]), first);
+    }
   }
 }
 
 void shorten(const SpringLanes& springs, std::size_t begin, std::size_t end, float squared_bound,
              float relaxation, Row* rows) {
   const Floats f;
-  for (std::size_t k = begin * block_size; k < end * block_size; k += lanes) {
-    const Four i = load_rows(rows, &springs.row_i[k]);
-    const Four j = load_rows(rows, &springs.row_j[k]);
-    const Triple spring = springs_between(springs, k, i, j);
-    const V squared_length = dot(spring, spring);
-    const V limit = hn::Mul(hn::Load(f, &springs.squared_rest[k]), hn::Set(f, squared_bound));
-    const V excess = hn::Sub(squared_length, limit);
-    const auto too_long = hn::Gt(excess, hn::Zero(f));
-    if (hn::AllFalse(f, too_long)) {
-      continue;
+  float* first = &rows->x;
+  for (std::size_t b = begin; b < end; ++b) {
+    const SpringBlock& block = springs.blocks[b];
+    for (std::size_t k = 0; k < block_size; k += lanes) {
+      const Four i = load_rows(first, &block.at_i[k]);
+      const Four j = load_rows(first, &block.at_j[k]);
+      const Triple spring = springs_between(block, k, i, j);
+      const V squared_length = dot(spring, spring);
+      const V limit = hn::Mul(hn::Load(f, &block.squared_rest[k]), hn::Set(f, squared_bound));
+      const V excess = hn::Sub(squared_length, limit);
+      const auto too_long = hn::Gt(excess, hn::Zero(f));
+      if (hn::AllFalse(f, too_long)) {
+        continue;
+      }
+      const V divisor = hn::Add(squared_length, hn::Sqrt(hn::Mul(squared_length, limit)));
+      const V fraction = hn::Mul(hn::Div(excess, divisor), hn::Set(f, relaxation));
+      shorten_springs(block, k, i, j, spring, hn::IfThenElseZero(too_long, fraction),
+                      hn::Load(f, &springs.certificate_share_i[b * block_size + k]), first);
     }
-    const V error = hn::Mul(hn::Div(excess, hn::Add(squared_length, limit)), hn::Set(f, relaxation));
-    shorten_springs(springs, k, i, j, spring, hn::IfThenElseZero(too_long, error), rows);
   }
 }
 
 void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Row* rows,
                     float* squared_ratios) {
   const Floats f;
-  for (std::size_t block = begin; block < end; ++block) {
+  const float* first = &rows->x;
+  for (std::size_t b = begin; b < end; ++b) {
+    const SpringBlock& block = springs.blocks[b];
     V largest = hn::Zero(f);
-    for (std::size_t k = block * block_size; k < (block + 1) * block_size; k += lanes) {
-      const Four i = load_rows(rows, &springs.row_i[k]);
-      const Four j = load_rows(rows, &springs.row_j[k]);
-      const Triple spring = springs_between(springs, k, i, j);
-      const V ratio = hn::Div(dot(spring, spring), hn::Load(f, &springs.squared_rest[k]));
-      largest = hn::Max(largest, ratio);
+    for (std::size_t k = 0; k < block_size; k += lanes) {
+      const Four i = load_rows(first, &block.at_i[k]);
+      const Four j = load_rows(first, &block.at_j[k]);
+      const Triple spring = springs_between(block, k, i, j);
+      largest = hn::Max(largest, hn::Div(dot(spring, spring), hn::Load(f, &block.squared_rest[k])));
     }
-    squared_ratios[block] = hn::GetLane(hn::MaxOfLanes(f, largest));
+    squared_ratios[b] = hn::GetLane(hn::MaxOfLanes(f, largest));
   }
 }
 
@@ -202,9 +218,9 @@ struct LoadedCorner {
 
 HWY_INLINE LoadedCorner load_corner(const TriangleLanes& triangles, std::size_t corner, std::size_t k,
                                     const Row* start, const Row* current, const Row* previous) {
-  const std::uint32_t* index = &triangles.row[corner][k];
-  const Four now = load_rows(current, index);
-  return {as_coordinates(load_rows(start, index) + now), as_coordinates(now - load_rows(previous, index))};
+  const std::uint32_t* at = &triangles.at[corner][k];
+  const Four now = load_rows(&current->x, at);
+  return {as_coordinates(load_rows(&start->x, at) + now), as_coordinates(now - load_rows(&previous->x, at))};
 }
 
 /// Half the air's density times a coefficient times a speed, as the drag over one held interval.
@@ -242,9 +258,9 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
                                       load_corner(triangles, 2, k, start, current, previous));
     std::array<std::uint32_t, lanes> in_place;
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-      in_place[lane] = static_cast<std::uint32_t>(k) + lane;
+      in_place[lane] = 4 * (static_cast<std::uint32_t>(k) + lane);
     }
-    store_rows(as_rows(force), corner_forces, in_place.data());
+    store_rows(as_rows(force), &corner_forces->x, in_place.data());
   }
 }
 

@@ -1,7 +1,7 @@
 #include "sim/solvers/bounded/layout.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <queue>
@@ -78,40 +78,68 @@ std::vector<std::vector<SpringInRows>> coloured(const std::vector<SpringInRows>&
   return colours;
 }
 
-void append_spring(const SpringInRows& s, const Garment& garment, const Layout& layout, SpringLanes& lanes) {
-  const double w_i = garment.inverse_masses_per_kg[layout.vertex_of_row[s.row_i]];
-  const double w_j = garment.inverse_masses_per_kg[layout.vertex_of_row[s.row_j]];
-  const double rest_m = garment.springs.rest_lengths_m[s.spring];
-  lanes.row_i.push_back(s.row_i);
-  lanes.row_j.push_back(s.row_j);
-  lanes.share_i.push_back(static_cast<float>(w_i / (w_i + w_j)));
-  lanes.squared_rest.push_back(static_cast<float>(rest_m * rest_m));
-  lanes.spring.push_back(s.spring);
+/// Weights grow by this power of e with every spring on the way to the pins.
+constexpr double certificate_weight_growth = 0.4;
+
+void measure_reach(const Garment& garment, Layout& layout) {
+  const std::size_t count = bound_spring_count(garment.springs);
+  for (const double distance_m : layout.distance_from_pins_m) {
+    layout.reach_m = std::isfinite(distance_m) ? std::max(layout.reach_m, distance_m) : layout.reach_m;
+  }
+  double total_m = 0.0;
+  for (std::size_t s = 0; s < count; ++s) {
+    total_m += garment.springs.rest_lengths_m[s];
+  }
+  layout.reach_springs = total_m > 0.0 ? layout.reach_m * static_cast<double>(count) / total_m : 0.0;
 }
 
-void pad_block(const Layout& layout, SpringLanes& lanes) {
-  for (std::uint32_t lane = lanes.lane_count() % block_size; lane != 0 && lane < block_size; ++lane) {
-    const auto spare = static_cast<std::uint32_t>(layout.vertex_count() + 2 * lane);
-    lanes.row_i.push_back(spare);
-    lanes.row_j.push_back(spare + 1);
-    lanes.share_i.push_back(0.0F);
-    lanes.squared_rest.push_back(1.0F);
-    lanes.spring.push_back(SpringLanes::no_spring);
+/// The inverse weight of end i in the certificate over that of end j.
+double certificate_ratio(const SpringInRows& s, const Layout& layout) {
+  const double further_m = layout.distance_from_pins_m[s.row_j] - layout.distance_from_pins_m[s.row_i];
+  if (!std::isfinite(further_m) || !(layout.reach_m > 0.0)) {
+    return 1.0;
   }
+  return std::exp(-certificate_weight_growth * further_m * layout.reach_springs / layout.reach_m);
+}
+
+/// Sets lane `lane` to a spring between two rows.
+void set_lane(SpringLanes& lanes, std::size_t lane, Index row_i, Index row_j, double share_i, double rest_m) {
+  SpringBlock& block = lanes.blocks[lane / block_size];
+  const std::size_t k = lane % block_size;
+  block.at_i[k] = 4 * row_i;
+  block.at_j[k] = 4 * row_j;
+  block.share_i[k] = static_cast<float>(share_i);
+  block.squared_rest[k] = static_cast<float>(rest_m * rest_m);
+}
+
+void append_colour(const std::vector<SpringInRows>& colour, const Garment& garment, const Layout& layout,
+                   SpringLanes& lanes) {
+  const std::size_t begin = lanes.lane_count();
+  const std::size_t block_count = (colour.size() + block_size - 1) / block_size;
+  lanes.blocks.resize(lanes.block_count() + block_count);
+  lanes.spring.resize(begin + block_count * block_size, SpringLanes::no_spring);
+  lanes.certificate_share_i.resize(lanes.spring.size(), 0.0F);
+  for (std::size_t k = 0; k < colour.size(); ++k) {
+    const SpringInRows& s = colour[k];
+    const double w_i = garment.inverse_masses_per_kg[layout.vertex_of_row[s.row_i]];
+    const double w_j = garment.inverse_masses_per_kg[layout.vertex_of_row[s.row_j]];
+    const double ratio = certificate_ratio(s, layout);
+    set_lane(lanes, begin + k, s.row_i, s.row_j, w_i / (w_i + w_j), garment.springs.rest_lengths_m[s.spring]);
+    lanes.certificate_share_i[begin + k] = static_cast<float>(w_i * ratio / (w_i * ratio + w_j));
+    lanes.spring[begin + k] = s.spring;
+  }
+  for (std::size_t lane = begin + colour.size(); lane < lanes.lane_count(); ++lane) {
+    const auto spare = static_cast<Index>(layout.vertex_count() + 2 * (lane % block_size));
+    set_lane(lanes, lane, spare, spare + 1, 0.0, 1.0);
+  }
+  lanes.colour_begin.push_back(static_cast<std::uint32_t>(lanes.block_count()));
 }
 
 SpringLanes make_spring_lanes(const Garment& garment, const Layout& layout) {
   SpringLanes lanes;
   lanes.colour_begin.push_back(0);
   for (const auto& colour : coloured(movable_springs(garment.springs, layout), layout.vertex_count())) {
-    for (const SpringInRows& s : colour) {
-      append_spring(s, garment, layout, lanes);
-    }
-    pad_block(layout, lanes);
-    lanes.colour_begin.push_back(static_cast<std::uint32_t>(lanes.block_count()));
-  }
-  for (Lanes<float>* each : {&lanes.short_share, &lanes.start_x, &lanes.start_y, &lanes.start_z}) {
-    each->resize(lanes.lane_count(), 0.0F);
+    append_colour(colour, garment, layout, lanes);
   }
   return lanes;
 }
@@ -124,17 +152,17 @@ TriangleLanes make_triangle_lanes(const Garment& garment, const Layout& layout) 
   lanes.corner_begin.assign(layout.vertex_count() + 1, 0);
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (const Triangle& t : triangles) {
-      lanes.row[corner].push_back(layout.row_of_vertex[t[corner]]);
+      lanes.at[corner].push_back(4 * layout.row_of_vertex[t[corner]]);
       ++lanes.corner_begin[layout.row_of_vertex[t[corner]] + 1];
     }
-    lanes.row[corner].resize(padded, spare);
+    lanes.at[corner].resize(padded, 4 * spare);
   }
   std::partial_sum(lanes.corner_begin.begin(), lanes.corner_begin.end(), lanes.corner_begin.begin());
   lanes.corner_triangles.resize(3 * triangles.size());
   std::vector<std::uint32_t> next(lanes.corner_begin.begin(), lanes.corner_begin.end() - 1);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      lanes.corner_triangles[next[lanes.row[corner][t]]++] = t;
+      lanes.corner_triangles[next[lanes.at[corner][t] / 4]++] = t;
     }
   }
   return lanes;
@@ -170,9 +198,23 @@ std::vector<double> distances_from_pins(const Garment& garment) {
   return distances_m;
 }
 
+void start_springs(const std::vector<Vec3>& positions_m, SpringLanes& springs) {
+  for (std::size_t lane = 0; lane < springs.lane_count(); ++lane) {
+    if (springs.spring[lane] != SpringLanes::no_spring) {
+      SpringBlock& block = springs.blocks[lane / block_size];
+      const std::size_t k = lane % block_size;
+      const Vec3 start = positions_m[springs.row_i(lane)] - positions_m[springs.row_j(lane)];
+      block.start_x[k] = static_cast<float>(start.x);
+      block.start_y[k] = static_cast<float>(start.y);
+      block.start_z[k] = static_cast<float>(start.z);
+    }
+  }
+}
+
 Layout make_layout(const Garment& garment) {
   Layout layout;
   number_rows(garment, layout);
+  measure_reach(garment, layout);
   layout.springs = make_spring_lanes(garment, layout);
   layout.triangles = make_triangle_lanes(garment, layout);
   return layout;

@@ -40,6 +40,17 @@ inline Row row_of(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
 }
 
+inline void add_scaled(Row& sum, const Row& r, float factor) {
+  sum.x += factor * r.x;
+  sum.y += factor * r.y;
+  sum.z += factor * r.z;
+}
+
+/// a + factor b.
+inline Row scaled_sum(const Row& a, const Row& b, float factor) {
+  return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z, 0.0F};
+}
+
 inline Vec3 vector_of(const Row& r) {
   return {r.x, r.y, r.z};
 }

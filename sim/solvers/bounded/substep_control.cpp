@@ -7,17 +7,23 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// The certificate should cost about this part of the substeps; between the two nothing is changed, so that
-/// hanging cloth keeps its step and comes to rest.
-constexpr double costly_certificate = 0.25;
-constexpr double cheap_certificate = 0.06;
+/// The certificate may cost about as much as the substeps; much less than that and there are too many of
+/// them. In between nothing is changed, so that hanging cloth keeps its step and comes to rest.
+constexpr double costly_certificate = 1.0;
+constexpr double cheap_certificate = 0.6;
+constexpr double small_shift = 0.6;
+constexpr double idle_certificate = 0.2;
+constexpr double idle_shift = 0.25;
+/// As the certificate starts from its last correction, shifts go on for some frames after they were needed.
+constexpr int frames_shifts_last = 8;
 /// A certificate comes in rounds of about this many sweeps; one round is never too many.
 constexpr double one_round = 8.0;
 /// Doubled every time fewer steps prove too few, halved when they do not: cloth about to rest is not kept
 /// awake by steps that change for ever.
-constexpr int fewest_calm_frames = 6;
+constexpr int fewest_calm_frames = 4;
 constexpr int most_calm_frames = 192;
 constexpr double fewer = 0.94;
+constexpr double many_fewer = 0.85;
 constexpr double more = 1.12;
 constexpr double many_more = 1.4;
 
@@ -27,10 +33,16 @@ constexpr double load_factor = 6.0;
 constexpr double raw_per_bound = 6.0;
 constexpr double smallest_bound = 1e-4;
 
-double acceleration(const Surroundings& surroundings) {
+/// Wind pulls at the pins with a part of its pressure, as most cloth turns out of it.
+constexpr double caught_wind = 0.15;
+
+double acceleration(const Garment& garment, const Surroundings& surroundings) {
   const PinMotion& motion = surroundings.pin_motion;
   const double rate = 6.283185307179586 * motion.frequency_hz;
-  return glm::length(surroundings.forces.gravity_m_per_s2) + rate * rate * glm::length(motion.amplitude_m);
+  const double speed = surroundings.forces.wind.speed_m_per_s;
+  const double pressure = 0.5 * air_density_kg_per_m3 * speed * speed;
+  return glm::length(surroundings.forces.gravity_m_per_s2) + rate * rate * glm::length(motion.amplitude_m) +
+         caught_wind * pressure / garment.areal_density_kg_per_m2;
 }
 
 }  // namespace
@@ -41,10 +53,15 @@ SubstepControl::SubstepControl(int first, int least, int most)
       substeps_(std::clamp(first, least_, most)),
       calm_frames_needed_(fewest_calm_frames) {}
 
-void SubstepControl::frame_kept(double certify_cost) {
-  calm_frames_ = certify_cost < cheap_certificate * substeps_ ? calm_frames_ + 1 : 0;
+void SubstepControl::frame_kept(double certify_cost, double shift) {
+  const double part = certify_cost / substeps_;
+  const bool is_calm = part < cheap_certificate && shift < small_shift;
+  calm_frames_ = is_calm ? calm_frames_ + 1 : 0;
+  ++frames_since_more_;
+  const bool is_costly = certify_cost > costly_certificate * substeps_ + one_round;
+  const bool is_far = shift > 1.0 && frames_since_more_ > frames_shifts_last;
   double wanted = substeps_;
-  if (certify_cost > costly_certificate * substeps_ + one_round) {
+  if (is_costly || is_far) {
     need_more();
     wanted = std::ceil(wanted * more);
   } else if (calm_frames_ >= calm_frames_needed_) {
@@ -52,13 +69,15 @@ void SubstepControl::frame_kept(double certify_cost) {
       calm_frames_needed_ = std::max(calm_frames_needed_ / 2, fewest_calm_frames);
     }
     took_fewer_ = true;
-    wanted = std::floor(wanted * fewer);
+    const bool is_idle = part < idle_certificate && shift < idle_shift;
+    wanted = std::floor(wanted * (is_idle ? many_fewer : fewer));
     calm_frames_ = 0;
   }
   substeps_ = std::clamp(static_cast<int>(wanted), least_, most_);
 }
 
 void SubstepControl::need_more() {
+  frames_since_more_ = 0;
   calm_frames_ = 0;
   if (took_fewer_) {
     calm_frames_needed_ = std::min(2 * calm_frames_needed_, most_calm_frames);
@@ -75,6 +94,12 @@ bool SubstepControl::try_more() {
   return true;
 }
 
+double allowed_shift_m(const Layout& layout, double max_stretch) {
+  constexpr double part_of_reach = 0.003;
+  constexpr double part_of_bound = 0.1;
+  return layout.reach_m * (part_of_reach + part_of_bound * max_stretch);
+}
+
 int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
                    double frame_time_s, double max_stretch) {
   const SpringLanes& springs = layout.springs;
@@ -82,8 +107,8 @@ int first_substeps(const Garment& garment, const Layout& layout, const Surroundi
   double length_m = 0.0;
   int count = 0;
   for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    if (springs.spring[k] != SpringLanes::no_spring && springs.row_i[k] < layout.pin_count) {
-      held_kg += garment.masses_kg[layout.vertex_of_row[springs.row_j[k]]];
+    if (springs.spring[k] != SpringLanes::no_spring && springs.row_i(k) < layout.pin_count) {
+      held_kg += garment.masses_kg[layout.vertex_of_row[springs.row_j(k)]];
       length_m += garment.springs.rest_lengths_m[springs.spring[k]];
       ++count;
     }
@@ -98,7 +123,7 @@ int first_substeps(const Garment& garment, const Layout& layout, const Surroundi
   }
   const double raw = raw_per_bound * std::max(max_stretch, smallest_bound);
   const double stretch_per_squared_step =
-      load_factor * acceleration(surroundings) * (hanging_kg / held_kg) / (length_m / count);
+      load_factor * acceleration(garment, surroundings) * (hanging_kg / held_kg) / (length_m / count);
   const double substeps = frame_time_s * std::sqrt(stretch_per_squared_step / raw);
   return static_cast<int>(std::ceil(std::min(substeps, 1e6)));
 }

@@ -17,8 +17,9 @@ class SubstepControl {
   int substeps() const { return substeps_; }
   bool is_spent() const { return substeps_ >= most_; }
 
-  /// After a frame whose certificate took work worth `certify_cost` sweeps over all springs.
-  void frame_kept(double certify_cost);
+  /// After a frame whose certificate took work worth `certify_cost` sweeps over all springs and had to move
+  /// what is shown away from the state by `shift`, in parts of the largest that is allowed.
+  void frame_kept(double certify_cost, double shift);
 
   /// More for the same frame again, because its bound could not be kept. False where the budget is spent.
   bool try_more();
@@ -30,9 +31,14 @@ class SubstepControl {
   int most_;
   int substeps_;
   int calm_frames_ = 0;
+  int frames_since_more_ = 0;
   int calm_frames_needed_;
   bool took_fewer_ = false;  ///< since more were last needed
 };
+
+/// How far what is shown should be from the state at most, in m: some thousandths of the cloth's reach from
+/// its pins.
+double allowed_shift_m(const Layout& layout, double max_stretch);
 
 /// For the first frame: hanging cloth stretches next to its pins by about c g dt^2 M / (m L), with the mass M
 /// that hangs, the mass m of the vertices joined to pins and the mean rest length L of the springs between

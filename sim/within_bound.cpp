@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include "sim/solvers/bounded/certificate.hpp"
-#include "sim/solvers/bounded/kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/loops.hpp"
 
 namespace taut::sim {
 namespace {
@@ -39,8 +39,8 @@ std::optional<std::vector<Vec3>> moved_within_bound(const Garment& garment, std:
   }
   bounded::start_springs(by_row, layout.springs);
   bounded::Certifier certifier(layout);
-  certifier.certify(layout, bounded::Rows(layout.row_count()), settings.max_stretch, largest_cost,
-                    bounded::kernels_for(settings.vector_unit));
+  bounded::Loops loops(bounded::kernels_for(settings.vector_unit), 1);
+  certifier.certify(layout, bounded::Rows(layout.row_count()), settings.max_stretch, largest_cost, loops);
   std::vector<Vec3> moved(positions.begin(), positions.end());
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     moved[layout.vertex_of_row[row]] += bounded::vector_of(certifier.shown()[row]);

@@ -93,6 +93,8 @@ void add_run(SceneKeys& keys) {
   keys.push_back(choice_key<Scene, sim::VectorUnit>("solver.vector_unit", vector_unit_choices(),
                                                     MEMBER(simulation.solver.vector_unit),
                                                     "bounded: instructions to use; none changes a result"));
+  keys.push_back(whole("solver.threads", 0, sim::most_threads, MEMBER(simulation.solver.threads),
+                       "bounded: none changes a result; 0: more than one above some 20000 triangles"));
   keys.push_back(switch_key<Scene>("solver.allow_exceeding", MEMBER(allow_exceeding_bound),
                                    "bounded: a frame whose bound could not be kept does not fail the run"));
   keys.push_back(number("solver.stiffness.structural", "N/m", not_negative,

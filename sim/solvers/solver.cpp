@@ -1,6 +1,7 @@
 #include "sim/solvers/solver.hpp"
 
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "sim/solvers/bounded/bounded.hpp"
@@ -73,6 +74,10 @@ std::unique_ptr<Solver> make_solver(const SolverSettings& settings) {
   if (settings.substeps < 0 || settings.max_substeps < 1 || settings.iterations < 1) {
     throw std::invalid_argument(
         "a solver needs at least 1 substep and 1 iteration, or 0 substeps to choose them itself");
+  }
+  if (settings.threads < 0 || settings.threads > most_threads) {
+    throw std::invalid_argument("a solver takes 1 to " + std::to_string(most_threads) +
+                                " threads, or 0 to choose their number itself");
   }
   if (!(settings.max_stretch >= 0.0)) {
     throw std::invalid_argument("the largest stretch must be at least 0");

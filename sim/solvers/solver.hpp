@@ -26,6 +26,8 @@ struct Fabric {
   bool operator==(const Fabric&) const = default;
 };
 
+inline constexpr int most_threads = 64;
+
 struct SolverSettings {
   SolverKind kind = SolverKind::bounded;
   /// Time steps in a frame; 0 leaves the choice to the solver. More steps stretch less and cost in
@@ -45,6 +47,9 @@ struct SolverSettings {
   /// `bounded`: sweeps more over the springs near the pins in every time step.
   int extra_sweeps = 2;
   VectorUnit vector_unit = VectorUnit::best;  ///< `bounded`; never changes a result
+  /// `bounded`: 0 takes one, or for garments above some 20 000 triangles as many as the machine has, up to 4.
+  /// Never changes a result.
+  int threads = 0;
 
   bool operator==(const SolverSettings&) const = default;
 };
@@ -74,8 +79,8 @@ class Solver {
   virtual std::span<const Vec3> shown_positions() const { return {}; }
 };
 
-/// Throws std::invalid_argument on a negative count of substeps, fewer than one iteration or a
-/// largest stretch below 0.
+/// Throws std::invalid_argument on a negative count of substeps, fewer than one iteration, a number of
+/// threads that is out of range or a largest stretch below 0.
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings);
 
 }  // namespace taut::sim

@@ -3,6 +3,7 @@
 
 #include <cinttypes>
 #include <cstdio>
+#include <string>
 
 #include "sim/grid.hpp"
 #include "sim/simulation.hpp"
@@ -11,16 +12,17 @@ using namespace taut::sim;
 
 namespace {
 
-Mesh bumpy_sheet() {
+Mesh bumpy_sheet(Index columns = 24, Index rows = 17) {
   GridSettings grid;
-  grid.columns = 24;
-  grid.rows = 17;
+  grid.columns = columns;
+  grid.rows = rows;
   grid.top_centre_m = {0.0, 1.2, 0.0};
   Mesh mesh = make_grid(grid);
   mesh.quads.clear();
+  const double bump = 24.0 / columns;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const double offset = static_cast<double>((v * 2654435761U) % 1000) / 1000.0 - 0.5;
-    mesh.positions[v] += Vec3(0.013 * offset, -0.009 * offset, 0.02 * offset);
+    mesh.positions[v] += bump * Vec3(0.013 * offset, -0.009 * offset, 0.02 * offset);
   }
   return mesh;
 }
@@ -79,7 +81,16 @@ int main() {
   SolverSettings bounded;
   bounded.max_stretch = 0.02;
   print_hash("bounded, 9x9 under gravity", square, bounded, {}, 60);
-  print_hash("bounded, irregular sheet in a storm over obstacles", sheet, bounded, storm_over_obstacles(), 60);
+  print_hash("bounded, irregular sheet in a storm over obstacles", sheet, bounded, storm_over_obstacles(),
+             60);
   bounded.vector_unit = VectorUnit::scalar;
   print_hash("bounded without vectors, same storm", sheet, bounded, storm_over_obstacles(), 60);
+
+  bounded.vector_unit = VectorUnit::best;
+  const Garment fine_sheet = make_garment(bumpy_sheet(97, 97), {}, {0, 96});
+  for (const int threads : {1, 2, 4}) {
+    bounded.threads = threads;
+    print_hash(("bounded, fine sheet, threads: " + std::to_string(threads)).c_str(), fine_sheet, bounded,
+               storm_over_obstacles(), 4);
+  }
 }

@@ -213,7 +213,7 @@ double Bending::largest_rate_per_s() const {
   return std::sqrt(squared);
 }
 
-void Bending::add_accelerations(const Rows& positions, const Kernels& kernels, Rows& accelerations) {
+void Bending::add_accelerations(const Rows& positions, Loops& loops, Rows& accelerations) {
   const Row* finer = positions.data();
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     Level& level = levels_[l];
@@ -222,8 +222,8 @@ void Bending::add_accelerations(const Rows& positions, const Kernels& kernels, R
     for (std::size_t row = 0; row < level.cluster_of.size(); ++row) {
       add_scaled(level.positions[level.cluster_of[row]], finer[row], level.part_of_mass[row]);
     }
-    kernels.add_product(level.matrix, 0, level.positions.size(), level.positions.data(),
-                        level.accelerations.data());
+    loops.add_product(level.matrix, 0, level.positions.size(), level.positions.data(),
+                      level.accelerations.data());
     finer = level.positions.data();
   }
   for (std::size_t l = levels_.size(); l-- > 1;) {
@@ -233,7 +233,7 @@ void Bending::add_accelerations(const Rows& positions, const Kernels& kernels, R
       add_scaled(onto[row], level.accelerations[level.cluster_of[row]], 1.0F);
     }
   }
-  kernels.add_product(levels_[0].matrix, first_free_row_, row_count_, positions.data(), accelerations.data());
+  loops.add_product(levels_[0].matrix, first_free_row_, row_count_, positions.data(), accelerations.data());
 }
 
 }  // namespace taut::sim::bounded

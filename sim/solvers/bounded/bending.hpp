@@ -5,6 +5,7 @@
 #include "sim/garment.hpp"
 #include "sim/solvers/bounded/kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/loops.hpp"
 
 namespace taut::sim::bounded {
 
@@ -31,7 +32,7 @@ class Bending {
   double largest_rate_per_s() const;
 
   /// Adds to `accelerations` what bending does at `positions`, both by rows of the layout.
-  void add_accelerations(const Rows& positions, const Kernels& kernels, Rows& accelerations);
+  void add_accelerations(const Rows& positions, Loops& loops, Rows& accelerations);
 
  private:
   struct Level {

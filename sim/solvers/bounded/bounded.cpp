@@ -6,8 +6,8 @@
 #include "sim/solvers/bounded/certificate.hpp"
 #include "sim/solvers/bounded/contacts.hpp"
 #include "sim/solvers/bounded/held_forces.hpp"
-#include "sim/solvers/bounded/kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/loops.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
 
 namespace taut::sim {
@@ -29,18 +29,6 @@ constexpr double too_far = 3.0;
 /// Where no more substeps are to be had, it is.
 constexpr double last_resort_sweeps = 1000.0;
 
-std::vector<std::uint32_t> blocks_near_pins(const SpringLanes& springs) {
-  std::vector<std::uint32_t> blocks;
-  for (std::size_t c = 0; c < springs.colour_count(); ++c) {
-    const std::uint32_t begin = springs.colour_begin[c];
-    const double count = springs.colour_begin[c + 1] - begin;
-    for (std::uint32_t b = 0; b < std::ceil(often_swept_part * count); ++b) {
-      blocks.push_back(begin + b);
-    }
-  }
-  return blocks;
-}
-
 }  // namespace
 
 /// What the solver derives from a garment, and keeps from frame to frame.
@@ -48,13 +36,11 @@ struct BoundedSolver::Cloth {
   Cloth(const Garment& garment, double bending_rigidity_n_m, double frame_time_s)
       : pins(garment.pins),
         layout(make_layout(garment)),
-        often_swept(blocks_near_pins(layout.springs)),
         forces(garment, layout, bending_rigidity_n_m, frame_time_s),
         certifier(layout) {}
 
   std::vector<Index> pins;
   Layout layout;
-  std::vector<std::uint32_t> often_swept;  ///< blocks of springs, colour by colour
   HeldForces forces;
   Contacts contacts;
   Certifier certifier;
@@ -65,8 +51,9 @@ struct BoundedSolver::Cloth {
   double time_step_s = 0.0;  ///< the one the springs' short_share is made for
 };
 
-BoundedSolver::BoundedSolver(const SolverSettings& settings)
-    : settings_(settings), kernels_(kernels_for(settings.vector_unit)) {}
+BoundedSolver::BoundedSolver(const SolverSettings& settings) : settings_(settings) {
+  kernels_for(settings.vector_unit);
+}
 
 BoundedSolver::~BoundedSolver() = default;
 
@@ -75,6 +62,8 @@ void BoundedSolver::lay_out(const Garment& garment, const Surroundings& surround
       cloth_->layout.vertex_count() == garment.mesh.positions.size()) {
     return;
   }
+  loops_ = std::make_unique<Loops>(kernels_for(settings_.vector_unit),
+                                   thread_count(settings_.threads, garment.mesh.triangles.size()));
   cloth_ = std::make_unique<Cloth>(garment, settings_.fabric.bending_rigidity_n_m, frame_time_s);
   if (settings_.substeps > 0) {
     cloth_->control = SubstepControl(settings_.substeps, settings_.substeps, settings_.substeps);
@@ -134,13 +123,16 @@ void BoundedSolver::move_pins(const Surroundings& surroundings, double frame_beg
   std::fill_n(predicted.begin(), cloth_->layout.pin_count, offset);
 }
 
+// A colour's springs are in the order of their distance from the pins.
 void BoundedSolver::sweep_springs() {
   const SpringLanes& springs = cloth_->layout.springs;
   Row* predicted = cloth_->motion.current.data();
-  kernels_.sweep(springs, 0, springs.block_count(), predicted);
-  for (int extra = 0; extra < settings_.extra_sweeps; ++extra) {
-    for (const std::uint32_t block : cloth_->often_swept) {
-      kernels_.sweep(springs, block, block + 1, predicted);
+  for (int sweep = 0; sweep <= settings_.extra_sweeps; ++sweep) {
+    for (std::size_t c = 0; c < springs.colour_count(); ++c) {
+      const std::size_t begin = springs.colour_begin[c];
+      const auto count = static_cast<double>(springs.colour_begin[c + 1] - begin);
+      const double part = sweep == 0 ? 1.0 : often_swept_part;
+      loops_->sweep(springs, begin, begin + static_cast<std::size_t>(std::ceil(part * count)), predicted);
     }
   }
 }
@@ -159,11 +151,11 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
     // Step 2 of the paper: impose the forces on the mass points, a few times in a frame ...
     if (substep == 0 || substep * updates / substeps != (substep - 1) * updates / substeps) {
       cloth.contacts.part_layers(garment, layout, surroundings.layer_distance_m, motion);
-      cloth.forces.update(garment, surroundings.forces, motion, at_s, dt, frame_time_s / updates, kernels_);
+      cloth.forces.update(garment, surroundings.forces, motion, at_s, dt, frame_time_s / updates, *loops_);
     }
     // ... and predict where they go, eq. (1).
-    kernels_.predict(layout.pin_count, layout.vertex_count(), slowed, static_cast<float>(dt * dt),
-                     cloth.forces.accelerations(), motion.current.data(), motion.previous.data());
+    loops_->predict(layout.pin_count, layout.vertex_count(), slowed, static_cast<float>(dt * dt),
+                    cloth.forces.accelerations(), motion.current.data(), motion.previous.data());
     motion.previous.swap(motion.current);
     move_pins(surroundings, time_s, at_s + dt);
     // Step 3: compensate the predicted positions, eqs. (2)-(3).
@@ -211,7 +203,7 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
     run_substeps(garment, surroundings, state.time_s, frame_time_s, control.substeps());
     largest_cost = control.is_spent() ? last_resort_sweeps : costliest_certificate * control.substeps();
     certificate = cloth.certifier.certify(cloth.layout, cloth.motion.current, settings_.max_stretch,
-                                          largest_cost, kernels_);
+                                          largest_cost, *loops_);
     shift = allowed_m > 0.0 ? certificate.largest_shift_m / allowed_m : 0.0;
   } while ((!certificate.kept || (shift > too_far && shift > 1.2 * cloth.shift)) && control.try_more());
   cloth.shift = shift;

@@ -7,7 +7,7 @@
 namespace taut::sim {
 
 namespace bounded {
-struct Kernels;
+class Loops;
 }
 
 /// The strong constraint organised so that a bound on stretch is kept in every frame at any resolution.
@@ -35,7 +35,7 @@ class BoundedSolver : public Solver {
   void end_frame(const Surroundings& surroundings, double frame_time_s, int substeps, State& state);
 
   SolverSettings settings_;
-  const bounded::Kernels& kernels_;
+  std::unique_ptr<bounded::Loops> loops_;
   std::unique_ptr<Cloth> cloth_;
   std::vector<Vec3> shown_m_;
 };

@@ -53,9 +53,8 @@ void Certifier::start_from_last_frame(const Rows& raw) {
   }
 }
 
-double Certifier::largest_ratio(const Layout& layout, const Kernels& kernels) {
-  kernels.largest_ratios(layout.springs, 0, layout.springs.block_count(), shown_.data(),
-                         squared_ratios_.data());
+double Certifier::largest_ratio(const Layout& layout, Loops& loops) {
+  loops.largest_ratios(layout.springs, shown_.data(), squared_ratios_.data());
   float largest = 0.0F;
   for (const float ratio : squared_ratios_) {
     // Written so that a ratio that is not a number is not passed over.
@@ -64,45 +63,51 @@ double Certifier::largest_ratio(const Layout& layout, const Kernels& kernels) {
   return largest;
 }
 
-void Certifier::choose_long_blocks(float squared_bound) {
+void Certifier::choose_long_blocks(const SpringLanes& springs, float squared_bound) {
   long_blocks_.clear();
-  for (std::uint32_t block = 0; block < squared_ratios_.size(); ++block) {
-    if (squared_ratios_[block] > squared_bound * nearly) {
-      long_blocks_.push_back(block);
+  colour_begin_.assign(1, 0);
+  for (std::size_t c = 0; c < springs.colour_count(); ++c) {
+    for (std::uint32_t block = springs.colour_begin[c]; block < springs.colour_begin[c + 1]; ++block) {
+      if (squared_ratios_[block] > squared_bound * nearly) {
+        long_blocks_.push_back(block);
+      }
     }
+    colour_begin_.push_back(long_blocks_.size());
   }
 }
 
-void Certifier::shorten_chosen(const Layout& layout, float squared_bound, const Kernels& kernels) {
+void Certifier::shorten_chosen(const Layout& layout, float squared_bound, Loops& loops) {
   for (int sweep = 0; sweep <= relaxed_sweeps; ++sweep) {
     const float factor = sweep < relaxed_sweeps ? relaxation_ : 1.0F;
-    for (const std::uint32_t block : long_blocks_) {
-      kernels.shorten(layout.springs, block, block + 1, squared_bound, factor, shown_.data());
+    for (std::size_t c = 0; c + 1 < colour_begin_.size(); ++c) {
+      const std::size_t count = colour_begin_[c + 1] - colour_begin_[c];
+      loops.shorten(layout.springs, std::span(long_blocks_).subspan(colour_begin_[c], count), squared_bound,
+                    factor, shown_.data());
     }
   }
 }
 
 Certificate Certifier::certify(const Layout& layout, const Rows& raw, double max_stretch, double largest_cost,
-                               const Kernels& kernels) {
+                               Loops& loops) {
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;
   const float squared_aim = aim(max_stretch, aimed_part);
   Certificate certificate;
   shown_ = raw;
-  double ratio = largest_ratio(layout, kernels);
+  double ratio = largest_ratio(layout, loops);
   certificate.raw_max_stretch = std::sqrt(ratio) - 1.0;
   if (const double raw_ratio = ratio; !(raw_ratio <= squared_bound)) {
     start_from_last_frame(raw);
-    ratio = largest_ratio(layout, kernels);
+    ratio = largest_ratio(layout, loops);
     if (!(ratio <= raw_ratio)) {
       shown_ = raw;
-      ratio = largest_ratio(layout, kernels);
+      ratio = largest_ratio(layout, loops);
     }
   }
   while (!(ratio <= squared_bound) && certificate.cost < largest_cost && std::isfinite(ratio)) {
-    choose_long_blocks(squared_aim);
-    shorten_chosen(layout, squared_aim, kernels);
-    ratio = largest_ratio(layout, kernels);
+    choose_long_blocks(layout.springs, squared_aim);
+    shorten_chosen(layout, squared_aim, loops);
+    ratio = largest_ratio(layout, loops);
     certificate.cost += 1.0 + (1.0 + relaxed_sweeps) * static_cast<double>(long_blocks_.size()) /
                                   static_cast<double>(squared_ratios_.size());
   }

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/solvers/bounded/kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/loops.hpp"
 
 namespace taut::sim::bounded {
 
@@ -31,7 +31,7 @@ class Certifier {
 
   /// Gives up when it has cost `largest_cost`.
   Certificate certify(const Layout& layout, const Rows& raw, double max_stretch, double largest_cost,
-                      const Kernels& kernels);
+                      Loops& loops);
 
   /// The last certificate is that of the frame; the next call is for the next one.
   void end_frame() { corrections_.swap(new_corrections_); }
@@ -41,16 +41,17 @@ class Certifier {
 
  private:
   void start_from_last_frame(const Rows& raw);
-  double largest_ratio(const Layout& layout, const Kernels& kernels);
-  void choose_long_blocks(float squared_bound);
-  void shorten_chosen(const Layout& layout, float squared_bound, const Kernels& kernels);
+  double largest_ratio(const Layout& layout, Loops& loops);
+  void choose_long_blocks(const SpringLanes& springs, float squared_bound);
+  void shorten_chosen(const Layout& layout, float squared_bound, Loops& loops);
 
   float relaxation_;
   Rows shown_;
-  Rows corrections_;                   ///< of the last frame
-  Rows new_corrections_;               ///< of this one
-  std::vector<float> squared_ratios_;  ///< by block
-  std::vector<std::uint32_t> long_blocks_;
+  Rows corrections_;                        ///< of the last frame
+  Rows new_corrections_;                    ///< of this one
+  std::vector<float> squared_ratios_;       ///< by block
+  std::vector<std::uint32_t> long_blocks_;  ///< colour by colour
+  std::vector<std::size_t> colour_begin_;   ///< in long_blocks_
 };
 
 }  // namespace taut::sim::bounded

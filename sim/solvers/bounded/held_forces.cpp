@@ -89,44 +89,48 @@ void HeldForces::add_hand(const Garment& garment, const ExternalForces& external
 }
 
 void HeldForces::add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
-                          double time_step_s, double held_s, const Kernels& kernels) {
+                          double time_step_s, double held_s, Loops& loops) {
   if (wind.speed_m_per_s == 0.0) {
     return;
   }
   const TriangleLanes& triangles = layout_.triangles;
-  kernels.wind(triangles, air_flow(garment, wind, time_s, time_step_s, held_s), 0, triangles.lane_count(),
-               motion.start.data(), motion.current.data(), motion.previous.data(), corner_forces_n_.data());
-  for (std::size_t row = 0; row < layout_.vertex_count(); ++row) {
-    Row force_n;
-    for (std::uint32_t k = triangles.corner_begin[row]; k < triangles.corner_begin[row + 1]; ++k) {
-      add_scaled(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
+  loops.wind(triangles, air_flow(garment, wind, time_s, time_step_s, held_s), motion.start.data(),
+             motion.current.data(), motion.previous.data(), corner_forces_n_.data());
+  loops.for_rows(0, layout_.vertex_count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      Row force_n;
+      for (std::uint32_t k = triangles.corner_begin[row]; k < triangles.corner_begin[row + 1]; ++k) {
+        add_scaled(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
+      }
+      add_scaled(accelerations_[row], force_n, layout_.inverse_masses_per_kg[row]);
     }
-    add_scaled(accelerations_[row], force_n, layout_.inverse_masses_per_kg[row]);
-  }
+  });
 }
 
 // Bending is taken not at x but at x + v held, where the cloth will be when the interval ends. With a =
 // rate^2 held^2 of a mode the step from interval to interval has the determinant 1 - a/2 and the trace 2 -
 // 3a/2: stable for a < 2, and damping where bending at x itself would feed the motion.
-void HeldForces::add_bending(const Motion& motion, double ahead, const Kernels& kernels) {
+void HeldForces::add_bending(const Motion& motion, double ahead, Loops& loops) {
   const auto factor = static_cast<float>(ahead);
-  for (std::size_t row = 0; row < layout_.vertex_count(); ++row) {
-    const Row& d = motion.current[row];
-    const Row& p = motion.previous[row];
-    const Row& x = motion.start[row];
-    positions_[row] = {x.x + (d.x + (d.x - p.x) * factor), x.y + (d.y + (d.y - p.y) * factor),
-                       x.z + (d.z + (d.z - p.z) * factor), 0.0F};
-  }
-  bending_.add_accelerations(positions_, kernels, accelerations_);
+  loops.for_rows(0, layout_.vertex_count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const Row& d = motion.current[row];
+      const Row& p = motion.previous[row];
+      const Row& x = motion.start[row];
+      positions_[row] = {x.x + (d.x + (d.x - p.x) * factor), x.y + (d.y + (d.y - p.y) * factor),
+                         x.z + (d.z + (d.z - p.z) * factor), 0.0F};
+    }
+  });
+  bending_.add_accelerations(positions_, loops, accelerations_);
 }
 
 void HeldForces::update(const Garment& garment, const ExternalForces& external, const Motion& motion,
-                        double time_s, double time_step_s, double held_s, const Kernels& kernels) {
+                        double time_s, double time_step_s, double held_s, Loops& loops) {
   add_gravity_and_artificial(external);
   add_hand(garment, external, motion, time_step_s, held_s);
-  add_wind(garment, external.wind, motion, time_s, time_step_s, held_s, kernels);
+  add_wind(garment, external.wind, motion, time_s, time_step_s, held_s, loops);
   if (!bending_.empty()) {
-    add_bending(motion, held_s / time_step_s, kernels);
+    add_bending(motion, held_s / time_step_s, loops);
   }
 }
 

@@ -2,8 +2,8 @@
 
 #include "sim/forces.hpp"
 #include "sim/solvers/bounded/bending.hpp"
-#include "sim/solvers/bounded/kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/loops.hpp"
 
 namespace taut::sim::bounded {
 
@@ -29,7 +29,7 @@ class HeldForces {
 
   /// Evaluates all forces as accelerations by row, in m/s^2, for the next `held_s`.
   void update(const Garment& garment, const ExternalForces& external, const Motion& motion, double time_s,
-              double time_step_s, double held_s, const Kernels& kernels);
+              double time_step_s, double held_s, Loops& loops);
 
   const Row* accelerations() const { return accelerations_.data(); }
 
@@ -38,8 +38,8 @@ class HeldForces {
   void add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion,
                 double time_step_s, double held_s);
   void add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
-                double time_step_s, double held_s, const Kernels& kernels);
-  void add_bending(const Motion& motion, double ahead, const Kernels& kernels);
+                double time_step_s, double held_s, Loops& loops);
+  void add_bending(const Motion& motion, double ahead, Loops& loops);
 
   const Layout& layout_;
   Bending bending_;

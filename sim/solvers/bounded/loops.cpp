@@ -1,0 +1,51 @@
+#include "sim/solvers/bounded/loops.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+/// Some microseconds of work: less is done sooner than another thread has noticed it.
+constexpr std::size_t least_blocks = 48;
+
+}  // namespace
+
+void Loops::predict(std::size_t begin, std::size_t end, float decay, float dt_squared,
+                    const Row* accelerations, const Row* current, Row* previous) {
+  team_.split(begin, end, 2 * least_rows, [&](std::size_t b, std::size_t e) {
+    kernels_.predict(b, e, decay, dt_squared, accelerations, current, previous);
+  });
+}
+
+void Loops::sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows) {
+  team_.split(begin, end, least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.sweep(springs, b, e, rows); });
+}
+
+void Loops::shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
+                    float relaxation, Row* rows) {
+  team_.split(0, blocks.size(), least_blocks, [&](std::size_t b, std::size_t e) {
+    for (const std::uint32_t block : blocks.subspan(b, e - b)) {
+      kernels_.shorten(springs, block, block + 1, squared_bound, relaxation, rows);
+    }
+  });
+}
+
+void Loops::largest_ratios(const SpringLanes& springs, const Row* rows, float* squared_ratios) {
+  team_.split(0, springs.block_count(), least_blocks, [&](std::size_t b, std::size_t e) {
+    kernels_.largest_ratios(springs, b, e, rows, squared_ratios);
+  });
+}
+
+void Loops::wind(const TriangleLanes& triangles, const AirFlow& air, const Row* start, const Row* current,
+                 const Row* previous, Row* corner_forces) {
+  team_.split(0, triangles.lane_count() / block_size, least_blocks, [&](std::size_t b, std::size_t e) {
+    kernels_.wind(triangles, air, b * block_size, e * block_size, start, current, previous, corner_forces);
+  });
+}
+
+void Loops::add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
+                        Row* result) {
+  team_.split(begin, end, least_rows,
+              [&](std::size_t b, std::size_t e) { kernels_.add_product(matrix, b, e, positions, result); });
+}
+
+}  // namespace taut::sim::bounded

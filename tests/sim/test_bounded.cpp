@@ -332,7 +332,7 @@ TEST(Bending, WavesTooFastToFollowAreSlowedAndWideFoldsKeepTheirRigidity) {
     const double allowed_per_s = whole.largest_rate_per_s() / 12.0;
     Bending shared(garment, layout, rigidity_n_m, allowed_per_s);
     EXPECT_GE(shared.level_count(), 3u);
-    EXPECT_LE(shared.largest_rate_per_s(), 2.0 * allowed_per_s);
+    EXPECT_LE(shared.largest_rate_per_s(), 2.5 * allowed_per_s);
     double sum = 0.0;
     for (const double angle : {0.2, 0.7, 1.3, 1.9, 2.5}) {
       const double ratio = cylinder_energy_ratio(garment, shared, rigidity_n_m, angle);
@@ -342,6 +342,52 @@ TEST(Bending, WavesTooFastToFollowAreSlowedAndWideFoldsKeepTheirRigidity) {
     }
     EXPECT_NEAR(sum, 1.0, 0.25);
   }
+}
+
+/// How far the free end of a strip hangs down that is held level along a third of its length.
+double droop_m(Mesh mesh, double rigidity_n_m) {
+  constexpr double held_m = 0.04;
+  const double top_m = mesh.positions.front().y;
+  const double bottom_m = mesh.positions.back().y;
+  std::vector<Index> held;
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    if (top_m - mesh.positions[v].y < held_m + 1e-6) {
+      held.push_back(v);
+    }
+  }
+  const double level_m = mesh.positions.front().z;
+  Surroundings lying;
+  lying.forces.gravity_m_per_s2 = {0.0, 0.0, -9.81};
+  lying.forces.air_drag_per_s = 2.0;
+  SimulationSettings settings = bounded_by(0.01);
+  settings.solver.fabric.bending_rigidity_n_m = rigidity_n_m;
+  const std::vector<Vec3> flat = mesh.positions;
+  Simulation simulation(make_garment(std::move(mesh), {}, held), settings, lying);
+  for (int frame = 0; frame < 360; ++frame) {
+    simulation.advance_frame();
+  }
+  double sum_m = 0.0;
+  int count = 0;
+  for (Index v = 0; v < flat.size(); ++v) {
+    if (flat[v].y - bottom_m < 0.003) {
+      sum_m += level_m - simulation.state().current[v].z;
+      ++count;
+    }
+  }
+  return sum_m / count;
+}
+
+TEST(Bending, TheSameFabricHangsAlikeHoweverItIsMeshed) {
+  for (const double rigidity_n_m : {2e-5, 5e-5}) {
+    std::vector<double> droops_m;
+    for (const Index count : {7, 13, 25, 49}) {
+      droops_m.push_back(droop_m(sheet(count, 0.12), rigidity_n_m));
+    }
+    const auto [least, most] = std::minmax_element(droops_m.begin(), droops_m.end());
+    EXPECT_LT(*most, 1.13 * *least) << rigidity_n_m;
+    EXPECT_LT(*most, 0.079) << "stiff enough not to hang straight down";
+  }
+  EXPECT_LT(droop_m(sheet(13, 0.12), 2e-4), 0.8 * droop_m(sheet(13, 0.12), 5e-5));
 }
 
 TEST(Bounded, KeepsTheBoundInEveryFrame) {

@@ -15,7 +15,10 @@ namespace {
 constexpr double wave_per_element = 2.2;
 constexpr double least_share = 0.01;
 constexpr std::size_t most_levels = 8;
-constexpr std::size_t fewest_clusters = 16;
+/// So few have no folds to tell from ripples, and cost next to nothing however often they are evaluated.
+constexpr std::size_t fewest_clusters = 100;
+/// The coarsest level takes what is left, but for needles: this many times the rate of other levels.
+constexpr double coarsest_rate = 10.0;
 
 /// The square of the angular frequency of one element alone.
 double squared_rate(const FlexuralElement& e, double stiffness, const Garment& garment) {
@@ -176,23 +179,22 @@ Bending::Bending(const Garment& garment, const Layout& layout, double rigidity_n
   }
   const auto take = [&](const Garment& from, const std::vector<Index>& row_of_vertex,
                         const std::vector<Index>& vertex_of_row, const std::vector<double>& shares) {
-    Taken taken = take_stiffness(from, row_of_vertex, shares, rigidity_n_m, largest_rate_per_s);
+    const bool is_coarsest = levels_.size() + 1 == most_levels || shares.size() < 4 * fewest_clusters;
+    const double rate_per_s = largest_rate_per_s * (is_coarsest ? coarsest_rate : 1.0);
+    Taken taken = take_stiffness(from, row_of_vertex, shares, rigidity_n_m, rate_per_s);
     const auto inverse_masses = by_row<double>(from.inverse_masses_per_kg, vertex_of_row);
     levels_.emplace_back();
     levels_.back().matrix = acceleration_matrix(taken.stiffness, inverse_masses);
     levels_.back().largest_rate_per_s = largest_rate(taken.stiffness, inverse_masses);
-    return std::move(taken.left_shares);
+    return is_coarsest ? std::vector<double>(shares.size(), 0.0) : std::move(taken.left_shares);
   };
 
   std::vector<Index> order = layout.vertex_of_row;
   std::vector<double> left = take(garment, layout.row_of_vertex, order, std::vector<double>(row_count_, 1.0));
   CoarseCloth coarse;
-  while (levels_.size() < most_levels && *std::max_element(left.begin(), left.end()) > least_share) {
+  while (*std::max_element(left.begin(), left.end()) > least_share) {
     coarse = coarsen(levels_.size() == 1 ? garment : coarse.garment, order);
     const std::vector<double> shares = shares_of_clusters(coarse, left);
-    if (shares.size() < fewest_clusters) {
-      break;
-    }
     const auto cluster_of = by_row<std::uint32_t>(coarse.cluster_of, order);
     const auto part_of_mass = by_row<float>(coarse.part_of_mass, order);
     order = in_order(shares.size());

@@ -129,6 +129,9 @@ PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps);
 
 /// A built-in scene with another model of the shirt.
 Scene shirt_scene(const std::string& name, int triangles);
+
+/// The shirt under gravity by the literal method, which figure 6 and the report try to its limits.
+Scene literal_shirt_scene(int triangles);
 inline constexpr std::array model_sizes = {1028, 5280, 10600};
 
 }  // namespace taut::app

@@ -91,23 +91,24 @@ Judgement judge_bound(const Results& results) {
     few_sweeps.push_back(run.final_stretch);
     measured.push_back(percent(fmt::format("shirt, 1 step, {} sweeps", run.sweeps), run.final_stretch));
   }
-  measured.push_back(percent("shirt, 100 steps of 1 sweep", shirt.at_end));
+  measured.push_back(percent("shirt, bounded at 1 %", shirt.at_end));
   measured.push_back(percent("the same, largest on the way", shirt.on_the_way));
-  measured.push_back(percent("shirt in wind of 10 m/s, 200 steps", wind.at_end));
+  measured.push_back(percent("shirt in wind of 10 m/s, bounded at 1 %", wind.at_end));
   measured.push_back(percent("the same, largest on the way", wind.on_the_way));
   const SweepRun& fewest = results.sweeps.front();
   const SweepRun& most = results.sweeps.back();
-  return judged(
-      judge_stretch_bound(std::array{grid, shirt, wind}, few_sweeps),
-      "at the end of a run, not in every frame; on fine meshes only with short time steps",
-      fmt::format(
-          "At the end the 9x9 cloth is stretched by {}, the shirt with short steps by {} and in a strong "
-          "wind by {}; on the way they reach {}, {} and {}. With one step a frame the shirt ends at {} "
-          "after {} sweeps a step and at {} after {}.",
-          percent_text(grid.at_end), percent_text(shirt.at_end), percent_text(wind.at_end),
-          percent_text(grid.on_the_way), percent_text(shirt.on_the_way), percent_text(wind.on_the_way),
-          percent_text(fewest.final_stretch), fewest.sweeps, percent_text(most.final_stretch), most.sweeps),
-      std::move(measured));
+  return judged(judge_stretch_bound(std::array{grid, shirt, wind}, few_sweeps),
+                "at the end of a run, not in every frame; on fine meshes only with short time steps",
+                fmt::format("At the end the 9x9 cloth is stretched by {}, the shirt in short steps and with "
+                            "a certified bound of "
+                            "1 % by {} and in a strong wind by {}; on the way they reach {}, {} and {}. To "
+                            "the letter, with one "
+                            "step a frame, the shirt ends at {} after {} sweeps a step and at {} after {}.",
+                            percent_text(grid.at_end), percent_text(shirt.at_end), percent_text(wind.at_end),
+                            percent_text(grid.on_the_way), percent_text(shirt.on_the_way),
+                            percent_text(wind.on_the_way), percent_text(fewest.final_stretch), fewest.sweeps,
+                            percent_text(most.final_stretch), most.sweeps),
+                std::move(measured));
 }
 
 Judgement judge_fall(const Results& results) {
@@ -147,15 +148,15 @@ Judgement judge_speed(const Results& results) {
   }
   const double slowest_few_ms = *std::max_element(few.begin(), few.end());
   const double slowest_many_ms = *std::max_element(many.begin(), many.end());
-  return judged(
-      judge_real_time(few, many),
-      slowest_few_ms <= slowest_many_ms ? "with one step a frame, which lets fine models over-stretch"
-                                        : "with many short steps a frame",
-      fmt::format("The slowest model takes {} with 1 step of 10 sweeps, a setting that leaves the "
-                  "shirt stretched by {}; and {} with 100 steps of 1 sweep, which keep it at {}.",
-                  text_of(slowest_few_ms, "ms"), percent_text(results.sweeps.front().final_stretch),
-                  text_of(slowest_many_ms, "ms"), percent_text(stretch_of(*results.shirts[0]).at_end)),
-      std::move(measured));
+  return judged(judge_real_time(few, many),
+                slowest_few_ms <= slowest_many_ms
+                    ? "with one step a frame, which lets fine models over-stretch"
+                    : "with many short steps a frame",
+                fmt::format("The slowest model takes {} with 1 step of 10 sweeps, a setting that leaves the "
+                            "shirt stretched by {}; and {} with 100 steps of 1 sweep.",
+                            text_of(slowest_few_ms, "ms"), percent_text(results.sweeps.front().final_stretch),
+                            text_of(slowest_many_ms, "ms")),
+                std::move(measured));
 }
 
 Judgement judge_cost(const Results& results) {

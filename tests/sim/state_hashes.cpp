@@ -87,10 +87,10 @@ int main() {
   print_hash("bounded without vectors, same storm", sheet, bounded, storm_over_obstacles(), 60);
 
   bounded.vector_unit = VectorUnit::best;
-  const Garment fine_sheet = make_garment(bumpy_sheet(97, 97), {}, {0, 96});
+  const Garment fine_sheet = make_garment(bumpy_sheet(73, 73), {}, {0, 72});
   for (const int threads : {1, 2, 4}) {
     bounded.threads = threads;
     print_hash(("bounded, fine sheet, threads: " + std::to_string(threads)).c_str(), fine_sheet, bounded,
-               storm_over_obstacles(), 4);
+               storm_over_obstacles(), 2);
   }
 }

@@ -91,6 +91,6 @@ int main() {
   for (const int threads : {1, 2, 4}) {
     bounded.threads = threads;
     print_hash(("bounded, fine sheet, threads: " + std::to_string(threads)).c_str(), fine_sheet, bounded,
-               storm_over_obstacles(), 2);
+               storm_over_obstacles(), 1);
   }
 }

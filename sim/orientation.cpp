@@ -4,18 +4,10 @@
 #include <vector>
 
 #include "sim/adjacency.hpp"
+#include "sim/topology.hpp"
 
 namespace taut::sim {
 namespace {
-
-bool runs_along(const Triangle& t, const Edge& edge) {
-  for (int k = 0; k < 3; ++k) {
-    if (t[k] == edge[0] && t[(k + 1) % 3] == edge[1]) {
-      return true;
-    }
-  }
-  return false;
-}
 
 struct Neighbour {
   Index triangle;

@@ -7,15 +7,6 @@
 namespace taut::sim {
 namespace {
 
-bool runs_along(const Triangle& t, const Edge& edge) {
-  for (int k = 0; k < 3; ++k) {
-    if (t[k] == edge[0] && t[(k + 1) % 3] == edge[1]) {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Vertices whose triangles are not all connected through edges at the vertex.
 std::size_t count_split_fans(const Mesh& mesh, const Adjacency& adjacency) {
   // Corner 3t + k is vertex k of triangle t; the corners of a fan are joined through the edges they share.
@@ -65,6 +56,15 @@ std::size_t count_groups(std::size_t vertex_count, const Adjacency& adjacency, S
 }
 
 }  // namespace
+
+bool runs_along(const Triangle& t, const Edge& edge) {
+  for (int k = 0; k < 3; ++k) {
+    if (t[k] == edge[0] && t[(k + 1) % 3] == edge[1]) {
+      return true;
+    }
+  }
+  return false;
+}
 
 Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency) {
   Topology topology;

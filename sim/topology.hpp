@@ -18,6 +18,9 @@ struct Topology {
   long euler_characteristic = 0;          ///< vertices - edges + triangles
 };
 
+/// Whether the triangle goes from the edge's first vertex to its second, and not the other way.
+bool runs_along(const Triangle& t, const Edge& edge);
+
 Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency);
 
 }  // namespace taut::sim

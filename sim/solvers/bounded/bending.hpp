@@ -11,12 +11,12 @@ namespace taut::sim::bounded {
 
 /// The bending of a garment, shared among levels of detail.
 ///
-/// The rate of the shortest waves grows with the fourth root of nothing less than the mesh's fineness
-/// squared: at 85 000 triangles they would ask for seventy evaluations a frame, to follow ripples of half a
-/// centimetre that nobody sees. So elements are softened until no wave is faster than can be followed, and
-/// what that takes from their rigidity is given to elements between clusters of vertices, where the same
-/// rigidity makes slower waves; and so on until nothing is left over. Folds wider than a few clusters meet
-/// the whole rigidity, ripples meet as much as the time between two evaluations allows.
+/// The rate of the shortest waves grows with one over the square of the edge length: at 85 000 triangles they
+/// would ask for some seventy evaluations a frame, to follow ripples of half a centimetre that nobody sees.
+/// So elements are softened until no wave is faster than can be followed, and what that takes from their
+/// rigidity is given to elements between clusters of vertices, where the same rigidity makes slower waves;
+/// and so on until nothing is left over. Folds wider than a few clusters meet the whole rigidity, ripples
+/// meet as much as the time between two evaluations allows.
 class Bending {
  public:
   Bending() = default;

@@ -24,10 +24,13 @@ constexpr int least_substeps = 8;
 
 /// A certificate that costs more sweeps than this many times the substeps is not worth it: more substeps are.
 constexpr double costliest_certificate = 3.0;
-/// A frame shown this many times further from the state than allowed is repeated.
-constexpr double too_far = 3.0;
 /// Where no more substeps are to be had, it is.
 constexpr double last_resort_sweeps = 1000.0;
+
+/// A frame shown this many times further from the state than allowed is repeated, unless it only carries on
+/// with a correction that the frame before it had.
+constexpr double too_far = 3.0;
+constexpr double further_than_before = 1.2;
 
 }  // namespace
 
@@ -52,7 +55,7 @@ struct BoundedSolver::Cloth {
 };
 
 BoundedSolver::BoundedSolver(const SolverSettings& settings) : settings_(settings) {
-  kernels_for(settings.vector_unit);
+  kernels_for(settings.vector_unit);  // refuses now what it would refuse in the first frame
 }
 
 BoundedSolver::~BoundedSolver() = default;
@@ -205,7 +208,8 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
     certificate = cloth.certifier.certify(cloth.layout, cloth.motion.current, settings_.max_stretch,
                                           largest_cost, *loops_);
     shift = allowed_m > 0.0 ? certificate.largest_shift_m / allowed_m : 0.0;
-  } while ((!certificate.kept || (shift > too_far && shift > 1.2 * cloth.shift)) && control.try_more());
+  } while ((!certificate.kept || (shift > too_far && shift > further_than_before * cloth.shift)) &&
+           control.try_more());
   cloth.shift = shift;
   cloth.certifier.end_frame();
 

@@ -33,8 +33,8 @@ constexpr float kept_correction = 0.9F;
 /// Aims a little below what is checked: the last of a correction takes the most sweeps.
 constexpr double aimed_part = 0.97;
 
-float aim(double max_stretch, double part) {
-  const double length = (1.0 + part * max_stretch) * (1.0 - 2.0 * rounding);
+float squared_aim_of(double max_stretch) {
+  const double length = (1.0 + aimed_part * max_stretch) * (1.0 - 2.0 * rounding);
   return static_cast<float>(length * length);
 }
 
@@ -91,7 +91,7 @@ Certificate Certifier::certify(const Layout& layout, const Rows& raw, double max
                                Loops& loops) {
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;
-  const float squared_aim = aim(max_stretch, aimed_part);
+  const float squared_aim = squared_aim_of(max_stretch);
   Certificate certificate;
   shown_ = raw;
   double ratio = largest_ratio(layout, loops);

@@ -14,7 +14,7 @@ struct CoarseCloth {
   std::vector<double> part_of_mass;  ///< of its cluster's, by vertex of the finer garment
 };
 
-/// Clusters grow along `edges` of the finer garment, in the order of its vertices given by `order`.
+/// Clusters are begun at the vertices of the finer garment in the given `order`, and grow along its edges.
 CoarseCloth coarsen(const Garment& fine, const std::vector<Index>& order);
 
 }  // namespace taut::sim::bounded

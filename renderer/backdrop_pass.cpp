@@ -11,19 +11,18 @@ namespace taut::renderer {
 
 namespace {
 
-// Drawn pixels for a texel of the map: larger blurs the floor's light where it is seen at a slant, smaller
-// costs time. A small picture needs finer ones.
-int texel_px(int tile_height_px) {
-  return std::clamp(tile_height_px / 180, 1, 4);
+// Drawn pixels for a cell of the grid: larger blurs the floor's light where it is seen at a slant, smaller
+// costs time.
+int cell_px(int tile_height_px, bool coarse) {
+  return std::clamp(tile_height_px / (coarse ? 20 : 60), 4, coarse ? 36 : 12);
 }
 
-// As much for the floor's shadow.
+// Drawn pixels for a texel of the floor's shadow.
 int shadow_texel_px(int tile_height_px) {
   return std::clamp(tile_height_px / 360, 1, 2);
 }
 
-// A fourth of the pixels can have twice the taps.
-constexpr std::array<std::string_view, 1> many_taps{"FILTER_TAPS 28"};
+constexpr std::array<std::string_view, 1> on_floor{"FLOOR"};
 constexpr std::array<std::string_view, 1> with_shadow{"SHADED"};
 
 }  // namespace
@@ -69,15 +68,11 @@ BackdropPass::CoarseMap::CoarseMap(const GladGLContext& context) : texture(conte
 
 BackdropPass::BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files)
     : gl(&context),
-      coarse(context, files, "fullscreen.vert", "backdrop_map.frag"),
-      stretched(context, files, "fullscreen.vert", "backdrop.frag"),
-      floor_shadow(context, files, "fullscreen.vert", "floor_shadow.frag", many_taps),
-      shaded(context, files, "fullscreen.vert", "backdrop.frag", with_shadow),
+      lit(context, files, "backdrop_grid.vert", "backdrop.frag"),
+      floor_shadow(context, files, "fullscreen.vert", "floor_shadow.frag", on_floor),
+      shaded(context, files, "backdrop_grid.vert", "backdrop.frag", with_shadow),
       floor_depth(context, files, "ground.vert", "depth.frag"),
-      lit_map(context),
-      dark_map(context),
       shadow_map(context),
-      map_framebuffer(context),
       shadow_framebuffer(context),
       no_arrays(context) {}
 
@@ -86,7 +81,7 @@ void BackdropPass::allocate(CoarseMap& map, const glm::ivec2& size_px, GLint for
                             GLenum attachment) const {
   if (size_px == map.size_px) return;
   map.size_px = size_px;
-  gl->ActiveTexture(GL_TEXTURE0 + backdrop_lit_unit);
+  gl->ActiveTexture(GL_TEXTURE0 + floor_shadow_unit);
   gl->BindTexture(GL_TEXTURE_2D, map.texture.name());
   gl->TexImage2D(GL_TEXTURE_2D, 0, format, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
@@ -97,21 +92,12 @@ void BackdropPass::allocate(CoarseMap& map, const glm::ivec2& size_px, GLint for
   gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, map.texture.name(), 0);
 }
 
-void BackdropPass::draw_maps(const FrameBlock& block, bool floor) {
-  const int texel = texel_px(static_cast<int>(block.viewport.y));
-  const glm::ivec2 size_px = (glm::ivec2{block.viewport} + texel - 1) / texel;
-  gl->BindFramebuffer(GL_FRAMEBUFFER, map_framebuffer.name());
-  if (size_px != lit_map.size_px) {
-    allocate(lit_map, size_px, GL_RGBA8, GL_COLOR_ATTACHMENT0);
-    allocate(dark_map, size_px, GL_RGBA8, GL_COLOR_ATTACHMENT1);
-    constexpr GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    gl->DrawBuffers(2, both);
-    check_framebuffer(*gl, "backdrop");
-  }
-  gl->Viewport(0, 0, size_px.x, size_px.y);
-  const Program& program = coarse.use();
-  program.set("coarse", glm::vec4{static_cast<float>(texel), floor ? 1.0F : 0.0F, 0.0F, 0.0F});
-  gl->DrawArrays(GL_TRIANGLES, 0, 3);
+void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bool floor, bool coarse) const {
+  const glm::ivec2 size_px{block.viewport};
+  const int cell = cell_px(size_px.y, coarse);
+  const glm::ivec2 cells = (size_px + cell - 1) / cell;
+  program.set("grid", glm::vec4{cells, floor ? 1.0F : 0.0F, 0.0F});
+  gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (cells.x + 1), cells.y);
 }
 
 void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& part) {
@@ -130,18 +116,14 @@ void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& p
   gl->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void BackdropPass::draw_shaded(const FrameBlock& block, const PixelRect& part, const glm::vec4& to_maps) {
+void BackdropPass::draw_shaded(const FrameBlock& block, const PixelRect& part, bool coarse) {
   const auto texel = static_cast<float>(shadow_texel_px(static_cast<int>(block.viewport.y)));
   const glm::vec2 scale = 1.0F / (texel * glm::vec2{shadow_map.size_px});
-  bind_texture(*gl, backdrop_dark_unit, GL_TEXTURE_2D, dark_map.texture);
   bind_texture(*gl, floor_shadow_unit, GL_TEXTURE_2D, shadow_map.texture);
-  gl->Enable(GL_SCISSOR_TEST);
   gl->Scissor(part.x_px, part.y_px, part.width_px, part.height_px);
   const Program& program = shaded.use();
-  program.set("coarse", to_maps);
   program.set("shaded_part", glm::vec4{scale, -scale * glm::vec2{part.x_px, part.y_px}});
-  gl->DrawArrays(GL_TRIANGLES, 0, 3);
-  gl->Disable(GL_SCISSOR_TEST);
+  draw_grid(program, block, true, coarse);
 }
 
 void BackdropPass::draw_floor_depth() {
@@ -156,26 +138,23 @@ void BackdropPass::draw_floor_depth() {
   gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor) {
+void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor, bool coarse) {
   gl->Disable(GL_DEPTH_TEST);
   gl->BindVertexArray(no_arrays.name());
-  draw_maps(block, floor);
   const PixelRect part = floor ? shaded_floor(block) : PixelRect{};
   const bool any_shadow = part.width_px > 0 && part.height_px > 0;
   if (any_shadow) draw_floor_shadow(block, part);
   gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   const glm::ivec2 size_px{block.viewport};
   gl->Viewport(0, 0, size_px.x, size_px.y);
-  bind_texture(*gl, backdrop_lit_unit, GL_TEXTURE_2D, lit_map.texture);
-  const glm::vec4 to_maps{0.0F, 0.0F, 1.0F / glm::vec2{lit_map.size_px * texel_px(size_px.y)}};
-  stretched.use().set("coarse", to_maps);
   gl->Enable(GL_SCISSOR_TEST);
+  const Program& program = lit.use();
   for (const PixelRect& band : bands_around(any_shadow ? part : PixelRect{}, size_px)) {
     gl->Scissor(band.x_px, band.y_px, band.width_px, band.height_px);
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    if (band.width_px > 0 && band.height_px > 0) draw_grid(program, block, floor, coarse);
   }
+  if (any_shadow) draw_shaded(block, part, coarse);
   gl->Disable(GL_SCISSOR_TEST);
-  if (any_shadow) draw_shaded(block, part, to_maps);
   gl->Enable(GL_DEPTH_TEST);
 }
 

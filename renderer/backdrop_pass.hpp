@@ -21,8 +21,9 @@ class BackdropPass {
   BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files);
 
   /// Draws the tile the block is for into `framebuffer`, without looking at depth. `floor`: whether there is
-  /// one to be seen. The block `Frame` and the light's textures have to be bound.
-  void draw(GLuint framebuffer, const FrameBlock& block, bool floor);
+  /// one to be seen; `coarse`: its light from all around is, which costs less. The block `Frame` and the
+  /// light's textures have to be bound.
+  void draw(GLuint framebuffer, const FrameBlock& block, bool floor, bool coarse);
 
   /// Draws the floor's depth alone, so that it hides what is below it.
   void draw_floor_depth();
@@ -35,20 +36,16 @@ class BackdropPass {
     glm::ivec2 size_px{0};
   };
   void allocate(CoarseMap& map, const glm::ivec2& size_px, GLint format, GLenum attachment) const;
-  void draw_maps(const FrameBlock& block, bool floor);
+  void draw_grid(const Program& program, const FrameBlock& block, bool floor, bool coarse) const;
   void draw_floor_shadow(const FrameBlock& block, const PixelRect& part);
-  void draw_shaded(const FrameBlock& block, const PixelRect& part, const glm::vec4& to_maps);
+  void draw_shaded(const FrameBlock& block, const PixelRect& part, bool coarse);
 
   const GladGLContext* gl;
-  LazyProgram coarse;
-  LazyProgram stretched;
+  LazyProgram lit;
   LazyProgram floor_shadow;
   LazyProgram shaded;
   LazyProgram floor_depth;
-  CoarseMap lit_map;
-  CoarseMap dark_map;
   CoarseMap shadow_map;
-  Framebuffer map_framebuffer;
   Framebuffer shadow_framebuffer;
   VertexArray no_arrays;
 };

@@ -20,6 +20,8 @@ constexpr float floor_radius = 9.0F;
 // Radius of the widest blur of a shadow, share of the map's side. Larger is softer far from what casts it,
 // and needs more taps against noise.
 constexpr float widest_blur = 24.0F / 2048.0F;
+// Taps on the floor for one on a surface: the floor's shadow has a fourth of the pixels.
+constexpr float floor_taps = 1.75F;
 // Texels of the shadow map for a drawn pixel of the picture's shorter side. More is sharper than the picture
 // can show.
 constexpr float texels_for_pixel = 1.4F;
@@ -51,7 +53,8 @@ void set_shadow(FrameBlock& block, const Lighting& lighting, const PictureSettin
   const auto texels = static_cast<float>(shadow_map_side(settings));
   const float tangent = std::max(lighting.penumbra, 0.0F) * key_softness;
   block.shadow = {side_m / texels, 1.0F / texels, side_m, std::max(tangent, 1e-5F)};
-  block.shadow_blur = {widest_blur * texels, 0.0F, 0.0F, 0.0F};
+  const auto taps = static_cast<float>(settings.shadow_taps);
+  block.shadow_blur = {widest_blur * texels, taps, floor_taps * taps, 0.0F};
 }
 
 void set_ground(FrameBlock& block, const FrameView& frame, const std::optional<Box>& casters) {

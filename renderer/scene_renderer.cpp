@@ -30,6 +30,11 @@ bool has_marks(const FrameView& frame) {
                      [](const SurfaceView& surface) { return surface.wireframe.has_value(); });
 }
 
+// Light has to be encoded after it is blended, which only the renderer's own target is sure to do.
+bool is_blended(const FrameView& frame, const PictureSettings& settings) {
+  return settings.samples > 1 || settings.supersampling > 1 || has_marks(frame);
+}
+
 // OpenGL counts rows from the bottom.
 PixelRect place_of(const Tile& tile, const PictureSettings& settings) {
   return {tile.x_px, settings.height_px - tile.y_px - tile.height_px, tile.width_px, tile.height_px};
@@ -62,17 +67,22 @@ struct SceneRenderer::Parts {
   ResolvePass resolve_pass;
   PictureTarget large;  // a supersampled tile
   Buffer block_buffer;
+  std::vector<TriangleMesh> balls;
   std::vector<SurfaceView> surfaces;  // those of the frame and the balls
 
   explicit Parts(Context& made);
   void draw(const FrameView& frame, const PictureSettings& settings);
+  void draw_straight_to(GLuint framebuffer, const FrameView& frame, const PictureSettings& settings);
+  void begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
+  void end();
   void reset_state() const;
-  void collect_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls);
+  void collect_surfaces(const FrameView& frame);
   void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
                    const Tile& tile) const;
-  void draw_whole(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
+  void draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame,
+                  const PictureSettings& settings);
   void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
-  void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame);
+  void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame, int samples);
   void draw_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
                    const FrameView& frame, int samples);
   void draw_marks(const FrameView& frame);
@@ -110,7 +120,7 @@ void SceneRenderer::Parts::reset_state() const {
   light.unbind();
 }
 
-void SceneRenderer::Parts::collect_surfaces(const FrameView& frame, std::vector<TriangleMesh>& balls) {
+void SceneRenderer::Parts::collect_surfaces(const FrameView& frame) {
   surfaces = frame.surfaces;
   balls.reserve(frame.spheres.size());
   for (const SphereView& spheres : frame.spheres) {
@@ -144,7 +154,7 @@ void SceneRenderer::Parts::draw_things(GLuint framebuffer, const PixelRect& plac
   if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) {
     backdrop_pass.draw_floor_depth();
   }
-  surface_pass.draw_seen();
+  surface_pass.draw_seen(has_marks(frame));
   const glm::ivec2 corner_px{place.x_px, place.y_px};
   const auto aim = [&] {
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -165,28 +175,32 @@ void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame
   upload(gl, GL_UNIFORM_BUFFER, block_buffer, std::span<const FrameBlock>(&block, 1));
 }
 
-void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame) {
+void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
+                                       int samples) {
   if (frame.backdrop.plain) {
     const Colour& colour = frame.backdrop.lower_colour;
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(0, 0, static_cast<GLint>(block.viewport.x), static_cast<GLint>(block.viewport.y));
     gl.ClearColor(colour[0], colour[1], colour[2], 1.0F);
     gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Disable(GL_SCISSOR_TEST);
     return;
   }
-  backdrop_pass.draw(framebuffer, block, sees_floor(frame));
+  backdrop_pass.draw(framebuffer, block, sees_floor(frame), samples == 1);
 }
 
 // What is behind has no edges that more samples would smooth, and things seldom fill the picture: only the
 // part that they can touch is drawn with many samples, and laid over.
-void SceneRenderer::Parts::draw_whole(FrameBlock& block, const FrameView& frame,
+void SceneRenderer::Parts::draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame,
                                       const PictureSettings& settings) {
   set_tile_of(block, frame, settings, {0, 0, settings.width_px, settings.height_px});
-  draw_behind(picture.framebuffer(), block, frame);
+  draw_behind(framebuffer, block, frame, settings.samples);
   const Tile area = drawn_area(frame, surfaces, block.world_to_clip, settings);
   if (area.width_px == 0) return;
   for (const Tile& tile : tiles_of(area, 1)) {
     set_tile_of(block, frame, settings, tile);
-    draw_things(picture.framebuffer(), place_of(tile, settings), block, frame, settings.samples);
+    draw_things(framebuffer, place_of(tile, settings), block, frame, settings.samples);
   }
 }
 
@@ -198,7 +212,7 @@ void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView&
     const glm::ivec2 large_px = factor * glm::ivec2{tile.width_px, tile.height_px};
     set_tile_of(block, frame, settings, tile);
     large.begin(large_px.x, large_px.y);
-    draw_behind(large.framebuffer(), block, frame);
+    draw_behind(large.framebuffer(), block, frame, settings.samples);
     draw_things(large.framebuffer(), {0, 0, large_px.x, large_px.y}, block, frame, settings.samples);
     const PixelRect place = place_of(tile, settings);
     gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
@@ -207,21 +221,37 @@ void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView&
   }
 }
 
-void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& settings) {
+void SceneRenderer::Parts::begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings) {
   reset_state();
-  std::vector<TriangleMesh> balls;
-  collect_surfaces(frame, balls);
-  FrameBlock block;
+  balls.clear();
+  collect_surfaces(frame);
   light.look(block, frame, surfaces, settings);
   surface_pass.fill(surfaces, light);
   light.bind();
   gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
+}
+
+void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& settings) {
+  FrameBlock block;
+  begin(block, frame, settings);
   picture.begin(settings.width_px, settings.height_px);
   if (settings.supersampling > 1) {
     draw_supersampled(block, frame, settings);
   } else {
-    draw_whole(block, frame, settings);
+    draw_whole(picture.framebuffer(), block, frame, settings);
   }
+  end();
+}
+
+void SceneRenderer::Parts::draw_straight_to(GLuint framebuffer, const FrameView& frame,
+                                            const PictureSettings& settings) {
+  FrameBlock block;
+  begin(block, frame, settings);
+  draw_whole(framebuffer, block, frame, settings);
+  end();
+}
+
+void SceneRenderer::Parts::end() {
   light.unbind();
   gl.Disable(GL_DEPTH_TEST);
   gl.BindVertexArray(0);
@@ -258,9 +288,17 @@ Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& setting
   return parts->picture.read();
 }
 
-void SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings) {
-  draw_kept(frame, settings);
-  show_kept(framebuffer, settings.width_px, settings.height_px);
+bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings) {
+  if (is_blended(frame, settings)) {
+    draw_kept(frame, settings);
+    show_kept(framebuffer, settings.width_px, settings.height_px);
+    return true;
+  }
+  check_frame(frame);
+  check_settings(settings);
+  parts->context.make_current();
+  parts->draw_straight_to(framebuffer, frame, settings);
+  return false;
 }
 
 void SceneRenderer::draw_kept(const FrameView& frame, const PictureSettings& settings) {

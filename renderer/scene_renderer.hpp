@@ -28,12 +28,13 @@ class SceneRenderer {
   Image draw(const FrameView& frame, const PictureSettings& settings);
 
   /// As draw, into a framebuffer object of the caller (0: the window), whose size is settings.width_px by
-  /// height_px. The target must not be sRGB-encoding: the bytes written are already encoded.
-  void draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings);
+  /// height_px. The target must not be sRGB-encoding: the bytes written are already encoded. Returns whether
+  /// show_kept can show it again: what is drawn straight there, which saves a copy, is not kept.
+  bool draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings);
 
   /// As draw; the picture stays inside.
   void draw_kept(const FrameView& frame, const PictureSettings& settings);
-  /// Copies what was drawn last, stretched to this size, to the lower left part of a framebuffer (0: the
+  /// Copies what was kept last, stretched to this size, to the lower left part of a framebuffer (0: the
   /// window).
   void show_kept(unsigned framebuffer, int width_px, int height_px) const;
 

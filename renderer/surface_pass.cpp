@@ -52,10 +52,11 @@ void SurfacePass::fill(std::span<const SurfaceView> surfaces, StudioLight& light
   if (!tables.empty()) tables.upload();
 }
 
-void SurfacePass::draw_seen() {
+void SurfacePass::draw_seen(bool under_marks) {
   if (tables.empty()) return;
-  // Pushed back a little, more where slanted: wireframes lie on them.
-  gl->Enable(GL_POLYGON_OFFSET_FILL);
+  // Pushed back a little, more where slanted, so that wireframes lie on them. At a silhouette that lets the
+  // far side show through the near one, which is steeper there.
+  if (under_marks) gl->Enable(GL_POLYGON_OFFSET_FILL);
   gl->PolygonOffset(1.5F, 4.0F);
   seen.use();
   tables.bind();

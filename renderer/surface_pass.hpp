@@ -23,8 +23,9 @@ class SurfacePass {
 
   /// Hands the surfaces to the graphics card.
   void fill(std::span<const SurfaceView> surfaces, StudioLight& light);
-  /// Draws those of the last fill() into the layer that is bound.
-  void draw_seen();
+  /// Draws those of the last fill() into the layer that is bound; `under_marks`: such as lie on them will
+  /// follow.
+  void draw_seen(bool under_marks);
   /// Lays what the layer has seen over the bound framebuffer, in which the layer's tile is `place`, as is the
   /// viewport. `block` is the tile's.
   void shade(const LayerTarget& layer, const FrameBlock& block, const PixelRect& place);

@@ -4,10 +4,6 @@ uniform sampler2DShadow shadow_compare;
 uniform sampler2D shadow_depth;
 
 const int search_taps = 6;
-#ifndef FILTER_TAPS
-#define FILTER_TAPS 16
-#endif
-const int filter_taps = FILTER_TAPS;
 
 // Interleaved gradient noise (Jimenez 2014): neighbours differ as much as possible, so the eye averages them.
 // Around a square instead of a circle, then back to length 1: near enough to all directions alike.
@@ -40,6 +36,11 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
   // A wide filter on a slanted surface would meet the surface itself: the allowance grows with the radius.
   float allowance = (radius / shadow.y) * 0.15 * slope * shadow.x / shadow.z;
   // The search reaches farther than the filter: where it finds nothing but blockers, so would the filter.
+#ifdef FLOOR
+  int filter_taps = int(shadow_blur.z);
+#else
+  int filter_taps = int(shadow_blur.y);
+#endif
   bool mixed = blockers > 0.0 && blockers < float(search_taps);
   float lit = 0.0;
   direction = first;

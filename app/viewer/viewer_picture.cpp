@@ -109,8 +109,9 @@ bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layou
   return (!has_room(area) || is_scene_drawn(look_of(state, area), level)) && interface_.is_drawn(overlay);
 }
 
-void ViewerPicture::draw_scene(const ViewerState& state, const ViewArea& area,
-                               const PictureQuality& quality) {
+// A scene that stands still is drawn once more to be kept; one that moves would be kept for nothing.
+void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
+                               const PictureQuality& quality, bool keep) {
   renderer::FrameView frame = painter_for(state, area).view(*state.shown->positions);
   frame.camera = state.camera.camera();
   frame.lighting = renderer::studio_lighting(frame.camera);
@@ -124,6 +125,7 @@ void ViewerPicture::draw_scene(const ViewerState& state, const ViewArea& area,
   settings.samples = quality.samples;
   settings.supersampling = 1;
   settings.shadow_map_px = quality.shadow_map_px;
+  settings.shadow_taps = quality.shadow_taps;
   settings.sky_directions = quality.sky_directions;
   const auto scaled = [&](int side_px) {
     return std::max(smallest_side_px,
@@ -131,7 +133,13 @@ void ViewerPicture::draw_scene(const ViewerState& state, const ViewArea& area,
   };
   settings.width_px = scaled(area.width_px);
   settings.height_px = scaled(area.height_px);
-  scene_renderer_.draw_kept(frame, settings);
+  if (keep || quality.scale < 1.0F) {
+    scene_renderer_.draw_kept(frame, settings);
+    scene_renderer_.show_kept(framebuffer, area.width_px, area.height_px);
+    is_kept_ = true;
+  } else {
+    is_kept_ = scene_renderer_.draw_to(framebuffer, frame, settings);
+  }
 }
 
 void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
@@ -140,14 +148,14 @@ void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const W
   context_.make_current();
   const ViewArea area = scene_area(layout);
   SceneLook look = look_of(state, area);
-  drew_scene_ = has_room(area) && !is_scene_drawn(look, level);
+  const bool is_same = is_scene_drawn(look, level);
+  drew_scene_ = has_room(area) && !(is_same && is_kept_);
   if (drew_scene_) {
     drawn_look_.reset();
-    draw_scene(state, area, picture_qualities[level]);
+    draw_scene(framebuffer, state, area, picture_qualities[level], is_same);
     drawn_look_ = std::move(look);
     drawn_level_ = level;
-  }
-  if (has_room(area)) {
+  } else if (has_room(area)) {
     scene_renderer_.show_kept(framebuffer, area.width_px, area.height_px);
   } else {
     renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px, behind_panel_grey);

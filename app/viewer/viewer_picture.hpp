@@ -29,7 +29,7 @@ class ViewerPicture {
                 const renderer::OverlayView& overlay) const;
 
   /// Whether the last `draw` drew the scene, which takes most of the time. A scene that has not changed since
-  /// it was drawn at least as well is only copied.
+  /// it was drawn and kept at least as well is only copied.
   bool drew_scene() const { return drew_scene_; }
 
  private:
@@ -53,7 +53,8 @@ class ViewerPicture {
 
   SceneLook look_of(const ViewerState& state, const ViewArea& area) const;
   bool is_scene_drawn(const SceneLook& look, std::size_t level) const;
-  void draw_scene(const ViewerState& state, const ViewArea& area, const PictureQuality& quality);
+  void draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
+                  const PictureQuality& quality, bool keep);
   GarmentPainter& painter_for(const ViewerState& state, const ViewArea& area);
   void add_springs(const ViewerState& state, renderer::FrameView& frame);
   void add_normals(const ViewerState& state, renderer::FrameView& frame);
@@ -73,7 +74,8 @@ class ViewerPicture {
   renderer::Context& context_;
   renderer::SceneRenderer scene_renderer_;
   InterfacePicture interface_;
-  std::optional<SceneLook> drawn_look_;  ///< of the picture that the renderer keeps
+  std::optional<SceneLook> drawn_look_;
+  bool is_kept_ = false;  ///< the renderer has what was drawn and can show it again
   std::size_t drawn_level_ = 0;
   bool drew_scene_ = false;
   PaintedAs painted_as_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/colour_target.hpp"
+#include "renderer/primitives.hpp"
 #include "scene_support.hpp"
 
 namespace taut::renderer {
@@ -36,6 +37,65 @@ TEST_F(SceneRendererTest, AKeptPictureIsShownAgainAndStretched) {
       EXPECT_EQ(shown.pixels, drawn.pixels);
     }
   }
+}
+
+TEST_F(SceneRendererTest, DrawingStraightToATargetLeavesTheRestOfItAndGivesTheSameBytes) {
+  constexpr int border_px = 8;
+  FrameView frame = triangle_frame();
+  const std::array<std::uint32_t, 2> edge{0, 1};
+  ColourTarget target(*context);
+  for (const bool plain : {true, false}) {
+    frame.backdrop.plain = plain;
+    frame.ground_height_m = -1.2F;
+    for (const int kind : {0, 1, 2}) {
+      PictureSettings settings = small_picture();
+      settings.samples = kind == 1 ? 4 : 1;
+      frame.surfaces[0].wireframe.reset();
+      if (kind == 2) frame.surfaces[0].wireframe = Wireframe{.edges = edge};
+      const Image expected = renderer.draw(frame, settings);
+      const int width_px = expected.width_px + border_px;
+      const int height_px = expected.height_px + border_px;
+      const unsigned framebuffer = target.framebuffer(width_px, height_px);
+      clear_framebuffer(*context, framebuffer, width_px, height_px, 0.2F);
+      EXPECT_EQ(renderer.draw_to(framebuffer, frame, settings), kind != 0);
+      const Image shown = read_framebuffer(*context, framebuffer, width_px, height_px);
+      for (int y = 0; y < height_px; ++y) {
+        for (int x = 0; x < width_px; ++x) {
+          const bool inside = x < expected.width_px && y >= border_px;
+          const int wanted = inside ? expected.at(x, y - border_px)[1] : 51;
+          ASSERT_EQ(shown.at(x, y)[1], wanted) << x << "," << y << " kind " << kind;
+        }
+      }
+    }
+  }
+}
+
+// Near a silhouette the near side is the steeper one.
+TEST_F(SceneRendererTest, NothingOfTheFarSideShowsAlongASilhouette) {
+  const TriangleMesh ball = make_sphere({0.0F, 0.0F, 0.0F}, 0.9F, 40);
+  FrameView frame = triangle_frame();
+  SurfaceView& surface = frame.surfaces[0];
+  surface.positions = ball.positions;
+  surface.normals = ball.normals;
+  surface.triangles = ball.triangles;
+  surface.style.outside_colour = rgb(0x00FF00);
+  surface.style.inside_colour = rgb(0xFF0000);
+  PictureSettings settings = small_picture();
+  settings.samples = 1;
+  settings.width_px = 480;
+  settings.height_px = 320;
+  const Image image = renderer.draw(frame, settings);
+  int red = 0;
+  int green = 0;
+  for (int y = 0; y < image.height_px; ++y) {
+    for (int x = 0; x < image.width_px; ++x) {
+      const std::uint8_t* pixel = image.at(x, y);
+      red += pixel[0] > 100 && pixel[1] < 100 ? 1 : 0;
+      green += pixel[1] > 100 && pixel[0] < 100 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(green, 50000);
+  EXPECT_EQ(red, 0);
 }
 
 TEST_F(SceneRendererTest, TheOtherSideHasTheInsideColour) {

@@ -50,7 +50,7 @@ struct Ablation {
 std::vector<Ablation> ablations() {
   return {
       {"bounded", {}},
-      {"no pin sweeps", {{"solver.extra_sweeps", "0"}}},
+      {"no tethers", {{"solver.tethers", "false"}}},
       {"no bending", {{"cloth.bending_rigidity", "0"}}},
       {"no vectors", {{"solver.vector_unit", "scalar"}}},
       {"no softness", {{"cloth.compression_stiffness", "1e6"}}},

@@ -88,8 +88,8 @@ void add_run(SceneKeys& keys) {
   keys.push_back(
       number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.max_stretch),
              "bounded: no frame shows a spring stretched more; provot: above it springs are pulled back"));
-  keys.push_back(whole("solver.extra_sweeps", 0, 100, MEMBER(simulation.solver.extra_sweeps),
-                       "bounded: sweeps more, in every step, over the springs near the pins"));
+  keys.push_back(switch_key<Scene>("solver.tethers", MEMBER(simulation.solver.tethers),
+                                   "bounded: cloth is held by long threads from its pins too; less work"));
   keys.push_back(choice_key<Scene, sim::VectorUnit>("solver.vector_unit", vector_unit_choices(),
                                                     MEMBER(simulation.solver.vector_unit),
                                                     "bounded: instructions to use; none changes a result"));

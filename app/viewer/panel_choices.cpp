@@ -94,7 +94,6 @@ void lay_out_solver(ViewerState& state) {
     }
   }
   if (solver.kind == sim::SolverKind::bounded) {
-    whole_slider(state, "extra sweeps", "solver.extra_sweeps", solver.extra_sweeps, 0, 20);
     sim::Fabric& fabric = solver.fabric;
     double bending_un_m = 1e6 * fabric.bending_rigidity_n_m;
     if (number_slider(state, "flexural", "fabric.bending", bending_un_m, 0.0, 100.0, "%.1f µN m", true)) {

@@ -44,8 +44,8 @@ struct SolverSettings {
   Fabric fabric;  ///< `bounded`
   /// `bounded`: no frame is divided into more time steps than this, even if its bound cannot be kept.
   int max_substeps = 2000;
-  /// `bounded`: sweeps more over the springs near the pins in every time step.
-  int extra_sweeps = 2;
+  /// `bounded`: no vertex gets further from its pin than the way along the cloth is long.
+  bool tethers = true;
   VectorUnit vector_unit = VectorUnit::best;  ///< `bounded`; never changes a result
   /// `bounded`: 0 takes one, or for garments above some 20 000 triangles as many as the machine has, up to 4.
   /// Never changes a result.

@@ -109,40 +109,19 @@ RowMatrix acceleration_matrix(const std::vector<Entry>& stiffness,
   return matrix;
 }
 
-/// The square root of the largest eigenvalue of W K. The power method comes from below, and is close after a
-/// few steps, as the highest modes are many and alike; the sum of a row's absolute values is never below
-/// (Gershgorin 1931).
-double largest_rate(const std::vector<Entry>& stiffness, const std::vector<double>& inverse_masses_per_kg) {
-  constexpr int steps = 24;
-  constexpr double margin = 1.15;
-  const std::size_t count = inverse_masses_per_kg.size();
-  std::vector<double> mode(count);
-  std::vector<double> image(count);
-  std::vector<double> row_sums(count, 0.0);
-  for (std::size_t row = 0; row < count; ++row) {
-    mode[row] = row % 2 == 0 ? 1.0 : -0.7;
-  }
-  double eigenvalue = 0.0;
-  for (int step = 0; step < steps; ++step) {
-    std::fill(image.begin(), image.end(), 0.0);
-    for (const Entry& e : stiffness) {
-      image[e.row] += inverse_masses_per_kg[e.row] * e.value * mode[e.column];
-    }
-    const double largest = std::abs(*std::max_element(
-        image.begin(), image.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    if (!(largest > 0.0)) {
-      break;
-    }
-    eigenvalue = largest;
-    for (std::size_t row = 0; row < count; ++row) {
-      mode[row] = image[row] / largest;
+/// By the power method with this many steps, which comes from below and is close, as the highest modes are
+/// many and alike.
+constexpr int power_steps = 40;
+constexpr double power_margin = 1.15;
+
+/// result += M mode, with the diagonal that makes M's rows sum to zero.
+void add_product(const RowMatrix& matrix, std::size_t begin, const std::vector<double>& mode,
+                 std::vector<double>& result) {
+  for (std::size_t row = begin; row < mode.size(); ++row) {
+    for (std::uint32_t k = matrix.begin[row]; k < matrix.begin[row + 1]; ++k) {
+      result[row] += static_cast<double>(matrix.value[k]) * (mode[matrix.column[k]] - mode[row]);
     }
   }
-  for (const Entry& e : stiffness) {
-    row_sums[e.row] += inverse_masses_per_kg[e.row] * std::abs(e.value);
-  }
-  const double never_below = row_sums.empty() ? 0.0 : *std::max_element(row_sums.begin(), row_sums.end());
-  return std::sqrt(std::min(never_below, margin * eigenvalue));
 }
 
 /// The mean over each cluster's mass of what is left to its vertices.
@@ -185,7 +164,6 @@ Bending::Bending(const Garment& garment, const Layout& layout, double rigidity_n
     const auto inverse_masses = by_row<double>(from.inverse_masses_per_kg, vertex_of_row);
     levels_.emplace_back();
     levels_.back().matrix = acceleration_matrix(taken.stiffness, inverse_masses);
-    levels_.back().largest_rate_per_s = largest_rate(taken.stiffness, inverse_masses);
     return is_coarsest ? std::vector<double>(shares.size(), 0.0) : std::move(taken.left_shares);
   };
 
@@ -205,14 +183,53 @@ Bending::Bending(const Garment& garment, const Layout& layout, double rigidity_n
     level.positions.resize(shares.size());
     level.accelerations.resize(shares.size());
   }
+  largest_rate_per_s_ = find_largest_rate_per_s();
 }
 
-double Bending::largest_rate_per_s() const {
-  double squared = 0.0;
-  for (const Level& level : levels_) {
-    squared += level.largest_rate_per_s * level.largest_rate_per_s;
+std::vector<double> Bending::image_of(const std::vector<double>& mode) const {
+  std::vector<std::vector<double>> modes = {mode};
+  for (std::size_t l = 1; l < levels_.size(); ++l) {
+    const Level& level = levels_[l];
+    std::vector<double> coarse(level.positions.size(), 0.0);
+    for (std::size_t row = 0; row < level.cluster_of.size(); ++row) {
+      coarse[level.cluster_of[row]] += static_cast<double>(level.part_of_mass[row]) * modes.back()[row];
+    }
+    modes.push_back(std::move(coarse));
   }
-  return std::sqrt(squared);
+  std::vector<double> image;
+  for (std::size_t l = levels_.size(); l-- > 0;) {
+    const std::size_t begin = l == 0 ? first_free_row_ : 0;
+    std::vector<double> finer(modes[l].size(), 0.0);
+    for (std::size_t row = begin; row < finer.size() && l + 1 < levels_.size(); ++row) {
+      finer[row] = image[levels_[l + 1].cluster_of[row]];
+    }
+    add_product(levels_[l].matrix, begin, modes[l], finer);
+    image = std::move(finer);
+  }
+  return image;
+}
+
+double Bending::find_largest_rate_per_s() const {
+  std::vector<double> mode(row_count_, 0.0);
+  for (std::size_t row = first_free_row_; row < row_count_; ++row) {
+    mode[row] = row % 2 == 0 ? 1.0 : -0.7;
+  }
+  double eigenvalue = 0.0;
+  for (int step = 0; step < power_steps; ++step) {
+    mode = image_of(mode);
+    double largest = 0.0;
+    for (const double x : mode) {
+      largest = std::max(largest, std::abs(x));
+    }
+    if (!(largest > 0.0)) {
+      break;
+    }
+    eigenvalue = largest;
+    for (double& x : mode) {
+      x /= largest;
+    }
+  }
+  return std::sqrt(power_margin * eigenvalue);
 }
 
 void Bending::add_accelerations(const Rows& positions, Loops& loops, Rows& accelerations) {

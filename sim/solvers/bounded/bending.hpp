@@ -29,24 +29,27 @@ class Bending {
   std::size_t level_count() const { return levels_.size(); }
 
   /// No mode of all levels together has a higher angular frequency.
-  double largest_rate_per_s() const;
+  double largest_rate_per_s() const { return largest_rate_per_s_; }
 
   /// Adds to `accelerations` what bending does at `positions`, both by rows of the layout.
   void add_accelerations(const Rows& positions, Loops& loops, Rows& accelerations);
 
  private:
   struct Level {
-    RowMatrix matrix;  ///< -W K without its diagonal: accelerations from positions
-    double largest_rate_per_s = 0.0;
+    RowMatrix matrix;                       ///< -W K without its diagonal: accelerations from positions
     std::vector<std::uint32_t> cluster_of;  ///< by row of the next finer level; empty in the finest
     std::vector<float> part_of_mass;        ///< likewise
     Rows positions;                         ///< of clusters
     Rows accelerations;
   };
 
+  double find_largest_rate_per_s() const;
+  std::vector<double> image_of(const std::vector<double>& mode) const;
+
   std::size_t first_free_row_ = 0;
   std::size_t row_count_ = 0;
   std::vector<Level> levels_;
+  double largest_rate_per_s_ = 0.0;
 };
 
 }  // namespace taut::sim::bounded

@@ -9,16 +9,13 @@
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/loops.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
+#include "sim/solvers/bounded/tethers.hpp"
 
 namespace taut::sim {
 
 using namespace bounded;
 
 namespace {
-
-/// Springs near the pins carry the most and stretch the most. This part of all, the nearest, is swept more
-/// often.
-constexpr double often_swept_part = 0.1;
 
 constexpr int least_substeps = 8;
 
@@ -36,11 +33,12 @@ constexpr double further_than_before = 1.2;
 
 /// What the solver derives from a garment, and keeps from frame to frame.
 struct BoundedSolver::Cloth {
-  Cloth(const Garment& garment, double bending_rigidity_n_m, double frame_time_s)
+  Cloth(const Garment& garment, const SolverSettings& settings, double frame_time_s)
       : pins(garment.pins),
         layout(make_layout(garment)),
-        forces(garment, layout, bending_rigidity_n_m, frame_time_s),
-        certifier(layout) {}
+        forces(garment, layout, settings.fabric.bending_rigidity_n_m, frame_time_s),
+        certifier(layout),
+        tethers(make_tethers(garment, layout, settings.max_stretch)) {}
 
   std::vector<Index> pins;
   Layout layout;
@@ -48,6 +46,7 @@ struct BoundedSolver::Cloth {
   Contacts contacts;
   Certifier certifier;
   SubstepControl control{1, 1, 1};
+  TetherLanes tethers;
   Motion motion;
   Rows velocities;           ///< m/s, when the frame began
   double shift = 0.0;        ///< of the last frame, in parts of the largest allowed
@@ -67,7 +66,7 @@ void BoundedSolver::lay_out(const Garment& garment, const Surroundings& surround
   }
   loops_ = std::make_unique<Loops>(kernels_for(settings_.vector_unit),
                                    thread_count(settings_.threads, garment.mesh.triangles.size()));
-  cloth_ = std::make_unique<Cloth>(garment, settings_.fabric.bending_rigidity_n_m, frame_time_s);
+  cloth_ = std::make_unique<Cloth>(garment, settings_, frame_time_s);
   if (settings_.substeps > 0) {
     cloth_->control = SubstepControl(settings_.substeps, settings_.substeps, settings_.substeps);
   } else {
@@ -93,6 +92,7 @@ void BoundedSolver::begin_frame(const State& state) {
     cloth_->velocities[row] = row_of(velocity(state, v));
   }
   start_springs(motion.start_m, cloth_->layout.springs);
+  start_tethers(motion.start_m, cloth_->tethers);
 }
 
 // A spring too short pushes back with a stiffness in N/m: of its error it corrects k dt^2 w / (1 + k dt^2 w),
@@ -126,17 +126,11 @@ void BoundedSolver::move_pins(const Surroundings& surroundings, double frame_beg
   std::fill_n(predicted.begin(), cloth_->layout.pin_count, offset);
 }
 
-// A colour's springs are in the order of their distance from the pins.
 void BoundedSolver::sweep_springs() {
   const SpringLanes& springs = cloth_->layout.springs;
-  Row* predicted = cloth_->motion.current.data();
-  for (int sweep = 0; sweep <= settings_.extra_sweeps; ++sweep) {
-    for (std::size_t c = 0; c < springs.colour_count(); ++c) {
-      const std::size_t begin = springs.colour_begin[c];
-      const auto count = static_cast<double>(springs.colour_begin[c + 1] - begin);
-      const double part = sweep == 0 ? 1.0 : often_swept_part;
-      loops_->sweep(springs, begin, begin + static_cast<std::size_t>(std::ceil(part * count)), predicted);
-    }
+  for (std::size_t c = 0; c < springs.colour_count(); ++c) {
+    loops_->sweep(springs, springs.colour_begin[c], springs.colour_begin[c + 1],
+                  cloth_->motion.current.data());
   }
 }
 
@@ -147,14 +141,15 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
   const Layout& layout = cloth.layout;
   const double dt = frame_time_s / substeps;
   const auto slowed = static_cast<float>(1.0 / (1.0 + surroundings.forces.air_drag_per_s * dt));
-  const int updates = std::min(substeps, cloth.forces.updates_per_frame(surroundings.forces, frame_time_s));
+  const int updates = cloth.forces.updates_per_frame(surroundings.forces, frame_time_s);
+  const int held_substeps = std::max(1, substeps / updates);
   begin_substeps(dt);
   for (int substep = 0; substep < substeps; ++substep) {
     const double at_s = time_s + substep * dt;
     // Step 2 of the paper: impose the forces on the mass points, a few times in a frame ...
-    if (substep == 0 || substep * updates / substeps != (substep - 1) * updates / substeps) {
+    if (substep % held_substeps == 0) {
       cloth.contacts.part_layers(garment, layout, surroundings.layer_distance_m, motion);
-      cloth.forces.update(garment, surroundings.forces, motion, at_s, dt, frame_time_s / updates, *loops_);
+      cloth.forces.update(garment, surroundings.forces, motion, at_s, dt, held_substeps * dt, *loops_);
     }
     // ... and predict where they go, eq. (1).
     loops_->predict(layout.pin_count, layout.vertex_count(), slowed, static_cast<float>(dt * dt),
@@ -162,6 +157,9 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
     motion.previous.swap(motion.current);
     move_pins(surroundings, time_s, at_s + dt);
     // Step 3: compensate the predicted positions, eqs. (2)-(3).
+    if (settings_.tethers && layout.pin_count > 0) {
+      loops_->hold(cloth.tethers, motion.current[0], motion.current.data());
+    }
     sweep_springs();
     cloth.contacts.push_out(surroundings, motion);
   }

@@ -19,7 +19,7 @@ constexpr int relaxed_sweeps = 6;
 /// shorter.
 float relaxation_of(const Layout& layout) {
   constexpr double least_springs = 16.0;
-  constexpr double most_springs = 64.0;
+  constexpr double most_springs = 128.0;
   return static_cast<float>(2.0 /
                             (1.0 + 2.0 / std::clamp(layout.reach_springs, least_springs, most_springs)));
 }

@@ -27,6 +27,16 @@ struct RowMatrix {
   std::vector<float> value;
 };
 
+/// Where a tether can never be reached: as long as no cloth is.
+inline constexpr float never_reached = 1e30F;
+
+/// By row, each vertex's tether to a pin. All pins move alike.
+struct TetherLanes {
+  std::vector<Index> pin;       ///< row of the pin
+  Rows start;                   ///< from the pin to the vertex when the frame began, in m
+  Lanes<float> squared_length;  ///< in m^2; `never_reached` where there is no tether
+};
+
 /// The loops in which the time goes. Each does the same operations on every element in the same order,
 /// whatever the width of the processor's vectors, so that all of them give the same bits; no fused
 /// multiply-add, no approximate reciprocal, no approximate square root.
@@ -42,6 +52,11 @@ struct Kernels {
   /// (|L'|^2 - |L|^2) / (|L'|^2 + |L|^2), which is (|L'| - |L|) / |L'| to the second order in the error and
   /// never above 1, without a square root (Jakobsen 2001).
   void (*sweep)(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows);
+
+  /// Brings vertices of rows [begin, end), multiples of the block size, back to where their tethers end, by
+  /// the same error. The pins have moved by `pin_moved` since the frame began.
+  void (*hold)(const TetherLanes& tethers, std::size_t begin, std::size_t end, const Row& pin_moved,
+               Row* rows);
 
   /// The same for springs longer than the bound alone: where |L'|^2 is above `squared_bound` |L|^2,
   /// `relaxation` times what is needed. Blocks without such a spring are left untouched.

@@ -68,6 +68,20 @@ void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* 
   }
 }
 
+void hold(const TetherLanes& tethers, std::size_t begin, std::size_t end, const Row& pin_moved, Row* rows) {
+  for (std::size_t r = begin; r < end; ++r) {
+    const float x = (rows[r].x - pin_moved.x) + tethers.start[r].x;
+    const float y = (rows[r].y - pin_moved.y) + tethers.start[r].y;
+    const float z = (rows[r].z - pin_moved.z) + tethers.start[r].z;
+    const float squared = (x * x + y * y) + z * z;
+    const float excess = squared - tethers.squared_length[r];
+    if (excess > 0.0F) {
+      const float error = excess / (squared + tethers.squared_length[r]);
+      rows[r] = {rows[r].x - x * error, rows[r].y - y * error, rows[r].z - z * error, 0.0F};
+    }
+  }
+}
+
 void shorten(const SpringLanes& springs, std::size_t begin, std::size_t end, float squared_bound,
              float relaxation, Row* rows) {
   for (std::size_t b = begin; b < end; ++b) {
@@ -177,7 +191,7 @@ void add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, co
 }  // namespace
 
 const Kernels& scalar_kernels() {
-  static constexpr Kernels table = {predict, sweep, shorten, largest_ratios, wind, add_product};
+  static constexpr Kernels table = {predict, sweep, hold, shorten, largest_ratios, wind, add_product};
   return table;
 }
 

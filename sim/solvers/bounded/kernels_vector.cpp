@@ -169,6 +169,34 @@ void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* 
   }
 }
 
+/// Where rows k, k + 1, ... begin, counted in floats.
+HWY_INLINE std::array<std::uint32_t, lanes> rows_from(std::size_t k) {
+  std::array<std::uint32_t, lanes> at;
+  for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+    at[lane] = 4 * (static_cast<std::uint32_t>(k) + lane);
+  }
+  return at;
+}
+
+void hold(const TetherLanes& tethers, std::size_t begin, std::size_t end, const Row& pin_moved, Row* rows) {
+  const Floats f;
+  const Triple pin = {hn::Set(f, pin_moved.x), hn::Set(f, pin_moved.y), hn::Set(f, pin_moved.z)};
+  for (std::size_t k = begin; k < end; k += lanes) {
+    const auto at = rows_from(k);
+    const Four now = load_rows(&rows->x, at.data());
+    const Triple from_pin =
+        (as_coordinates(now) - pin) + as_coordinates(load_rows(&tethers.start[0].x, at.data()));
+    const V squared = dot(from_pin, from_pin);
+    const V limit = hn::Load(f, &tethers.squared_length[k]);
+    const V excess = hn::Sub(squared, limit);
+    const auto too_far = hn::Gt(excess, hn::Zero(f));
+    if (!hn::AllFalse(f, too_far)) {
+      const V error = hn::IfThenElseZero(too_far, hn::Div(excess, hn::Add(squared, limit)));
+      store_rows(now - as_rows(from_pin * error), &rows->x, at.data());
+    }
+  }
+}
+
 void shorten(const SpringLanes& springs, std::size_t begin, std::size_t end, float squared_bound,
              float relaxation, Row* rows) {
   const Floats f;
@@ -256,11 +284,7 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
     const Triple force = corner_force(air, load_corner(triangles, 0, k, start, current, previous),
                                       load_corner(triangles, 1, k, start, current, previous),
                                       load_corner(triangles, 2, k, start, current, previous));
-    std::array<std::uint32_t, lanes> in_place;
-    for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-      in_place[lane] = 4 * (static_cast<std::uint32_t>(k) + lane);
-    }
-    store_rows(as_rows(force), &corner_forces->x, in_place.data());
+    store_rows(as_rows(force), &corner_forces->x, rows_from(k).data());
   }
 }
 
@@ -282,7 +306,7 @@ void add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, co
 }
 
 const Kernels& kernel_table() {
-  static constexpr Kernels table = {predict, sweep, shorten, largest_ratios, wind, add_product};
+  static constexpr Kernels table = {predict, sweep, hold, shorten, largest_ratios, wind, add_product};
   return table;
 }
 

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <tuple>
+
+#include "sim/geodesics.hpp"
 
 namespace taut::sim::bounded {
 namespace {
@@ -14,12 +15,9 @@ std::size_t bound_spring_count(const Springs& springs) {
   return springs.begin_of(SpringKind::flexural);
 }
 
-std::span<const Edge> bound_springs(const Springs& springs) {
-  return std::span(springs.ends).first(bound_spring_count(springs));
-}
-
 void number_rows(const Garment& garment, Layout& layout) {
-  const std::vector<double> distances_m = distances_from_pins(garment);
+  const GeodesicDistances geodesics = geodesic_distances(garment.mesh, garment.adjacency, garment.pins);
+  const std::vector<double>& distances_m = geodesics.distances_m;
   std::vector<Index>& order = layout.vertex_of_row;
   order.resize(distances_m.size());
   std::iota(order.begin(), order.end(), Index{0});
@@ -30,6 +28,10 @@ void number_rows(const Garment& garment, Layout& layout) {
     layout.row_of_vertex[order[row]] = row;
     layout.distance_from_pins_m.push_back(distances_m[order[row]]);
     layout.inverse_masses_per_kg.push_back(static_cast<float>(garment.inverse_masses_per_kg[order[row]]));
+  }
+  for (const Index v : order) {
+    const Index pin = geodesics.nearest_sources[v];
+    layout.nearest_pin_row.push_back(pin == GeodesicDistances::no_source ? 0 : layout.row_of_vertex[pin]);
   }
   layout.inverse_masses_per_kg.resize(layout.row_count(), 0.0F);
   layout.pin_count = garment.pins.size();
@@ -169,34 +171,6 @@ TriangleLanes make_triangle_lanes(const Garment& garment, const Layout& layout) 
 }
 
 }  // namespace
-
-std::vector<double> distances_from_pins(const Garment& garment) {
-  const std::span<const Edge> edges = bound_springs(garment.springs);
-  const CompressedRows edges_at = edges_of_vertices(garment.mesh.positions.size(), edges);
-  std::vector<double> distances_m(garment.mesh.positions.size(), std::numeric_limits<double>::infinity());
-  using Reached = std::pair<double, Index>;
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
-  for (const Index pin : garment.pins) {
-    distances_m[pin] = 0.0;
-    front.emplace(0.0, pin);
-  }
-  while (!front.empty()) {
-    const auto [distance_m, v] = front.top();
-    front.pop();
-    if (distance_m > distances_m[v]) {
-      continue;
-    }
-    for (const Index e : edges_at[v]) {
-      const Index other = other_end(edges[e], v);
-      const double through_v_m = distance_m + garment.springs.rest_lengths_m[e];
-      if (through_v_m < distances_m[other]) {
-        distances_m[other] = through_v_m;
-        front.emplace(through_v_m, other);
-      }
-    }
-  }
-  return distances_m;
-}
 
 void start_springs(const std::vector<Vec3>& positions_m, SpringLanes& springs) {
   for (std::size_t lane = 0; lane < springs.lane_count(); ++lane) {

@@ -61,7 +61,8 @@ struct Layout {
   std::vector<Index> row_of_vertex;
   std::vector<float> inverse_masses_per_kg;  ///< by row; 0 for spare rows
   std::vector<double>
-      distance_from_pins_m;  ///< by row, along mesh edges; infinite where no pin can be reached
+      distance_from_pins_m;            ///< by row, along mesh edges; infinite where no pin can be reached
+  std::vector<Index> nearest_pin_row;  ///< by row; 0 where no pin can be reached
   std::size_t pin_count = 0;
   SpringLanes springs;
   TriangleLanes triangles;
@@ -69,16 +70,13 @@ struct Layout {
   double reach_springs = 0.0;  ///< the same counted in springs of mean length
 
   std::size_t vertex_count() const { return vertex_of_row.size(); }
-  /// Vertices and the spare rows of padding lanes.
-  std::size_t row_count() const { return vertex_count() + 2 * block_size; }
+  /// Vertices and the spare rows of padding lanes, whole blocks.
+  std::size_t row_count() const { return (vertex_count() + 3 * block_size - 1) / block_size * block_size; }
 };
 
 Layout make_layout(const Garment& garment);
 
 /// Sets L' at the start of a frame from positions by row.
 void start_springs(const std::vector<Vec3>& positions_m, SpringLanes& springs);
-
-/// Along the springs that are bound, for every vertex (Dijkstra 1959); infinite where no pin can be reached.
-std::vector<double> distances_from_pins(const Garment& garment);
 
 }  // namespace taut::sim::bounded

@@ -29,6 +29,13 @@ void Loops::shorten(const SpringLanes& springs, std::span<const std::uint32_t> b
   });
 }
 
+void Loops::hold(const TetherLanes& tethers, const Row& pin_moved, Row* rows) {
+  team_.split(0, tethers.squared_length.size() / block_size, 2 * least_blocks,
+              [&](std::size_t b, std::size_t e) {
+                kernels_.hold(tethers, b * block_size, e * block_size, pin_moved, rows);
+              });
+}
+
 void Loops::largest_ratios(const SpringLanes& springs, const Row* rows, float* squared_ratios) {
   team_.split(0, springs.block_count(), least_blocks, [&](std::size_t b, std::size_t e) {
     kernels_.largest_ratios(springs, b, e, rows, squared_ratios);

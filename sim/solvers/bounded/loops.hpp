@@ -20,6 +20,9 @@ class Loops {
   void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
                float relaxation, Row* rows);
 
+  /// Tethers of the rows [begin, end); a vertex whose tether is done twice is done as if once.
+  void hold(const TetherLanes& tethers, const Row& pin_moved, Row* rows);
+
   void largest_ratios(const SpringLanes& springs, const Row* rows, float* squared_ratios);
   void wind(const TriangleLanes& triangles, const AirFlow& air, const Row* start, const Row* current,
             const Row* previous, Row* corner_forces);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "sim/garment.hpp"
+#include "sim/solvers/bounded/kernels.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+
+namespace taut::sim::bounded {
+
+/// Long-range attachments (Kim, Chentanez and Mueller-Fischer 2012): no point of the cloth can be further
+/// from the nearest pin than the way along the cloth is long. What a sweep hands down from spring to spring,
+/// one a step, a tether brings to every vertex at once.
+///
+/// A bound on stretch lets tethers be a little longer.
+TetherLanes make_tethers(const Garment& garment, const Layout& layout, double max_stretch);
+
+/// Sets where each vertex is from its pin at the start of a frame, from positions by row.
+void start_tethers(const std::vector<Vec3>& positions_m, TetherLanes& tethers);
+
+}  // namespace taut::sim::bounded

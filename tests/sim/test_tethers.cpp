@@ -1,0 +1,104 @@
+// Threads along the cloth from its pins to every vertex.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/grid.hpp"
+#include "sim/simulation.hpp"
+#include "sim/solvers/bounded/tethers.hpp"
+
+namespace taut::sim {
+namespace {
+
+using namespace bounded;
+
+Garment pinned_sheet(Index count, const std::vector<Index>& pins) {
+  GridSettings grid;
+  grid.columns = grid.rows = count;
+  grid.width_m = grid.height_m = 1.0;
+  return make_garment(make_grid(grid), {}, pins);
+}
+
+std::vector<Index> top_row(Index count) {
+  std::vector<Index> pins(count);
+  for (Index column = 0; column < count; ++column) {
+    pins[column] = column;
+  }
+  return pins;
+}
+
+TEST(Tethers, TheClothAtRestReachesNone) {
+  const Garment garment = pinned_sheet(33, {0, 32});
+  const Layout layout = make_layout(garment);
+  TetherLanes tethers = make_tethers(garment, layout, 0.0);
+  std::vector<Vec3> rest(layout.vertex_count());
+  for (std::size_t row = 0; row < rest.size(); ++row) {
+    rest[row] = garment.mesh.positions[layout.vertex_of_row[row]];
+  }
+  start_tethers(rest, tethers);
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < rest.size(); ++row) {
+    const double length_m = glm::length(rest[row] - rest[tethers.pin[row]]);
+    EXPECT_GE(tethers.squared_length[row], length_m * length_m * (1.0 - 1e-6));
+    count += tethers.squared_length[row] < never_reached ? 1 : 0;
+  }
+  EXPECT_GT(count, rest.size() * 9 / 10) << "all but those next to the pins";
+}
+
+TEST(Tethers, AreAsLongAsTheBoundLets) {
+  const Garment garment = pinned_sheet(9, {0});
+  const Layout layout = make_layout(garment);
+  const std::size_t last = layout.vertex_count() - 1;
+  const double way2 = std::pow(layout.distance_from_pins_m[last], 2);
+  EXPECT_NEAR(make_tethers(garment, layout, 0.0).squared_length[last], way2, 1e-6);
+  EXPECT_NEAR(make_tethers(garment, layout, 0.004).squared_length[last], way2 * 1.002 * 1.002, 1e-6);
+  EXPECT_NEAR(make_tethers(garment, layout, 0.3).squared_length[last], way2 * 1.01 * 1.01, 1e-6);
+}
+
+TEST(Tethers, BringVerticesBackAndMoveWithThePins) {
+  const Garment garment = pinned_sheet(9, {0});
+  const Layout layout = make_layout(garment);
+  TetherLanes tethers = make_tethers(garment, layout, 0.0);
+  start_tethers(std::vector<Vec3>(layout.vertex_count(), Vec3(0.0)), tethers);
+  const Row pin_moved = {0.5F, 0.0F, 0.0F, 0.0F};
+  const std::size_t last = layout.vertex_count() - 1;
+  const double length_m = std::sqrt(tethers.squared_length[last]);
+  Rows rows(layout.row_count(), pin_moved);
+  const auto hung_at = [&](double distance_m) {
+    rows[last].x = static_cast<float>(0.5 + distance_m);
+    kernels_for(VectorUnit::scalar).hold(tethers, 0, layout.row_count(), pin_moved, rows.data());
+    return rows[last].x - 0.5;
+  };
+  EXPECT_FLOAT_EQ(static_cast<float>(hung_at(0.99 * length_m)), static_cast<float>(0.99 * length_m));
+  EXPECT_NEAR(hung_at(1.02 * length_m), length_m, 5e-4) << "to the second order of the error";
+}
+
+// A curtain: what tethers are for. Its hem hangs where inextensible cloth would have it,
+// or nearer to it, with as few steps.
+TEST(Tethers, FineClothHangsAtItsLengthWithFewSteps) {
+  const Index count = 65;
+  const Garment garment = pinned_sheet(count, top_row(count));
+  double sag_m[2];
+  for (const bool tethered : {false, true}) {
+    SimulationSettings settings;
+    settings.solver.kind = SolverKind::bounded;
+    settings.solver.max_stretch = 0.001;
+    settings.solver.substeps = 12;
+    settings.solver.tethers = tethered;
+    Simulation simulation(garment, settings, {});
+    for (int frame = 0; frame < 120; ++frame) {
+      simulation.advance_frame();
+    }
+    const Vec3& hem = simulation.state().current[garment.mesh.positions.size() - 1 - count / 2];
+    const Vec3& rest = garment.mesh.positions[garment.mesh.positions.size() - 1 - count / 2];
+    sag_m[tethered ? 1 : 0] = rest.y - hem.y;
+  }
+  EXPECT_LT(sag_m[1], 0.65 * sag_m[0]);
+  EXPECT_LT(sag_m[1], 0.022) << "of 1 m";
+  EXPECT_GT(sag_m[1], -0.002);
+}
+
+}  // namespace
+}  // namespace taut::sim

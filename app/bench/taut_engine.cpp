@@ -23,7 +23,7 @@ class TautEngine : public Engine {
     cost.cpu_ms = clock.elapsed_ms();
     const sim::FrameReport& report = simulation_.frame_report();
     cost.substeps = report.substeps;
-    cost.springs_projected = report.substeps * springs_in_a_step();
+    cost.springs_projected = springs_projected(report);
     cost.is_certified = report.bound_kept;
     return cost;
   }
@@ -32,14 +32,14 @@ class TautEngine : public Engine {
   std::span<const sim::Vec3> shown_positions() const override { return simulation_.shown_positions(); }
 
  private:
-  // What `bounded` does besides one sweep over the springs it binds is left out: bending, which are no
-  // projections, sweeps near the pins and the certificate.
-  double springs_in_a_step() const {
+  // Bending, which is no projection, and tethers are left out.
+  double springs_projected(const sim::FrameReport& report) const {
     const sim::SolverSettings& solver = simulation_.settings().solver;
     const sim::Springs& springs = simulation_.garment().springs;
     return solver.kind == sim::SolverKind::bounded
-               ? static_cast<double>(springs.begin_of(sim::SpringKind::flexural))
-               : static_cast<double>(springs.size()) * solver.iterations;
+               ? report.sweeps * static_cast<double>(springs.begin_of(sim::SpringKind::flexural))
+               : static_cast<double>(report.substeps * solver.iterations) *
+                     static_cast<double>(springs.size());
   }
 
   sim::Simulation simulation_;

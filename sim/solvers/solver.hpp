@@ -61,6 +61,8 @@ struct FrameReport {
   bool bound_kept = true;        ///< whether it could keep its promise in this frame
   double raw_max_stretch = 0.0;  ///< of the state, where a bound is promised
   double max_stretch = 0.0;      ///< of what is shown
+  /// `bounded`: over the springs that are bound, with those of frames begun again and of the certificate.
+  double sweeps = 0.0;
 };
 
 /// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20.

@@ -199,12 +199,14 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
   Certificate certificate;
   const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
   double largest_cost = 0.0;
+  double sweeps = 0.0;
   double shift = 0.0;
   do {
     run_substeps(garment, surroundings, state.time_s, frame_time_s, control.substeps());
     largest_cost = control.is_spent() ? last_resort_sweeps : costliest_certificate * control.substeps();
     certificate = cloth.certifier.certify(cloth.layout, cloth.motion.current, settings_.max_stretch,
                                           largest_cost, *loops_);
+    sweeps += control.substeps() + certificate.cost;
     shift = allowed_m > 0.0 ? certificate.largest_shift_m / allowed_m : 0.0;
   } while ((!certificate.kept || (shift > too_far && shift > further_than_before * cloth.shift)) &&
            control.try_more());
@@ -214,7 +216,7 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
   const int substeps = control.substeps();
   control.frame_kept(certificate.cost, shift);
   end_frame(surroundings, frame_time_s, substeps, state);
-  return {substeps, true, certificate.kept, certificate.raw_max_stretch, certificate.max_stretch};
+  return {substeps, true, certificate.kept, certificate.raw_max_stretch, certificate.max_stretch, sweeps};
 }
 
 }  // namespace taut::sim

@@ -1,0 +1,89 @@
+// The same shirt as three models: one fabric hangs alike however finely it is meshed.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "garment_file.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::test {
+namespace {
+
+const std::filesystem::path assets = TAUT_ASSETS_DIR;
+
+/// What can be said of a shape whatever its mesh, over its surface, in m.
+struct Shape {
+  double mean_height_m = 0.0;
+  double lowest_m = 0.0;
+  double width_m = 0.0;  ///< standard deviations
+  double height_m = 0.0;
+  double depth_m = 0.0;
+};
+
+Shape shape_of(const sim::Garment& garment, std::span<const sim::Vec3> positions) {
+  sim::Vec3 mean(0.0);
+  double mass_kg = 0.0;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    mean += garment.masses_kg[v] * positions[v];
+    mass_kg += garment.masses_kg[v];
+  }
+  mean /= mass_kg;
+  sim::Vec3 squares(0.0);
+  double lowest_m = mean.y;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    squares += garment.masses_kg[v] * (positions[v] - mean) * (positions[v] - mean);
+    lowest_m = std::min(lowest_m, positions[v].y);
+  }
+  squares /= mass_kg;
+  return {mean.y, lowest_m, std::sqrt(squares.x), std::sqrt(squares.y), std::sqrt(squares.z)};
+}
+
+Shape hung(const std::string& triangles, double max_stretch) {
+  const std::filesystem::path garments = assets / "garments";
+  const sim::Mesh mesh = read_obj(garments / ("tshirt_" + triangles + ".obj"));
+  const auto landmarks = read_landmarks(garments / ("tshirt_" + triangles + ".landmarks.toml"));
+  std::set<sim::Index> pins;
+  for (const char* const seam : {"left_shoulder_seam", "right_shoulder_seam", "back_neckline"}) {
+    pins.insert(landmarks.at(seam).begin(), landmarks.at(seam).end());
+  }
+  const sim::Garment garment = sim::make_garment(mesh, {}, {pins.begin(), pins.end()});
+  sim::SimulationSettings settings;
+  settings.solver.kind = sim::SolverKind::bounded;
+  settings.solver.max_stretch = max_stretch;
+  sim::Surroundings surroundings;
+  surroundings.forces.air_drag_per_s = 2.0;
+  sim::Simulation simulation(garment, settings, surroundings);
+  for (int frame = 0; frame < 360; ++frame) {
+    simulation.advance_frame();
+  }
+  return shape_of(garment, simulation.shown_positions());
+}
+
+/// How far a model may be from the finest: lengths in m, the others in parts.
+struct Tolerance {
+  std::string triangles;
+  double height_m;
+  double part;
+};
+
+// Edges of the coarsest are 4 cm long: its sleeves stand out a little further.
+TEST(Drape, OneFabricHangsAlikeOnAllModels) {
+  for (const double max_stretch : {0.05, 0.01}) {
+    const Shape fine = hung("10600", max_stretch);
+    for (const auto& [triangles, height_m, part] : {Tolerance{"5280", 0.004, 0.05}, {"1028", 0.011, 0.1}}) {
+      const Shape coarse = hung(triangles, max_stretch);
+      EXPECT_NEAR(coarse.mean_height_m, fine.mean_height_m, height_m) << triangles;
+      EXPECT_NEAR(coarse.lowest_m, fine.lowest_m, height_m) << triangles;
+      EXPECT_NEAR(coarse.width_m, fine.width_m, part * fine.width_m) << triangles;
+      EXPECT_NEAR(coarse.height_m, fine.height_m, 0.2 * part * fine.height_m) << triangles;
+      EXPECT_NEAR(coarse.depth_m, fine.depth_m, 2.0 * part * fine.depth_m) << triangles;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace taut::test

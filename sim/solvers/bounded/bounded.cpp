@@ -84,12 +84,13 @@ void BoundedSolver::begin_frame(const State& state) {
   for (Rows* rows : {&motion.start, &motion.current, &motion.previous, &cloth_->velocities}) {
     rows->resize(layout.row_count());
   }
+  const double steps_per_s = state.time_step_s > 0.0 ? 1.0 / state.time_step_s : 0.0;
   motion.origin_m = state.current[layout.vertex_of_row[0]];
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     const Index v = layout.vertex_of_row[row];
     motion.start_m[row] = state.current[v];
     motion.start[row] = row_of(state.current[v] - motion.origin_m);
-    cloth_->velocities[row] = row_of(velocity(state, v));
+    cloth_->velocities[row] = row_of((state.current[v] - state.previous[v]) * steps_per_s);
   }
   start_springs(motion.start_m, cloth_->layout.springs);
   start_tethers(motion.start_m, cloth_->tethers);

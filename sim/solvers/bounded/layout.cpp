@@ -81,7 +81,7 @@ std::vector<std::vector<SpringInRows>> coloured(const std::vector<SpringInRows>&
 }
 
 /// Weights grow by this power of e with every spring on the way to the pins.
-constexpr double certificate_weight_growth = 0.4;
+constexpr double certificate_weight_growth = 0.2;
 
 void measure_reach(const Garment& garment, Layout& layout) {
   const std::size_t count = bound_spring_count(garment.springs);

@@ -11,6 +11,7 @@ void bind_shared_inputs(const Program& program) {
   program.set("scalar_maps", static_cast<int>(scalar_maps_unit));
   program.set("drawn", static_cast<int>(drawn_unit));
   program.set("seen_map", static_cast<int>(seen_unit));
+  program.set("halved", static_cast<int>(halved_unit));
   program.set("floor_shadow", static_cast<int>(floor_shadow_unit));
   program.set("vertex_table", static_cast<int>(vertex_table_unit));
   program.set("triangle_table", static_cast<int>(triangle_table_unit));

@@ -18,7 +18,8 @@ inline constexpr unsigned vertex_table_unit = 6;
 inline constexpr unsigned triangle_table_unit = 7;
 inline constexpr unsigned look_table_unit = 8;
 inline constexpr unsigned floor_shadow_unit = 9;
-inline constexpr unsigned unit_count = 10;
+inline constexpr unsigned halved_unit = 10;
+inline constexpr unsigned unit_count = 11;
 
 /// Connects a program's uniform blocks and samplers to these slots.
 void bind_shared_inputs(const Program& program);

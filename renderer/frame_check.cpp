@@ -118,6 +118,7 @@ void check_settings(const PictureSettings& settings) {
   check_range("samples", settings.samples, 1, 64);
   check_range("supersampling", settings.supersampling, 1, 8);
   check_range("shadow_map_px", settings.shadow_map_px, 256, 8192);
+  check_range("shading_px", settings.shading_px, 1, 2);
   check_range("shadow_taps", settings.shadow_taps, 1, 64);
   check_range("sky_directions", settings.sky_directions, 0, 64);
 }

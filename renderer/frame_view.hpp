@@ -129,6 +129,8 @@ struct PictureSettings {
   bool shadows = true;
   /// Side of the square shadow map, 256 to 8192; less is taken where the picture is too small to show it.
   int shadow_map_px = 2048;
+  /// With one sample: side of the square of drawn pixels that are shaded as one, 1 or 2. Outlines stay sharp.
+  int shading_px = 1;
   /// Taps that soften a shadow's edge in each pixel, 1 to 64; fewer are grainy.
   int shadow_taps = 16;
   /// Directions that test how much sky each vertex sees, 0 to 64; odd numbers count as the next even one, 0:

@@ -84,7 +84,7 @@ struct SceneRenderer::Parts {
   void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
   void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame, int samples);
   void draw_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
-                   const FrameView& frame, int samples);
+                   const FrameView& frame, const PictureSettings& settings);
   void draw_marks(const FrameView& frame);
 };
 
@@ -149,24 +149,19 @@ void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
 // `place` is the tile's in the framebuffer. Marks have edges of their own between pixels: they are drawn
 // apart and laid over.
 void SceneRenderer::Parts::draw_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
-                                       const FrameView& frame, int samples) {
-  layer.begin(place.width_px, place.height_px, samples);
+                                       const FrameView& frame, const PictureSettings& settings) {
+  layer.begin(place.width_px, place.height_px, settings.samples);
   if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) {
     backdrop_pass.draw_floor_depth();
   }
   surface_pass.draw_seen(has_marks(frame));
-  const glm::ivec2 corner_px{place.x_px, place.y_px};
-  const auto aim = [&] {
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
-  };
-  aim();
-  surface_pass.shade(layer, block, place);
+  surface_pass.shade(layer, framebuffer, block, place, settings.shading_px > 1);
   if (!has_marks(frame)) return;
   layer.begin_marks();
   draw_marks(frame);
-  aim();
-  resolve_pass.draw(layer.marks(), layer.samples(), 1, corner_px);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
+  resolve_pass.draw(layer.marks(), layer.samples(), 1, {place.x_px, place.y_px});
 }
 
 void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame,
@@ -200,7 +195,7 @@ void SceneRenderer::Parts::draw_whole(GLuint framebuffer, FrameBlock& block, con
   if (area.width_px == 0) return;
   for (const Tile& tile : tiles_of(area, 1)) {
     set_tile_of(block, frame, settings, tile);
-    draw_things(framebuffer, place_of(tile, settings), block, frame, settings.samples);
+    draw_things(framebuffer, place_of(tile, settings), block, frame, settings);
   }
 }
 
@@ -213,7 +208,7 @@ void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView&
     set_tile_of(block, frame, settings, tile);
     large.begin(large_px.x, large_px.y);
     draw_behind(large.framebuffer(), block, frame, settings.samples);
-    draw_things(large.framebuffer(), {0, 0, large_px.x, large_px.y}, block, frame, settings.samples);
+    draw_things(large.framebuffer(), {0, 0, large_px.x, large_px.y}, block, frame, settings);
     const PixelRect place = place_of(tile, settings);
     gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
     gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);

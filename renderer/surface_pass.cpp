@@ -1,6 +1,6 @@
 #include "renderer/surface_pass.hpp"
 
-#include <array>
+#include <glm/common.hpp>
 
 #include "renderer/bindings.hpp"
 
@@ -12,15 +12,17 @@ namespace {
 constexpr std::size_t several_samples = 1;
 constexpr std::size_t data = 2;
 constexpr std::size_t open_to_shadow = 4;
-constexpr std::size_t variants = 8;
+// Instead of several samples.
+constexpr std::size_t halved = 8;
+constexpr std::size_t variants = 16;
 
-std::span<const std::string_view> defines(std::size_t variant) {
-  static constexpr std::array<std::string_view, 5> names{"DATA", "MULTISAMPLED", "OPEN", "DATA",
-                                                         "MULTISAMPLED"};
-  // Where in the row of names each variant starts, and how many it takes.
-  static constexpr std::array<std::array<std::size_t, 2>, variants> parts{
-      {{0, 0}, {1, 1}, {0, 1}, {0, 2}, {2, 1}, {1, 2}, {2, 2}, {2, 3}}};
-  return std::span(names).subspan(parts[variant][0], parts[variant][1]);
+std::vector<std::string_view> defines(std::size_t variant) {
+  std::vector<std::string_view> names;
+  if ((variant & several_samples) != 0) names.emplace_back("MULTISAMPLED");
+  if ((variant & data) != 0) names.emplace_back("DATA");
+  if ((variant & open_to_shadow) != 0) names.emplace_back("OPEN");
+  if ((variant & halved) != 0) names.emplace_back("HALVED");
+  return names;
 }
 
 }  // namespace
@@ -31,9 +33,13 @@ SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFil
       colour_maps(context),
       tables(context),
       square_arrays(context),
-      square_corners(context) {
-  for (std::size_t variant = 0; variant < variants; ++variant) {
-    shading.emplace_back(context, files, "squares.vert", "surface.frag", defines(variant));
+      square_corners(context),
+      stretching(context, files, "squares.vert", "surface_halved.frag"),
+      halved_colour(context),
+      halved_framebuffer(context) {
+  for (std::size_t variant = 0; variant < variants; ++variant) variant_defines.push_back(defines(variant));
+  for (const auto& names : variant_defines) {
+    shading.emplace_back(context, files, "squares.vert", "surface.frag", names);
   }
   gl->BindVertexArray(square_arrays.name());
   set_attribute(*gl, 0, square_corners, 2, 2, 0);
@@ -64,32 +70,77 @@ void SurfacePass::draw_seen(bool under_marks) {
   gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void SurfacePass::shade_squares(bool open, const LayerTarget& layer, const PixelRect& place) {
+void SurfacePass::draw_squares(bool open) {
   const std::vector<glm::vec2>& corners = squares.corners(open);
-  if (corners.empty()) return;
-  const std::size_t variant =
-      (layer.samples() > 1 ? several_samples : 0) + (any_data ? data : 0) + (open ? open_to_shadow : 0);
-  const Program& program = shading[variant].use();
-  program.set("corner", glm::ivec4{place.x_px, place.y_px, 0, 0});
-  program.set("samples_x", layer.samples_x());
-  program.set("samples_y", layer.samples_y());
   gl->BindVertexArray(square_arrays.name());
   upload(*gl, GL_ARRAY_BUFFER, square_corners, std::span<const glm::vec2>(corners));
   gl->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
 }
 
-void SurfacePass::shade(const LayerTarget& layer, const FrameBlock& block, const PixelRect& place) {
+void SurfacePass::shade_squares(std::size_t kind, const LayerTarget& layer, const glm::ivec2& corner_px) {
+  for (const bool open : {false, true}) {
+    if (squares.corners(open).empty()) continue;
+    const Program& program = shading[kind + (any_data ? data : 0) + (open ? open_to_shadow : 0)].use();
+    program.set("corner", glm::ivec4{corner_px, 0, 0});
+    program.set("samples_x", layer.samples_x());
+    program.set("samples_y", layer.samples_y());
+    draw_squares(open);
+  }
+}
+
+// Its size changes with every step of a garment: it only grows.
+void SurfacePass::begin_halved(const glm::ivec2& size_px) {
+  gl->BindFramebuffer(GL_FRAMEBUFFER, halved_framebuffer.name());
+  const glm::ivec2 roomy_px = glm::max(size_px, halved_px);
+  if (roomy_px != halved_px) {
+    halved_px = roomy_px;
+    bind_texture(*gl, halved_unit, GL_TEXTURE_2D, halved_colour);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, halved_px.x, halved_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                   nullptr);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+      gl->TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
+    }
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, halved_colour.name(), 0);
+    check_framebuffer(*gl, "halved surfaces");
+  }
+  gl->Viewport(0, 0, size_px.x, size_px.y);
+  gl->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+  gl->Clear(GL_COLOR_BUFFER_BIT);
+}
+
+void SurfacePass::shade_halved(const LayerTarget& layer, GLuint framebuffer, const PixelRect& place) {
+  begin_halved({place.width_px / 2, place.height_px / 2});
+  shade_squares(halved, layer, {0, 0});
+  gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl->Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
+  bind_texture(*gl, halved_unit, GL_TEXTURE_2D, halved_colour);
+  const Program& program = stretching.use();
+  program.set("corner", glm::ivec4{place.x_px, place.y_px, 0, 0});
+  program.set("halved_part", glm::vec4{0.5F / glm::vec2{halved_px}, 0.0F, 0.0F});
+  for (const bool open : {false, true}) draw_squares(open);
+}
+
+void SurfacePass::shade(const LayerTarget& layer, GLuint framebuffer, const FrameBlock& block,
+                        const PixelRect& place, bool halve) {
   if (tables.empty()) return;
+  gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl->Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
   squares.find(tables, block.world_to_clip, {place.width_px, place.height_px});
   const bool several = layer.samples() > 1;
   tables.bind();
-  layer.bind_seen();
+  // The map is made when it is first asked for, in the unit that happens to be active.
   if (any_data) bind_texture(*gl, scalar_maps_unit, GL_TEXTURE_2D, colour_maps.texture());
+  layer.bind_seen();
   gl->Disable(GL_DEPTH_TEST);
   // A single sample covers its pixel or does not: it is encoded by the shader, which is cheaper.
   if (several) begin_laying_over(*gl);
-  shade_squares(false, layer, place);
-  shade_squares(true, layer, place);
+  if (halve && !several && place.width_px % 2 == 0 && place.height_px % 2 == 0) {
+    shade_halved(layer, framebuffer, place);
+  } else {
+    shade_squares(several ? several_samples : 0, layer, {place.x_px, place.y_px});
+  }
   if (several) end_laying_over(*gl);
   gl->Enable(GL_DEPTH_TEST);
 }

@@ -26,21 +26,31 @@ class SurfacePass {
   /// Draws those of the last fill() into the layer that is bound; `under_marks`: such as lie on them will
   /// follow.
   void draw_seen(bool under_marks);
-  /// Lays what the layer has seen over the bound framebuffer, in which the layer's tile is `place`, as is the
-  /// viewport. `block` is the tile's.
-  void shade(const LayerTarget& layer, const FrameBlock& block, const PixelRect& place);
+  /// Binds the framebuffer and lays what the layer has seen over it. The layer's tile is `place` there, and
+  /// the viewport; `block` is the tile's. `halve`: with one sample, two by two pixels of an even tile are
+  /// shaded as one.
+  void shade(const LayerTarget& layer, GLuint framebuffer, const FrameBlock& block, const PixelRect& place,
+             bool halve);
 
  private:
-  void shade_squares(bool open, const LayerTarget& layer, const PixelRect& place);
+  void draw_squares(bool open);
+  void shade_squares(std::size_t kind, const LayerTarget& layer, const glm::ivec2& corner_px);
+  void begin_halved(const glm::ivec2& size_px);
+  void shade_halved(const LayerTarget& layer, GLuint framebuffer, const PixelRect& place);
 
   const GladGLContext* gl;
   LazyProgram seen;
+  std::vector<std::vector<std::string_view>> variant_defines;
   std::vector<LazyProgram> shading;  // by what defines() has
   ColourMapTexture colour_maps;
   SurfaceTables tables;
   CoveredSquares squares;
   VertexArray square_arrays;
   Buffer square_corners;
+  LazyProgram stretching;
+  Texture halved_colour;
+  Framebuffer halved_framebuffer;
+  glm::ivec2 halved_px{0};
   SurfaceLight surface_light;  // scratch
   bool any_data = false;
 };

@@ -29,6 +29,12 @@ struct Spot {
   vec2 sky;  // x: outside, y: inside
 };
 
+#ifdef HALVED
+const float shaded_px = 2.0;  // side of the square that is shaded as one, drawn pixels
+#else
+const float shaded_px = 1.0;
+#endif
+
 // Where a ray meets the triangle (Moeller and Trumbore 1997).
 Spot spot_on(uvec3 corners, vec3 ray) {
   ivec3 first = 3 * ivec3(corners);
@@ -40,8 +46,8 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   vec3 from_a = eye.xyz - a.xyz;
   mat3 shares = mat3(cross(ac, from_a), cross(from_a, ab), cross(ac, ab));
   vec3 middle = ray * shares;
-  vec3 right = middle + ray_across.xyz * shares;
-  vec3 above = middle + ray_up.xyz * shares;
+  vec3 right = middle + shaded_px * ray_across.xyz * shares;
+  vec3 above = middle + shaded_px * ray_up.xyz * shares;
   vec2 place = middle.xy / middle.z;
   vec2 across = right.xy / right.z - place;
   vec2 up = above.xy / above.z - place;
@@ -140,7 +146,18 @@ void main() {
 #else
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - corner.xy;
+#ifdef HALVED
+  // Whichever of the four sees something stands for all that do; surface_halved.frag keeps their outline.
+  pixel *= 2;
+  uvec4 four = uvec4(texelFetch(seen_map, pixel, 0).r, texelFetch(seen_map, pixel + ivec2(1, 0), 0).r,
+                     texelFetch(seen_map, pixel + ivec2(0, 1), 0).r, texelFetch(seen_map, pixel + ivec2(1, 1), 0).r);
+  bvec3 none = equal(four.xyz, uvec3(0u));
+  int i = !none.x ? 0 : !none.y ? 1 : !none.z ? 2 : 3;
+  uint seen = four[i];
+  pixel += ivec2(i & 1, i >> 1);
+#else
   uint seen = texelFetch(seen_map, pixel, 0).r;
+#endif
   if (seen == 0u) discard;
   vec3 ray = ray_through(vec2(pixel) + 0.5);
   vec3 light = shaded(texelFetch(triangle_table, triangle_of(seen)), is_front(seen), ray);

@@ -11,20 +11,21 @@ struct PictureQuality {
   int shadow_map_px = 2048;
   int shadow_taps = 16;
   int sky_directions = 24;
+  int shading_px = 1;  ///< side of the square of pixels that are shaded as one
   float scale = 1.0F;  ///< of the drawing's width and height to the window's
 
   bool operator==(const PictureQuality&) const = default;
 };
 
-/// From best to cheapest: first the sky's shade and the size of shadows give way, then samples, and only then
-/// the resolution.
-inline constexpr std::array<PictureQuality, 7> picture_qualities = {{{4, 2048, 16, 24, 1.0F},
-                                                                     {4, 1024, 16, 12, 1.0F},
-                                                                     {1, 1024, 8, 6, 1.0F},
-                                                                     {1, 512, 6, 6, 1.0F},
-                                                                     {1, 512, 6, 6, 0.65F},
-                                                                     {1, 512, 6, 6, 0.5F},
-                                                                     {1, 256, 6, 0, 0.5F}}};
+/// From best to cheapest: first the sky's shade and the size of shadows give way, then samples, then the
+/// resolution of the surfaces' shading, and only then that of the picture.
+inline constexpr std::array<PictureQuality, 7> picture_qualities = {{{4, 2048, 16, 24, 1, 1.0F},
+                                                                     {4, 1024, 16, 12, 1, 1.0F},
+                                                                     {1, 1024, 8, 6, 1, 1.0F},
+                                                                     {1, 512, 6, 6, 2, 1.0F},
+                                                                     {1, 256, 6, 4, 2, 1.0F},
+                                                                     {1, 256, 6, 4, 2, 0.65F},
+                                                                     {1, 256, 6, 0, 2, 0.5F}}};
 
 /// Chooses the quality by how long frames took: 30 of them a second, as well as that allows.
 class QualityControl {

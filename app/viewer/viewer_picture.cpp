@@ -125,6 +125,7 @@ void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, c
   settings.samples = quality.samples;
   settings.supersampling = 1;
   settings.shadow_map_px = quality.shadow_map_px;
+  settings.shading_px = quality.shading_px;
   settings.shadow_taps = quality.shadow_taps;
   settings.sky_directions = quality.sky_directions;
   const auto scaled = [&](int side_px) {

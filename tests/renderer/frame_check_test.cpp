@@ -50,6 +50,12 @@ TEST_F(FrameCheckTest, BadFramesAreRefusedByName) {
   settings.width_px = 0;
   const auto draw_nothing = [&] { renderer.draw(triangle_frame(), settings); };
   EXPECT_NE(refusal(draw_nothing).find("width_px is 0"), std::string::npos) << refusal(draw_nothing);
+  settings = small_picture();
+  settings.shading_px = 3;
+  EXPECT_NE(refusal(draw_nothing).find("shading_px is 3"), std::string::npos) << refusal(draw_nothing);
+  settings.shading_px = 1;
+  settings.shadow_taps = 0;
+  EXPECT_NE(refusal(draw_nothing).find("shadow_taps is 0"), std::string::npos) << refusal(draw_nothing);
 }
 
 }  // namespace

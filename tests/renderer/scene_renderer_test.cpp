@@ -286,6 +286,56 @@ TEST_F(SceneRendererTest, TilesOfALargePictureFitTogether) {
   EXPECT_LT(sum / static_cast<double>(tiled.pixels.size()), 0.3);
 }
 
+// Two sheets, one in part in the other's shadow.
+TEST_F(SceneRendererTest, ShadingTwoByTwoPixelsAsOneKeepsOutlinesAndNearlyAllColours) {
+  const Sheet sheet;
+  FrameView frame = sheet.frame();
+  const std::array<glm::vec3, 4> lower{
+      {{-0.9F, 0.3F, 0.5F}, {0.3F, 0.3F, 0.5F}, {0.3F, 0.3F, -0.5F}, {-0.9F, 0.3F, -0.5F}}};
+  frame.surfaces.push_back(frame.surfaces[0]);
+  frame.surfaces[1].positions = lower;
+  frame.surfaces[1].casts_shadow = false;
+  frame.backdrop.plain = true;
+  frame.backdrop.lower_colour = rgb(0xFF00FF);
+  const std::array<float, 4> values{0.0F, 0.3F, 0.6F, 1.0F};
+  PictureSettings settings = small_picture();
+  settings.samples = 1;
+  settings.width_px = 480;
+  settings.height_px = 320;
+  for (const bool numbers : {false, true}) {
+    if (numbers) frame.surfaces[0].scalars = ScalarColours{values};
+    settings.shading_px = 1;
+    const Image fine = renderer.draw(frame, settings);
+    settings.shading_px = 2;
+    const Image halved = renderer.draw(frame, settings);
+    int far = 0;
+    int near = 0;
+    for (int y = 0; y < fine.height_px; ++y) {
+      for (int x = 0; x < fine.width_px; ++x) {
+        const std::uint8_t* a = fine.at(x, y);
+        const std::uint8_t* b = halved.at(x, y);
+        ASSERT_EQ(a[0] == 255 && a[1] == 0 && a[2] == 255, b[0] == 255 && b[1] == 0 && b[2] == 255)
+            << x << "," << y << " numbers " << numbers;
+        const int difference = std::abs(a[1] - b[1]);
+        far += difference > 12 ? 1 : 0;
+        near += difference > 0 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(near, 100);
+    EXPECT_LT(far, 600) << "numbers " << numbers;
+  }
+}
+
+TEST_F(SceneRendererTest, TheFirstPictureOfNumbersIsAsTheSecond) {
+  FrameView frame = triangle_frame();
+  const std::array<float, 3> values{0.0F, 0.5F, 1.0F};
+  frame.surfaces[0].scalars = ScalarColours{values};
+  PictureSettings settings = small_picture();
+  settings.samples = 1;
+  const Image first = renderer.draw(frame, settings);
+  EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels);
+}
+
 TEST_F(SceneRendererTest, ScalarsShowTheColourMap) {
   constexpr std::array low{0.0F, 0.0F, 0.0F};
   constexpr std::array high{5.0F, 5.0F, 5.0F};

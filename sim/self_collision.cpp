@@ -1,32 +1,40 @@
 #include "sim/self_collision.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "sim/strong_constraint.hpp"
 
 namespace taut::sim {
 namespace {
 
-/// The skin as a multiple of the thickness: more means longer lists, made less often.
-constexpr double skin_per_thickness = 1.0;
+/// The skin as a multiple of the thickness: more means longer lists, made less often. Most of what is near is
+/// of the same layer, so that longer lists cost more than they save.
+constexpr double skin_per_thickness = 0.35;
 
-using Cell = std::array<std::int64_t, 3>;
+using Cell = std::array<std::uint64_t, 3>;
 
-Cell cell_of(const Vec3& position, double cell_m) {
-  return {static_cast<std::int64_t>(std::floor(position.x / cell_m)),
-          static_cast<std::int64_t>(std::floor(position.y / cell_m)),
-          static_cast<std::int64_t>(std::floor(position.z / cell_m))};
+/// Which cell a position is in; cells repeat along every axis after a power of two of them.
+Cell cell_of(const Vec3& position, double cell_m, std::uint64_t cells_per_axis) {
+  Cell cell;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto index = static_cast<std::int64_t>(std::floor(position[axis] / cell_m));
+    cell[axis] = static_cast<std::uint64_t>(index) & (cells_per_axis - 1);
+  }
+  return cell;
 }
 
-std::size_t bucket_of(const Cell& cell, std::size_t bucket_count) {
-  std::uint64_t h = 0;
-  for (const std::int64_t c : cell) {
-    h = (h ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15ULL;
-    h ^= h >> 29;
+/// About as many cells as vertices or more, and no fewer than four along an axis, so that no two neighbours
+/// of a cell are the same.
+std::uint64_t enough_cells_per_axis(std::size_t vertex_count) {
+  std::uint64_t cells_per_axis = 4;
+  while (cells_per_axis * cells_per_axis * cells_per_axis < 2 * vertex_count) {
+    cells_per_axis *= 2;
   }
-  return h % bucket_count;
+  return cells_per_axis;
 }
 
 double squared_distance(const Vec3& a, const Vec3& b) {
@@ -48,46 +56,58 @@ bool NeighbourList::is_current(std::span<const Vec3> positions, double thickness
   return true;
 }
 
-void NeighbourList::sort_into_cells(std::span<const Vec3> positions, double cell_m) {
-  const std::size_t bucket_count = 2 * positions.size() + 1;
-  bucket_begin_.assign(bucket_count + 1, 0);
-  sorted_.resize(positions.size());
-  for (const Vec3& p : positions) {
-    ++bucket_begin_[bucket_of(cell_of(p, cell_m), bucket_count) + 1];
+void NeighbourList::sort_into_cells(double cell_m) {
+  cells_per_axis_ = enough_cells_per_axis(made_at_.size());
+  cell_begin_.assign(cells_per_axis_ * cells_per_axis_ * cells_per_axis_ + 1, 0);
+  std::vector<std::size_t> cells;
+  cells.reserve(made_at_.size());
+  for (const Vec3& p : made_at_) {
+    const auto [x, y, z] = cell_of(p, cell_m, cells_per_axis_);
+    cells.push_back((z * cells_per_axis_ + y) * cells_per_axis_ + x);
+    ++cell_begin_[cells.back() + 1];
   }
-  for (std::size_t b = 0; b < bucket_count; ++b) {
-    bucket_begin_[b + 1] += bucket_begin_[b];
-  }
-  std::vector<Index> next(bucket_begin_.begin(), bucket_begin_.end() - 1);
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    sorted_[next[bucket_of(cell_of(positions[v], cell_m), bucket_count)]++] = static_cast<Index>(v);
+  std::partial_sum(cell_begin_.begin(), cell_begin_.end(), cell_begin_.begin());
+  sorted_.resize(made_at_.size());
+  sorted_positions_.resize(made_at_.size());
+  std::vector<Index> next(cell_begin_.begin(), cell_begin_.end() - 1);
+  for (Index v = 0; v < made_at_.size(); ++v) {
+    const Index place = next[cells[v]]++;
+    sorted_[place] = v;
+    sorted_positions_[place] = made_at_[v];
   }
 }
 
 void NeighbourList::collect_pairs(std::span<const Vec3> rest_positions, double thickness_m, double reach_m) {
   pairs_.clear();
-  const std::size_t bucket_count = bucket_begin_.size() - 1;
   const double cloth_neighbour_m = 2.0 * thickness_m;
+  const std::uint64_t last = cells_per_axis_ - 1;
   for (Index v = 0; v < made_at_.size(); ++v) {
     const std::size_t first_of_v = pairs_.size();
-    const Cell centre = cell_of(made_at_[v], reach_m);
-    for (int neighbour = 0; neighbour < 27; ++neighbour) {
-      const std::size_t b = bucket_of(
-          {centre[0] + neighbour % 3 - 1, centre[1] + neighbour / 3 % 3 - 1, centre[2] + neighbour / 9 - 1},
-          bucket_count);
-      for (Index k = bucket_begin_[b]; k < bucket_begin_[b + 1]; ++k) {
+    const Vec3 position = made_at_[v];
+    const auto look_through = [&](std::size_t first_cell, std::size_t end_cell) {
+      for (Index k = cell_begin_[first_cell]; k < cell_begin_[end_cell]; ++k) {
         const Index other = sorted_[k];
-        if (other > v && squared_distance(made_at_[v], made_at_[other]) < reach_m * reach_m &&
+        if (other > v && squared_distance(position, sorted_positions_[k]) < reach_m * reach_m &&
             squared_distance(rest_positions[v], rest_positions[other]) >
                 cloth_neighbour_m * cloth_neighbour_m) {
           pairs_.push_back({v, other});
         }
       }
+    };
+    const auto [x, y, z] = cell_of(position, reach_m, cells_per_axis_);
+    for (std::uint64_t neighbour = 0; neighbour < 9; ++neighbour) {
+      const std::uint64_t other_y = (y + neighbour % 3 - 1) & last;
+      const std::uint64_t other_z = (z + neighbour / 3 - 1) & last;
+      const std::size_t row = (other_z * cells_per_axis_ + other_y) * cells_per_axis_;
+      // Three cells side by side, of which one can be around the corner.
+      look_through(row + (x == 0 ? 0 : x - 1), row + std::min(x + 2, cells_per_axis_));
+      if (x == 0) {
+        look_through(row + last, row + last + 1);
+      } else if (x == last) {
+        look_through(row, row + 1);
+      }
     }
-    // Two of the 27 cells can share a bucket.
     std::sort(pairs_.begin() + static_cast<std::ptrdiff_t>(first_of_v), pairs_.end());
-    pairs_.erase(std::unique(pairs_.begin() + static_cast<std::ptrdiff_t>(first_of_v), pairs_.end()),
-                 pairs_.end());
   }
 }
 
@@ -99,7 +119,7 @@ void NeighbourList::update(std::span<const Vec3> rest_positions, std::span<const
   const double reach_m = (1.0 + skin_per_thickness) * thickness_m;
   made_at_.assign(positions.begin(), positions.end());
   made_for_thickness_m_ = thickness_m;
-  sort_into_cells(positions, reach_m);
+  sort_into_cells(reach_m);
   collect_pairs(rest_positions, thickness_m, reach_m);
 }
 

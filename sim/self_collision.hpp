@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,15 +20,17 @@ class NeighbourList {
 
  private:
   bool is_current(std::span<const Vec3> positions, double thickness_m) const;
-  void sort_into_cells(std::span<const Vec3> positions, double cell_m);
+  void sort_into_cells(double cell_m);
   void collect_pairs(std::span<const Vec3> rest_positions, double thickness_m, double reach_m);
 
   std::vector<Edge> pairs_;
   std::vector<Vec3> made_at_;
   double made_for_thickness_m_ = 0.0;
-  // A hash table of cells: vertices of bucket b are sorted_[bucket_begin_[b]] up to bucket_begin_[b + 1].
-  std::vector<Index> bucket_begin_;
+  // Vertices of cell c are sorted_[cell_begin_[c]] up to cell_begin_[c + 1]; far away, cells begin again.
+  std::uint64_t cells_per_axis_ = 0;
+  std::vector<Index> cell_begin_;
   std::vector<Index> sorted_;
+  std::vector<Vec3> sorted_positions_;
 };
 
 /// Moves the two vertices of every pair that is closer than the thickness apart to it, along the line

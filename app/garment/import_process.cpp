@@ -197,9 +197,9 @@ void limit(decltype(RLIMIT_AS) resource, std::size_t most) {
 }
 
 void keep_to(const ImportLimits& limits) {
-#if !defined(__SANITIZE_ADDRESS__)  // which reserves terabytes
-  limit(RLIMIT_AS, limits.memory_mib << 20U);
-#endif
+  if (memory_is_limited) {
+    limit(RLIMIT_AS, limits.memory_mib << 20U);
+  }
   limit(RLIMIT_CPU, static_cast<std::size_t>(limits.seconds));
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);

@@ -143,7 +143,9 @@ void lay_out_key_sheet(ViewerState& state, const ViewArea& area) {
 namespace {
 
 void legend_of_stretch(const ViewerState& state, float scale) {
-  const auto [low, high] = state.scene.picture.stretch_range;
+  // Not a structured binding, which Clang before 16 does not let a lambda capture.
+  const double low = state.scene.picture.stretch_range[0];
+  const double high = state.scene.picture.stretch_range[1];
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size = {14.0F * scale, 170.0F * scale};
   ImDrawList& list = *ImGui::GetWindowDrawList();

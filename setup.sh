@@ -22,6 +22,7 @@ packages=(
   libglfw3-dev        # the window
   libglm-dev
   libimgui-dev        # what is in it
+  libminizip-dev      # reads the unit of 3MF files
   libqhull-dev        # triangulates the sewing pattern
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0

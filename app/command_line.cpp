@@ -278,7 +278,13 @@ std::function<Command()> add_inspect(CLI::App& app) {
       ->required();
   add_garment_arguments(*command, arguments->scene);
   command->add_flag("--json", arguments->options.json, "for programs");
-  command->footer("Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.stl --units mm --up z --json\n");
+  command->add_option(
+      "--picture", arguments->options.picture,
+      "PNG file: the garment with its springs by kind, what holds it, its borders and defects");
+  add_backend(*command, arguments->options.backend);
+  command->footer(
+      "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --picture shirt.png\n  taut inspect "
+      "shirt.stl --units mm --up z --json\n");
   return [arguments] {
     InspectOptions options = arguments->options;
     options.overrides = overrides_of(arguments->scene);

@@ -1,7 +1,10 @@
 #include <fmt/core.h>
 
 #include "app/commands/options.hpp"
+#include "app/drawing/inspection_picture.hpp"
 #include "app/garment/inspection.hpp"
+#include "app/errors.hpp"
+#include "app/output/files.hpp"
 #include "app/output/run_report.hpp"
 
 namespace taut::app {
@@ -10,8 +13,20 @@ int run(const InspectOptions& options) {
   Scene scene;
   scene.garment.file = options.garment;
   apply_overrides(options.overrides, scene);
-  const Inspection inspection = inspect_garment(scene);
+  if (!options.picture.empty()) {
+    if (options.picture.extension() != ".png") {
+      throw UsageError("--picture " + options.picture.string() + ": expected a name that ends in .png");
+    }
+    prepare_folder_of(options.picture);
+  }
+  const LoadedGarment loaded = load_garment(scene);
+  const Inspection inspection = inspect_garment(scene, loaded);
   fmt::print("{}", options.json ? inspection_json(inspection) : describe(inspection));
+  if (!options.picture.empty()) {
+    renderer::write_png(options.picture, draw_inspection(inspection, loaded, scene, options.backend));
+    // Programs that read the report get nothing else.
+    fmt::print(options.json ? stderr : stdout, "wrote {}\n", options.picture.string());
+  }
   return 0;
 }
 

@@ -79,6 +79,8 @@ struct InspectOptions {
   std::filesystem::path garment;
   std::vector<Override> overrides;
   bool json = false;
+  std::filesystem::path picture;  ///< empty: none
+  std::string backend = "auto";
 };
 
 /// The program as its own importer (import_process.hpp).

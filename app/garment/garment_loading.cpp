@@ -1,5 +1,10 @@
 #include "app/garment/garment_loading.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -10,14 +15,43 @@
 namespace taut::app {
 namespace {
 
+// A garment has edges of a thousandth of its size. Of edges a thousand times shorter than this part of it,
+// double precision leaves nothing to measure stretch with.
+constexpr double shortest_half_of_edges = 1e-9;
+
+// One damaged coordinate can be 1e38 times as far away as all others.
+void require_one_size(const sim::Mesh& mesh) {
+  sim::Vec3 lower = mesh.positions.front(), upper = lower;
+  for (const sim::Vec3& position : mesh.positions) {
+    lower = glm::min(lower, position);
+    upper = glm::max(upper, position);
+  }
+  std::vector<double> lengths;
+  lengths.reserve(mesh.triangles.size());
+  for (const sim::Triangle& t : mesh.triangles) {
+    lengths.push_back(glm::distance(mesh.positions[t[0]], mesh.positions[t[1]]));
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double size = glm::distance(lower, upper);
+  if (*middle < shortest_half_of_edges * size) {
+    throw std::invalid_argument(fmt::format(
+        "it reaches over {:.3g} of its units, but half of its edges are shorter than {:.3g}; expected all "
+        "vertices in one place, so one of them may be damaged",
+        size, *middle));
+  }
+}
+
 sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded) {
   ImportedModel& model = loaded.model.emplace(import_garment(source.file));
-  const sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
+  sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   const std::optional<double> scale = source.scale > 0.0 ? std::optional(source.scale) : std::nullopt;
   loaded.placement = place_model(soup, {scale, source.up, model.metres_per_unit, model.up});
   try {
     sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m / loaded.placement->scale});
     loaded.repairs = valid.report;
+    require_one_size(valid.mesh);
+    model.positions = std::move(soup.positions);
     for (sim::Vec3& position : valid.mesh.positions) {
       position = (*loaded.placement)(position);
     }

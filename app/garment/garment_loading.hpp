@@ -16,7 +16,7 @@ struct LoadedGarment {
   sim::Garment garment;
   Landmarks landmarks;
   // Of a model file; a grid is made, not read.
-  std::optional<ImportedModel> model;
+  std::optional<ImportedModel> model;  ///< with its positions, without its triangles
   std::optional<sim::MeshReport> repairs;
   std::optional<Placement> placement;
   std::optional<Hanging> hanging;  ///< where the scene does not say what is held

@@ -84,12 +84,11 @@ std::string describe_size(const Inspection& i) {
 
 }  // namespace
 
-Inspection inspect_garment(const Scene& scene) {
-  LoadedGarment loaded = load_garment(scene);
+Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   const sim::Garment& garment = loaded.garment;
   Inspection result;
   result.file = scene.garment.file.string();
-  result.model = std::move(*loaded.model);
+  result.model = *loaded.model;
   result.model.positions.clear();
   result.model.triangles.clear();
   result.repairs = *loaded.repairs;

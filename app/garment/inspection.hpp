@@ -39,8 +39,8 @@ struct Inspection {
   std::vector<std::string> remarks;  ///< what a user should look at
 };
 
-/// Throws InputError as load_garment does.
-Inspection inspect_garment(const Scene& scene);
+/// Of a garment that was read from a file.
+Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded);
 
 /// For people.
 std::string describe(const Inspection& inspection);

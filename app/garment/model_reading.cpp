@@ -5,8 +5,13 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <cctype>
+#include <fstream>
+#include <iterator>
 
 #include "app/errors.hpp"
+#include "app/garment/obj_reading.hpp"
+#include "app/garment/unit_of_3mf.hpp"
 
 namespace taut::app {
 namespace {
@@ -91,7 +96,7 @@ bool contains(const std::string& text, const char* part) {
   return text.find(part) != std::string::npos;
 }
 
-void read_units(const aiScene& scene, ModelArrays& model) {
+void read_units(const aiScene& scene, const std::filesystem::path& path, ModelArrays& model) {
   if (contains(model.format, "FBX") && scene.mMetaData != nullptr) {
     read_fbx_settings(*scene.mMetaData, model);
   } else if (contains(model.format, "glTF") || contains(model.format, "Collada")) {
@@ -100,6 +105,7 @@ void read_units(const aiScene& scene, ModelArrays& model) {
     model.up = ModelAxis::y;
   } else if (contains(model.format, "3mf") || contains(model.format, "3MF")) {
     model.up = ModelAxis::z;
+    model.metres_per_unit = unit_of_3mf(path);
   }
 }
 
@@ -116,9 +122,19 @@ std::string reason_of(std::string reason, const std::string& file) {
   return reason;
 }
 
-}  // namespace
+std::string in_lower_case(std::string text) {
+  for (char& letter : text) {
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return text;
+}
 
-ModelArrays read_model(const std::filesystem::path& path) {
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+ModelArrays read_with_assimp(const std::filesystem::path& path) {
   // Never destroyed: of some files (3MF with textures) it reads all there is and crashes while clearing away.
   Assimp::Importer& importer = *new Assimp::Importer;
   const aiScene* scene = importer.ReadFile(path.string(), 0);
@@ -131,9 +147,20 @@ ModelArrays read_model(const std::filesystem::path& path) {
   ModelArrays model;
   model.format = format_of(importer);
   model.meshes = scene->mNumMeshes;
-  read_units(*scene, model);
+  read_units(*scene, path, model);
   append_node(*scene, *scene->mRootNode, aiMatrix4x4(), model);
   return model;
+}
+
+}  // namespace
+
+ModelArrays read_model(const std::filesystem::path& path) {
+  if (in_lower_case(path.extension().string()) == ".obj") {
+    if (std::optional<ModelArrays> model = read_obj(content_of(path))) {
+      return std::move(*model);
+    }
+  }
+  return read_with_assimp(path);
 }
 
 }  // namespace taut::app

@@ -51,7 +51,7 @@ TEST(RunReport, NamesNoRendererWhereNothingWasDrawn) {
 TEST(Inspection, MeasuresTheTShirt) {
   Scene scene;
   scene.garment.file = TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj";
-  const Inspection inspection = inspect_garment(scene);
+  const Inspection inspection = inspect_garment(scene, load_garment(scene));
   EXPECT_EQ(inspection.triangles, 1028U);
   EXPECT_EQ(inspection.topology.components, 1U);
   EXPECT_EQ(inspection.topology.boundary_loops, 4U);

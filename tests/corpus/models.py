@@ -28,7 +28,7 @@ def in_every_format():
     sheet, soup = s.sheet(), s.sheet(quads=False)
     same = {'vertices': 48, 'triangles': 70, 'topology.components': 1, 'topology.boundary_loops': 1,
             'springs.structural': 117, 'placement.up': 'y', 'area_m2': 0.48}
-    yield Model('sheet.obj', w.obj(sheet), {**same, 'import.quads': 35, 'repairs.welded_vertices': 92})
+    yield Model('sheet.obj', w.obj(sheet), {**same, 'import.quads': 35, 'repairs.welded_vertices': 0})
     yield Model('sheet.ply', w.ply(sheet), {**same, 'import.quads': 35})
     yield Model('sheet_binary.ply', w.ply_binary(sheet), same)
     yield Model('sheet.stl', w.stl(soup), {**same, 'repairs.welded_vertices': 162})
@@ -40,7 +40,7 @@ def in_every_format():
                 {**same, 'placement.metres_per_unit': 0.01, 'placement.unit': 'centimetre, as the file says'})
     yield Model('sheet.off', w.off(sheet), same)
     yield Model('sheet.3mf', lambda path: w.x3mf(sheet.scaled(1000).with_z_up(), path),
-                {**same, 'placement.up': 'z', 'placement.metres_per_unit': 0.001})
+                {**same, 'placement.up': 'z', 'placement.unit': 'millimetre, as the file says'})
 
 
 def units_and_axes():
@@ -51,6 +51,9 @@ def units_and_axes():
     yield Model('tube_asked.obj', w.obj(tube.scaled(30)), {'placement.metres_per_unit': 0.0254},
                 options=['--units', 'in'])
     yield Model('inches.fbx', w.fbx(sheet.scaled(1 / 0.0254), 2.54), {'placement.metres_per_unit': 0.0254})
+    yield Model('inches.3mf', lambda path: w.x3mf(sheet.scaled(1 / 0.0254), path, 'unit="inch"'),
+                {'placement.metres_per_unit': 0.0254, 'placement.unit': 'inch, as the file says'})
+    yield Model('no_unit.3mf', lambda path: w.x3mf(sheet.scaled(1000), path, ''), {'placement.metres_per_unit': 0.001})
     yield Model('z_up.fbx', w.fbx(sheet.with_z_up().scaled(100), 1.0, 2),
                 {'placement.up': 'z', 'placement.up_from': 'z, as the file says'})
     yield Model('z_up.dae', w.dae(sheet.with_z_up().scaled(1000), 0.001, 'Z_UP'), {'area_m2': 0.48})
@@ -126,6 +129,10 @@ def errors():
     yield Model('nothing.obj', b'', error='is empty')
     yield Model('prose.obj', b'Once upon a time there was a dress.\n', error='cannot read a garment')
     yield Model('points.obj', w.obj(s.Shape(s.sheet().points, [])), error='cannot read a garment')
+    yield Model('damaged.obj', w.obj(s.sheet()).replace(b'-0.3 0 0', b'-0.3 zero 0', 1),
+                error="line 1: found 'zero', expected a coordinate")
+    yield Model('wrong_index.obj', w.obj(s.triangle()).replace(b'f 1 2 3', b'f 1 2 9'),
+                error='line 4: a face uses vertex 9 of a model that has 3')
     yield Model('line.obj', b'v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\n', error='it has no faces')
     yield Model('flat_to_a_line.obj', w.obj(s.sheet().mapped(lambda x, y, z: (x, 0, 0))), error='no triangle with an area')
     yield Model('one_place.ply', w.ply(s.sheet().scaled(0)), error='no triangle with an area')
@@ -137,6 +144,8 @@ def errors():
     yield Model('cut_off.dae', w.dae(s.sheet())[:500], error='cannot read a garment')
     yield Model('vast_count.stl', b'cloth'.ljust(80, b' ') + b'\xff\xff\xff\x7f' + b'\0' * 50, error='cannot read a garment')
     yield Model('picture.png', b'\x89PNG\r\n\x1a\n' + b'\0' * 64, error="cannot read a garment|no PNG picture")
+    yield Model('one_vertex_far_away.obj', w.obj(s.sheet()).replace(b'v -0.3 0 0', b'v -1e30 0 0', 1),
+                error='reaches over 1e.30 of its units, but half of its edges')
     yield Model('far_too_far.ply', w.ply(s.sheet().moved(1e9, 0, 0)), error='no triangle with an area')
 
 

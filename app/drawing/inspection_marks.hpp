@@ -1,0 +1,26 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "app/garment/garment_loading.hpp"
+#include "renderer/colour.hpp"
+
+namespace taut::app {
+
+/// Lines or dots of one meaning in the picture of an inspection.
+struct InspectionMarks {
+  std::string meaning;  ///< for the legend, with how many there are
+  renderer::Colour colour{0.0F};
+  float width_px = 1.0F;               ///< of lines, diameter of dots
+  float opacity = 1.0F;                ///< of lines
+  bool dots = false;                   ///< one point each; else two points for each line
+  bool seen_through = false;           ///< drawn over surfaces that hide them: few and important
+  std::vector<glm::vec3> points = {};  ///< metres, in the scene
+};
+
+/// All that there are, those below first. `spring_width_px` is that of structural springs.
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, float spring_width_px);
+
+}  // namespace taut::app

@@ -1,0 +1,37 @@
+// Any text as an OBJ file and as the model part of a 3MF file: nothing but InputError may come of it, and
+// faces that are read name vertices that are there.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
+#include <string_view>
+
+#include "app/errors.hpp"
+#include "app/garment/obj_reading.hpp"
+#include "app/garment/unit_of_3mf.hpp"
+
+using namespace taut::app;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  if (const auto metres = unit_of_model_part(text); metres && !(*metres > 0.0)) {
+    std::abort();
+  }
+  try {
+    const std::optional<ModelArrays> model = read_obj(text);
+    if (!model) {
+      return 0;
+    }
+    for (const taut::sim::Index corner : model->corners) {
+      if (corner >= model->positions.size()) {
+        std::abort();
+      }
+    }
+    if (std::accumulate(model->corner_counts.begin(), model->corner_counts.end(), std::size_t{0}) !=
+        model->corners.size()) {
+      std::abort();
+    }
+  } catch (const InputError&) {
+  }
+  return 0;
+}

@@ -1,6 +1,6 @@
 #include "app/garment/obj_export.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <iterator>
 

@@ -69,11 +69,8 @@ TEST(ImportProcess, KeepsToItsMemory) {
   }
   const TemporaryFolder folder;
   std::string text;
-  for (int v = 0; v < 200000; ++v) {
-    text += "v 0 0 " + std::to_string(v) + "\n";
-  }
-  for (int f = 1; f < 199998; ++f) {
-    text += "f " + std::to_string(f) + ' ' + std::to_string(f + 1) + ' ' + std::to_string(f + 2) + '\n';
+  for (int v = 0; v < 2'000'000; ++v) {
+    text += "v 0 0 0\n";
   }
   const auto model = folder.write("huge.obj", text);
   EXPECT_CONTAINS(message_of<InputError>([&] { import_garment(model, {.memory_mib = 96}); }),

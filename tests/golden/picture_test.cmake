@@ -33,6 +33,12 @@ function(taut_add_view_test name)
   set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
 endfunction()
 
+# taut_add_inspect_test(NAME arguments of `taut inspect`...): the same with the picture of an inspection.
+function(taut_add_inspect_test name)
+  taut_internal_picture_test(picture.${name} ${name} BASELINE ${name} DEFINITIONS -DINSPECT=ON ARGUMENTS ${ARGN})
+  set_property(DIRECTORY APPEND PROPERTY TAUT_PICTURE_TESTS ${name})
+endfunction()
+
 # taut_add_figure_test(NAME FIGURE [PLOT] arguments of `taut figures`...): the same with a whole figure, or the
 # contact sheet; PLOT: nothing in it is drawn by OpenGL.
 function(taut_add_figure_test name figure)

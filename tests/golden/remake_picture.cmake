@@ -36,7 +36,7 @@ if(CHANGED_GARMENT)
   file(WRITE ${OUTPUT_DIR}/garment.obj "${garment}")
   execute_process(COMMAND ${TAUT} render garment.obj --frames 0 --resolution 64,64 --output made.png
                   WORKING_DIRECTORY ${OUTPUT_DIR} COMMAND_ERROR_IS_FATAL ANY)
-  string(REGEX REPLACE "\nv ([^\n]+)" "\nv 0.01\\1" garment "${garment}")
+  string(REGEX REPLACE "\nv (-?)0\\." "\nv \\11." garment "${garment}")
   file(WRITE ${OUTPUT_DIR}/garment.obj "${garment}")
   execute_process(COMMAND ${TAUT} render made.png WORKING_DIRECTORY ${OUTPUT_DIR}
                   ERROR_VARIABLE warnings COMMAND_ERROR_IS_FATAL ANY)

@@ -1,5 +1,5 @@
-# Draws ARGUMENTS with TAUT (`taut render`, with VIEW `taut view --headless`, or with FIGURE that one of
-# `taut figures`) into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
+# Draws ARGUMENTS with TAUT (`taut render`, with VIEW `taut view --headless`, with INSPECT `taut inspect`, or with
+# FIGURE that one of `taut figures`) into OUTPUT_DIR and compares the picture with BASELINE through COMPARE.
 # A failure says what differs and how to accept it, and stands in FAILURES_PAGE until the test passes.
 # With MUST_DIFFER it is the other way round: the picture has to be told from the baseline.
 cmake_minimum_required(VERSION 3.25)
@@ -13,6 +13,8 @@ if(FIGURE)
   set(command "taut figures ${command}")
 elseif(VIEW)
   set(command "taut view --headless ${command}")
+elseif(INSPECT)
+  set(command "taut inspect ${command}")
 else()
   set(command "taut render ${command}")
 endif()
@@ -40,12 +42,14 @@ if(FIGURE)
   file(RENAME ${OUTPUT_DIR}/${FIGURE}.png ${actual})
 elseif(VIEW)
   run_taut(${OUTPUT_DIR} view --headless ${ARGUMENTS} --screenshot actual.png)
+elseif(INSPECT)
+  run_taut(${OUTPUT_DIR} inspect ${ARGUMENTS} --json --picture actual.png)
 else()
   run_taut(${OUTPUT_DIR} render ${ARGUMENTS} --output actual.png --stats run.json)
 endif()
 if(IS_PLOT)
   set(renderer "no OpenGL")
-elseif(FIGURE OR VIEW)
+elseif(FIGURE OR VIEW OR INSPECT)
   # They do not say it: a small picture does.
   run_taut(${OUTPUT_DIR}/probe render cloth-fall --frames 0 --resolution 16,16 --stats run.json)
   read_renderer(${OUTPUT_DIR}/probe/run.json renderer)

@@ -2,8 +2,8 @@
 
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/garment/inspection.hpp"
 #include "app/errors.hpp"
+#include "app/garment/inspection.hpp"
 #include "app/output/files.hpp"
 #include "app/output/run_report.hpp"
 

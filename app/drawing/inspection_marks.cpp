@@ -107,7 +107,7 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, float
                              .width_px = 6.0F,
                              .seen_through = true},
                             [&](std::size_t e) { return adjacency.edge_triangles[e].size() > 2; }));
-  all.push_back(joined_vertices(loaded, 10.0F));
+  all.push_back(joined_vertices(loaded, 6.0F));
   std::erase_if(all, [](const InspectionMarks& marks) { return marks.points.empty(); });
   return all;
 }

@@ -42,7 +42,7 @@ int panel_height_px(const renderer::Box& box) {
   const glm::vec3 size = box.upper - box.lower;
   const float width = std::hypot(size.x, size.z);
   const float height = size.y + std::sin(elevation_rad) * width;
-  return static_cast<int>(std::lround(panel_px * std::clamp(0.95F * height / width, 0.4F, 1.3F)));
+  return static_cast<int>(std::lround(panel_px * std::clamp(1.1F * height / width, 0.4F, 1.3F)));
 }
 
 Scene scene_of_side(const Scene& asked, const renderer::Box& box, const Side& side) {
@@ -188,9 +188,9 @@ struct LegendRow {
 std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::size_t pins) {
   std::vector<LegendRow> rows;
   for (const InspectionMarks& marks : all) {
-    rows.push_back(
-        {marks.meaning, marks.opacity * marks.colour + (1.0F - marks.opacity) * renderer::Colour{1.0F},
-         marks.dots ? LegendRow::Sample::dot : LegendRow::Sample::line, std::max(3.0F, marks.width_px)});
+    rows.push_back({marks.meaning, marks.colour,
+                    marks.dots ? LegendRow::Sample::dot : LegendRow::Sample::line,
+                    std::max(3.0F, marks.width_px)});
   }
   if (pins > 0) {
     rows.push_back({fmt::format("held: {}", plural(pins, "vertex", "vertices")), pin_colour,

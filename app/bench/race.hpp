@@ -37,9 +37,9 @@ struct RaceSettings {
   double hopeless_stretch = 0.5;
 };
 
-/// Runs all entrants on the scene frame by frame in turns, so that whatever else the machine does meets all
-/// alike. `after_frame` is told how many frames are done.
+/// Runs all entrants on the scene a few frames each in turns, so that whatever else the machine does meets
+/// all alike. `after_turn` is told how many frames are done.
 std::vector<Run> race(const std::vector<Entrant>& entrants, const sim::Garment& garment, const Scene& scene,
-                      const RaceSettings& settings, const std::function<void(int)>& after_frame);
+                      const RaceSettings& settings, const std::function<void(int)>& after_turn);
 
 }  // namespace taut::app

@@ -60,9 +60,13 @@ struct Race : testing::Test {
   sim::Garment garment = sim::make_garment(sim::make_grid({.columns = 3, .rows = 3}), {}, {});
 };
 
-TEST_F(Race, TakesFramesInTurns) {
-  run({scripted("a", 1.0, 0.0), scripted("b", 1.0, 0.0), scripted("c", 1.0, 0.0)}, 2);
-  EXPECT_EQ(log, (Log{"a", "b", "c", "a", "b", "c"}));
+TEST_F(Race, TakesTenFramesInTurns) {
+  run({scripted("a", 1.0, 0.0), scripted("b", 1.0, 0.0)}, 15);
+  Log expected;
+  for (const auto& [name, frames] : {std::pair("a", 10), {"b", 10}, {"a", 5}, {"b", 5}}) {
+    expected.insert(expected.end(), static_cast<std::size_t>(frames), name);
+  }
+  EXPECT_EQ(log, expected);
 }
 
 TEST_F(Race, MeasuresWhatIsShownApartFromWhatGoesOn) {

@@ -22,7 +22,7 @@ int shadow_texel_px(int tile_height_px) {
   return std::clamp(tile_height_px / 360, 1, 2);
 }
 
-constexpr std::array<std::string_view, 1> on_floor{"FLOOR"};
+constexpr std::array<std::string_view, 1> with_floor{"FLOOR"};
 constexpr std::array<std::string_view, 1> with_shadow{"SHADED"};
 
 }  // namespace
@@ -69,7 +69,7 @@ BackdropPass::CoarseMap::CoarseMap(const GladGLContext& context) : texture(conte
 BackdropPass::BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files)
     : gl(&context),
       lit(context, files, "backdrop_grid.vert", "backdrop.frag"),
-      floor_shadow(context, files, "fullscreen.vert", "floor_shadow.frag", on_floor),
+      floor_shadow(context, files, "fullscreen.vert", "floor_shadow.frag", with_floor),
       shaded(context, files, "backdrop_grid.vert", "backdrop.frag", with_shadow),
       floor_depth(context, files, "ground.vert", "depth.frag"),
       shadow_map(context),

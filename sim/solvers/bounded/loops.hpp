@@ -20,7 +20,7 @@ class Loops {
   void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
                float relaxation, Row* rows);
 
-  /// Tethers of the rows [begin, end); a vertex whose tether is done twice is done as if once.
+  /// Of all rows.
   void hold(const TetherLanes& tethers, const Row& pin_moved, Row* rows);
 
   void largest_ratios(const SpringLanes& springs, const Row* rows, float* squared_ratios);

@@ -6,12 +6,11 @@
 
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 
 #include "app/errors.hpp"
 #include "app/garment/obj_reading.hpp"
 #include "app/garment/unit_of_3mf.hpp"
+#include "app/output/files.hpp"
 
 namespace taut::app {
 namespace {
@@ -129,11 +128,6 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
-std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 ModelArrays read_with_assimp(const std::filesystem::path& path) {
   // Never destroyed: of some files (3MF with textures) it reads all there is and crashes while clearing away.
   Assimp::Importer& importer = *new Assimp::Importer;
@@ -156,7 +150,7 @@ ModelArrays read_with_assimp(const std::filesystem::path& path) {
 
 ModelArrays read_model(const std::filesystem::path& path) {
   if (in_lower_case(path.extension().string()) == ".obj") {
-    if (std::optional<ModelArrays> model = read_obj(content_of(path))) {
+    if (std::optional<ModelArrays> model = read_obj(read_text_file(path))) {
       return std::move(*model);
     }
   }

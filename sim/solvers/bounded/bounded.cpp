@@ -152,10 +152,10 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
   begin_substeps(dt);
   for (int substep = 0; substep < substeps; ++substep) {
     const double at_s = time_s + substep * dt;
-    // Step 2 of the paper: impose the forces on the mass points, a few times in a frame ...
     if (substep % parting_substeps == 0) {
       cloth.contacts.part_layers(garment, layout, surroundings.layer_distance_m, motion);
     }
+    // Step 2 of the paper: impose the forces on the mass points, a few times in a frame ...
     if (substep % held_substeps == 0) {
       cloth.forces.update(garment, surroundings.forces, motion, at_s, dt, held_substeps * dt, *loops_);
     }

@@ -61,7 +61,7 @@ struct Layout {
   std::vector<Index> row_of_vertex;
   std::vector<float> inverse_masses_per_kg;  ///< by row; 0 for spare rows
   std::vector<double>
-      distance_from_pins_m;            ///< by row, along mesh edges; infinite where no pin can be reached
+      distance_from_pins_m;            ///< by row, along the cloth; infinite where no pin can be reached
   std::vector<Index> nearest_pin_row;  ///< by row; 0 where no pin can be reached
   std::size_t pin_count = 0;
   SpringLanes springs;

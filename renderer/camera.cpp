@@ -8,10 +8,14 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <stdexcept>
+#include <vector>
 
 namespace taut::renderer {
 
 namespace {
+
+// A box without extent is taken as one of a millimetre.
+constexpr float smallest_half_m = 0.0005F;
 
 // The axes of a camera that looks along -back.
 struct Axes {
@@ -44,13 +48,13 @@ struct Fit {
 
 // A point at `across` and `depth` (towards the camera) is inside the opening of tangent t when
 // |across - centre| <= t (distance - depth). The two tightest of these lines meet at the answer.
-Fit fit_across(const std::array<glm::vec3, 8>& corners, const glm::vec3& axis, const glm::vec3& back,
+Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const glm::vec3& back,
                float tangent) {
   float right_most = -INFINITY;
   float left_most = -INFINITY;
-  for (const glm::vec3& corner : corners) {
-    const float across = glm::dot(corner, axis);
-    const float depth = tangent * glm::dot(corner, back);
+  for (const glm::vec3& point : points) {
+    const float across = glm::dot(point, axis);
+    const float depth = tangent * glm::dot(point, back);
     right_most = std::max(right_most, across + depth);
     left_most = std::max(left_most, -across + depth);
   }
@@ -69,6 +73,25 @@ void check(const Box& box, const Framing& framing, float aspect) {
   if (!(framing.margin >= 0.0F && framing.margin <= 0.49F)) {
     throw std::invalid_argument("frame_box: the margin has to be from 0 to 0.49");
   }
+}
+
+// Of points given from `middle`, all within `half` of it along every axis.
+Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const glm::vec3& half,
+              const Framing& framing, float aspect) {
+  const Axes axes = axes_of(framing);
+  const float opening = std::tan(0.5F * framing.vertical_fov_rad) * (1.0F - 2.0F * framing.margin);
+  const Fit vertical = fit_across(points, axes.up, axes.back, opening);
+  const Fit horizontal = fit_across(points, axes.right, axes.back, opening * aspect);
+  const float distance = std::max(vertical.distance, horizontal.distance);
+
+  Camera camera;
+  camera.target = middle + horizontal.centre * axes.right + vertical.centre * axes.up;
+  camera.eye = camera.target + distance * axes.back;
+  camera.vertical_fov_rad = framing.vertical_fov_rad;
+  const float radius = glm::length(half);
+  camera.near_m = std::max(0.02F * distance, distance - 2.0F * radius);
+  camera.far_m = distance + 20.0F * radius;
+  return camera;
 }
 
 }  // namespace
@@ -98,22 +121,23 @@ Box united(const Box& a, const Box& b) {
 Camera frame_box(const Box& box, const Framing& framing, float aspect) {
   check(box, framing, aspect);
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
-  const glm::vec3 half = glm::max(0.5F * (box.upper - box.lower), glm::vec3{0.0005F});
-  const auto corners = corners_of({-half, half});
-  const Axes axes = axes_of(framing);
-  const float opening = std::tan(0.5F * framing.vertical_fov_rad) * (1.0F - 2.0F * framing.margin);
-  const Fit vertical = fit_across(corners, axes.up, axes.back, opening);
-  const Fit horizontal = fit_across(corners, axes.right, axes.back, opening * aspect);
-  const float distance = std::max(vertical.distance, horizontal.distance);
+  const glm::vec3 half = glm::max(0.5F * (box.upper - box.lower), glm::vec3{smallest_half_m});
+  return fitted(corners_of({-half, half}), middle, half, framing, aspect);
+}
 
-  Camera camera;
-  camera.target = middle + horizontal.centre * axes.right + vertical.centre * axes.up;
-  camera.eye = camera.target + distance * axes.back;
-  camera.vertical_fov_rad = framing.vertical_fov_rad;
-  const float radius = glm::length(half);
-  camera.near_m = std::max(0.02F * distance, distance - 2.0F * radius);
-  camera.far_m = distance + 20.0F * radius;
-  return camera;
+Camera frame_points(std::span<const glm::vec3> points, const Framing& framing, float aspect) {
+  const Box box = bounding_box(points);
+  check(box, framing, aspect);
+  const glm::vec3 middle = 0.5F * (box.lower + box.upper);
+  const glm::vec3 half = 0.5F * (box.upper - box.lower);
+  if (std::max({half.x, half.y, half.z}) < smallest_half_m) {
+    return frame_box(box, framing, aspect);
+  }
+  std::vector<glm::vec3> from_middle(points.begin(), points.end());
+  for (glm::vec3& point : from_middle) {
+    point -= middle;
+  }
+  return fitted(from_middle, middle, half, framing, aspect);
 }
 
 }  // namespace taut::renderer

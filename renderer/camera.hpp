@@ -44,4 +44,8 @@ struct Framing {
 /// margin outside 0..0.49. A box without extent is taken as one of a millimetre.
 Camera frame_box(const Box& box, const Framing& framing, float aspect);
 
+/// The same for points, of which a box may hold only a few near its corners. Throws std::invalid_argument
+/// also when there are none.
+Camera frame_points(std::span<const glm::vec3> points, const Framing& framing, float aspect);
+
 }  // namespace taut::renderer

@@ -5,6 +5,7 @@
 #include "app/errors.hpp"
 #include "app/garment/inspection.hpp"
 #include "app/output/files.hpp"
+#include "app/output/progress.hpp"
 #include "app/output/run_report.hpp"
 
 namespace taut::app {
@@ -19,11 +20,16 @@ int run(const InspectOptions& options) {
     }
     prepare_folder_of(options.picture);
   }
-  const LoadedGarment loaded = load_garment(scene);
+  Progress progress(options.garment.filename().string());
+  const LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
+  progress.begin("measuring it");
   const Inspection inspection = inspect_garment(scene, loaded);
+  progress.hide();
   fmt::print("{}", options.json ? inspection_json(inspection) : describe(inspection));
   if (!options.picture.empty()) {
+    progress.begin("drawing it");
     renderer::write_png(options.picture, draw_inspection(inspection, loaded, scene, options.backend));
+    progress.hide();
     // Programs that read the report get nothing else.
     fmt::print(options.json ? stderr : stdout, "wrote {}\n", options.picture.string());
   }

@@ -152,8 +152,9 @@ std::vector<int> frames_left(const Job& job, const PictureOutput& output, const 
 }
 
 std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Studio& studio,
-                              PictureOutput& output, const PictureOrigin& origin,
-                              std::span<const int> frames) {
+                              PictureOutput& output, const PictureOrigin& origin, std::span<const int> frames,
+                              Progress& progress) {
+  progress.begin("preparing the first frame");
   GarmentPainter painter(studio.renderer(), job.scene, simulation.garment());
   FrameOutputs outputs;
   outputs.pictures = frames;
@@ -161,8 +162,9 @@ std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Studi
   outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
     output.write(origin, record, picture);
   };
-  Progress progress(job.scene.name, job.frames.back());
-  outputs.report = [&](const FrameRecord& record) { progress.show(record.frame, record.stretch.max); };
+  outputs.report = [&](const FrameRecord& record) {
+    progress.show_frame(record.frame, job.frames.back(), record.stretch.max);
+  };
   return run_frames(simulation, job.frames.back(), outputs);
 }
 
@@ -175,13 +177,16 @@ int run(const RenderOptions& options) {
     prepare_folder_of(options.statistics);
   }
 
+  Progress progress(job.scene.name);
   // Starting OpenGL and compiling shaders takes as long as reading a model.
-  std::future<LoadedGarment> garment =
-      std::async(std::launch::async, [&] { return load_garment(job.scene); });
+  std::future<LoadedGarment> garment = std::async(std::launch::async, [&] {
+    return load_garment(job.scene, [&](const std::string& stage) { progress.begin(stage); });
+  });
   Studio studio(options.backend);
   const PictureStyle& style = job.scene.picture;
   studio.renderer().prepare(style.settings, style.surface == SurfaceLook::stretch);
   LoadedGarment loaded = garment.get();
+  progress.hide();
   print_remarks(job.scene, loaded);
   const sim::Surroundings surroundings = settled(job.scene.surroundings, loaded.garment);
   sim::Simulation simulation(std::move(loaded.garment), job.scene.simulation, surroundings);
@@ -190,8 +195,10 @@ int run(const RenderOptions& options) {
   if (frames.size() < job.frames.size()) {
     fmt::print("{} of {} frames are there already\n", job.frames.size() - frames.size(), job.frames.size());
   }
-  const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin, frames);
+  const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin, frames, progress);
+  progress.begin("finishing " + job.output);
   const std::string written = output.finish();
+  progress.hide();
 
   if (job.again && options.overrides.empty()) {
     compare_with_record(job, records, studio.gl_renderer());

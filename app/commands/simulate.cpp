@@ -12,6 +12,7 @@
 #include "app/output/bound_verdict.hpp"
 #include "app/output/files.hpp"
 #include "app/output/output_pattern.hpp"
+#include "app/output/progress.hpp"
 #include "app/output/run_report.hpp"
 #include "app/scene/scene_lookup.hpp"
 
@@ -39,7 +40,6 @@ int run(const SimulateOptions& options) {
   const Scene scene = find_scene(options.scene, options.overrides);
   const int frame_count = options.frames.value_or(scene.frames);
   FrameOutputs outputs;
-  outputs.report = print_record;
   std::optional<OutputPattern> shapes;
   if (!options.shapes.empty()) {
     shapes.emplace(options.shapes, ".obj");
@@ -53,11 +53,20 @@ int run(const SimulateOptions& options) {
     prepare_folder_of(options.statistics);
   }
 
-  LoadedGarment loaded = load_garment(scene);
+  Progress progress(scene.name);
+  LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
+  progress.hide();
   print_remarks(scene, loaded);
+  progress.begin("frame 1");
   const sim::Surroundings surroundings = settled(scene.surroundings, loaded.garment);
   sim::Simulation simulation(std::move(loaded.garment), scene.simulation, surroundings);
+  outputs.report = [&](const FrameRecord& record) {
+    progress.hide();
+    print_record(record);
+    progress.begin(fmt::format("frame {}", record.frame + 1));
+  };
   const std::vector<FrameRecord> records = run_frames(simulation, frame_count, outputs);
+  progress.hide();
 
   const RunSummary summary = summarise(records);
   print_summary(summary);

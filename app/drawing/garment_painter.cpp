@@ -71,6 +71,10 @@ struct ObstacleMaker {
 
 }  // namespace
 
+float pin_radius_m(const renderer::Box& reach) {
+  return 0.008F * glm::distance(reach.lower, reach.upper);
+}
+
 GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const Scene& scene,
                                const sim::Garment& garment)
     : renderer_(renderer),
@@ -88,7 +92,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const Scene& s
   frame_.lighting = renderer::studio_lighting(frame_.camera);
   frame_.ground_height_m = ground_height(scene, reach);
   line_width_px_ = std::max(1.0F, static_cast<float>(style_.settings.height_px) / full_line_height_px);
-  pin_radius_m_ = 0.008F * glm::distance(reach.lower, reach.upper);
+  pin_radius_m_ = pin_radius_m(reach);
   make_fixed_parts(scene, garment);
 }
 

@@ -14,6 +14,9 @@
 
 namespace taut::app {
 
+/// Of the balls that show pins, where the scene reaches so far.
+float pin_radius_m(const renderer::Box& reach);
+
 /// Draws a scene's garment, wherever it is, with the scene's camera and style.
 class GarmentPainter {
  public:

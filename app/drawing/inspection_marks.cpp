@@ -15,7 +15,7 @@ namespace {
 const renderer::Colour border_colour = renderer::rgb(0x1C1C1C);
 const renderer::Colour non_manifold_colour = renderer::rgb(0xD00000);
 const renderer::Colour misoriented_colour = renderer::rgb(0x7B2CBF);
-const renderer::Colour joined_colour = renderer::rgb(0x009E73);
+const renderer::Colour joined_colour = renderer::rgb(0xFFD000);
 
 // Of a model in which every triangle has its own vertices all would be marked: that says nothing.
 constexpr double most_joined = 0.3;
@@ -83,7 +83,8 @@ InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) 
 
 }  // namespace
 
-std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, float spring_width_px) {
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, const MarkWidths& widths) {
+  const float spring_width_px = widths.spring_px;
   const sim::Adjacency& adjacency = loaded.garment.adjacency;
   std::vector<InspectionMarks> all;
   // Flexural springs lie under the structural ones they skip along: wider, they show on both sides, and pale,
@@ -107,7 +108,7 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, float
                              .width_px = 6.0F,
                              .seen_through = true},
                             [&](std::size_t e) { return adjacency.edge_triangles[e].size() > 2; }));
-  all.push_back(joined_vertices(loaded, 6.0F));
+  all.push_back(joined_vertices(loaded, widths.dot_px));
   std::erase_if(all, [](const InspectionMarks& marks) { return marks.points.empty(); });
   return all;
 }

@@ -20,7 +20,12 @@ struct InspectionMarks {
   std::vector<glm::vec3> points = {};  ///< metres, in the scene
 };
 
-/// All that there are, those below first. `spring_width_px` is that of structural springs.
-std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, float spring_width_px);
+struct MarkWidths {
+  float spring_px = 1.0F;  ///< of structural springs
+  float dot_px = 6.0F;
+};
+
+/// All that there are, those below first.
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, const MarkWidths& widths);
 
 }  // namespace taut::app

@@ -11,71 +11,41 @@
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/inspection_marks.hpp"
+#include "app/drawing/inspection_views.hpp"
 #include "app/drawing/studio.hpp"
 #include "app/figures/drawing.hpp"
 
 namespace taut::app {
 namespace {
 
-constexpr int panel_px = 1000;  ///< wide
 constexpr float border_px = 40.0F;
 constexpr float gap_px = 24.0F;
 constexpr float header_px = 175.0F;
 constexpr float text_px = 26.0F;
 constexpr float row_px = 1.7F * text_px;
+constexpr auto panel_px = static_cast<float>(inspection_panel_px);
+constexpr float outline_px = 2.0F;
 constexpr float page_px = 2.0F * border_px + 2.0F * panel_px + gap_px;
-
-constexpr float degree = 0.017453293F;
-constexpr float elevation_rad = 10.0F * degree;
-struct Side {
-  const char* name;
-  float azimuth_rad;
-};
-constexpr std::array sides = {Side{"from the front", 20.0F * degree}, Side{"from behind", 200.0F * degree}};
 
 const renderer::Colour outside_colour = renderer::rgb(0xE8EDF2);
 const renderer::Colour inside_colour = renderer::rgb(0xF3DFC0);
 const renderer::Colour pin_colour = renderer::rgb(0xC0392B);
 
-// A skirt is lower than a dress; a thread is given some room, too.
-int panel_height_px(const renderer::Box& box) {
-  const glm::vec3 size = box.upper - box.lower;
-  const float width = std::hypot(size.x, size.z);
-  const float height = size.y + std::sin(elevation_rad) * width;
-  return static_cast<int>(std::lround(panel_px * std::clamp(1.1F * height / width, 0.4F, 1.3F)));
-}
-
-Scene scene_of_side(const Scene& asked, const renderer::Box& box, const Side& side) {
-  Scene scene = asked;
-  scene.camera = {};
-  scene.camera.box = box;
-  // So little perspective that one bar tells the size of all of it.
-  scene.camera.framing = {
-      .azimuth_rad = side.azimuth_rad, .elevation_rad = elevation_rad, .vertical_fov_rad = 0.12F};
-  scene.picture = {};
-  scene.picture.settings.width_px = panel_px;
-  scene.picture.settings.height_px = panel_height_px(box);
-  scene.picture.settings.samples = 1;
-  scene.picture.settings.supersampling = 3;
-  scene.picture.settings.shadows = false;
-  scene.picture.ground.kind = GroundKind::none;
+renderer::Image draw_side(Studio& studio, Scene& scene, const sim::Garment& garment,
+                          const std::vector<InspectionMarks>& all) {
   scene.picture.cloth.outside_colour = outside_colour;
   scene.picture.cloth.inside_colour = inside_colour;
-  scene.picture.cloth.weave = 0.0F;
-  scene.picture.cloth.sheen = 0.0F;
-  scene.picture.cloth.translucency = 0.0F;
-  scene.surroundings.colliders.clear();
-  return scene;
-}
-
-renderer::Image draw_side(Studio& studio, const Scene& scene, const sim::Garment& garment,
-                          const std::vector<InspectionMarks>& all) {
   GarmentPainter painter(studio.renderer(), scene, garment);
   renderer::FrameView frame = painter.view(garment.mesh.positions);
   frame.backdrop.plain = true;
   frame.backdrop.lower_colour = renderer::rgb(0xFFFFFF);
   for (const InspectionMarks& marks : all) {
     if (marks.dots) {
+      // Outlined, they stand out from springs of any colour.
+      frame.points.push_back({.centres = marks.points,
+                              .colours = std::span(&palette::ink, 1),
+                              .diameter_px = marks.width_px + 2.0F * outline_px,
+                              .hidden_by_surfaces = !marks.seen_through});
       frame.points.push_back({.centres = marks.points,
                               .colours = std::span(&marks.colour, 1),
                               .diameter_px = marks.width_px,
@@ -91,27 +61,9 @@ renderer::Image draw_side(Studio& studio, const Scene& scene, const sim::Garment
   return studio.renderer().draw(frame, scene.picture.settings);
 }
 
-// One bar tells the size of all pictures: all are taken from as far as the one that needs it. Returns the
-// pixels of a metre.
-float put_equally_far(std::span<Scene> scenes, const renderer::Box& box) {
-  const float height_px = static_cast<float>(panel_height_px(box));
-  float distance_m = 0.0F;
-  for (Scene& scene : scenes) {
-    const renderer::Camera camera = scene_camera(scene, box, static_cast<float>(panel_px) / height_px);
-    scene.camera.eye = camera.eye;
-    scene.camera.target = camera.target;
-    distance_m = std::max(distance_m, glm::distance(camera.eye, camera.target));
-  }
-  for (Scene& scene : scenes) {
-    scene.camera.eye =
-        *scene.camera.target + distance_m * glm::normalize(*scene.camera.eye - *scene.camera.target);
-  }
-  return height_px / (2.0F * distance_m * std::tan(0.5F * scenes[0].camera.framing.vertical_fov_rad));
-}
-
 // The longest of 1, 2 and 5 times a power of ten that takes at most a quarter of a panel.
 double bar_length_m(float px_per_m) {
-  const double most_m = 0.25 * panel_px / static_cast<double>(px_per_m);
+  const double most_m = 0.25 * inspection_panel_px / static_cast<double>(px_per_m);
   const double power = std::pow(10.0, std::floor(std::log10(most_m)));
   return power * (most_m >= 5.0 * power ? 5.0 : most_m >= 2.0 * power ? 2.0 : 1.0);
 }
@@ -183,6 +135,7 @@ struct LegendRow {
   renderer::Colour colour{0.0F};
   enum class Sample { line, dot, area } sample = Sample::line;
   float width_px = 0.0F;
+  bool outlined = false;
 };
 
 std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::size_t pins) {
@@ -190,7 +143,7 @@ std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::s
   for (const InspectionMarks& marks : all) {
     rows.push_back({marks.meaning, marks.colour,
                     marks.dots ? LegendRow::Sample::dot : LegendRow::Sample::line,
-                    std::max(3.0F, marks.width_px)});
+                    std::max(3.0F, marks.width_px), marks.dots});
   }
   if (pins > 0) {
     rows.push_back({fmt::format("held: {}", plural(pins, "vertex", "vertices")), pin_colour,
@@ -220,6 +173,9 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
         canvas.line(x_px, y_px, x_px + sample_px, y_px, rows[i].colour, rows[i].width_px);
         break;
       case LegendRow::Sample::dot:
+        if (rows[i].outlined) {
+          canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px + outline_px, palette::ink);
+        }
         canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px, rows[i].colour);
         break;
       case LegendRow::Sample::area:
@@ -231,9 +187,11 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
   }
 }
 
-// As wide as leaves the surface between them to be seen.
-float spring_width_px(const Inspection& inspection, float px_per_m) {
-  return std::clamp(0.09F * static_cast<float>(inspection.mean_edge_m) * px_per_m, 0.4F, 2.0F);
+// Springs as wide as leaves the surface between them to be seen, dots as large as leaves the springs.
+MarkWidths mark_widths(const Inspection& inspection, float px_per_m) {
+  const float edge_px = static_cast<float>(inspection.mean_edge_m) * px_per_m;
+  return {.spring_px = std::clamp(0.09F * edge_px, 0.4F, 2.0F),
+          .dot_px = std::clamp(0.4F * edge_px, 5.0F, 13.0F)};
 }
 
 }  // namespace
@@ -241,28 +199,23 @@ float spring_width_px(const Inspection& inspection, float px_per_m) {
 renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded, const Scene& scene,
                                 const std::string& backend) {
   Studio studio(backend);
-  const renderer::Box box = renderer::bounding_box(to_float(loaded.garment.mesh.positions));
-  std::array<Scene, sides.size()> scenes;
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    scenes[k] = scene_of_side(scene, box, sides[k]);
-  }
-  const float px_per_m = put_equally_far(scenes, box);
-  const std::vector<InspectionMarks> all = inspection_marks(loaded, spring_width_px(inspection, px_per_m));
+  InspectionViews views = inspection_views(scene, loaded.garment);
+  const std::vector<InspectionMarks> all = inspection_marks(loaded, mark_widths(inspection, views.px_per_m));
   const std::vector<LegendRow> legend = legend_of(all, loaded.garment.pins.size());
   const float caption_px = 1.6F * row_px;
-  const float below_px = header_px + static_cast<float>(panel_height_px(box));
+  const float below_px = header_px + static_cast<float>(views.height_px);
   const float legend_top_px = below_px + caption_px;
   renderer::Canvas canvas(static_cast<int>(page_px),
                           static_cast<int>(legend_top_px + legend_height_px(legend.size())));
   draw_header(canvas, inspection);
   renderer::TextStyle caption = text_style(text_px);
   caption.horizontal = renderer::HorizontalAlign::centre;
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    const float x_px = border_px + static_cast<float>(k) * (static_cast<float>(panel_px) + gap_px);
-    canvas.image(x_px, header_px, draw_side(studio, scenes[k], loaded.garment, all));
-    canvas.text(x_px + 0.5F * panel_px, below_px + row_px, sides[k].name, caption);
+  for (std::size_t k = 0; k < views.sides.size(); ++k) {
+    const float x_px = border_px + static_cast<float>(k) * (panel_px + gap_px);
+    canvas.image(x_px, header_px, draw_side(studio, views.sides[k].scene, loaded.garment, all));
+    canvas.text(x_px + 0.5F * panel_px, below_px + row_px, views.sides[k].name, caption);
   }
-  draw_bar(canvas, border_px + 12.0F, below_px + row_px, px_per_m);
+  draw_bar(canvas, border_px + 12.0F, below_px + row_px, views.px_per_m);
   draw_legend_rows(canvas, legend, legend_top_px);
   return canvas.to_image();
 }

@@ -42,11 +42,19 @@ void require_one_size(const sim::Mesh& mesh) {
   }
 }
 
-sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded) {
+void tell(const StageReport& begin, const std::string& stage) {
+  if (begin) {
+    begin(stage);
+  }
+}
+
+sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const StageReport& begin) {
+  tell(begin, "reading " + source.file.filename().string());
   ImportedModel& model = loaded.model.emplace(import_garment(source.file));
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   const std::optional<double> scale = source.scale > 0.0 ? std::optional(source.scale) : std::nullopt;
   loaded.placement = place_model(soup, {scale, source.up, model.metres_per_unit, model.up});
+  tell(begin, "joining its vertices");
   try {
     sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m / loaded.placement->scale});
     loaded.repairs = valid.report;
@@ -82,10 +90,11 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
 
 }  // namespace
 
-LoadedGarment load_garment(const Scene& scene) {
+LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   LoadedGarment loaded;
   const bool is_grid = scene.garment.file.empty();
-  sim::Mesh mesh = is_grid ? sim::make_grid(scene.garment.grid) : read_mesh(scene.garment, loaded);
+  sim::Mesh mesh = is_grid ? sim::make_grid(scene.garment.grid) : read_mesh(scene.garment, loaded, begin);
+  tell(begin, "mapping it to springs");
   if (!is_grid) {
     loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh);
   }

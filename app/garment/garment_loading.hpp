@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "app/garment/garment_import.hpp"
 #include "app/garment/hanging.hpp"
@@ -22,8 +24,11 @@ struct LoadedGarment {
   std::optional<Hanging> hanging;  ///< where the scene does not say what is held
 };
 
+/// Told what is begun, such as "reading dress.fbx": a large model takes seconds.
+using StageReport = std::function<void(const std::string& stage)>;
+
 /// Reads or makes the garment, maps it to springs, finds its landmarks and pins it.
 /// Throws InputError naming the file or the key.
-LoadedGarment load_garment(const Scene& scene);
+LoadedGarment load_garment(const Scene& scene, const StageReport& begin = {});
 
 }  // namespace taut::app

@@ -1,24 +1,45 @@
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace taut::app {
 
-/// One line on the terminal that says how far a run is; nothing where standard error is no terminal.
+/// One line on the terminal that says what a run is doing, and for how long where that is long; nothing where
+/// standard error is no terminal. Functions may be called from any thread.
 class Progress {
  public:
-  Progress(std::string what, int last);
+  explicit Progress(std::string what);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(int done, double max_stretch);
+  /// From now on it does this, such as "reading dress.fbx".
+  void begin(std::string stage);
+  /// Frame `done` of `last` is done, the next one is begun.
+  void show_frame(int done, int last, double max_stretch);
+  /// Clears the line, for other output, until something else is begun.
+  void hide();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  void draw();
+  void clear();
+  void keep_drawing();
+
   std::string what_;
-  int last_;
   bool on_terminal_;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool is_ended_ = false;
+  std::string stage_;  ///< empty: nothing is shown
+  Clock::time_point began_;
   bool shown_ = false;
+  std::thread ticker_;
 };
 
 }  // namespace taut::app

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace taut::renderer {
 namespace {
@@ -63,6 +64,31 @@ TEST(FrameBox, RefusesWhatHasNoAnswer) {
   EXPECT_THROW(frame_box({{1.0F, 1.0F, 1.0F}, {0.0F, 0.0F, 0.0F}}, {}, 1.0F), std::invalid_argument);
   EXPECT_THROW(frame_box(shirt, {}, 0.0F), std::invalid_argument);
   EXPECT_THROW(frame_box(shirt, {0.0F, 0.0F, 0.5F, 0.5F}, 1.0F), std::invalid_argument);
+}
+
+// A ball fills less of a picture than the box around it.
+TEST(FramePoints, FillsThePictureUpToTheMargin) {
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < 400; ++i) {
+    const float height = 1.0F - 2.0F * (static_cast<float>(i) + 0.5F) / 400.0F;
+    const float turn = 2.399963F * static_cast<float>(i);
+    const float radius = std::sqrt(1.0F - height * height);
+    points.emplace_back(5.0F + radius * std::cos(turn), height, radius * std::sin(turn));
+  }
+  for (const float aspect : {0.5F, 2.0F}) {
+    const Camera camera = frame_points(points, {0.7F, 0.4F, 0.5F, 0.1F}, aspect);
+    float extent = 0.0F;
+    for (const glm::vec3& point : points) {
+      const glm::vec4 clip = camera.projection(aspect) * camera.view() * glm::vec4{point, 1.0F};
+      extent = std::max({extent, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+    }
+    EXPECT_NEAR(extent, 0.8F, 1e-3F) << aspect;
+  }
+}
+
+TEST(FramePoints, TakesOnePointAndRefusesNone) {
+  EXPECT_TRUE(std::isfinite(frame_points(std::array{glm::vec3{1.0F}}, {}, 1.0F).eye.z));
+  EXPECT_THROW(frame_points({}, {}, 1.0F), std::invalid_argument);
 }
 
 TEST(BoundingBox, HoldsEveryPoint) {

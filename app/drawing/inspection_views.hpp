@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+
+#include "app/garment/garment_loading.hpp"
+#include "app/scene/scene.hpp"
+
+namespace taut::app {
+
+constexpr int inspection_panel_px = 1000;  ///< the width of one side's picture
+
+/// The garment as it was modelled from two sides, on pictures of one size and at one scale.
+struct InspectionViews {
+  struct Side {
+    const char* name;
+    Scene scene;
+  };
+  std::array<Side, 2> sides;
+  float px_per_m = 0.0F;  ///< at the middle of the garment
+  int height_px = 0;      ///< of each picture: as low as the garment allows
+};
+
+InspectionViews inspection_views(const Scene& asked, const sim::Garment& garment);
+
+}  // namespace taut::app

@@ -33,13 +33,11 @@ std::optional<std::vector<Vec3>> moved_within_bound(const Garment& garment, std:
     return std::nullopt;
   }
   bounded::Layout layout = bounded::make_layout(garment);
-  std::vector<Vec3> by_row;
-  for (const Index v : layout.vertex_of_row) {
-    by_row.push_back(positions[v]);
-  }
-  bounded::start_springs(by_row, layout.springs);
-  bounded::Certifier certifier(layout);
   bounded::Loops loops(bounded::kernels_for(settings.vector_unit), 1);
+  bounded::StartRows start;
+  bounded::set_start(layout, positions, start);
+  loops.start_springs(start, layout.springs);
+  bounded::Certifier certifier(layout);
   certifier.certify(layout, bounded::Rows(layout.row_count()), settings.max_stretch, largest_cost, loops);
   std::vector<Vec3> moved(positions.begin(), positions.end());
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {

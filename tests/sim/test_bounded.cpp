@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <random>
 
 #include "sim/grid.hpp"
@@ -111,20 +112,46 @@ TEST(Layout, RowsAreInTheOrderOfTheirDistanceFromThePins) {
   EXPECT_NEAR(layout.distance_from_pins_m.back(), std::hypot(0.5, 1.0), 1e-12);
 }
 
-/// Six entries in each row.
-RowMatrix some_matrix(std::size_t size, std::mt19937& random) {
-  std::uniform_int_distribution<std::uint32_t> column(0, static_cast<std::uint32_t>(size) - 1);
-  std::normal_distribution<float> value(0.0F, 1.0F);
-  RowMatrix matrix;
-  for (std::size_t row = 0; row < size; ++row) {
-    matrix.begin.push_back(static_cast<std::uint32_t>(matrix.column.size()));
-    for (int k = 0; k < 6; ++k) {
-      matrix.column.push_back(column(random));
-      matrix.value.push_back(value(random));
+/// Up to nine entries in each row, in some none.
+std::vector<std::vector<MatrixEntry>> some_entries(std::size_t size, std::mt19937& random) {
+  std::uniform_int_distribution<Index> column(0, static_cast<Index>(size) - 1);
+  std::normal_distribution<double> value(0.0, 1.0);
+  std::vector<std::vector<MatrixEntry>> rows(size);
+  for (std::vector<MatrixEntry>& entries : rows) {
+    entries.resize(column(random) % 10);
+    for (MatrixEntry& e : entries) {
+      e = {column(random), value(random)};
     }
   }
-  matrix.begin.push_back(static_cast<std::uint32_t>(matrix.column.size()));
-  return matrix;
+  return rows;
+}
+
+TEST(Kernels, ASlicedMatrixGivesTheProductOfItsEntries) {
+  std::mt19937 random(5);
+  const std::size_t size = 1000;
+  const auto rows = some_entries(size, random);
+  const SlicedMatrix matrix = make_sliced_matrix(rows);
+  std::normal_distribution<double> metres(0.0, 1.0);
+  std::vector<double> x(size);
+  std::generate(x.begin(), x.end(), [&] { return metres(random); });
+  Rows positions(size + block_size);
+  for (std::size_t row = 0; row < size; ++row) {
+    positions[row] = row_of({x[row], 2.0 * x[row], -x[row]});
+  }
+  Rows result(size + block_size, Row{1.0F, 2.0F, 3.0F, 0.0F});
+  std::vector<double> doubles(size, 1.0);
+  kernels_for(VectorUnit::best).add_product(matrix, 0, matrix.slice_count(), positions.data(), result.data());
+  add_product(matrix, x, doubles);
+  for (std::size_t row = 0; row < size; ++row) {
+    double expected = 0.0;
+    for (const MatrixEntry& e : rows[row]) {
+      expected += e.value * (x[e.column] - x[row]);
+    }
+    EXPECT_NEAR(doubles[row], 1.0 + expected, 1e-5);
+    EXPECT_NEAR(result[row].x, 1.0 + expected, 1e-5);
+    EXPECT_NEAR(result[row].y, 2.0 + 2.0 * expected, 2e-5);
+    EXPECT_NEAR(result[row].z, 3.0 - expected, 1e-5);
+  }
 }
 
 TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
@@ -149,27 +176,36 @@ TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
   const Rows start = random_rows();
   const Rows current = random_rows();
   const Rows previous = random_rows();
-  TetherLanes tethers = make_tethers(garment, layout, 0.0);
-  tethers.start = random_rows();
-  std::fill(tethers.squared_length.begin(), tethers.squared_length.end(), 0.002F);
-  const RowMatrix matrix = some_matrix(layout.vertex_count(), random);
+  const StartRows start_rows = {start, random_rows()};
+  Lanes<Tether> tethers;
+  for (const Row& r : random_rows()) {
+    tethers.push_back({r.x, r.y, r.z, 0.002F});
+  }
+  const Prediction prediction = {0.99F, 1e-6F, {0.01F, 0.02F, -0.01F, 0.0F}};
+  const SlicedMatrix matrix = make_sliced_matrix(some_entries(layout.vertex_count(), random));
+  std::vector<std::uint32_t> blocks(springs.block_count());
+  std::iota(blocks.begin(), blocks.end(), 0U);
   const AirFlow air = {{3.0F, -1.0F, 2.0F}, 0.7F, 0.03F, 0.02F, 1000.0F};
 
   struct Results {
     Rows swept, held, shortened, predicted, wind, product;
     std::vector<float> ratios;
+    SpringLanes started;
   };
   const auto results_of = [&](VectorUnit unit) {
     const Kernels& kernels = kernels_for(unit);
-    Results r{current, current, current, previous, Rows(layout.triangles.lane_count()), current, {}};
+    Results r{current, previous, current, previous, Rows(layout.triangles.lane_count()),
+              current, {},       springs};
     kernels.sweep(springs, 0, springs.block_count(), r.swept.data());
-    kernels.hold(tethers, 0, layout.row_count(), {0.01F, 0.02F, -0.01F, 0.0F}, r.held.data());
-    kernels.shorten(springs, 0, springs.block_count(), 1.02F, 1.8F, r.shortened.data());
-    kernels.predict(layout.pin_count, layout.vertex_count(), 0.99F, 1e-6F, start.data(), current.data(),
+    kernels.shorten(springs, blocks, 1.02F, 1.8F, r.shortened.data());
+    kernels.predict(0, layout.row_count(), prediction, nullptr, start.data(), current.data(),
                     r.predicted.data());
+    kernels.predict(0, layout.row_count(), prediction, tethers.data(), start.data(), current.data(),
+                    r.held.data());
+    kernels.start_springs(start_rows, 0, springs.block_count(), r.started);
     kernels.wind(layout.triangles, air, 0, layout.triangles.lane_count(), start.data(), current.data(),
                  previous.data(), r.wind.data());
-    kernels.add_product(matrix, 0, layout.vertex_count(), start.data(), r.product.data());
+    kernels.add_product(matrix, 0, matrix.slice_count(), start.data(), r.product.data());
     r.ratios.resize(springs.block_count());
     kernels.largest_ratios(springs, 0, springs.block_count(), current.data(), r.ratios.data());
     return r;
@@ -179,7 +215,7 @@ TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
   };
   const Results scalar = results_of(VectorUnit::scalar);
   EXPECT_FALSE(same(scalar.swept, current));
-  EXPECT_FALSE(same(scalar.held, current));
+  EXPECT_FALSE(same(scalar.held, scalar.predicted));
   EXPECT_FALSE(same(scalar.shortened, current));
   for (const VectorUnit unit : available_vector_units()) {
     const Results other = results_of(unit);
@@ -189,6 +225,10 @@ TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
     EXPECT_TRUE(same(other.predicted, scalar.predicted)) << name_of(unit);
     EXPECT_TRUE(same(other.wind, scalar.wind)) << name_of(unit);
     EXPECT_TRUE(same(other.product, scalar.product)) << name_of(unit);
+    EXPECT_EQ(std::memcmp(other.started.blocks.data(), scalar.started.blocks.data(),
+                          springs.block_count() * sizeof(SpringBlock)),
+              0)
+        << name_of(unit);
     EXPECT_EQ(other.ratios, scalar.ratios) << name_of(unit);
   }
 }
@@ -220,12 +260,12 @@ TEST(Kernels, TheWindKernelIsTheWindOfTheOtherSolvers) {
   HeldForces forces(garment, layout, 0.0, 1.0);
   Motion motion;
   motion.start_m = garment.mesh.positions;
-  for (Rows* rows : {&motion.start, &motion.current, &motion.previous}) {
+  for (Rows* rows : {&motion.start.high, &motion.current, &motion.previous}) {
     rows->resize(layout.row_count());
   }
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     const Index v = layout.vertex_of_row[row];
-    motion.start[row] = row_of(garment.mesh.positions[v]);
+    motion.start.high[row] = row_of(garment.mesh.positions[v]);
     motion.current[row] = row_of(state.current[v] - garment.mesh.positions[v]);
   }
   ExternalForces external;

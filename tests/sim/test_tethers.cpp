@@ -32,19 +32,21 @@ std::vector<Index> top_row(Index count) {
 TEST(Tethers, TheClothAtRestReachesNone) {
   const Garment garment = pinned_sheet(33, {0, 32});
   const Layout layout = make_layout(garment);
-  TetherLanes tethers = make_tethers(garment, layout, 0.0);
-  std::vector<Vec3> rest(layout.vertex_count());
-  for (std::size_t row = 0; row < rest.size(); ++row) {
-    rest[row] = garment.mesh.positions[layout.vertex_of_row[row]];
-  }
+  Tethers tethers = make_tethers(garment, layout, 0.0);
+  StartRows rest;
+  set_start(layout, garment.mesh.positions, rest);
   start_tethers(rest, tethers);
   std::size_t count = 0;
-  for (std::size_t row = 0; row < rest.size(); ++row) {
-    const double length_m = glm::length(rest[row] - rest[tethers.pin[row]]);
-    EXPECT_GE(tethers.squared_length[row], length_m * length_m * (1.0 - 1e-6));
-    count += tethers.squared_length[row] < never_reached ? 1 : 0;
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    const Tether& tether = tethers.lanes[row];
+    const Vec3 from_pin_m(tether.start_x, tether.start_y, tether.start_z);
+    const Vec3 expected_m = garment.mesh.positions[layout.vertex_of_row[row]] -
+                            garment.mesh.positions[layout.vertex_of_row[tethers.pin[row]]];
+    EXPECT_LT(glm::distance(from_pin_m, expected_m), 1e-7);
+    EXPECT_GE(tether.squared_length, glm::dot(expected_m, expected_m) * (1.0 - 1e-6));
+    count += tether.squared_length < never_reached ? 1 : 0;
   }
-  EXPECT_GT(count, rest.size() * 9 / 10) << "all but those next to the pins";
+  EXPECT_GT(count, layout.vertex_count() * 9 / 10) << "all but those next to the pins";
 }
 
 TEST(Tethers, AreAsLongAsTheBoundLets) {
@@ -52,24 +54,27 @@ TEST(Tethers, AreAsLongAsTheBoundLets) {
   const Layout layout = make_layout(garment);
   const std::size_t last = layout.vertex_count() - 1;
   const double way2 = std::pow(layout.distance_from_pins_m[last], 2);
-  EXPECT_NEAR(make_tethers(garment, layout, 0.0).squared_length[last], way2, 1e-6);
-  EXPECT_NEAR(make_tethers(garment, layout, 0.004).squared_length[last], way2 * 1.002 * 1.002, 1e-6);
-  EXPECT_NEAR(make_tethers(garment, layout, 0.3).squared_length[last], way2 * 1.01 * 1.01, 1e-6);
+  EXPECT_NEAR(make_tethers(garment, layout, 0.0).lanes[last].squared_length, way2, 1e-6);
+  EXPECT_NEAR(make_tethers(garment, layout, 0.004).lanes[last].squared_length, way2 * 1.002 * 1.002, 1e-6);
+  EXPECT_NEAR(make_tethers(garment, layout, 0.3).lanes[last].squared_length, way2 * 1.01 * 1.01, 1e-6);
 }
 
 TEST(Tethers, BringVerticesBackAndMoveWithThePins) {
   const Garment garment = pinned_sheet(9, {0});
   const Layout layout = make_layout(garment);
-  TetherLanes tethers = make_tethers(garment, layout, 0.0);
-  start_tethers(std::vector<Vec3>(layout.vertex_count(), Vec3(0.0)), tethers);
-  const Row pin_moved = {0.5F, 0.0F, 0.0F, 0.0F};
+  Tethers tethers = make_tethers(garment, layout, 0.0);
   const std::size_t last = layout.vertex_count() - 1;
-  const double length_m = std::sqrt(tethers.squared_length[last]);
-  Rows rows(layout.row_count(), pin_moved);
+  const double length_m = std::sqrt(tethers.lanes[last].squared_length);
+  const Prediction prediction = {0.0F, 0.0F, {0.5F, 0.0F, 0.0F, 0.0F}};
+  const Rows accelerations(layout.row_count());
   const auto hung_at = [&](double distance_m) {
-    rows[last].x = static_cast<float>(0.5 + distance_m);
-    kernels_for(VectorUnit::scalar).hold(tethers, 0, layout.row_count(), pin_moved, rows.data());
-    return rows[last].x - 0.5;
+    Rows current(layout.row_count());
+    Rows predicted(layout.row_count());
+    current[last].x = static_cast<float>(0.5 + distance_m);
+    kernels_for(VectorUnit::scalar)
+        .predict(0, layout.row_count(), prediction, tethers.lanes.data(), accelerations.data(),
+                 current.data(), predicted.data());
+    return predicted[last].x - 0.5;
   };
   EXPECT_FLOAT_EQ(static_cast<float>(hung_at(0.99 * length_m)), static_cast<float>(0.99 * length_m));
   EXPECT_NEAR(hung_at(1.02 * length_m), length_m, 5e-4) << "to the second order of the error";

@@ -87,42 +87,23 @@ Taken take_stiffness(const Garment& garment, const std::vector<Index>& row_of_ve
   return {summed(std::move(entries)), std::move(left)};
 }
 
-RowMatrix acceleration_matrix(const std::vector<Entry>& stiffness,
-                              const std::vector<double>& inverse_masses_per_kg) {
-  RowMatrix matrix;
-  matrix.begin.push_back(0);
-  auto e = stiffness.begin();
-  for (Index row = 0; row < inverse_masses_per_kg.size(); ++row) {
-    const double w = inverse_masses_per_kg[row];
-    for (; e != stiffness.end() && e->row == row; ++e) {
-      if (w > 0.0 && e->column != row) {
-        matrix.column.push_back(e->column);
-        matrix.value.push_back(static_cast<float>(-w * e->value));
-      }
+/// -W K by rows.
+std::vector<std::vector<MatrixEntry>> acceleration_rows(const std::vector<Entry>& stiffness,
+                                                        const std::vector<double>& inverse_masses_per_kg) {
+  std::vector<std::vector<MatrixEntry>> rows(inverse_masses_per_kg.size());
+  for (const Entry& e : stiffness) {
+    const double w = inverse_masses_per_kg[e.row];
+    if (w > 0.0 && e.column != e.row) {
+      rows[e.row].push_back({e.column, -w * e.value});
     }
-    if (matrix.column.size() % 2 == 1) {
-      matrix.column.push_back(row);
-      matrix.value.push_back(0.0F);
-    }
-    matrix.begin.push_back(static_cast<std::uint32_t>(matrix.column.size()));
   }
-  return matrix;
+  return rows;
 }
 
 /// By the power method with this many steps, which comes from below and is close, as the highest modes are
 /// many and alike.
 constexpr int power_steps = 40;
 constexpr double power_margin = 1.15;
-
-/// result += M mode, with the diagonal that makes M's rows sum to zero.
-void add_product(const RowMatrix& matrix, std::size_t begin, const std::vector<double>& mode,
-                 std::vector<double>& result) {
-  for (std::size_t row = begin; row < mode.size(); ++row) {
-    for (std::uint32_t k = matrix.begin[row]; k < matrix.begin[row + 1]; ++k) {
-      result[row] += static_cast<double>(matrix.value[k]) * (mode[matrix.column[k]] - mode[row]);
-    }
-  }
-}
 
 /// The mean over each cluster's mass of what is left to its vertices.
 std::vector<double> shares_of_clusters(const CoarseCloth& coarse, const std::vector<double>& left) {
@@ -163,7 +144,7 @@ Bending::Bending(const Garment& garment, const Layout& layout, double rigidity_n
     Taken taken = take_stiffness(from, row_of_vertex, shares, rigidity_n_m, rate_per_s);
     const auto inverse_masses = by_row<double>(from.inverse_masses_per_kg, vertex_of_row);
     levels_.emplace_back();
-    levels_.back().matrix = acceleration_matrix(taken.stiffness, inverse_masses);
+    levels_.back().matrix = make_sliced_matrix(acceleration_rows(taken.stiffness, inverse_masses));
     return is_coarsest ? std::vector<double>(shares.size(), 0.0) : std::move(taken.left_shares);
   };
 
@@ -180,8 +161,8 @@ Bending::Bending(const Garment& garment, const Layout& layout, double rigidity_n
     Level& level = levels_.back();
     level.cluster_of = cluster_of;
     level.part_of_mass = part_of_mass;
-    level.positions.resize(shares.size());
-    level.accelerations.resize(shares.size());
+    level.positions.resize(shares.size() + block_size);
+    level.accelerations.resize(level.positions.size());
   }
   largest_rate_per_s_ = find_largest_rate_per_s();
 }
@@ -190,7 +171,7 @@ std::vector<double> Bending::image_of(const std::vector<double>& mode) const {
   std::vector<std::vector<double>> modes = {mode};
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     const Level& level = levels_[l];
-    std::vector<double> coarse(level.positions.size(), 0.0);
+    std::vector<double> coarse(level.positions.size() - block_size, 0.0);
     for (std::size_t row = 0; row < level.cluster_of.size(); ++row) {
       coarse[level.cluster_of[row]] += static_cast<double>(level.part_of_mass[row]) * modes.back()[row];
     }
@@ -203,7 +184,7 @@ std::vector<double> Bending::image_of(const std::vector<double>& mode) const {
     for (std::size_t row = begin; row < finer.size() && l + 1 < levels_.size(); ++row) {
       finer[row] = image[levels_[l + 1].cluster_of[row]];
     }
-    add_product(levels_[l].matrix, begin, modes[l], finer);
+    add_product(levels_[l].matrix, modes[l], finer);
     image = std::move(finer);
   }
   return image;
@@ -241,8 +222,7 @@ void Bending::add_accelerations(const Rows& positions, Loops& loops, Rows& accel
     for (std::size_t row = 0; row < level.cluster_of.size(); ++row) {
       add_scaled(level.positions[level.cluster_of[row]], finer[row], level.part_of_mass[row]);
     }
-    loops.add_product(level.matrix, 0, level.positions.size(), level.positions.data(),
-                      level.accelerations.data());
+    loops.add_product(level.matrix, level.positions.data(), level.accelerations.data());
     finer = level.positions.data();
   }
   for (std::size_t l = levels_.size(); l-- > 1;) {
@@ -252,7 +232,7 @@ void Bending::add_accelerations(const Rows& positions, Loops& loops, Rows& accel
       add_scaled(onto[row], level.accelerations[level.cluster_of[row]], 1.0F);
     }
   }
-  loops.add_product(levels_[0].matrix, first_free_row_, row_count_, positions.data(), accelerations.data());
+  loops.add_product(levels_[0].matrix, positions.data(), accelerations.data());
 }
 
 }  // namespace taut::sim::bounded

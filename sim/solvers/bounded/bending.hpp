@@ -36,10 +36,10 @@ class Bending {
 
  private:
   struct Level {
-    RowMatrix matrix;                       ///< -W K without its diagonal: accelerations from positions
+    SlicedMatrix matrix;                    ///< -W K without its diagonal: accelerations from positions
     std::vector<std::uint32_t> cluster_of;  ///< by row of the next finer level; empty in the finest
     std::vector<float> part_of_mass;        ///< likewise
-    Rows positions;                         ///< of clusters
+    Rows positions;                         ///< of clusters, and as many spare rows as a slice has
     Rows accelerations;
   };
 

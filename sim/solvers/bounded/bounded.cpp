@@ -50,7 +50,7 @@ struct BoundedSolver::Cloth {
   Contacts contacts;
   Certifier certifier;
   SubstepControl control{1, 1, 1};
-  TetherLanes tethers;
+  Tethers tethers;
   Motion motion;
   Rows velocities;           ///< m/s, when the frame began
   double shift = 0.0;        ///< of the last frame, in parts of the largest allowed
@@ -85,19 +85,18 @@ void BoundedSolver::begin_frame(const State& state) {
   const Layout& layout = cloth_->layout;
   Motion& motion = cloth_->motion;
   motion.start_m.resize(layout.vertex_count());
-  for (Rows* rows : {&motion.start, &motion.current, &motion.previous, &cloth_->velocities}) {
+  for (Rows* rows : {&motion.current, &motion.previous, &cloth_->velocities}) {
     rows->resize(layout.row_count());
   }
   const double steps_per_s = state.time_step_s > 0.0 ? 1.0 / state.time_step_s : 0.0;
-  motion.origin_m = state.current[layout.vertex_of_row[0]];
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     const Index v = layout.vertex_of_row[row];
     motion.start_m[row] = state.current[v];
-    motion.start[row] = row_of(state.current[v] - motion.origin_m);
     cloth_->velocities[row] = row_of((state.current[v] - state.previous[v]) * steps_per_s);
   }
-  start_springs(motion.start_m, cloth_->layout.springs);
-  start_tethers(motion.start_m, cloth_->tethers);
+  set_start(layout, state.current, motion.start);
+  loops_->start_springs(motion.start, cloth_->layout.springs);
+  start_tethers(motion.start, cloth_->tethers);
 }
 
 // A spring too short pushes back with a stiffness in N/m: of its error it corrects k dt^2 w / (1 + k dt^2 w),
@@ -124,11 +123,21 @@ void BoundedSolver::begin_substeps(double time_step_s) {
   }
 }
 
-void BoundedSolver::move_pins(const Surroundings& surroundings, double frame_began_s, double time_s) {
-  const Row offset = row_of(pin_offset(surroundings.pin_motion, time_s) -
-                            pin_offset(surroundings.pin_motion, frame_began_s));
-  Rows& predicted = cloth_->motion.current;
-  std::fill_n(predicted.begin(), cloth_->layout.pin_count, offset);
+// Step 2 of the paper, eq. (1): from `time_s` to one step later.
+void BoundedSolver::predict(const Surroundings& surroundings, double frame_began_s, double time_s,
+                            double time_step_s) {
+  Cloth& cloth = *cloth_;
+  Motion& motion = cloth.motion;
+  Prediction prediction;
+  prediction.decay = static_cast<float>(1.0 / (1.0 + surroundings.forces.air_drag_per_s * time_step_s));
+  prediction.dt_squared = static_cast<float>(time_step_s * time_step_s);
+  prediction.pins_moved = row_of(pin_offset(surroundings.pin_motion, time_s + time_step_s) -
+                                 pin_offset(surroundings.pin_motion, frame_began_s));
+  const bool is_tethered = settings_.tethers && cloth.layout.pin_count > 0;
+  loops_->predict(prediction, is_tethered ? cloth.tethers.lanes.data() : nullptr,
+                  cloth.forces.accelerations(), motion.current, motion.previous);
+  motion.previous.swap(motion.current);
+  std::fill_n(motion.current.begin(), cloth.layout.pin_count, prediction.pins_moved);
 }
 
 void BoundedSolver::sweep_springs() {
@@ -145,7 +154,6 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
   Motion& motion = cloth.motion;
   const Layout& layout = cloth.layout;
   const double dt = frame_time_s / substeps;
-  const auto slowed = static_cast<float>(1.0 / (1.0 + surroundings.forces.air_drag_per_s * dt));
   const int updates = cloth.forces.updates_per_frame(surroundings.forces, frame_time_s);
   const int held_substeps = std::max(1, substeps / updates);
   const int parting_substeps = std::max(1, substeps / partings_per_frame);
@@ -160,14 +168,8 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
       cloth.forces.update(garment, surroundings.forces, motion, at_s, dt, held_substeps * dt, *loops_);
     }
     // ... and predict where they go, eq. (1).
-    loops_->predict(layout.pin_count, layout.vertex_count(), slowed, static_cast<float>(dt * dt),
-                    cloth.forces.accelerations(), motion.current.data(), motion.previous.data());
-    motion.previous.swap(motion.current);
-    move_pins(surroundings, time_s, at_s + dt);
+    predict(surroundings, time_s, at_s, dt);
     // Step 3: compensate the predicted positions, eqs. (2)-(3).
-    if (settings_.tethers && layout.pin_count > 0) {
-      loops_->hold(cloth.tethers, motion.current[0], motion.current.data());
-    }
     sweep_springs();
     cloth.contacts.push_out(surroundings, motion);
   }

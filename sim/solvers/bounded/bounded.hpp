@@ -30,7 +30,7 @@ class BoundedSolver : public Solver {
   void begin_substeps(double time_step_s);
   void run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
                     double frame_time_s, int substeps);
-  void move_pins(const Surroundings& surroundings, double frame_began_s, double time_s);
+  void predict(const Surroundings& surroundings, double frame_began_s, double time_s, double time_step_s);
   void sweep_springs();
   void end_frame(const Surroundings& surroundings, double frame_time_s, int substeps, State& state);
 

@@ -94,7 +94,7 @@ void HeldForces::add_wind(const Garment& garment, const Wind& wind, const Motion
     return;
   }
   const TriangleLanes& triangles = layout_.triangles;
-  loops.wind(triangles, air_flow(garment, wind, time_s, time_step_s, held_s), motion.start.data(),
+  loops.wind(triangles, air_flow(garment, wind, time_s, time_step_s, held_s), motion.start.high.data(),
              motion.current.data(), motion.previous.data(), corner_forces_n_.data());
   loops.for_rows(0, layout_.vertex_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
@@ -116,7 +116,7 @@ void HeldForces::add_bending(const Motion& motion, double ahead, Loops& loops) {
     for (std::size_t row = begin; row < end; ++row) {
       const Row& d = motion.current[row];
       const Row& p = motion.previous[row];
-      const Row& x = motion.start[row];
+      const Row& x = motion.start.high[row];
       positions_[row] = {x.x + (d.x + (d.x - p.x) * factor), x.y + (d.y + (d.y - p.y) * factor),
                          x.z + (d.z + (d.z - p.z) * factor), 0.0F};
     }

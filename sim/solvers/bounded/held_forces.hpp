@@ -11,8 +11,7 @@ namespace taut::sim::bounded {
 /// positions would round away the motion of cloth that is nearly at rest, and never let it come to rest.
 struct Motion {
   std::vector<Vec3> start_m;  ///< positions when the frame began, by row
-  Vec3 origin_m{0.0};         ///< what `start` is relative to, so that its digits are spent on the shape
-  Rows start;                 ///< start_m - origin_m
+  StartRows start;            ///< the same, for kernels
   Rows current;               ///< displacements now
   Rows previous;              ///< and one time step ago
 };

@@ -45,14 +45,44 @@ float predicted(float current, float previous, float decay, float acceleration, 
   return current + ((current - previous) * decay + acceleration * dt_squared);
 }
 
-void predict(std::size_t begin, std::size_t end, float decay, float dt_squared, const Row* accelerations,
-             const Row* current, Row* previous) {
+void hold(const Tether& tether, const Row& pin_moved, Row& row) {
+  const float x = (row.x - pin_moved.x) + tether.start_x;
+  const float y = (row.y - pin_moved.y) + tether.start_y;
+  const float z = (row.z - pin_moved.z) + tether.start_z;
+  const float squared = (x * x + y * y) + z * z;
+  const float excess = squared - tether.squared_length;
+  if (excess > 0.0F) {
+    const float error = excess / (squared + tether.squared_length);
+    row = {row.x - x * error, row.y - y * error, row.z - z * error, 0.0F};
+  }
+}
+
+void predict(std::size_t begin, std::size_t end, const Prediction& prediction, const Tether* tethers,
+             const Row* accelerations, const Row* current, Row* previous) {
+  const auto [decay, dt_squared, pins_moved] = prediction;
   for (std::size_t r = begin; r < end; ++r) {
     const Row& d = current[r];
     const Row& a = accelerations[r];
     Row& p = previous[r];
     p = {predicted(d.x, p.x, decay, a.x, dt_squared), predicted(d.y, p.y, decay, a.y, dt_squared),
          predicted(d.z, p.z, decay, a.z, dt_squared), 0.0F};
+    if (tethers != nullptr) {
+      hold(tethers[r], pins_moved, p);
+    }
+  }
+}
+
+void start_springs(const StartRows& start, std::size_t begin, std::size_t end, SpringLanes& springs) {
+  const auto& [high, low] = start;
+  for (std::size_t b = begin; b < end; ++b) {
+    SpringBlock& block = springs.blocks[b];
+    for (std::size_t k = 0; k < block_size; ++k) {
+      const std::uint32_t i = block.at_i[k] / 4;
+      const std::uint32_t j = block.at_j[k] / 4;
+      block.start_x[k] = (high[i].x - high[j].x) + (low[i].x - low[j].x);
+      block.start_y[k] = (high[i].y - high[j].y) + (low[i].y - low[j].y);
+      block.start_z[k] = (high[i].z - high[j].z) + (low[i].z - low[j].z);
+    }
   }
 }
 
@@ -68,23 +98,9 @@ void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* 
   }
 }
 
-void hold(const TetherLanes& tethers, std::size_t begin, std::size_t end, const Row& pin_moved, Row* rows) {
-  for (std::size_t r = begin; r < end; ++r) {
-    const float x = (rows[r].x - pin_moved.x) + tethers.start[r].x;
-    const float y = (rows[r].y - pin_moved.y) + tethers.start[r].y;
-    const float z = (rows[r].z - pin_moved.z) + tethers.start[r].z;
-    const float squared = (x * x + y * y) + z * z;
-    const float excess = squared - tethers.squared_length[r];
-    if (excess > 0.0F) {
-      const float error = excess / (squared + tethers.squared_length[r]);
-      rows[r] = {rows[r].x - x * error, rows[r].y - y * error, rows[r].z - z * error, 0.0F};
-    }
-  }
-}
-
-void shorten(const SpringLanes& springs, std::size_t begin, std::size_t end, float squared_bound,
+void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
              float relaxation, Row* rows) {
-  for (std::size_t b = begin; b < end; ++b) {
+  for (const std::uint32_t b : blocks) {
     const SpringBlock& block = springs.blocks[b];
     for (std::size_t k = 0; k < block_size; ++k) {
       const Spring spring = spring_between(block, k, rows);
@@ -173,25 +189,26 @@ void add_scaled(const Triple& x, float factor, Row& total) {
   total.z = total.z + x.z * factor;
 }
 
-void add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
+void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
                  Row* result) {
-  for (std::size_t r = begin; r < end; ++r) {
-    const Row& x = positions[r];
-    Row even;
-    Row odd;
-    for (std::uint32_t k = matrix.begin[r]; k < matrix.begin[r + 1]; k += 2) {
-      add_scaled(difference(positions[matrix.column[k]], x), matrix.value[k], even);
-      add_scaled(difference(positions[matrix.column[k + 1]], x), matrix.value[k + 1], odd);
+  for (std::size_t lane = begin * block_size; lane < end * block_size; ++lane) {
+    const std::size_t slice = lane / block_size;
+    const std::uint32_t row = matrix.row_at[lane] / 4;
+    Row sum;
+    for (std::uint32_t b = matrix.begin[slice]; b < matrix.begin[slice + 1]; ++b) {
+      const std::size_t entry = b * block_size + lane % block_size;
+      add_scaled(difference(positions[matrix.column_at[entry] / 4], positions[row]), matrix.value[entry],
+                 sum);
     }
-    Row& sum_of = result[r];
-    sum_of = {sum_of.x + (even.x + odd.x), sum_of.y + (even.y + odd.y), sum_of.z + (even.z + odd.z), 0.0F};
+    result[row] = scaled_sum(result[row], sum, 1.0F);
   }
 }
 
 }  // namespace
 
 const Kernels& scalar_kernels() {
-  static constexpr Kernels table = {predict, sweep, hold, shorten, largest_ratios, wind, add_product};
+  static constexpr Kernels table = {predict,        start_springs, sweep,      shorten,
+                                    largest_ratios, wind,          add_product};
   return table;
 }
 

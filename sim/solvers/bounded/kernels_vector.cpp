@@ -21,10 +21,6 @@ using V = hn::Vec<Floats>;
 
 constexpr std::size_t lanes = hn::MaxLanes(Floats());
 
-HWY_INLINE hn::Vec<FourFloats> load_row(const Row* rows, std::uint32_t index) {
-  return hn::Load(FourFloats(), &rows[index].x);
-}
-
 /// Four vectors of rows as they are loaded, or of one coordinate each.
 struct Four {
   V a, b, c, d;
@@ -137,16 +133,61 @@ HWY_INLINE void shorten_springs(const SpringBlock& block, std::size_t k, const F
   store_rows(j + (whole - part_i), rows, &block.at_j[k]);
 }
 
-void predict(std::size_t begin, std::size_t end, float decay, float dt_squared, const Row* accelerations,
-             const Row* current, Row* previous) {
-  const FourFloats four;
-  const auto decays = hn::Set(four, decay);
-  const auto dts_squared = hn::Set(four, dt_squared);
-  for (std::size_t r = begin; r < end; ++r) {
-    const auto d = hn::Load(four, &current[r].x);
-    const auto moved = hn::Mul(hn::Sub(d, hn::Load(four, &previous[r].x)), decays);
-    const auto driven = hn::Mul(hn::Load(four, &accelerations[r].x), dts_squared);
-    hn::Store(hn::Add(d, hn::Add(moved, driven)), four, &previous[r].x);
+/// In each of the rows' four places the sum of its coordinates, the fourth of which must be 0, as
+/// (x + y) + z.
+HWY_INLINE V sums_of_coordinates(V rows) {
+  const V pairs = hn::Add(rows, hn::Shuffle2301(rows));
+  return hn::Add(pairs, hn::Shuffle1032(pairs));
+}
+
+/// Of a vector of rows, those further away than their tethers reach are brought back.
+HWY_INLINE V held(V rows, const Tether* tethers, V pins_moved, V is_coordinate) {
+  const Floats f;
+  const V tether = hn::Load(f, &tethers->start_x);
+  const V from_pin = hn::And(hn::Add(hn::Sub(rows, pins_moved), tether), is_coordinate);
+  const V squared = sums_of_coordinates(hn::Mul(from_pin, from_pin));
+  const V limit = hn::Broadcast<3>(tether);
+  const V excess = hn::Sub(squared, limit);
+  const auto too_far = hn::Gt(excess, hn::Zero(f));
+  if (hn::AllFalse(f, too_far)) {
+    return rows;
+  }
+  const V error = hn::IfThenElseZero(too_far, hn::Div(excess, hn::Add(squared, limit)));
+  return hn::Sub(rows, hn::Mul(from_pin, error));
+}
+
+void predict(std::size_t begin, std::size_t end, const Prediction& prediction, const Tether* tethers,
+             const Row* accelerations, const Row* current, Row* previous) {
+  const Floats f;
+  const V decays = hn::Set(f, prediction.decay);
+  const V dts_squared = hn::Set(f, prediction.dt_squared);
+  const V pins_moved = hn::LoadDup128(f, &prediction.pins_moved.x);
+  alignas(16) static constexpr std::uint32_t coordinates[4] = {~0U, ~0U, ~0U, 0U};
+  const V is_coordinate = hn::BitCast(f, hn::LoadDup128(hn::RebindToUnsigned<Floats>(), coordinates));
+  for (std::size_t r = begin; r < end; r += lanes / 4) {
+    const V d = hn::Load(f, &current[r].x);
+    const V moved = hn::Mul(hn::Sub(d, hn::Load(f, &previous[r].x)), decays);
+    const V driven = hn::Mul(hn::Load(f, &accelerations[r].x), dts_squared);
+    const V predicted = hn::Add(d, hn::Add(moved, driven));
+    hn::Store(tethers == nullptr ? predicted : held(predicted, tethers + r, pins_moved, is_coordinate), f,
+              &previous[r].x);
+  }
+}
+
+void start_springs(const StartRows& start, std::size_t begin, std::size_t end, SpringLanes& springs) {
+  const Floats f;
+  const float* high = &start.high[0].x;
+  const float* low = &start.low[0].x;
+  for (std::size_t b = begin; b < end; ++b) {
+    SpringBlock& block = springs.blocks[b];
+    for (std::size_t k = 0; k < block_size; k += lanes) {
+      const Four coarse = load_rows(high, &block.at_i[k]) - load_rows(high, &block.at_j[k]);
+      const Four fine = load_rows(low, &block.at_i[k]) - load_rows(low, &block.at_j[k]);
+      const Triple spring = as_coordinates(coarse + fine);
+      hn::Store(spring.x, f, &block.start_x[k]);
+      hn::Store(spring.y, f, &block.start_y[k]);
+      hn::Store(spring.z, f, &block.start_z[k]);
+    }
   }
 }
 
@@ -178,30 +219,11 @@ HWY_INLINE std::array<std::uint32_t, lanes> rows_from(std::size_t k) {
   return at;
 }
 
-void hold(const TetherLanes& tethers, std::size_t begin, std::size_t end, const Row& pin_moved, Row* rows) {
-  const Floats f;
-  const Triple pin = {hn::Set(f, pin_moved.x), hn::Set(f, pin_moved.y), hn::Set(f, pin_moved.z)};
-  for (std::size_t k = begin; k < end; k += lanes) {
-    const auto at = rows_from(k);
-    const Four now = load_rows(&rows->x, at.data());
-    const Triple from_pin =
-        (as_coordinates(now) - pin) + as_coordinates(load_rows(&tethers.start[0].x, at.data()));
-    const V squared = dot(from_pin, from_pin);
-    const V limit = hn::Load(f, &tethers.squared_length[k]);
-    const V excess = hn::Sub(squared, limit);
-    const auto too_far = hn::Gt(excess, hn::Zero(f));
-    if (!hn::AllFalse(f, too_far)) {
-      const V error = hn::IfThenElseZero(too_far, hn::Div(excess, hn::Add(squared, limit)));
-      store_rows(now - as_rows(from_pin * error), &rows->x, at.data());
-    }
-  }
-}
-
-void shorten(const SpringLanes& springs, std::size_t begin, std::size_t end, float squared_bound,
+void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
              float relaxation, Row* rows) {
   const Floats f;
   float* first = &rows->x;
-  for (std::size_t b = begin; b < end; ++b) {
+  for (const std::uint32_t b : blocks) {
     const SpringBlock& block = springs.blocks[b];
     for (std::size_t k = 0; k < block_size; k += lanes) {
       const Four i = load_rows(first, &block.at_i[k]);
@@ -288,25 +310,27 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
   }
 }
 
-void add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
+void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
                  Row* result) {
-  const FourFloats four;
-  for (std::size_t r = begin; r < end; ++r) {
-    const auto x = hn::Load(four, &positions[r].x);
-    auto even = hn::Zero(four);
-    auto odd = hn::Zero(four);
-    for (std::uint32_t k = matrix.begin[r]; k < matrix.begin[r + 1]; k += 2) {
-      const auto to_even = hn::Sub(load_row(positions, matrix.column[k]), x);
-      const auto to_odd = hn::Sub(load_row(positions, matrix.column[k + 1]), x);
-      even = hn::Add(even, hn::Mul(to_even, hn::Set(four, matrix.value[k])));
-      odd = hn::Add(odd, hn::Mul(to_odd, hn::Set(four, matrix.value[k + 1])));
+  const Floats f;
+  const float* first = &positions->x;
+  for (std::size_t lane = begin * block_size; lane < end * block_size; lane += lanes) {
+    const std::size_t slice = lane / block_size;
+    const std::uint32_t* row_at = &matrix.row_at[lane];
+    const Triple x = as_coordinates(load_rows(first, row_at));
+    Triple sum = {hn::Zero(f), hn::Zero(f), hn::Zero(f)};
+    const std::size_t last = matrix.begin[slice + 1] * block_size;
+    for (std::size_t e = matrix.begin[slice] * block_size + lane % block_size; e < last; e += block_size) {
+      const Triple to_column = as_coordinates(load_rows(first, &matrix.column_at[e])) - x;
+      sum = sum + to_column * hn::Load(f, &matrix.value[e]);
     }
-    hn::Store(hn::Add(hn::Load(four, &result[r].x), hn::Add(even, odd)), four, &result[r].x);
+    store_rows(load_rows(&result->x, row_at) + as_rows(sum), &result->x, row_at);
   }
 }
 
 const Kernels& kernel_table() {
-  static constexpr Kernels table = {predict, sweep, hold, shorten, largest_ratios, wind, add_product};
+  static constexpr Kernels table = {predict,        start_springs, sweep,      shorten,
+                                    largest_ratios, wind,          add_product};
   return table;
 }
 

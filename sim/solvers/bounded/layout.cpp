@@ -172,16 +172,14 @@ TriangleLanes make_triangle_lanes(const Garment& garment, const Layout& layout) 
 
 }  // namespace
 
-void start_springs(const std::vector<Vec3>& positions_m, SpringLanes& springs) {
-  for (std::size_t lane = 0; lane < springs.lane_count(); ++lane) {
-    if (springs.spring[lane] != SpringLanes::no_spring) {
-      SpringBlock& block = springs.blocks[lane / block_size];
-      const std::size_t k = lane % block_size;
-      const Vec3 start = positions_m[springs.row_i(lane)] - positions_m[springs.row_j(lane)];
-      block.start_x[k] = static_cast<float>(start.x);
-      block.start_y[k] = static_cast<float>(start.y);
-      block.start_z[k] = static_cast<float>(start.z);
-    }
+void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRows& start) {
+  start.high.resize(layout.row_count());
+  start.low.resize(layout.row_count());
+  const Vec3 origin_m = positions_m[layout.vertex_of_row[0]];
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    const Vec3 from_origin_m = positions_m[layout.vertex_of_row[row]] - origin_m;
+    start.high[row] = row_of(from_origin_m);
+    start.low[row] = row_of(from_origin_m - vector_of(start.high[row]));
   }
 }
 

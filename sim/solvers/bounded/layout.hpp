@@ -2,16 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/garment.hpp"
 #include "sim/solvers/bounded/rows.hpp"
 
 namespace taut::sim::bounded {
-
-/// Springs, or triangles, are worked on in blocks of this many, whatever number the processor's vectors hold:
-/// a block is the unit of padding, of choosing and of sharing work among threads.
-inline constexpr std::size_t block_size = 16;
 
 /// Springs side by side, everything a sweep reads of them in one stretch of memory.
 struct alignas(64) SpringBlock {
@@ -76,7 +73,14 @@ struct Layout {
 
 Layout make_layout(const Garment& garment);
 
-/// Sets L' at the start of a frame from positions by row.
-void start_springs(const std::vector<Vec3>& positions_m, SpringLanes& springs);
+/// Where the cloth is when a frame begins, by row, from a point of it: in single precision, and what that
+/// rounds away. Spare rows are zero.
+struct StartRows {
+  Rows high;
+  Rows low;
+};
+
+/// From positions by vertex, in m.
+void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRows& start);
 
 }  // namespace taut::sim::bounded

@@ -8,11 +8,17 @@ constexpr std::size_t least_blocks = 48;
 
 }  // namespace
 
-void Loops::predict(std::size_t begin, std::size_t end, float decay, float dt_squared,
-                    const Row* accelerations, const Row* current, Row* previous) {
-  team_.split(begin, end, 2 * least_rows, [&](std::size_t b, std::size_t e) {
-    kernels_.predict(b, e, decay, dt_squared, accelerations, current, previous);
+void Loops::predict(const Prediction& prediction, const Tether* tethers, const Row* accelerations,
+                    const Rows& current, Rows& previous) {
+  team_.split(0, current.size() / block_size, 2 * least_rows / block_size, [&](std::size_t b, std::size_t e) {
+    kernels_.predict(b * block_size, e * block_size, prediction, tethers, accelerations, current.data(),
+                     previous.data());
   });
+}
+
+void Loops::start_springs(const StartRows& start, SpringLanes& springs) {
+  team_.split(0, springs.block_count(), least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.start_springs(start, b, e, springs); });
 }
 
 void Loops::sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows) {
@@ -23,17 +29,8 @@ void Loops::sweep(const SpringLanes& springs, std::size_t begin, std::size_t end
 void Loops::shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
                     float relaxation, Row* rows) {
   team_.split(0, blocks.size(), least_blocks, [&](std::size_t b, std::size_t e) {
-    for (const std::uint32_t block : blocks.subspan(b, e - b)) {
-      kernels_.shorten(springs, block, block + 1, squared_bound, relaxation, rows);
-    }
+    kernels_.shorten(springs, blocks.subspan(b, e - b), squared_bound, relaxation, rows);
   });
-}
-
-void Loops::hold(const TetherLanes& tethers, const Row& pin_moved, Row* rows) {
-  team_.split(0, tethers.squared_length.size() / block_size, 2 * least_blocks,
-              [&](std::size_t b, std::size_t e) {
-                kernels_.hold(tethers, b * block_size, e * block_size, pin_moved, rows);
-              });
 }
 
 void Loops::largest_ratios(const SpringLanes& springs, const Row* rows, float* squared_ratios) {
@@ -49,9 +46,8 @@ void Loops::wind(const TriangleLanes& triangles, const AirFlow& air, const Row* 
   });
 }
 
-void Loops::add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
-                        Row* result) {
-  team_.split(begin, end, least_rows,
+void Loops::add_product(const SlicedMatrix& matrix, const Row* positions, Row* result) {
+  team_.split(0, matrix.slice_count(), least_blocks,
               [&](std::size_t b, std::size_t e) { kernels_.add_product(matrix, b, e, positions, result); });
 }
 

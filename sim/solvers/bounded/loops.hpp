@@ -12,22 +12,21 @@ class Loops {
  public:
   Loops(const Kernels& kernels, int threads) : kernels_(kernels), team_(threads) {}
 
-  void predict(std::size_t begin, std::size_t end, float decay, float dt_squared, const Row* accelerations,
-               const Row* current, Row* previous);
+  /// Of all rows; `tethers` may be null.
+  void predict(const Prediction& prediction, const Tether* tethers, const Row* accelerations,
+               const Rows& current, Rows& previous);
+
+  void start_springs(const StartRows& start, SpringLanes& springs);
 
   /// All blocks must be of one colour, here and in `shorten`.
   void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows);
   void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
                float relaxation, Row* rows);
 
-  /// Of all rows.
-  void hold(const TetherLanes& tethers, const Row& pin_moved, Row* rows);
-
   void largest_ratios(const SpringLanes& springs, const Row* rows, float* squared_ratios);
   void wind(const TriangleLanes& triangles, const AirFlow& air, const Row* start, const Row* current,
             const Row* previous, Row* corner_forces);
-  void add_product(const RowMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
-                   Row* result);
+  void add_product(const SlicedMatrix& matrix, const Row* positions, Row* result);
 
   /// Calls part(b, e) for stretches of rows that cover [begin, end); what it does for a row must not depend
   /// on what it does for others.

@@ -8,6 +8,10 @@
 
 namespace taut::sim::bounded {
 
+/// Springs, triangles or rows of a matrix are worked on in blocks of this many, whatever number the
+/// processor's vectors hold: a block is the unit of padding, of choosing and of sharing work among threads.
+inline constexpr std::size_t block_size = 16;
+
 /// Starts arrays on a cache line, so that no vector of them lies on two.
 template <typename T>
 struct LineAligned {
@@ -26,7 +30,8 @@ struct LineAligned {
 template <typename T>
 using Lanes = std::vector<T, LineAligned<T>>;
 
-/// Three coordinates of one vertex and an unused fourth, always 0: one load, one store.
+/// Three coordinates of one vertex and an unused fourth, always 0: one load, one store. What is done to three
+/// is done to the fourth, so that a compiler does it to all at once.
 struct Row {
   float x = 0.0F;
   float y = 0.0F;
@@ -44,11 +49,12 @@ inline void add_scaled(Row& sum, const Row& r, float factor) {
   sum.x += factor * r.x;
   sum.y += factor * r.y;
   sum.z += factor * r.z;
+  sum.unused += factor * r.unused;
 }
 
 /// a + factor b.
 inline Row scaled_sum(const Row& a, const Row& b, float factor) {
-  return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z, 0.0F};
+  return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z, a.unused + factor * b.unused};
 }
 
 inline Vec3 vector_of(const Row& r) {

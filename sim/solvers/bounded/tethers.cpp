@@ -16,11 +16,10 @@ constexpr double most_slack = 0.01;
 
 }  // namespace
 
-TetherLanes make_tethers(const Garment& garment, const Layout& layout, double max_stretch) {
-  TetherLanes tethers;
+Tethers make_tethers(const Garment& garment, const Layout& layout, double max_stretch) {
+  Tethers tethers;
   tethers.pin.resize(layout.row_count(), 0);
-  tethers.start.resize(layout.row_count());
-  tethers.squared_length.resize(layout.row_count(), never_reached);
+  tethers.lanes.resize(layout.row_count());
   const double stretched = 1.0 + std::min(most_slack, 0.5 * max_stretch);
   const double spring_m = layout.reach_springs > 0.0 ? layout.reach_m / layout.reach_springs : 0.0;
   const std::vector<Vec3>& rest = garment.mesh.positions;
@@ -34,14 +33,19 @@ TetherLanes make_tethers(const Garment& garment, const Layout& layout, double ma
     const double straight_m = glm::length(rest[layout.vertex_of_row[row]] - rest[layout.vertex_of_row[pin]]);
     const double length_m = stretched * std::max(along_m, straight_m);
     tethers.pin[row] = pin;
-    tethers.squared_length[row] = static_cast<float>(length_m * length_m);
+    tethers.lanes[row].squared_length = static_cast<float>(length_m * length_m);
   }
   return tethers;
 }
 
-void start_tethers(const std::vector<Vec3>& positions_m, TetherLanes& tethers) {
-  for (std::size_t row = 0; row < positions_m.size(); ++row) {
-    tethers.start[row] = row_of(positions_m[row] - positions_m[tethers.pin[row]]);
+void start_tethers(const StartRows& start, Tethers& tethers) {
+  for (std::size_t row = 0; row < tethers.lanes.size(); ++row) {
+    const auto& [high, low] = start;
+    const Index pin = tethers.pin[row];
+    Tether& tether = tethers.lanes[row];
+    tether.start_x = (high[row].x - high[pin].x) + (low[row].x - low[pin].x);
+    tether.start_y = (high[row].y - high[pin].y) + (low[row].y - low[pin].y);
+    tether.start_z = (high[row].z - high[pin].z) + (low[row].z - low[pin].z);
   }
 }
 

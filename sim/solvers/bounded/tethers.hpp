@@ -11,9 +11,9 @@ namespace taut::sim::bounded {
 /// one a step, a tether brings to every vertex at once.
 ///
 /// A bound on stretch lets tethers be a little longer.
-TetherLanes make_tethers(const Garment& garment, const Layout& layout, double max_stretch);
+Tethers make_tethers(const Garment& garment, const Layout& layout, double max_stretch);
 
-/// Sets where each vertex is from its pin at the start of a frame, from positions by row.
-void start_tethers(const std::vector<Vec3>& positions_m, TetherLanes& tethers);
+/// Sets where each vertex is from its pin when a frame begins.
+void start_tethers(const StartRows& start, Tethers& tethers);
 
 }  // namespace taut::sim::bounded

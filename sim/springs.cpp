@@ -35,21 +35,25 @@ std::vector<Edge> cell_diagonals(const Mesh& mesh) {
   return diagonals;
 }
 
-/// The neighbour of v in the direction most nearly opposite to neighbour a, or a itself where every other
+struct Neighbour {
+  Index vertex;
+  Vec3 direction;  ///< of length 1
+};
+
+/// The neighbour in the direction most nearly opposite to neighbour a, or a itself where every other
 /// neighbour makes a smaller angle with a than the limit.
-Index straightest_neighbour(const std::vector<Vec3>& positions, Index v, Index a,
-                            std::span<const Index> neighbours, double largest_cosine) {
-  const Vec3 towards_a = glm::normalize(positions[a] - positions[v]);
-  Index best = a;
+Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neighbours,
+                            double largest_cosine) {
+  Index best = a.vertex;
   double best_cosine = largest_cosine;
-  for (const Index b : neighbours) {
-    if (b == a) {
+  for (const Neighbour& b : neighbours) {
+    if (b.vertex == a.vertex) {
       continue;
     }
-    const double cosine = glm::dot(towards_a, glm::normalize(positions[b] - positions[v]));
+    const double cosine = glm::dot(a.direction, b.direction);
     // The smaller index wins a tie, so that the mapping does not depend on the order of the edges.
-    if (cosine < best_cosine || (cosine == best_cosine && (best == a || b < best))) {
-      best = b;
+    if (cosine < best_cosine || (cosine == best_cosine && (best == a.vertex || b.vertex < best))) {
+      best = b.vertex;
       best_cosine = cosine;
     }
   }
@@ -61,16 +65,17 @@ std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& struc
   const CompressedRows edges_at = edges_of_vertices(mesh.positions.size(), structural);
   const double largest_cosine = std::cos(smallest_angle_rad);
   std::vector<Edge> pairs;
-  std::vector<Index> neighbours;
+  std::vector<Neighbour> neighbours;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     neighbours.clear();
     for (const Index e : edges_at[v]) {
-      neighbours.push_back(other_end(structural[e], v));
+      const Index other = other_end(structural[e], v);
+      neighbours.push_back({other, glm::normalize(mesh.positions[other] - mesh.positions[v])});
     }
-    for (const Index a : neighbours) {
-      const Index b = straightest_neighbour(mesh.positions, v, a, neighbours, largest_cosine);
-      if (b != a) {
-        pairs.push_back(make_edge(a, b));
+    for (const Neighbour& a : neighbours) {
+      const Index b = straightest_neighbour(a, neighbours, largest_cosine);
+      if (b != a.vertex) {
+        pairs.push_back(make_edge(a.vertex, b));
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <stdexcept>
@@ -18,6 +19,10 @@ namespace {
 // A garment has edges of a thousandth of its size. Of edges a thousand times shorter than this part of it,
 // double precision leaves nothing to measure stretch with.
 constexpr double shortest_half_of_edges = 1e-9;
+
+// Smaller or larger, nothing on it can be told in double precision from its place.
+constexpr double smallest_size_m = 1e-4;
+constexpr double largest_size_m = 1e4;
 
 // One damaged coordinate can be 1e38 times as far away as all others.
 void require_one_size(const sim::Mesh& mesh) {
@@ -42,6 +47,18 @@ void require_one_size(const sim::Mesh& mesh) {
   }
 }
 
+// Only a unit that was asked for can make a garment of any size.
+void require_size(const GarmentSource& source, const Placement& placement) {
+  const double size_m = placement.scale * placement.extent;
+  const bool has_size = std::isfinite(placement.extent) && placement.extent > 0.0;
+  if (source.scale > 0.0 && has_size && !(size_m >= smallest_size_m && size_m <= largest_size_m)) {
+    throw InputError(
+        fmt::format("cannot use the garment '{}': with the unit asked for it is {:.3g} m large; "
+                    "expected {:g} m to {:g} m",
+                    source.file.string(), size_m, smallest_size_m, largest_size_m));
+  }
+}
+
 void tell(const StageReport& begin, const std::string& stage) {
   if (begin) {
     begin(stage);
@@ -54,6 +71,7 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   const std::optional<double> scale = source.scale > 0.0 ? std::optional(source.scale) : std::nullopt;
   loaded.placement = place_model(soup, {scale, source.up, model.metres_per_unit, model.up});
+  require_size(source, *loaded.placement);
   tell(begin, "joining its vertices");
   try {
     sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m / loaded.placement->scale});
@@ -69,7 +87,16 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
   }
 }
 
+void require_count(const char* key, double triangles) {
+  if (triangles > static_cast<double>(most_triangles)) {
+    throw InputError(fmt::format("{}: it would have {:.0f} triangles, more than the {} that can be simulated",
+                                 key, triangles, most_triangles));
+  }
+}
+
 sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
+  require_count("garment.subdivisions",
+                static_cast<double>(pinned.mesh.triangles.size()) * std::pow(4.0, times));
   for (int i = 0; i < times; ++i) {
     if (!pinned.mesh.quads.empty()) {
       throw InputError("garment.subdivisions is for models; give a grid more columns and rows instead");
@@ -93,6 +120,9 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   LoadedGarment loaded;
   const bool is_grid = scene.garment.file.empty();
+  if (is_grid) {
+    require_count("garment.grid", 2.0 * (scene.garment.grid.columns - 1.0) * (scene.garment.grid.rows - 1.0));
+  }
   sim::Mesh mesh = is_grid ? sim::make_grid(scene.garment.grid) : read_mesh(scene.garment, loaded, begin);
   tell(begin, "mapping it to springs");
   if (!is_grid) {

@@ -1,7 +1,9 @@
 #include "app/garment/layers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -20,6 +22,10 @@ constexpr double smallest_distance = 1e-4;
 constexpr double of_the_gap = 0.45;
 /// Of the edges' length: parts nearer to each other than this touch and are not kept apart by vertices.
 constexpr double smallest_gap = 0.1;
+/// Vertices in a cube as wide as the distance, for an average vertex. Even meshes have one or two; where most
+/// of them crowd in places, every one of those would be compared with hundreds of its own layer.
+constexpr double densest_crowd = 6.0;
+constexpr double less_distance = 0.7;
 /// Vertices compared one by one, within some milliseconds; of more, some are passed over.
 constexpr std::size_t most_distances = 4'000'000;
 
@@ -40,6 +46,26 @@ double size_of(const sim::Mesh& mesh) {
     upper = glm::max(upper, p);
   }
   return glm::length(upper - lower);
+}
+
+/// The vertices in a cube of this width that an average vertex is in, itself included.
+double crowd_around(const std::vector<sim::Vec3>& positions, double width_m) {
+  using Cell = std::array<std::int64_t, 3>;
+  std::vector<Cell> cells;
+  cells.reserve(positions.size());
+  for (const sim::Vec3& p : positions) {
+    const sim::Vec3 at = glm::floor(p / width_m);
+    cells.push_back(
+        {static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y), static_cast<std::int64_t>(at.z)});
+  }
+  std::sort(cells.begin(), cells.end());
+  double squares = 0.0;
+  for (auto first = cells.begin(); first != cells.end();) {
+    const auto next = std::find_if(first, cells.end(), [&](const Cell& cell) { return cell != *first; });
+    squares += std::pow(static_cast<double>(next - first), 2.0);
+    first = next;
+  }
+  return squares / static_cast<double>(positions.size());
 }
 
 /// The lower quartile of the distances from vertices to the nearest vertex of another part, among those
@@ -86,8 +112,12 @@ double suitable_layer_distance(const sim::Garment& garment) {
   const double size_m = size_of(garment.mesh);
   const double distance_m = std::min(edge_m, largest_distance * size_m);
   const double gap_m = gap_between_parts(garment, smallest_gap * edge_m, distance_m / of_the_gap);
-  const double suitable_m = std::min(distance_m, of_the_gap * gap_m);
-  return suitable_m < smallest_distance * size_m ? 0.0 : suitable_m;
+  const double smallest_m = smallest_distance * size_m;
+  double suitable_m = std::min(distance_m, of_the_gap * gap_m);
+  while (suitable_m >= smallest_m && crowd_around(garment.mesh.positions, suitable_m) > densest_crowd) {
+    suitable_m *= less_distance;
+  }
+  return suitable_m < smallest_m ? 0.0 : suitable_m;
 }
 
 sim::Surroundings settled(sim::Surroundings surroundings, const sim::Garment& garment) {

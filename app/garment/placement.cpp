@@ -126,6 +126,7 @@ Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints) {
   const sim::Vec3 size = box.upper - box.lower;
   const double largest = std::max({size.x, size.y, size.z});
   Placement placement;
+  placement.extent = largest;
   choose_unit(largest, hints, placement);
   choose_up(size, hints, placement);
   const sim::Vec3 middle = box.lower + 0.5 * size;

@@ -25,7 +25,8 @@ inline constexpr std::array axis_names = {"x", "-x", "y", "-y", "z", "-z"};
 
 /// How a model is brought into the scene, which is in metres with y up.
 struct Placement {
-  double scale = 1.0;  ///< metres in the file's unit
+  double scale = 1.0;   ///< metres in the file's unit
+  double extent = 0.0;  ///< the largest along an axis, in the file's unit
   ModelAxis up = ModelAxis::y;
   sim::Vec3 moved_m = {0.0, 0.0, 0.0};  ///< after turning; only for models very far from the origin
   std::string unit_text;                ///< which unit it is, and how that is known

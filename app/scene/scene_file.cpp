@@ -4,6 +4,7 @@
 
 #include "app/errors.hpp"
 #include "app/output/files.hpp"
+#include "app/scene/promise.hpp"
 #include "app/scene/scene_keys.hpp"
 #include "app/scene/toml_reader.hpp"
 
@@ -17,6 +18,9 @@ void check_whole(const Scene& scene, const Source& source) {
   }
   if (scene.camera.eye && *scene.camera.eye == *scene.camera.target) {
     fail(source, 0, "camera.eye and camera.target are the same point");
+  }
+  if (const std::optional<std::string> reason = beyond_promise(scene)) {
+    fail(source, 0, *reason);
   }
 }
 

@@ -20,6 +20,19 @@ std::string describe(const std::string& what, const Range& range) {
   return bounded_above ? fmt::format("{} of at most {}", what, range.highest) : what;
 }
 
+std::string describe(const VectorLimits& limits) {
+  return fmt::format("three numbers [x, y, z] from {:g} to {:g}{}", -limits.largest, limits.largest,
+                     limits.may_be_zero ? "" : ", not all zero");
+}
+
+bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers) {
+  double size = 0.0;
+  for (const double number : numbers) {
+    size = std::max(size, std::abs(number));
+  }
+  return size <= limits.largest && (limits.may_be_zero || size > 0.0);
+}
+
 std::optional<double> finite_number(const Value& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
     return static_cast<double>(*whole);

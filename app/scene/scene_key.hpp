@@ -114,13 +114,22 @@ Key<T> text_key(std::string name, Access access, std::string meaning) {
   return {std::move(name), "", "a text", std::move(meaning), read, write};
 }
 
+/// What three numbers have to be: within `largest` of zero, and with `may_be_zero` also all zero.
+struct VectorLimits {
+  bool may_be_zero = true;
+  double largest = 1e6;  ///< far beyond anything a garment meets, and short of what numbers overflow at
+};
+
+std::string describe(const VectorLimits& limits);
+bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers);
+
 /// A point or a direction; `access` returns any type of vector with x, y and z.
 template <class T, class Access>
 Key<T> vector_key(std::string name, std::string unit, Access access, std::string meaning,
-                  bool may_be_zero = true) {
+                  VectorLimits limits = {}) {
   auto read = [=](const Value& value, const Source&, T& target) {
     const auto numbers = three_numbers(value);
-    if (!numbers || (!may_be_zero && *numbers == std::array<double, 3>{})) {
+    if (!numbers || !allows(limits, *numbers)) {
       return false;
     }
     auto& member = access(target);
@@ -134,12 +143,7 @@ Key<T> vector_key(std::string name, std::string unit, Access access, std::string
     const auto& v = access(source);
     return list_of({v.x, v.y, v.z});
   };
-  return {std::move(name),
-          std::move(unit),
-          may_be_zero ? "three numbers [x, y, z]" : "three numbers [x, y, z], not all zero",
-          std::move(meaning),
-          read,
-          write};
+  return {std::move(name), std::move(unit), describe(limits), std::move(meaning), read, write};
 }
 
 template <class T, class Access>

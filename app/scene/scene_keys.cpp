@@ -17,6 +17,8 @@ using SceneKeys = std::vector<Key<Scene>>;
 
 constexpr double degree = 0.017453292519943295;
 constexpr Range acute = {.lowest = -89.0, .highest = 89.0};
+// Smaller or larger, nothing on it can be told in double precision from its place.
+constexpr Range side = {.lowest = 1e-4, .highest = 1e4};
 constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
 
 Key<Scene> number(std::string name, std::string unit, const Range& range, auto access, std::string meaning,
@@ -39,8 +41,8 @@ void add_garment(SceneKeys& keys) {
                        "of the model: each makes four of every triangle and keeps the shape"));
   keys.push_back(whole("garment.grid.columns", 2, 2000, MEMBER(garment.grid.columns), "mass points across"));
   keys.push_back(whole("garment.grid.rows", 2, 2000, MEMBER(garment.grid.rows), "mass points down"));
-  keys.push_back(number("garment.grid.width", "m", positive, MEMBER(garment.grid.width_m), "of the cloth"));
-  keys.push_back(number("garment.grid.height", "m", positive, MEMBER(garment.grid.height_m), "of the cloth"));
+  keys.push_back(number("garment.grid.width", "m", side, MEMBER(garment.grid.width_m), "of the cloth"));
+  keys.push_back(number("garment.grid.height", "m", side, MEMBER(garment.grid.height_m), "of the cloth"));
   keys.push_back(choice_key<Scene, sim::GridPlane>(
       "garment.grid.plane",
       {{"vertical", sim::GridPlane::vertical}, {"horizontal", sim::GridPlane::horizontal}},
@@ -64,8 +66,8 @@ void add_pins(SceneKeys& keys) {
   keys.push_back(pins_key());
   keys.push_back(vector_key<Scene>("pins.motion.amplitude", "m", MEMBER(surroundings.pin_motion.amplitude_m),
                                    "all pins swing by this much, as on a shaken hanger"));
-  keys.push_back(number("pins.motion.frequency", "Hz", positive, MEMBER(surroundings.pin_motion.frequency_hz),
-                        "how often they swing"));
+  keys.push_back(number("pins.motion.frequency", "Hz", {0.0, 1e4, true},
+                        MEMBER(surroundings.pin_motion.frequency_hz), "how often they swing"));
 }
 
 void add_run(SceneKeys& keys) {
@@ -118,7 +120,7 @@ void add_forces(SceneKeys& keys) {
   keys.push_back(number("wind.speed", "m/s", {0.0, 200.0}, MEMBER(surroundings.forces.wind.speed_m_per_s),
                         "the paper's wind value"));
   keys.push_back(vector_key<Scene>("wind.direction", "", MEMBER(surroundings.forces.wind.direction),
-                                   "where the air goes, of any length", false));
+                                   "where the air goes, of any length", {.may_be_zero = false}));
   keys.push_back(number("wind.gust_amplitude", "", {0.0, 10.0},
                         MEMBER(surroundings.forces.wind.gust_amplitude),
                         "how much gusts change the speed, as a fraction of it"));
@@ -222,9 +224,8 @@ std::vector<Key<sim::Collider>> collider_keys(const std::string& shape) {
   if (shape == "plane") {
     add(vector_key<C>(
         "point", "m", [=](auto& c) -> auto& { return plane(c).point_m; }, "any point of it"));
-    add(vector_key<C>(
-        "normal", "", [=](auto& c) -> auto& { return plane(c).normal; },
-        "points to the cloth's side, of any length", false));
+    add(vector_key<C>("normal", "", [=](auto& c) -> auto& { return plane(c).normal; },
+                      "points to the cloth's side, of any length", {.may_be_zero = false}));
   } else if (shape == "sphere") {
     add(vector_key<C>(
         "centre", "m", [=](auto& c) -> auto& { return sphere(c).centre_m; }, "of the ball"));

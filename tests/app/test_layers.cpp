@@ -52,6 +52,18 @@ TEST(Layers, SheetsThatTouchOrAreFarAwayDoNotCount) {
   EXPECT_NEAR(suitable_layer_distance(sheets({0.0, 0.1})), alone_m, 1e-3);
 }
 
+// Most edges long, most vertices in one place: what is far closer together than the edges are long.
+TEST(Layers, WhereVerticesCrowdTheDistanceIsSmaller) {
+  sim::Garment garment = sheets({0.0});
+  const double even_m = suitable_layer_distance(garment);
+  for (std::size_t v = 0; v < garment.mesh.positions.size() / 2; ++v) {
+    garment.mesh.positions[v] *= 0.02;
+  }
+  const double crowded_m = suitable_layer_distance(garment);
+  EXPECT_LT(crowded_m, 0.5 * even_m);
+  EXPECT_GT(crowded_m, 0.0);
+}
+
 TEST(Layers, AModelWithoutASceneIsLeftToItsMesh) {
   const test::TemporaryFolder folder;
   const auto path = folder.write("shirt.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -6,13 +6,14 @@ BOUND = 0.05
 
 
 class Model:
-    def __init__(self, name, data, expected=None, error=None, options=(), simulate=()):
+    def __init__(self, name, data, expected=None, error=None, options=(), simulate=(), refused=None):
         self.name = name
         self.data = data            # bytes, or a function that writes to a path
         self.expected = expected or {}
         self.error = error          # a regular expression
         self.options = list(options)    # of inspect and simulate
         self.simulate = list(simulate)  # of simulate alone
+        self.refused = refused      # a regular expression: the error of simulate alone
 
 
 def flat(nested, prefix=''):
@@ -151,15 +152,27 @@ def errors():
 
 def runs():
     """Settings at their ends, on a cloth that is sound."""
-    def run(name, *settings, shape=None):
+    def run(name, *settings, shape=None, refused=None):
         options = [word for setting in settings for word in ('--set', setting)]
-        return Model(name + '.obj', w.obj(shape or s.sheet()), simulate=options)
+        return Model(name + '.obj', w.obj(shape or s.sheet()), simulate=options, refused=refused)
     yield run('run_no_pin', 'pins.at="none"')
     yield run('run_every_pin', 'pins.at=[%s]' % ','.join(str(v) for v in range(48)))
     yield run('run_no_gravity', 'gravity.acceleration=[0,0,0]')
     yield run('run_wind', 'wind.speed=200')
     yield run('run_long_step', 'time.frame_rate=1')
-    yield run('run_no_stretch', 'solver.max_stretch=0')
+    yield run('run_hardly_any_stretch', 'solver.max_stretch=1e-4')
+    yield run('run_no_stretch', 'solver.max_stretch=0', refused='solver.max_stretch: found 0, expected at least 0.0001')
+    yield run('run_gale', 'solver.max_stretch=1e-4', 'wind.speed=50',
+              refused='not promised in gusts .* of 50 m/s; expected at most 2 m/s, or a bound of at least 0.0005')
+    yield run('run_shaken', 'pins.motion.amplitude=[10,0,0]', 'pins.motion.frequency=1000',
+              refused='not promised where gravity and the pins. motion amount to 3.9')
+    yield run('run_torn', 'forces=[{vertex=3,force=[0,0,1e6]}]', 'solver.max_stretch=1e-4',
+              refused='not promised where a vertex is pulled by 1e.06 N; expected at most 1e.04 N')
+    yield run('run_wind_of_1000', 'wind.speed=1000', refused='found 1000, expected a number from 0 to 200')
+    yield run('run_gravity_without_end', 'gravity.acceleration=[0,-1e30,0]', refused='expected three numbers')
+    yield run('run_heavy_gravity', 'gravity.acceleration=[0,-1e4,0]')
+    yield run('run_too_many', 'garment.subdivisions=5', shape=s.sheet(200, 100), refused='more than the 4000000')
+    yield run('run_too_small', 'garment.scale=1e-30', refused='e-31 m large; expected 0.0001 m to 10000 m')
     yield run('run_heavy', 'garment.areal_density=1000')
     yield run('run_light', 'garment.areal_density=1e-6')
     yield run('run_one_triangle', shape=s.triangle())

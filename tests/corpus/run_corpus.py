@@ -50,11 +50,15 @@ def check_report(program, model, path):
 def check_run(program, model, path):
     statistics = path.with_suffix('.json')
     statistics.unlink(missing_ok=True)
-    code, _, err = run(program, 'simulate', path, '--frames', FRAMES, '--stats', statistics, *model.options,
+    code, out, err = run(program, 'simulate', path, '--frames', FRAMES, '--stats', statistics, *model.options,
                        *model.simulate)
-    if model.error:
-        if code != 1 or not err.startswith('taut: error: ') or statistics.exists():
-            yield 'simulate: exit code %s, statistics %s: %r' % (code, statistics.exists(), err.strip())
+    reason = model.refused or model.error
+    if reason:
+        # A setting on the command line that cannot be is wrong usage.
+        wanted = (1, 2) if model.refused else (1,)
+        if code not in wanted or not re.search('^taut: error: .*' + reason if model.refused else '^taut: error: ', err) \
+                or out or statistics.exists():
+            yield 'simulate: exit code %s, statistics %s: %r; expected %r' % (code, statistics.exists(), err.strip(), reason)
         return
     if code != 0:
         yield 'simulate: exit code %s: %s' % (code, err.strip())

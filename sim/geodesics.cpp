@@ -31,7 +31,9 @@ std::optional<double> unfolded_distance(const Vec3& a, const Vec3& b, const Vec3
   if (crossing_x < 0.0 || crossing_x > base) {
     return std::nullopt;
   }
-  return std::hypot(c_x - source_x, source_depth + c_height);
+  const double along = c_x - source_x;
+  const double across = source_depth + c_height;
+  return std::sqrt(along * along + across * across);
 }
 
 /// A front that goes out from the sources, the nearest vertex first (Dijkstra 1959).

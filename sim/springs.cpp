@@ -4,8 +4,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/elementary.hpp"
+
 namespace taut::sim {
 namespace {
+
+constexpr double turns_per_radian = 0.15915494309189535;
 
 Edge make_edge(Index a, Index b) {
   return a < b ? Edge{a, b} : Edge{b, a};
@@ -63,7 +67,7 @@ Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neigh
 std::vector<Edge> angular_pairs(const Mesh& mesh, const std::vector<Edge>& structural,
                                 double smallest_angle_rad) {
   const CompressedRows edges_at = edges_of_vertices(mesh.positions.size(), structural);
-  const double largest_cosine = std::cos(smallest_angle_rad);
+  const double largest_cosine = sine_of_turns(0.25 - smallest_angle_rad * turns_per_radian);
   std::vector<Edge> pairs;
   std::vector<Neighbour> neighbours;
   for (Index v = 0; v < mesh.positions.size(); ++v) {

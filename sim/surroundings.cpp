@@ -1,12 +1,11 @@
 #include "sim/surroundings.hpp"
 
-#include <cmath>
+#include "sim/elementary.hpp"
 
 namespace taut::sim {
 
 Vec3 pin_offset(const PinMotion& motion, double time_s) {
-  constexpr double two_pi = 6.283185307179586;
-  return motion.amplitude_m * std::sin(two_pi * motion.frequency_hz * time_s);
+  return motion.amplitude_m * sine_of_turns(motion.frequency_hz * time_s);
 }
 
 bool is_steady(const Surroundings& s) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "sim/elementary.hpp"
 #include "sim/geodesics.hpp"
 
 namespace taut::sim::bounded {
@@ -101,7 +102,7 @@ double certificate_ratio(const SpringInRows& s, const Layout& layout) {
   if (!std::isfinite(further_m) || !(layout.reach_m > 0.0)) {
     return 1.0;
   }
-  return std::exp(-certificate_weight_growth * further_m * layout.reach_springs / layout.reach_m);
+  return exponential(-certificate_weight_growth * further_m * layout.reach_springs / layout.reach_m);
 }
 
 /// Sets lane `lane` to a spring between two rows.

@@ -1,0 +1,31 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sim/elementary.hpp"
+
+namespace taut::sim {
+namespace {
+
+TEST(Elementary, TheSineOfTurnsIsThatOfTheLibrary) {
+  for (int k = -4000; k <= 4000; ++k) {
+    const double turns = k / 797.0;
+    EXPECT_NEAR(sine_of_turns(turns), std::sin(2.0 * std::numbers::pi * turns), 4e-15) << turns;
+  }
+  EXPECT_DOUBLE_EQ(sine_of_turns(0.25), 1.0);
+  EXPECT_DOUBLE_EQ(sine_of_turns(-0.25), -1.0);
+  EXPECT_EQ(sine_of_turns(0.5), 0.0);
+  EXPECT_EQ(sine_of_turns(123456.0), 0.0);
+}
+
+TEST(Elementary, TheExponentialIsThatOfTheLibrary) {
+  for (int k = -4000; k <= 4000; ++k) {
+    const double x = k / 11.0;
+    EXPECT_NEAR(exponential(x) / std::exp(x), 1.0, 1e-15) << x;
+  }
+  EXPECT_EQ(exponential(0.0), 1.0);
+}
+
+}  // namespace
+}  // namespace taut::sim

@@ -9,7 +9,7 @@ mkdir -p "$folder"
 case $output in
   *.mp4) command -v ffmpeg >/dev/null || { echo "SKIPPED: there is no ffmpeg"; exit 77; } ;;
 esac
-"$program" render pinned-9x9-5 --frames 0:100000 --set rest.speed=0 --resolution 64,64 --samples 1 \
+"$program" render pinned-9x9-5 --frames 0:100000 --set rest.speed=0 --resolution 64,64 --samples 1 --set picture.shadows=false \
   --output "$folder/$output" >"$folder.txt" 2>&1 &
 run=$!
 tries=0

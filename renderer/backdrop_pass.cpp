@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
+#include <stdexcept>
 
 #include "renderer/bindings.hpp"
 
@@ -13,8 +14,16 @@ namespace {
 
 // Drawn pixels for a cell of the grid: larger blurs the floor's light where it is seen at a slant, smaller
 // costs time.
-int cell_px(int tile_height_px, bool coarse) {
-  return std::clamp(tile_height_px / (coarse ? 20 : 60), 4, coarse ? 36 : 12);
+int cell_px(int tile_height_px, BackdropGrid fineness) {
+  switch (fineness) {
+    case BackdropGrid::fine:
+      return std::clamp(tile_height_px / 60, 4, 12);
+    case BackdropGrid::coarse:
+      return std::clamp(tile_height_px / 20, 4, 36);
+    case BackdropGrid::coarsest:
+      return std::clamp(tile_height_px / 11 / 16 * 16, 16, 64);
+  }
+  throw std::invalid_argument("not a grid of the backdrop");
 }
 
 // Drawn pixels for a texel of the floor's shadow.
@@ -92,11 +101,15 @@ void BackdropPass::allocate(CoarseMap& map, const glm::ivec2& size_px, GLint for
   gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, map.texture.name(), 0);
 }
 
-void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bool floor, bool coarse) const {
+void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bool floor,
+                             BackdropGrid fineness) const {
   const glm::ivec2 size_px{block.viewport};
-  const int cell = cell_px(size_px.y, coarse);
+  const int cell = cell_px(size_px.y, fineness);
   const glm::ivec2 cells = (size_px + cell - 1) / cell;
-  program.set("grid", glm::vec4{cells, floor ? 1.0F : 0.0F, 0.0F});
+  // The coarsest grid keeps to a software rasteriser's squares, which it fills faster as a whole.
+  const glm::vec2 across =
+      fineness == BackdropGrid::coarsest ? glm::vec2{size_px} / static_cast<float>(cell) : glm::vec2{cells};
+  program.set("grid", glm::vec4{across, floor ? 1.0F : 0.0F, 0.0F});
   gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (cells.x + 1), cells.y);
 }
 
@@ -116,14 +129,14 @@ void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& p
   gl->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void BackdropPass::draw_shaded(const FrameBlock& block, const PixelRect& part, bool coarse) {
+void BackdropPass::draw_shaded(const FrameBlock& block, const PixelRect& part, BackdropGrid fineness) {
   const auto texel = static_cast<float>(shadow_texel_px(static_cast<int>(block.viewport.y)));
   const glm::vec2 scale = 1.0F / (texel * glm::vec2{shadow_map.size_px});
   bind_texture(*gl, floor_shadow_unit, GL_TEXTURE_2D, shadow_map.texture);
   gl->Scissor(part.x_px, part.y_px, part.width_px, part.height_px);
   const Program& program = shaded.use();
   program.set("shaded_part", glm::vec4{scale, -scale * glm::vec2{part.x_px, part.y_px}});
-  draw_grid(program, block, true, coarse);
+  draw_grid(program, block, true, fineness);
 }
 
 void BackdropPass::draw_floor_depth() {
@@ -138,7 +151,7 @@ void BackdropPass::draw_floor_depth() {
   gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor, bool coarse) {
+void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor, BackdropGrid fineness) {
   gl->Disable(GL_DEPTH_TEST);
   gl->BindVertexArray(no_arrays.name());
   const PixelRect part = floor ? shaded_floor(block) : PixelRect{};
@@ -151,9 +164,9 @@ void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor,
   const Program& program = lit.use();
   for (const PixelRect& band : bands_around(any_shadow ? part : PixelRect{}, size_px)) {
     gl->Scissor(band.x_px, band.y_px, band.width_px, band.height_px);
-    if (band.width_px > 0 && band.height_px > 0) draw_grid(program, block, floor, coarse);
+    if (band.width_px > 0 && band.height_px > 0) draw_grid(program, block, floor, fineness);
   }
-  if (any_shadow) draw_shaded(block, part, coarse);
+  if (any_shadow) draw_shaded(block, part, fineness);
   gl->Disable(GL_SCISSOR_TEST);
   gl->Enable(GL_DEPTH_TEST);
 }

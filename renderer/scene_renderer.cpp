@@ -1,6 +1,7 @@
 #include "renderer/scene_renderer.hpp"
 
 #include <algorithm>
+#include <future>
 
 #include "renderer/backdrop_pass.hpp"
 #include "renderer/bindings.hpp"
@@ -33,6 +34,11 @@ bool has_marks(const FrameView& frame) {
 // Light has to be encoded after it is blended, which only the renderer's own target is sure to do.
 bool is_blended(const FrameView& frame, const PictureSettings& settings) {
   return settings.samples > 1 || settings.supersampling > 1 || has_marks(frame);
+}
+
+BackdropGrid grid_of(const PictureSettings& settings) {
+  if (settings.samples > 1) return BackdropGrid::fine;
+  return settings.shading_px > 1 ? BackdropGrid::coarsest : BackdropGrid::coarse;
 }
 
 // OpenGL counts rows from the bottom.
@@ -73,18 +79,21 @@ struct SceneRenderer::Parts {
   explicit Parts(Context& made);
   void draw(const FrameView& frame, const PictureSettings& settings);
   void draw_straight_to(GLuint framebuffer, const FrameView& frame, const PictureSettings& settings);
-  void begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
+  std::future<void> begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
+  void await(std::future<void>& light_gathered);
   void end();
   void reset_state() const;
   void collect_surfaces(const FrameView& frame);
   void set_tile_of(FrameBlock& block, const FrameView& frame, const PictureSettings& settings,
                    const Tile& tile) const;
   void draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame,
-                  const PictureSettings& settings);
+                  const PictureSettings& settings, std::future<void>& light_gathered);
   void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
-  void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame, int samples);
-  void draw_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
-                   const FrameView& frame, const PictureSettings& settings);
+  void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
+                   const PictureSettings& settings);
+  void see_things(const PixelRect& place, const FrameView& frame, const PictureSettings& settings);
+  void shade_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
+                    const FrameView& frame, const PictureSettings& settings);
   void draw_marks(const FrameView& frame);
 };
 
@@ -146,15 +155,20 @@ void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
   gl.DepthMask(GL_TRUE);
 }
 
-// `place` is the tile's in the framebuffer. Marks have edges of their own between pixels: they are drawn
-// apart and laid over.
-void SceneRenderer::Parts::draw_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
-                                       const FrameView& frame, const PictureSettings& settings) {
+// `place` is the tile's in the framebuffer.
+void SceneRenderer::Parts::see_things(const PixelRect& place, const FrameView& frame,
+                                      const PictureSettings& settings) {
   layer.begin(place.width_px, place.height_px, settings.samples);
   if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) {
     backdrop_pass.draw_floor_depth();
   }
   surface_pass.draw_seen(has_marks(frame));
+}
+
+// What see_things() saw last. Marks have edges of their own between pixels: they are drawn apart and laid
+// over.
+void SceneRenderer::Parts::shade_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
+                                        const FrameView& frame, const PictureSettings& settings) {
   surface_pass.shade(layer, framebuffer, block, place, settings.shading_px > 1);
   if (!has_marks(frame)) return;
   layer.begin_marks();
@@ -171,7 +185,7 @@ void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame
 }
 
 void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
-                                       int samples) {
+                                       const PictureSettings& settings) {
   if (frame.backdrop.plain) {
     const Colour& colour = frame.backdrop.lower_colour;
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -182,20 +196,30 @@ void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& blo
     gl.Disable(GL_SCISSOR_TEST);
     return;
   }
-  backdrop_pass.draw(framebuffer, block, sees_floor(frame), samples == 1);
+  backdrop_pass.draw(framebuffer, block, sees_floor(frame), grid_of(settings));
 }
 
 // What is behind has no edges that more samples would smooth, and things seldom fill the picture: only the
 // part that they can touch is drawn with many samples, and laid over.
+// The first tile is looked at while the light is still being gathered.
 void SceneRenderer::Parts::draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame,
-                                      const PictureSettings& settings) {
-  set_tile_of(block, frame, settings, {0, 0, settings.width_px, settings.height_px});
-  draw_behind(framebuffer, block, frame, settings.samples);
-  const Tile area = drawn_area(frame, surfaces, block.world_to_clip, settings);
-  if (area.width_px == 0) return;
-  for (const Tile& tile : tiles_of(area, 1)) {
-    set_tile_of(block, frame, settings, tile);
-    draw_things(framebuffer, place_of(tile, settings), block, frame, settings);
+                                      const PictureSettings& settings, std::future<void>& light_gathered) {
+  const Tile whole{0, 0, settings.width_px, settings.height_px};
+  set_tile(block, frame.camera, settings, whole);
+  const std::vector<Tile> tiles = tiles_of(drawn_area(frame, surfaces, block.world_to_clip, settings), 1);
+  if (!tiles.empty()) {
+    set_tile_of(block, frame, settings, tiles.front());
+    see_things(place_of(tiles.front(), settings), frame, settings);
+    gl.Flush();
+  }
+  await(light_gathered);
+  set_tile_of(block, frame, settings, whole);
+  draw_behind(framebuffer, block, frame, settings);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const PixelRect place = place_of(tiles[i], settings);
+    set_tile_of(block, frame, settings, tiles[i]);
+    if (i > 0) see_things(place, frame, settings);
+    shade_things(framebuffer, place, block, frame, settings);
   }
 }
 
@@ -207,8 +231,10 @@ void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView&
     const glm::ivec2 large_px = factor * glm::ivec2{tile.width_px, tile.height_px};
     set_tile_of(block, frame, settings, tile);
     large.begin(large_px.x, large_px.y);
-    draw_behind(large.framebuffer(), block, frame, settings.samples);
-    draw_things(large.framebuffer(), {0, 0, large_px.x, large_px.y}, block, frame, settings);
+    draw_behind(large.framebuffer(), block, frame, settings);
+    const PixelRect all{0, 0, large_px.x, large_px.y};
+    see_things(all, frame, settings);
+    shade_things(large.framebuffer(), all, block, frame, settings);
     const PixelRect place = place_of(tile, settings);
     gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
     gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
@@ -216,24 +242,38 @@ void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView&
   }
 }
 
-void SceneRenderer::Parts::begin(FrameBlock& block, const FrameView& frame, const PictureSettings& settings) {
+// What is returned gathers the light meanwhile; it has to end before the frame's spans do.
+std::future<void> SceneRenderer::Parts::begin(FrameBlock& block, const FrameView& frame,
+                                              const PictureSettings& settings) {
   reset_state();
   balls.clear();
   collect_surfaces(frame);
-  light.look(block, frame, surfaces, settings);
-  surface_pass.fill(surfaces, light);
-  light.bind();
+  light.begin(block, frame, surfaces, settings);
+  std::future<void> light_gathered = std::async(std::launch::async, [this, own = block] {
+    light.look(own);
+    surface_pass.gather(surfaces, light);
+  });
+  surface_pass.place(surfaces);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
+  return light_gathered;
+}
+
+void SceneRenderer::Parts::await(std::future<void>& light_gathered) {
+  light_gathered.get();
+  light.upload();
+  surface_pass.upload();
+  light.bind();
 }
 
 void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& settings) {
   FrameBlock block;
-  begin(block, frame, settings);
+  std::future<void> light_gathered = begin(block, frame, settings);
   picture.begin(settings.width_px, settings.height_px);
   if (settings.supersampling > 1) {
+    await(light_gathered);
     draw_supersampled(block, frame, settings);
   } else {
-    draw_whole(picture.framebuffer(), block, frame, settings);
+    draw_whole(picture.framebuffer(), block, frame, settings, light_gathered);
   }
   end();
 }
@@ -241,8 +281,8 @@ void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& s
 void SceneRenderer::Parts::draw_straight_to(GLuint framebuffer, const FrameView& frame,
                                             const PictureSettings& settings) {
   FrameBlock block;
-  begin(block, frame, settings);
-  draw_whole(framebuffer, block, frame, settings);
+  std::future<void> light_gathered = begin(block, frame, settings);
+  draw_whole(framebuffer, block, frame, settings, light_gathered);
   end();
 }
 

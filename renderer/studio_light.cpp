@@ -60,21 +60,25 @@ StudioLight::StudioLight(const GladGLContext& context)
   set_up_floor(*gl, floor_texture);
 }
 
-void StudioLight::look(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,
-                       const PictureSettings& settings) {
-  std::vector<const SurfaceView*> casters = casters_among(surfaces);
-  const std::optional<Box> box = box_around(casters);
-  block = make_frame_block(frame, settings, box);
+void StudioLight::begin(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,
+                        const PictureSettings& settings) {
+  casters = casters_among(surfaces);
+  casters_box = box_around(casters);
+  block = make_frame_block(frame, settings, casters_box);
   if (!settings.shadows) casters.clear();
   set_shadow_bounds(block, casters);
+  shadow_side_px = shadow_map_side(settings);
+  sky_directions = settings.sky_directions;
+  has_floor = frame.ground_height_m && !frame.backdrop.plain;
+}
+
+void StudioLight::look(const FrameBlock& block) {
   // The two look at the same casters and share nothing else.
-  std::future<void> shadows =
-      std::async(std::launch::async, [&] { draw_shadow_map(block, casters, shadow_map_side(settings)); });
-  sky_light.look(casters, casters.empty() ? std::nullopt : box, settings.sky_directions);
+  std::future<void> shadows = std::async(std::launch::async, [&] { draw_shadow_map(block); });
+  sky_light.look(casters, casters.empty() ? std::nullopt : casters_box, sky_directions);
+  if (has_floor) sky_light.gather_floor(block.ground_light_area, block.ground.y, floor_light);
   shadows.get();
-  upload_shadow_map();
   key_decision.look(shadow_map, block);
-  if (frame.ground_height_m && !frame.backdrop.plain) draw_floor_light(block);
 }
 
 void StudioLight::gather(const SurfaceView& surface, SurfaceLight& light) {
@@ -82,9 +86,8 @@ void StudioLight::gather(const SurfaceView& surface, SurfaceLight& light) {
   sky_light.gather(surface, light.sky);
 }
 
-void StudioLight::draw_shadow_map(const FrameBlock& block, std::span<const SurfaceView* const> casters,
-                                  int side_px) {
-  shadow_map.resize(side_px);
+void StudioLight::draw_shadow_map(const FrameBlock& block) {
+  shadow_map.resize(shadow_side_px);
   shadow_map.clear();
   for (const SurfaceView* caster : casters) {
     shadow_map.draw(block.world_to_shadow, caster->positions, caster->triangles);
@@ -112,8 +115,9 @@ void StudioLight::upload_shadow_map() {
   uploaded = shadow_map.drawn();
 }
 
-void StudioLight::draw_floor_light(const FrameBlock& block) {
-  sky_light.gather_floor(block.ground_light_area, block.ground.y, floor_light);
+void StudioLight::upload() {
+  upload_shadow_map();
+  if (!has_floor) return;
   bind_texture(*gl, ground_light_unit, GL_TEXTURE_2D, floor_texture);
   gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R16F, SkyLight::floor_px, SkyLight::floor_px, 0, GL_RED, GL_FLOAT,
                  floor_light.data());

@@ -30,6 +30,8 @@ std::vector<std::string_view> defines(std::size_t variant) {
 SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFile> files)
     : gl(&context),
       seen(context, files, "seen.vert", "seen.frag"),
+      placed_arrays(context),
+      placed_positions(context),
       colour_maps(context),
       tables(context),
       square_arrays(context),
@@ -41,12 +43,24 @@ SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFil
   for (const auto& names : variant_defines) {
     shading.emplace_back(context, files, "squares.vert", "surface.frag", names);
   }
+  gl->BindVertexArray(placed_arrays.name());
+  set_attribute(*gl, 0, placed_positions, 3, 3, 0);
   gl->BindVertexArray(square_arrays.name());
   set_attribute(*gl, 0, square_corners, 2, 2, 0);
   gl->BindVertexArray(0);
 }
 
-void SurfacePass::fill(std::span<const SurfaceView> surfaces, StudioLight& light) {
+// Every triangle has corners of its own, so that a vertex knows the number of its triangle.
+void SurfacePass::place(std::span<const SurfaceView> surfaces) {
+  placed.clear();
+  for (const SurfaceView& surface : surfaces) {
+    if (!surface.filled) continue;
+    for (const std::uint32_t corner : surface.triangles) placed.push_back(surface.positions[corner]);
+  }
+  taut::renderer::upload(*gl, GL_ARRAY_BUFFER, placed_positions, std::span<const glm::vec3>(placed));
+}
+
+void SurfacePass::gather(std::span<const SurfaceView> surfaces, StudioLight& light) {
   tables.clear();
   any_data = false;
   for (const SurfaceView& surface : surfaces) {
@@ -55,26 +69,29 @@ void SurfacePass::fill(std::span<const SurfaceView> surfaces, StudioLight& light
     tables.add(surface, surface_light, surface.scalars ? colour_maps.row_of(surface.scalars->map) : -1);
     any_data = any_data || surface.scalars;
   }
+}
+
+void SurfacePass::upload() {
   if (!tables.empty()) tables.upload();
 }
 
 void SurfacePass::draw_seen(bool under_marks) {
-  if (tables.empty()) return;
+  if (placed.empty()) return;
   // Pushed back a little, more where slanted, so that wireframes lie on them. At a silhouette that lets the
   // far side show through the near one, which is steeper there.
   if (under_marks) gl->Enable(GL_POLYGON_OFFSET_FILL);
   gl->PolygonOffset(1.5F, 4.0F);
   seen.use();
-  tables.bind();
-  tables.draw();
+  gl->BindVertexArray(placed_arrays.name());
+  gl->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(placed.size()));
   gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 void SurfacePass::draw_squares(bool open) {
-  const std::vector<glm::vec2>& corners = squares.corners(open);
+  const std::vector<glm::vec2>& covered = squares.corners(open);
   gl->BindVertexArray(square_arrays.name());
-  upload(*gl, GL_ARRAY_BUFFER, square_corners, std::span<const glm::vec2>(corners));
-  gl->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+  taut::renderer::upload(*gl, GL_ARRAY_BUFFER, square_corners, std::span<const glm::vec2>(covered));
+  gl->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(covered.size()));
 }
 
 void SurfacePass::shade_squares(std::size_t kind, const LayerTarget& layer, const glm::ivec2& corner_px) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -21,11 +22,15 @@ class SurfacePass {
  public:
   SurfacePass(const GladGLContext& context, std::span<const ShaderFile> files);
 
-  /// Hands the surfaces to the graphics card.
-  void fill(std::span<const SurfaceView> surfaces, StudioLight& light);
-  /// Draws those of the last fill() into the layer that is bound; `under_marks`: such as lie on them will
-  /// follow.
+  /// Hands over where the surfaces are, which is all that draw_seen() needs.
+  void place(std::span<const SurfaceView> surfaces);
+  /// Draws those into the layer that is bound; `under_marks`: such as lie on them will follow.
   void draw_seen(bool under_marks);
+  /// Collects the light that arrives at the same surfaces. Needs no context: another thread may do it while
+  /// they are drawn.
+  void gather(std::span<const SurfaceView> surfaces, StudioLight& light);
+  /// Hands over what was gathered.
+  void upload();
   /// Binds the framebuffer and lays what the layer has seen over it. The layer's tile is `place` there, and
   /// the viewport; `block` is the tile's. `halve`: with one sample, two by two pixels of an even tile are
   /// shaded as one.
@@ -40,6 +45,9 @@ class SurfacePass {
 
   const GladGLContext* gl;
   LazyProgram seen;
+  VertexArray placed_arrays;
+  Buffer placed_positions;
+  std::vector<glm::vec3> placed;  // three for each triangle
   std::vector<std::vector<std::string_view>> variant_defines;
   std::vector<LazyProgram> shading;  // by what defines() has
   ColourMapTexture colour_maps;

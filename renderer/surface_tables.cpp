@@ -26,7 +26,7 @@ glm::vec3 material_of(const SurfaceView& surface, std::size_t vertex) {
 }  // namespace
 
 SurfaceTables::SurfaceTables(const GladGLContext& context)
-    : gl(&context), vertex_table(context), triangle_table(context), look_table(context), no_arrays(context) {
+    : gl(&context), vertex_table(context), triangle_table(context), look_table(context) {
   GLint most = 0;
   gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   most_texels = static_cast<std::size_t>(std::max(most, 0));
@@ -82,11 +82,6 @@ void SurfaceTables::bind() const {
   bind_texture(*gl, vertex_table_unit, GL_TEXTURE_BUFFER, vertex_table.texture);
   bind_texture(*gl, triangle_table_unit, GL_TEXTURE_BUFFER, triangle_table.texture);
   bind_texture(*gl, look_table_unit, GL_TEXTURE_BUFFER, look_table.texture);
-}
-
-void SurfaceTables::draw() const {
-  gl->BindVertexArray(no_arrays.name());
-  gl->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangles.size()));
 }
 
 }  // namespace taut::renderer

@@ -34,8 +34,6 @@ class SurfaceTables {
   void upload();
 
   void bind() const;
-  /// All triangles, in the order in which they were added.
-  void draw() const;
   bool empty() const { return triangles.empty(); }
 
   std::span<const Vertex> all_vertices() const { return vertices; }
@@ -64,7 +62,6 @@ class SurfaceTables {
   Table vertex_table;
   Table triangle_table;
   Table look_table;
-  VertexArray no_arrays;
   std::vector<Vertex> vertices;
   std::vector<glm::uvec4> triangles;
   std::vector<Look> looks;

@@ -1,12 +1,10 @@
 #version 330 core
 #include "frame.glsl"
-#include "tables.glsl"
-// Which triangle is seen where. Vertices are pulled from the tables, three for each triangle, so that a triangle's
-// number needs no geometry stage.
+// Which triangle is seen where.
+layout(location = 0) in vec3 position;  // m; three for each triangle, so that its number needs no geometry stage
 flat out uint triangle;
 
 void main() {
   triangle = uint(gl_VertexID) / 3u;
-  uint corner = texelFetch(triangle_table, int(triangle))[gl_VertexID % 3];
-  gl_Position = world_to_clip * vec4(texelFetch(vertex_table, int(3u * corner)).xyz, 1.0);
+  gl_Position = world_to_clip * vec4(position, 1.0);
 }

@@ -23,7 +23,7 @@ class InterfacePicture {
   /// Whether this is what was drawn last.
   bool is_drawn(const renderer::OverlayView& overlay) const;
 
-  static constexpr double longest_s = 0.1;
+  static constexpr double longest_s = 0.2;
 
  private:
   void draw_panel(const WindowLayout& layout, const renderer::OverlayView& panel);

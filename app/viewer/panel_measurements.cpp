@@ -122,10 +122,9 @@ void plot_times(const ViewerState& state, float scale) {
   }
   const float highest =
       rounded_up(std::max(largest(m.simulate_ms.values()), largest(m.draw_ms.values())), 10.0F);
-  const std::vector<Words> reading = {
-      {"simulate " + few_digits(m.simulate_ms.last()), curve_colour},
-      {"draw" + state.quality + ' ' + few_digits(m.draw_ms.last()), second_colour},
-      {"panel " + few_digits(m.panel_ms.last())}};
+  const std::vector<Words> reading = {{"simulate " + few_digits(m.simulate_ms.last()), curve_colour},
+                                      {"draw " + few_digits(m.draw_ms.last()), second_colour},
+                                      {"panel " + few_digits(m.panel_ms.last())}};
   const ItemPlace place = plot_frame({"ms", reading}, scale);
   draw_curve(m.simulate_ms.values(), place, highest, curve_colour, scale);
   draw_curve(m.draw_ms.values(), place, highest, second_colour, scale);

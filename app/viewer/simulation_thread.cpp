@@ -1,5 +1,7 @@
 #include "app/viewer/simulation_thread.hpp"
 
+#include <time.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -9,6 +11,13 @@ namespace {
 // A simulation that falls behind the clock by more gives the time up: it runs slower, and never hurries to
 // catch up.
 constexpr std::chrono::milliseconds most_behind{50};
+
+// That the calling thread has had.
+std::chrono::nanoseconds processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
 
 }  // namespace
 
@@ -51,6 +60,11 @@ SnapshotPtr SimulationThread::past_frame(const SnapshotPtr& now, int frame) {
   return timeline_.of_frame(now, frame);
 }
 
+double SimulationThread::take_given_up_ms() {
+  const std::lock_guard lock(mutex_);
+  return std::chrono::duration<double, std::milli>(std::exchange(given_up_, {})).count();
+}
+
 std::uint64_t SimulationThread::state_hash() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !busy_ && posted_.empty(); });
@@ -79,7 +93,11 @@ void SimulationThread::wait_until_due(std::unique_lock<std::mutex>& lock) {
   }
   const auto frame_time = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(simulation_.frame_time_s() / simulation_.speed()));
-  due_ = std::max(due_ + frame_time, Clock::now() - most_behind);
+  const Clock::time_point next_due = due_ + frame_time;
+  due_ = std::max(next_due, Clock::now() - most_behind);
+  if (worked_ < frame_time) {
+    given_up_ += due_ - next_due;
+  }
   advance(lock);
 }
 
@@ -102,9 +120,12 @@ void SimulationThread::advance(std::unique_lock<std::mutex>& lock) {
   ++begun_;
   busy_ = true;
   lock.unlock();
+  const Clock::duration before = processor_time();
   simulation_.advance();
   SnapshotPtr snapshot = simulation_.take_snapshot();
+  const Clock::duration worked = processor_time() - before;
   lock.lock();
+  worked_ = worked;
   timeline_.add(std::move(snapshot));
   busy_ = false;
   changed_.notify_all();

@@ -27,6 +27,9 @@ class SimulationThread : public SimulationHost {
 
   /// Nothing is simulated any more; waits for what is under way and for commands that were posted.
   void end();
+  /// Simulated time that was given up since the last call because other work had the processors; 0 where
+  /// the simulation could not have kept up anyway.
+  double take_given_up_ms();
   std::uint64_t advances() const { return simulation_.advances(); }  ///< after `end`
 
  private:
@@ -43,6 +46,8 @@ class SimulationThread : public SimulationHost {
   Timeline timeline_;
   std::deque<std::vector<SimulationCommand>> posted_;  ///< one entry for each frame of the window
   std::uint64_t begun_ = 0;
+  Clock::duration given_up_{};
+  Clock::duration worked_{};  ///< by the processor for the last frame
   bool busy_ = false;
   bool ending_ = false;
   Clock::time_point due_;

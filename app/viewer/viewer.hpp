@@ -52,9 +52,8 @@ class Viewer {
   void take_picture(const renderer::Image& picture);
   /// Text for the clipboard, once.
   std::optional<std::string> take_clipboard();
-  /// How long the frame took, and at which quality: shown in the panel.
+  /// How long the frame took: shown in the panel.
   void note_times(double draw_ms, double panel_ms);
-  void note_quality(const std::string& quality) { state_.quality = quality; }
   void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
   /// Completes a recording that is under way; says what came of it, as a message too.
   std::optional<std::string> finish_recording();

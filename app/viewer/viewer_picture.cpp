@@ -128,13 +128,9 @@ void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, c
   settings.shading_px = quality.shading_px;
   settings.shadow_taps = quality.shadow_taps;
   settings.sky_directions = quality.sky_directions;
-  const auto scaled = [&](int side_px) {
-    return std::max(smallest_side_px,
-                    static_cast<int>(std::lround(quality.scale * static_cast<float>(side_px))));
-  };
-  settings.width_px = scaled(area.width_px);
-  settings.height_px = scaled(area.height_px);
-  if (keep || quality.scale < 1.0F) {
+  settings.width_px = area.width_px;
+  settings.height_px = area.height_px;
+  if (keep) {
     scene_renderer_.draw_kept(frame, settings);
     scene_renderer_.show_kept(framebuffer, area.width_px, area.height_px);
     is_kept_ = true;

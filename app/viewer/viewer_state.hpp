@@ -80,7 +80,6 @@ struct ViewerState {
   std::vector<Choice> scenes;
   std::vector<Choice> garments;
   std::vector<Message> messages;
-  std::string quality;  ///< of the picture, where its resolution had to give way; otherwise empty
   bool is_recording = false;
 
   // What was asked for in this frame.

@@ -23,10 +23,6 @@ constexpr double until_best_s = 0.3;
 constexpr int most_losses = 3;
 constexpr double losses_forgotten_after_s = 10.0;
 
-std::string describe(const PictureQuality& quality) {
-  return quality.scale < 1.0F ? fmt::format(" at {:.0f} %", 100.0F * quality.scale) : "";
-}
-
 class WindowSession {
  public:
   WindowSession(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
@@ -87,7 +83,8 @@ class WindowSession {
 
   // Until the next frame is due; as long as nothing moves, until something happens.
   void gather_input() {
-    const double until_due_s = frame_time_s - since_frame_.elapsed_ms() / 1000.0;
+    const double until_due_s =
+        std::max(frame_time_s - since_frame_.elapsed_ms() / 1000.0, quality_.rest_ms() / 1000.0);
     const bool rests = viewer_.is_still();
     double left_s = rests ? rest_time_s : until_due_s;
     const Stopwatch waiting;
@@ -146,8 +143,7 @@ class WindowSession {
     }
     window_->present();
     if (place_.picture().drew_scene() && level == quality_.level()) {
-      quality_.note(panel_ms_ + drawing.elapsed_ms());
-      viewer_.note_quality(describe(quality_.moving()));
+      quality_.note(panel_ms_ + drawing.elapsed_ms(), simulation_.take_given_up_ms());
     }
   }
 

@@ -184,35 +184,56 @@ TEST(Timeline, ManyChangesOfOneFrameDoNotGrowIt) {
   EXPECT_EQ(timeline.newest()->serial, 10000U);
 }
 
-TEST(QualityControl, GivesWayStepByStepResolutionLastAndComesBack) {
+TEST(QualityControl, GivesWayStepByStepAndComesBack) {
   QualityControl quality;
   std::size_t level = quality.level();
   for (int frame = 0; frame < 200; ++frame) {
-    quality.note(80.0);
+    quality.note(80.0, 0.0);
     EXPECT_LE(quality.level(), level + 2);
     level = quality.level();
   }
   EXPECT_EQ(level, picture_qualities.size() - 1);
   for (int frame = 0; frame < 1000; ++frame) {
-    quality.note(4.0);
+    quality.note(4.0, 0.0);
   }
   EXPECT_EQ(quality.level(), 0U);
   for (std::size_t i = 1; i < picture_qualities.size(); ++i) {
-    if (picture_qualities[i].scale < 1.0F) {
-      EXPECT_EQ(picture_qualities[i].samples, 1) << "resolution gave way before samples";
-    }
+    EXPECT_LT(picture_qualities[i].cost, picture_qualities[i - 1].cost);
   }
+}
+
+TEST(QualityControl, KeepsWhatJustGivesThirtyFrames) {
+  QualityControl quality;
+  for (int frame = 0; frame < 1000; ++frame) {
+    quality.note(31.0, 0.0);
+  }
+  EXPECT_EQ(quality.level(), QualityControl().level());
+}
+
+TEST(QualityControl, GivesWayToTheSimulationAndInTheEndRests) {
+  QualityControl quality;
+  for (int frame = 0; frame < 300; ++frame) {
+    quality.note(15.0, 5.0);
+  }
+  EXPECT_EQ(quality.level(), picture_qualities.size() - 1);
+  EXPECT_GT(quality.rest_ms(), 20.0);
+  EXPECT_LE(quality.rest_ms(), QualityControl::most_rest_ms);
+  for (int frame = 0; frame < 1000; ++frame) {
+    quality.note(15.0, 0.0);
+  }
+  EXPECT_EQ(quality.rest_ms(), 0.0);
+  EXPECT_LT(quality.level(), picture_qualities.size() - 1);
 }
 
 // A machine on which one level is fast and the next better one too slow.
 TEST(QualityControl, SettlesInsteadOfPumping) {
-  constexpr std::array<double, picture_qualities.size()> cost_ms = {100.0, 60.0, 35.0, 16.0, 14.0, 12.0, 10.0};
+  constexpr std::array<double, picture_qualities.size()> cost_ms = {70.0, 60.0, 35.0, 24.0, 22.0, 20.0};
   QualityControl quality;
   int changes = 0;
   int frames_at_best = 0;
   for (int frame = 0; frame < 5000; ++frame) {
     const std::size_t before = quality.level();
-    quality.note(cost_ms[before]);
+    quality.note(cost_ms[before], 0.0);
     changes += quality.level() != before ? 1 : 0;
     frames_at_best += before == 3 ? 1 : 0;
   }
@@ -223,7 +244,7 @@ TEST(QualityControl, SettlesInsteadOfPumping) {
 TEST(QualityControl, OneSlowFrameChangesNothing) {
   QualityControl quality;
   for (int frame = 0; frame < 300; ++frame) {
-    quality.note(frame == 150 ? 90.0 : 20.0);
+    quality.note(frame == 150 ? 90.0 : 28.0, 0.0);
   }
   EXPECT_EQ(quality.level(), QualityControl().level());
 }

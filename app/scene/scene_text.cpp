@@ -92,8 +92,11 @@ void append_section(std::string& text, const std::string& section, const ValueTa
   }
 }
 
-std::filesystem::path portable(const std::filesystem::path& garment) {
+std::filesystem::path garment_name(const std::filesystem::path& garment, GarmentNaming naming) {
   const std::filesystem::path full = std::filesystem::absolute(garment).lexically_normal();
+  if (naming == GarmentNaming::full_path) {
+    return full;
+  }
   const std::filesystem::path assets = assets_folder();
   const std::filesystem::path relative = full.lexically_relative(assets);
   const bool is_inside = !assets.empty() && !relative.empty() && *relative.begin() != "..";
@@ -109,11 +112,11 @@ std::filesystem::path assets_folder() {
              : std::filesystem::absolute(scenes.front().file.parent_path().parent_path()).lexically_normal();
 }
 
-std::string scene_text(const Scene& scene) {
+std::string scene_text(const Scene& scene, GarmentNaming naming) {
   Scene named = scene;
   const bool has_file = !scene.garment.file.empty();
   if (has_file) {
-    named.garment.file = portable(scene.garment.file);
+    named.garment.file = garment_name(scene.garment.file, naming);
   }
   ValueTable settings = *scene_settings(named).table();
   for (auto& [key, value] : settings) {

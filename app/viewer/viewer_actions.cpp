@@ -138,7 +138,8 @@ void Viewer::frame_garment() {
 
 void Viewer::save_scene() {
   const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".toml");
-  write_text_file(file, scene_text(kept_scene(state_, scene_area(layout()))));
+  const Scene scene = kept_scene(state_, scene_area(layout()));
+  write_text_file(file, scene_text(scene, GarmentNaming::full_path));
   const char* hint = state_.newest->pristine
                          ? "taut render of it draws this frame"
                          : "settings changed on the way here: after R it draws the same frames";

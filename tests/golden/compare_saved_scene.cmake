@@ -1,4 +1,4 @@
-# Plays SESSION, which saves a scene, and compares what the window shows with what `taut render` makes of the
+# Plays SESSION, which saves SCENE, and compares what the window shows with what `taut render` makes of the
 # scene: no pixel may differ.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${OUTPUT_DIR})
@@ -10,9 +10,9 @@ function(run)
   endif()
 endfunction()
 run(${TAUT} view --headless --script ${SESSION} --screenshot window.png)
-run(${TAUT} render cloth-fall-1.toml --output rendered.png)
+run(${TAUT} render ${SCENE}-1.toml --output rendered.png)
 run(${COMPARE} window.png rendered.png ${OUTPUT_DIR} 0 0 0)
-run(${TAUT} render cloth-fall-1.toml --output other.png --set wind.speed=0.6)
+run(${TAUT} render ${SCENE}-1.toml --output other.png --set wind.speed=${OTHER_WIND})
 execute_process(COMMAND ${COMPARE} window.png other.png ${OUTPUT_DIR} 0 0 0 WORKING_DIRECTORY ${OUTPUT_DIR}
                 RESULT_VARIABLE told_apart OUTPUT_QUIET)
 if(NOT told_apart)

@@ -15,14 +15,20 @@ namespace {
 /// of the same layer, so that longer lists cost more than they save.
 constexpr double skin_per_thickness = 0.35;
 
+/// No 64-bit number is larger.
+constexpr double largest_cell_index = 9e18;
+
 using Cell = std::array<std::uint64_t, 3>;
 
 /// Which cell a position is in; cells repeat along every axis after a power of two of them.
 Cell cell_of(const Vec3& position, double cell_m, std::uint64_t cells_per_axis) {
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto index = static_cast<std::int64_t>(std::floor(position[axis] / cell_m));
-    cell[axis] = static_cast<std::uint64_t>(index) & (cells_per_axis - 1);
+    const double index = std::floor(position[axis] / cell_m);
+    // Where a simulation diverges, before that is noticed.
+    const bool is_whole_number = std::abs(index) < largest_cell_index;
+    cell[axis] = static_cast<std::uint64_t>(is_whole_number ? static_cast<std::int64_t>(index) : 0) &
+                 (cells_per_axis - 1);
   }
   return cell;
 }

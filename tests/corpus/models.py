@@ -170,6 +170,8 @@ def runs():
               refused='not promised where a vertex is pulled by 1e.06 N; expected at most 1e.04 N')
     yield run('run_wind_of_1000', 'wind.speed=1000', refused='found 1000, expected a number from 0 to 200')
     yield run('run_gravity_without_end', 'gravity.acceleration=[0,-1e30,0]', refused='expected three numbers')
+    yield run('run_diverges', 'solver.kind="ideal"', 'solver.substeps=1', 'solver.stiffness.structural=1e300',
+              refused='the simulation diverged')
     yield run('run_heavy_gravity', 'gravity.acceleration=[0,-1e4,0]')
     yield run('run_too_many', 'garment.subdivisions=5', shape=s.sheet(200, 100), refused='more than the 4000000')
     yield run('run_too_small', 'garment.scale=1e-30', refused='e-31 m large; expected 0.0001 m to 10000 m')

@@ -76,8 +76,7 @@ std::optional<std::string> beyond_promise(const Scene& scene) {
   if (bound < smallest_bound) {
     return fmt::format(
         "solver.max_stretch: found {:g}, expected at least {:g}: cloth that may not give at all cannot be "
-        "kept in "
-        "every pose{}",
+        "kept in every pose{}",
         bound, smallest_bound, all_the_same);
   }
   for (const Load& load : loads_on(scene)) {

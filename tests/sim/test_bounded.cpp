@@ -112,6 +112,22 @@ TEST(Layout, RowsAreInTheOrderOfTheirDistanceFromThePins) {
   EXPECT_NEAR(layout.distance_from_pins_m.back(), std::hypot(0.5, 1.0), 1e-12);
 }
 
+TEST(Layout, TheStartOfAFrameIsKeptToTheDigitsOfTwoSinglePrecisionNumbers) {
+  const Garment garment = make_garment(sheet(9, 1.0), {}, {0});
+  const Layout layout = make_layout(garment);
+  std::vector<Vec3> positions_m = garment.mesh.positions;
+  for (std::size_t v = 0; v < positions_m.size(); ++v) {
+    positions_m[v] += 1.0 / (static_cast<double>(v) + 3.0);
+  }
+  StartRows start;
+  set_start(layout, positions_m, start);
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    const Vec3 from_origin_m = positions_m[layout.vertex_of_row[row]] - positions_m[layout.vertex_of_row[0]];
+    EXPECT_LT(glm::distance(vector_of(start.high[row]) + vector_of(start.low[row]), from_origin_m), 1e-14)
+        << row;
+  }
+}
+
 /// Up to nine entries in each row, in some none.
 std::vector<std::vector<MatrixEntry>> some_entries(std::size_t size, std::mt19937& random) {
   std::uniform_int_distribution<Index> column(0, static_cast<Index>(size) - 1);

@@ -80,10 +80,11 @@ Energy measure_energy(const Garment& garment, const State& state, const Vec3& gr
   return energy;
 }
 
-std::size_t first_non_finite(std::span<const Vec3> positions) {
+std::size_t first_lost(std::span<const Vec3> positions) {
+  const auto is_near = [](double coordinate_m) { return std::abs(coordinate_m) <= lost_at_m; };
   std::size_t v = 0;
-  while (v < positions.size() && std::isfinite(positions[v].x) && std::isfinite(positions[v].y) &&
-         std::isfinite(positions[v].z)) {
+  while (v < positions.size() && is_near(positions[v].x) && is_near(positions[v].y) &&
+         is_near(positions[v].z)) {
     ++v;
   }
   return v;

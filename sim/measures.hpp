@@ -40,7 +40,11 @@ struct Energy {
 
 Energy measure_energy(const Garment& garment, const State& state, const Vec3& gravity_m_per_s2);
 
-/// The first vertex with a coordinate that is not finite, or the number of positions where all are.
-std::size_t first_non_finite(std::span<const Vec3> positions);
+/// No garment goes so far; single precision, in which it is drawn, still has its square.
+inline constexpr double lost_at_m = 1e9;
+
+/// The first vertex with a coordinate beyond `lost_at_m` or not a number, or the number of positions where
+/// there is none.
+std::size_t first_lost(std::span<const Vec3> positions);
 
 }  // namespace taut::sim

@@ -18,9 +18,10 @@ void require_frame_rate(const SimulationSettings& settings) {
 }  // namespace
 
 Diverged::Diverged(Index vertex, double time_s)
-    : std::runtime_error(
-          "the simulation diverged: at " + std::to_string(time_s) + " s vertex " + std::to_string(vertex) +
-          " has a position that is not finite; use more substeps, weaker springs or weaker forces") {}
+    : std::runtime_error("the simulation diverged: at " + std::to_string(time_s) + " s vertex " +
+                         std::to_string(vertex) +
+                         " is lost, its position not finite or beyond all bounds; use more substeps, weaker "
+                         "springs or weaker forces") {}
 
 Simulation::Simulation(Garment garment, const SimulationSettings& settings, Surroundings surroundings)
     : garment_(std::move(garment)),
@@ -38,7 +39,7 @@ void Simulation::advance_frame() {
   }
   report_ = solver_->advance_frame(garment_, surroundings_, frame_time_s(), state_);
   shown_before_m_.clear();
-  const std::size_t lost = first_non_finite(state_.current);
+  const std::size_t lost = first_lost(state_.current);
   if (lost < state_.current.size()) {
     throw Diverged(static_cast<Index>(lost), state_.time_s);
   }

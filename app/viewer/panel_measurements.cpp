@@ -84,13 +84,18 @@ float rounded_up(float value, float least) {
   return limit;
 }
 
+// A simulation that flies apart has numbers longer than the panel is wide.
+std::string in_little_room(float value, int decimals) {
+  return std::abs(value) < 1e5F ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.1e}", value);
+}
+
 void plot_stretch(const ViewerState& state, float scale) {
   const RecentValues& stretch = state.measurements.max_stretch;
   const std::optional<double> bound = stretch_bound(state.scene);
   const auto limit = static_cast<float>(bound.value_or(0.0));
+  const std::string now = in_little_room(100.0F * stretch.last(), 2);
   const std::string reading =
-      bound ? fmt::format("{:.2f} %, bound {:.4g} %", 100.0F * stretch.last(), 100.0 * *bound)
-            : fmt::format("{:.2f} %, no bound", 100.0F * stretch.last());
+      bound ? fmt::format("{} %, bound {:.4g} %", now, 100.0 * *bound) : now + " %, no bound";
   const float highest = rounded_up(largest(stretch.values()), std::max(1.25F * limit, 0.001F));
   const bool is_exceeded = bound && !state.newest->record.bound_kept;
   const Words words = is_exceeded ? Words{reading, bound_colour} : Words{reading};
@@ -106,7 +111,7 @@ void plot_convergence(const ViewerState& state, float scale) {
   const RecentValues& moved = state.measurements.convergence_mm;
   const float highest = rounded_up(largest(moved.values()), 0.01F);
   const ItemPlace place =
-      plot_frame({"Convergence", {{fmt::format("{:.3f} mm a step", moved.last())}}}, scale);
+      plot_frame({"Convergence", {{in_little_room(moved.last(), 3) + " mm a step"}}}, scale);
   draw_curve(moved.values(), place, highest, curve_colour, scale);
 }
 

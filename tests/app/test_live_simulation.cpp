@@ -221,7 +221,7 @@ TEST(LiveSimulation, DivergesIntoANoticeAndGoesOnAfterAReset) {
   EXPECT_TRUE(stopped->notices->back().is_error);
   EXPECT_NE(stopped->notices->back().text.find("diverged"), std::string::npos);
   EXPECT_FALSE(live.wants_to_advance());
-  EXPECT_EQ(sim::first_non_finite(*stopped->positions), stopped->positions->size());
+  EXPECT_EQ(sim::first_lost(*stopped->positions), stopped->positions->size());
   live.apply(ChangeSettings{small_scene().simulation, small_scene().surroundings});
   live.apply(Reset{});
   advance(live, 20);

@@ -231,11 +231,17 @@ TEST(Measures, ConvergenceIsTheLengthOfTheLastMove) {
   EXPECT_NEAR(rms_speed(state), 0.1 / 9.0, 1e-15);
 }
 
-TEST(Measures, FindTheFirstVertexThatIsNotFinite) {
+TEST(Measures, FindTheFirstVertexThatIsLost) {
   std::vector<Vec3> positions(5, Vec3(1.0));
-  EXPECT_EQ(first_non_finite(positions), 5u);
+  EXPECT_EQ(first_lost(positions), 5u);
   positions[3].y = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(first_non_finite(positions), 3u);
+  EXPECT_EQ(first_lost(positions), 3u);
+  positions[2].z = -0.9 * lost_at_m;
+  EXPECT_EQ(first_lost(positions), 3u);
+  positions[2].z = -1.1 * lost_at_m;
+  EXPECT_EQ(first_lost(positions), 2u) << "single precision, in which it is drawn, ends sooner than double";
+  positions[1].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(first_lost(positions), 1u);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ class BulletEngine : public Engine {
       state_.time_s += substep_s_;
     }
     read_state();
-    const std::size_t lost = sim::first_non_finite(state_.current);
+    const std::size_t lost = sim::first_lost(state_.current);
     if (lost < state_.current.size()) {
       throw sim::Diverged(static_cast<sim::Index>(lost), state_.time_s);
     }

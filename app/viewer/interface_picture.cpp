@@ -1,5 +1,6 @@
 #include "app/viewer/interface_picture.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <string_view>
 
@@ -21,11 +22,23 @@ std::uint64_t hash_of(const renderer::OverlayView& overlay) {
   return hash;
 }
 
+// The frames of lists that open over the panel are clipped to the whole window only: where they are is where
+// their vertices are.
+bool is_beside(const renderer::OverlayView& overlay, const renderer::OverlayPart& part, int scene_width_px) {
+  if (part.clip_lower_px.x >= scene_width_px || part.clip_upper_px.x <= scene_width_px) {
+    return part.clip_lower_px.x >= scene_width_px;
+  }
+  const auto indices = overlay.indices.subspan(part.first_index, part.index_count);
+  return std::all_of(indices.begin(), indices.end(), [&](std::uint16_t index) {
+    return overlay.vertices[part.first_vertex + index].position_px.x >= static_cast<float>(scene_width_px);
+  });
+}
+
 // What lies beside the scene, or over it.
 renderer::OverlayView parts_of(const renderer::OverlayView& overlay, int scene_width_px, bool beside) {
   renderer::OverlayView part = overlay;
   std::erase_if(part.parts, [&](const renderer::OverlayPart& each) {
-    return (each.clip_lower_px.x >= scene_width_px) != beside;
+    return is_beside(overlay, each, scene_width_px) != beside;
   });
   return part;
 }

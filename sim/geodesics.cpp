@@ -31,6 +31,7 @@ std::optional<double> unfolded_distance(const Vec3& a, const Vec3& b, const Vec3
   if (crossing_x < 0.0 || crossing_x > base) {
     return std::nullopt;
   }
+  // Not std::hypot: its last bits are the C library's, and another processor's are others.
   const double along = c_x - source_x;
   const double across = source_depth + c_height;
   return std::sqrt(along * along + across * across);

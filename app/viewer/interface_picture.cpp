@@ -25,8 +25,8 @@ std::uint64_t hash_of(const renderer::OverlayView& overlay) {
 // The frames of lists that open over the panel are clipped to the whole window only: where they are is where
 // their vertices are.
 bool is_beside(const renderer::OverlayView& overlay, const renderer::OverlayPart& part, int scene_width_px) {
-  if (part.clip_lower_px.x >= scene_width_px || part.clip_upper_px.x <= scene_width_px) {
-    return part.clip_lower_px.x >= scene_width_px;
+  if (part.clip_lower_px.x >= scene_width_px) {
+    return true;
   }
   const auto indices = overlay.indices.subspan(part.first_index, part.index_count);
   return std::all_of(indices.begin(), indices.end(), [&](std::uint16_t index) {

@@ -39,8 +39,8 @@ Tethers make_tethers(const Garment& garment, const Layout& layout, double max_st
 }
 
 void start_tethers(const StartRows& start, Tethers& tethers) {
+  const auto& [high, low] = start;
   for (std::size_t row = 0; row < tethers.lanes.size(); ++row) {
-    const auto& [high, low] = start;
     const Index pin = tethers.pin[row];
     Tether& tether = tethers.lanes[row];
     tether.start_x = (high[row].x - high[pin].x) + (low[row].x - low[pin].x);

@@ -21,6 +21,7 @@ packages=(
   libfontconfig-dev   # finds the window's font
   libglfw3-dev        # the window
   libglm-dev
+  libhwy-dev          # Highway: vectors of any width
   libimgui-dev        # what is in it
   libminizip-dev      # reads the unit of 3MF files
   libqhull-dev        # triangulates the sewing pattern
@@ -41,6 +42,7 @@ packages=(
   libgtest-dev
   xdotool             # keys and pointer for a window
   xvfb                # a display for it
+  xauth               # what xvfb-run asks for and no package brings
 )
 
 # Another way to OpenGL without a display, gone from distributions with Mesa 25.1 or newer.

@@ -29,8 +29,7 @@ FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOu
     work.record.encode_ms = writing.elapsed_ms();
   }
   if (is_drawn(frame, outputs)) {
-    const std::span<const sim::Vec3> shown = simulation.shown_positions();
-    work.positions.assign(shown.begin(), shown.end());
+    work.positions = simulation.state().current;
   }
   return work;
 }

@@ -45,7 +45,7 @@ std::vector<double> lumped_masses(const Mesh& mesh, double density) {
 
 }  // namespace
 
-Garment with_pins(Garment garment, std::vector<Index> pins) {
+void hold_by(Garment& garment, std::vector<Index> pins) {
   std::sort(pins.begin(), pins.end());
   pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
   if (!pins.empty() && pins.back() >= garment.mesh.positions.size()) {
@@ -59,7 +59,6 @@ Garment with_pins(Garment garment, std::vector<Index> pins) {
     garment.inverse_masses_per_kg[pin] = 0.0;
   }
   garment.pins = std::move(pins);
-  return garment;
 }
 
 Garment make_garment(Mesh mesh, const GarmentSettings& settings, std::vector<Index> pins) {
@@ -73,7 +72,8 @@ Garment make_garment(Mesh mesh, const GarmentSettings& settings, std::vector<Ind
   garment.areal_density_kg_per_m2 = settings.areal_density_kg_per_m2;
   garment.masses_kg = lumped_masses(garment.mesh, settings.areal_density_kg_per_m2);
   garment.inverse_masses_per_kg.resize(garment.masses_kg.size());
-  return with_pins(std::move(garment), std::move(pins));
+  hold_by(garment, std::move(pins));
+  return garment;
 }
 
 }  // namespace taut::sim

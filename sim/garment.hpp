@@ -28,8 +28,8 @@ struct GarmentSettings {
 /// Throws std::invalid_argument on a pin that is no vertex or a density that is not positive.
 Garment make_garment(Mesh mesh, const GarmentSettings& settings, std::vector<Index> pins);
 
-/// The same garment held elsewhere.
-/// Throws std::invalid_argument on a pin that is no vertex.
-Garment with_pins(Garment garment, std::vector<Index> pins);
+/// Holds the garment by these vertices and no others, in any order.
+/// Throws std::invalid_argument on a pin that is no vertex; nothing has changed then.
+void hold_by(Garment& garment, std::vector<Index> pins);
 
 }  // namespace taut::sim

@@ -48,34 +48,34 @@ std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3>
   return stretch;
 }
 
-double convergence_of(const State& state, Index vertex) {
-  return glm::length(state.current[vertex] - state.previous[vertex]);
+double convergence_of(const ShapeChange& change, Index vertex) {
+  return glm::length(change.now[vertex] - change.before[vertex]);
 }
 
-Convergence measure_convergence(const State& state) {
+Convergence measure_convergence(const ShapeChange& change) {
   Convergence result;
   double sum_of_squares = 0.0;
-  for (std::size_t v = 0; v < state.current.size(); ++v) {
-    const double moved_m = convergence_of(state, static_cast<Index>(v));
+  for (std::size_t v = 0; v < change.now.size(); ++v) {
+    const double moved_m = convergence_of(change, static_cast<Index>(v));
     result.max_m = std::max(result.max_m, moved_m);
     sum_of_squares += moved_m * moved_m;
   }
-  if (!state.current.empty()) {
-    result.rms_m = std::sqrt(sum_of_squares / static_cast<double>(state.current.size()));
+  if (!change.now.empty()) {
+    result.rms_m = std::sqrt(sum_of_squares / static_cast<double>(change.now.size()));
   }
   return result;
 }
 
-double rms_speed(const State& state) {
-  return state.time_step_s > 0.0 ? measure_convergence(state).rms_m / state.time_step_s : 0.0;
+double rms_speed(const ShapeChange& change) {
+  return measure_convergence(change).rms_m / change.time_s;
 }
 
-Energy measure_energy(const Garment& garment, const State& state, const Vec3& gravity_m_per_s2) {
+Energy measure_energy(const Garment& garment, const ShapeChange& change, const Vec3& gravity_m_per_s2) {
   Energy energy;
-  for (std::size_t v = 0; v < state.current.size(); ++v) {
-    const Vec3 speed = velocity(state, static_cast<Index>(v));
-    energy.kinetic_j += 0.5 * garment.masses_kg[v] * glm::dot(speed, speed);
-    energy.potential_j -= garment.masses_kg[v] * glm::dot(gravity_m_per_s2, state.current[v]);
+  for (std::size_t v = 0; v < change.now.size(); ++v) {
+    const Vec3 velocity_m_per_s = (change.now[v] - change.before[v]) / change.time_s;
+    energy.kinetic_j += 0.5 * garment.masses_kg[v] * glm::dot(velocity_m_per_s, velocity_m_per_s);
+    energy.potential_j -= garment.masses_kg[v] * glm::dot(gravity_m_per_s2, change.now[v]);
   }
   return energy;
 }

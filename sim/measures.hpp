@@ -3,7 +3,7 @@
 #include <span>
 
 #include "sim/garment.hpp"
-#include "sim/state.hpp"
+#include "sim/types.hpp"
 
 namespace taut::sim {
 
@@ -20,17 +20,25 @@ Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions)
 /// For each vertex the largest stretch of the structural springs that end there.
 std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3> positions);
 
-/// The length of p(t) - p(t - dt), which the paper calls the convergence; in metres.
+/// A shape and the one a frame before it; positions in metres, by vertex. Speeds are taken between the shapes
+/// of two frames: between two time steps of one frame a solver may move cloth to and fro that rests.
+struct ShapeChange {
+  std::span<const Vec3> before;
+  std::span<const Vec3> now;
+  double time_s = 0.0;  ///< between the two
+};
+
+/// The length of p(t) - p(t - dt), which the paper calls the convergence, with a frame for dt; in metres.
 struct Convergence {
   double max_m = 0.0;
   double rms_m = 0.0;
 };
 
-double convergence_of(const State& state, Index vertex);
-Convergence measure_convergence(const State& state);
+double convergence_of(const ShapeChange& change, Index vertex);
+Convergence measure_convergence(const ShapeChange& change);
 
 /// Root mean square over the vertices, in m/s.
-double rms_speed(const State& state);
+double rms_speed(const ShapeChange& change);
 
 /// In joules; the potential energy is gravity's, zero at the origin.
 struct Energy {
@@ -38,7 +46,7 @@ struct Energy {
   double potential_j = 0.0;
 };
 
-Energy measure_energy(const Garment& garment, const State& state, const Vec3& gravity_m_per_s2);
+Energy measure_energy(const Garment& garment, const ShapeChange& change, const Vec3& gravity_m_per_s2);
 
 /// No garment goes so far; single precision, in which it is drawn, still has its square.
 inline constexpr double lost_at_m = 1e9;

@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "sim/measures.hpp"
 #include "sim/within_bound.hpp"
 
 namespace taut::sim {
@@ -12,6 +11,12 @@ namespace {
 void require_frame_rate(const SimulationSettings& settings) {
   if (!(settings.frame_rate_hz > 0.0)) {
     throw std::invalid_argument("the frame rate must be above 0 Hz");
+  }
+}
+
+void require_distances(const Surroundings& surroundings) {
+  if (!(surroundings.layer_distance_m >= 0.0 && surroundings.cloth_thickness_m >= 0.0)) {
+    throw std::invalid_argument("the distance of layers and the thickness of cloth must be at least 0 m");
   }
 }
 
@@ -28,17 +33,19 @@ Simulation::Simulation(Garment garment, const SimulationSettings& settings, Surr
       settings_(settings),
       surroundings_(std::move(surroundings)),
       state_(make_state(garment_)),
+      before_m_(state_.current),
       solver_(make_solver(settings.solver)) {
   require_frame_rate(settings);
+  require_distances(surroundings_);
 }
 
 void Simulation::advance_frame() {
+  before_m_ = state_.current;
   if (state_.asleep) {
     state_.time_s += frame_time_s();
     return;
   }
   report_ = solver_->advance_frame(garment_, surroundings_, frame_time_s(), state_);
-  shown_before_m_.clear();
   const std::size_t lost = first_lost(state_.current);
   if (lost < state_.current.size()) {
     throw Diverged(static_cast<Index>(lost), state_.time_s);
@@ -46,35 +53,26 @@ void Simulation::advance_frame() {
   fall_asleep_at_rest();
 }
 
-std::span<const Vec3> Simulation::shown_positions() const {
-  if (!shown_before_m_.empty()) {
-    return shown_before_m_;
-  }
-  const std::span<const Vec3> shown = solver_->shown_positions();
-  return shown.size() == state_.current.size() ? shown : std::span<const Vec3>(state_.current);
-}
-
-// A new solver has shown nothing yet: what was shown stays, as far as it keeps the new bound.
-void Simulation::start_solver(std::span<const Vec3> shown) {
-  auto moved = moved_within_bound(garment_, shown, settings_.solver);
-  std::vector<Vec3> kept = moved ? std::move(*moved) : std::vector<Vec3>(shown.begin(), shown.end());
+void Simulation::start_solver() {
   solver_ = make_solver(settings_.solver);
-  shown_before_m_ = std::move(kept);
+  move_within_bound(garment_, settings_.solver, state_);
   wake();
 }
 
-void Simulation::go_back_to(const State& state, std::span<const Vec3> shown) {
+void Simulation::go_back_to(const State& state) {
   const std::size_t count = garment_.mesh.positions.size();
-  if (state.current.size() != count || state.previous.size() != count || shown.size() != count) {
+  if (state.current.size() != count || state.previous.size() != count) {
     throw std::invalid_argument("a state of another garment cannot be gone back to");
   }
   state_ = state;
   state_.predicted.resize(count);
-  start_solver(shown);
+  start_solver();
+  before_m_ = state_.current;
 }
 
 void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
+    require_distances(surroundings);
     surroundings_ = surroundings;
     wake();
   }
@@ -85,12 +83,12 @@ void Simulation::set_settings(const SimulationSettings& settings) {
     require_frame_rate(settings);
     make_solver(settings.solver);  // refuses what is wrong before anything has changed
     settings_ = settings;
-    start_solver(shown_positions());
+    start_solver();
   }
 }
 
 void Simulation::set_pins(std::vector<Index> pins) {
-  garment_ = with_pins(std::move(garment_), std::move(pins));
+  hold_by(garment_, std::move(pins));
   wake();
 }
 
@@ -100,9 +98,21 @@ void Simulation::wake() {
 }
 
 void Simulation::fall_asleep_at_rest() {
-  const bool quiet = is_steady(surroundings_) && rms_speed(state_) < settings_.rest.speed_m_per_s;
-  state_.quiet_frames = quiet ? state_.quiet_frames + 1 : 0;
-  if (state_.quiet_frames >= settings_.rest.frames) {
+  constexpr double trembling = 10.0;
+  const RestSettings& rest = settings_.rest;
+  if (!is_steady(surroundings_) || !(rms_speed(change()) < trembling * rest.speed_m_per_s)) {
+    state_.quiet_frames = 0;
+    return;
+  }
+  if (state_.quiet_frames == 0) {
+    quiet_since_m_ = before_m_;
+  }
+  if (++state_.quiet_frames < rest.frames) {
+    return;
+  }
+  const ShapeChange drift = {quiet_since_m_, state_.current, state_.quiet_frames * frame_time_s()};
+  state_.quiet_frames = 0;
+  if (rms_speed(drift) < rest.speed_m_per_s) {
     state_.asleep = true;
     state_.previous = state_.current;
   }

@@ -4,14 +4,16 @@
 #include <stdexcept>
 
 #include "sim/garment.hpp"
+#include "sim/measures.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/state.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim {
 
-/// When cloth counts as at rest. A steady garment that moved less than the speed for that many frames is put
-/// to sleep.
+/// When cloth counts as at rest, where nothing outside changes: over that many frames it got no further than
+/// the speed would take it, and in none of them moved ten times as fast. Cloth that trembles about where it
+/// is rests; cloth that swings, or still sinks, does not.
 struct RestSettings {
   double speed_m_per_s = 1e-4;  ///< root mean square; higher sleeps earlier, and further from equilibrium
   int frames = 30;
@@ -36,27 +38,30 @@ class Diverged : public std::runtime_error {
 /// A garment, where it is, and what acts on it, moved on frame by frame.
 class Simulation {
  public:
-  /// Throws std::invalid_argument on settings a solver refuses or a frame rate that is not positive.
+  /// Throws std::invalid_argument on settings a solver refuses, a frame rate that is not positive, or
+  /// surroundings with a distance below 0.
   Simulation(Garment garment, const SimulationSettings& settings, Surroundings surroundings);
 
   /// Moves on by 1 / frame rate. A garment at rest is left as it is (the paper's Step 2: where no force
   /// results, go straight to rendering). Throws Diverged.
   void advance_frame();
 
-  /// Each wakes the garment where it changes anything.
+  /// Each wakes the garment where it changes anything, and throws as the constructor does.
   void set_surroundings(const Surroundings& surroundings);
   void set_settings(const SimulationSettings& settings);
+  /// Throws std::invalid_argument on a pin that is no vertex; nothing has changed then.
   void set_pins(std::vector<Index> pins);
 
-  /// Goes on from a state that this garment was in, with what was shown of it; positions of this garment's
-  /// vertices. What a solver remembers of earlier frames is not part of a state: it begins anew.
-  void go_back_to(const State& state, std::span<const Vec3> shown);
+  /// Goes on from a state that this garment was in. What a solver remembers of earlier frames is not part of
+  /// a state: it begins anew.
+  void go_back_to(const State& state);
 
   const Garment& garment() const { return garment_; }
+  /// Its current positions are the garment's one shape: what is shown, written and measured. Where a solver
+  /// promises a bound on stretch they keep it, also before the first frame of new settings.
   const State& state() const { return state_; }
-  /// What is to be shown and written: the state's positions, or where a solver promises a bound on stretch,
-  /// positions near them that keep it, also before the first frame of new settings. In metres, by vertex.
-  std::span<const Vec3> shown_positions() const;
+  /// How the last frame changed the shape; not at all before the first one, and asleep.
+  ShapeChange change() const { return {before_m_, state_.current, frame_time_s()}; }
   /// Of the last frame; asleep, of the last frame that was computed.
   const FrameReport& frame_report() const { return report_; }
   const Surroundings& surroundings() const { return surroundings_; }
@@ -64,7 +69,7 @@ class Simulation {
   double frame_time_s() const { return 1.0 / settings_.frame_rate_hz; }
 
  private:
-  void start_solver(std::span<const Vec3> shown);
+  void start_solver();
   void wake();
   void fall_asleep_at_rest();
 
@@ -72,8 +77,9 @@ class Simulation {
   SimulationSettings settings_;
   Surroundings surroundings_;
   State state_;
+  std::vector<Vec3> before_m_;       ///< the shape one frame ago
+  std::vector<Vec3> quiet_since_m_;  ///< the shape when the quiet frames began
   std::unique_ptr<Solver> solver_;
-  std::vector<Vec3> shown_before_m_;  ///< shown until the solver has computed a frame; empty: the state
   FrameReport report_;
 };
 

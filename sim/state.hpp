@@ -18,7 +18,7 @@ struct State {
   double time_step_s = 0.0;  ///< the dt between previous and current; 0 before the first step
   std::uint64_t step_count = 0;
 
-  int quiet_frames = 0;  ///< consecutive frames in which the cloth moved less than the rest speed
+  int quiet_frames = 0;  ///< of those in which rest is judged
   bool asleep = false;   ///< at rest: nothing is computed until something changes
 };
 

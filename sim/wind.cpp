@@ -52,9 +52,6 @@ Vec3 wind_velocity(const Wind& wind, double time_s) {
 
 void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
                      std::span<Vec3> forces_n) {
-  if (wind.speed_m_per_s == 0.0) {
-    return;
-  }
   const Vec3 air_velocity = wind_velocity(wind, state.time_s);
   const double half_rho = 0.5 * air_density_kg_per_m3;
   for (const Triangle& t : garment.mesh.triangles) {

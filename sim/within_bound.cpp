@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "sim/solvers/bounded/certificate.hpp"
 #include "sim/solvers/bounded/layout.hpp"
@@ -27,23 +28,23 @@ bool keeps_bound(const Springs& springs, std::span<const Vec3> positions, double
 
 }  // namespace
 
-std::optional<std::vector<Vec3>> moved_within_bound(const Garment& garment, std::span<const Vec3> positions,
-                                                    const SolverSettings& settings) {
-  if (settings.kind != SolverKind::bounded || keeps_bound(garment.springs, positions, settings.max_stretch)) {
-    return std::nullopt;
+void move_within_bound(const Garment& garment, const SolverSettings& settings, State& state) {
+  if (settings.kind != SolverKind::bounded ||
+      keeps_bound(garment.springs, state.current, settings.max_stretch)) {
+    return;
   }
   bounded::Layout layout = bounded::make_layout(garment);
   bounded::Loops loops(bounded::kernels_for(settings.vector_unit), 1);
   bounded::StartRows start;
-  bounded::set_start(layout, positions, start);
+  bounded::set_start(layout, state.current, start);
   loops.start_springs(start, layout.springs);
   bounded::Certifier certifier(layout);
   certifier.certify(layout, bounded::Rows(layout.row_count()), settings.max_stretch, largest_cost, loops);
-  std::vector<Vec3> moved(positions.begin(), positions.end());
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    moved[layout.vertex_of_row[row]] += bounded::vector_of(certifier.shown()[row]);
+    const Vec3 moved = bounded::vector_of(certifier.corrected()[row]);
+    state.current[layout.vertex_of_row[row]] += moved;
+    state.previous[layout.vertex_of_row[row]] += moved;
   }
-  return moved;
 }
 
 }  // namespace taut::sim

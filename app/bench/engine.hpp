@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct FrameCost {
   int substeps = 0;
   double springs_projected = 0.0;  ///< corrections of one spring, all substeps and iterations together
   bool is_certified = true;        ///< false: the engine itself says that the bound may not hold
+  /// Of the worst spring before the engine's last correction; none where it makes no such correction.
+  std::optional<double> raw_stretch;
 };
 
 /// A cloth engine at work on one garment. Engines are driven alike and judged by their positions alone.
@@ -24,10 +27,8 @@ class Engine {
   /// Moves on by one frame of the scene. Throws sim::Diverged where the engine finds that itself.
   virtual FrameCost advance_frame() = 0;
 
-  /// What goes on into the next frame, and what is shown and written; in metres, one per vertex; valid
-  /// until the next frame.
-  virtual std::span<const sim::Vec3> raw_positions() const = 0;
-  virtual std::span<const sim::Vec3> shown_positions() const = 0;
+  /// In metres, one per vertex; valid until the next frame.
+  virtual std::span<const sim::Vec3> positions() const = 0;
 };
 
 }  // namespace taut::app

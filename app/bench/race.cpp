@@ -16,10 +16,8 @@ constexpr std::size_t frames_before_giving_up = 6;
 constexpr int frames_in_a_turn = 10;
 
 FrameSample measured(const Engine& engine, const sim::Springs& springs, const FrameCost& cost) {
-  const sim::Stretch shown = sim::measure_stretch(springs, engine.shown_positions());
-  const bool is_corrected = engine.raw_positions().data() != engine.shown_positions().data();
-  const double raw = is_corrected ? sim::measure_stretch(springs, engine.raw_positions()).max : shown.max;
-  return {cost, raw, shown.max, shown.p99};
+  const sim::Stretch stretch = sim::measure_stretch(springs, engine.positions());
+  return {cost, cost.raw_stretch.value_or(stretch.max), stretch.max, stretch.p99};
 }
 
 RunEnd end_so_far(const std::vector<FrameSample>& frames, const RaceSettings& settings) {

@@ -12,8 +12,8 @@ namespace taut::app {
 struct FrameSample {
   FrameCost cost;
   double raw_stretch = 0.0;  ///< of the worst spring, before the engine's last correction
-  double stretch = 0.0;      ///< of the worst spring, as shown
-  double p99_stretch = 0.0;  ///< as shown
+  double stretch = 0.0;      ///< of the worst spring
+  double p99_stretch = 0.0;
 };
 
 enum class RunEnd {

@@ -25,11 +25,13 @@ class TautEngine : public Engine {
     cost.substeps = report.substeps;
     cost.springs_projected = springs_projected(report);
     cost.is_certified = report.bound_kept;
+    if (report.bound_promised) {
+      cost.raw_stretch = report.raw_max_stretch;
+    }
     return cost;
   }
 
-  std::span<const sim::Vec3> raw_positions() const override { return simulation_.state().current; }
-  std::span<const sim::Vec3> shown_positions() const override { return simulation_.shown_positions(); }
+  std::span<const sim::Vec3> positions() const override { return simulation_.state().current; }
 
  private:
   // Bending, which is no projection, and tethers are left out.

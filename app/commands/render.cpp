@@ -188,8 +188,7 @@ int run(const RenderOptions& options) {
   LoadedGarment loaded = garment.get();
   progress.hide();
   print_remarks(job.scene, loaded);
-  const sim::Surroundings surroundings = settled(job.scene.surroundings, loaded.garment);
-  sim::Simulation simulation(std::move(loaded.garment), job.scene.simulation, surroundings);
+  sim::Simulation simulation = make_simulation(job.scene, std::move(loaded.garment));
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
   const std::vector<int> frames = options.resume ? frames_left(job, output, origin) : job.frames;
   if (frames.size() < job.frames.size()) {

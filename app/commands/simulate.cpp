@@ -46,7 +46,7 @@ int run(const SimulateOptions& options) {
     shapes->require_distinct_names(static_cast<std::size_t>(frame_count));
     prepare_folder_of(shapes->path_of(1));
     outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
-      write_text_file(shapes->path_of(frame), obj_text(moment.garment().mesh, moment.shown_positions()));
+      write_text_file(shapes->path_of(frame), obj_text(moment.garment().mesh, moment.state().current));
     };
   }
   if (!options.statistics.empty()) {
@@ -58,8 +58,7 @@ int run(const SimulateOptions& options) {
   progress.hide();
   print_remarks(scene, loaded);
   progress.begin("frame 1");
-  const sim::Surroundings surroundings = settled(scene.surroundings, loaded.garment);
-  sim::Simulation simulation(std::move(loaded.garment), scene.simulation, surroundings);
+  sim::Simulation simulation = make_simulation(scene, std::move(loaded.garment));
   outputs.report = [&](const FrameRecord& record) {
     progress.hide();
     print_record(record);

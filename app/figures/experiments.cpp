@@ -138,7 +138,7 @@ MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s
   Scene scene = find_scene("pinned-9x9-methods", {});
   scene.simulation.solver.kind = kind;
   scene.simulation.frame_rate_hz = steps_per_s;
-  sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene).garment);
   MethodRun run;
   run.kind = kind;
   run.time_step_s = simulation.frame_time_s();
@@ -146,9 +146,9 @@ MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s
   try {
     for (int step = 0; step < steps; ++step) {
       simulation.advance_frame();
-      const sim::State& state = simulation.state();
-      run.max_stretch.push_back(sim::measure_stretch(simulation.garment().springs, state.current).max);
-      run.moved_rms_m.push_back(sim::measure_convergence(state).rms_m);
+      const sim::ShapeChange change = simulation.change();
+      run.max_stretch.push_back(sim::measure_stretch(simulation.garment().springs, change.now).max);
+      run.moved_rms_m.push_back(sim::measure_convergence(change).rms_m);
     }
   } catch (const sim::Diverged&) {
     run.diverged_at_s = run.time_step_s * static_cast<double>(run.max_stretch.size() + 1);

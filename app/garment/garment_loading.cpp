@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/errors.hpp"
+#include "app/garment/layers.hpp"
 #include "app/scene/pins.hpp"
 #include "sim/subdivide.hpp"
 
@@ -133,6 +134,11 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
   loaded.garment = sim::make_garment(std::move(pinned.mesh), scene.mapping, std::move(pinned.pins));
   return loaded;
+}
+
+sim::Simulation make_simulation(const Scene& scene, sim::Garment garment) {
+  sim::Surroundings surroundings = settled(scene.surroundings, garment);
+  return {std::move(garment), scene.simulation, std::move(surroundings)};
 }
 
 }  // namespace taut::app

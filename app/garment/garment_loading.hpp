@@ -31,4 +31,8 @@ using StageReport = std::function<void(const std::string& stage)>;
 /// Throws InputError naming the file or the key.
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin = {});
 
+/// The scene's garment as the scene begins. What the scene leaves to the garment is settled here: a
+/// simulation refuses surroundings in which it is not. Throws std::invalid_argument as sim::Simulation does.
+sim::Simulation make_simulation(const Scene& scene, sim::Garment garment);
+
 }  // namespace taut::app

@@ -22,16 +22,17 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
   FrameRecord record;
   record.frame = frame;
   record.time_s = state.time_s;
-  record.stretch = sim::measure_stretch(garment.springs, simulation.shown_positions());
+  record.stretch = sim::measure_stretch(garment.springs, state.current);
   if (frame > 0) {
     const sim::FrameReport& report = simulation.frame_report();
     record.raw_max_stretch = report.bound_promised ? report.raw_max_stretch : record.stretch.max;
     record.bound_kept = is_bound_kept(simulation, record.stretch);
     record.substeps = report.substeps;
   }
-  record.rms_speed_m_per_s = sim::rms_speed(state);
-  record.energy = sim::measure_energy(garment, state, simulation.surroundings().forces.gravity_m_per_s2);
-  record.convergence_m = sim::measure_convergence(state).max_m;
+  const sim::ShapeChange change = simulation.change();
+  record.rms_speed_m_per_s = sim::rms_speed(change);
+  record.energy = sim::measure_energy(garment, change, simulation.surroundings().forces.gravity_m_per_s2);
+  record.convergence_m = sim::measure_convergence(change).max_m;
   record.state_hash = sim::hash(state);
   record.asleep = state.asleep;
   return record;

@@ -12,13 +12,13 @@ namespace taut::app {
 struct FrameRecord {
   int frame = 0;
   double time_s = 0.0;
-  sim::Stretch stretch;          ///< of what is shown
-  double raw_max_stretch = 0.0;  ///< of the state, where the solver shows something else
+  sim::Stretch stretch;
+  double raw_max_stretch = 0.0;  ///< before the solver's last correction: how hard it had to work
   bool bound_kept = true;        ///< false: the solver promised a bound and could not keep it
   int substeps = 0;
   double rms_speed_m_per_s = 0.0;
   sim::Energy energy;
-  double convergence_m = 0.0;  ///< the largest |p(t) - p(t - dt)| of any vertex
+  double convergence_m = 0.0;  ///< the largest |p(t) - p(t - dt)| of any vertex, from frame to frame
   std::uint64_t state_hash = 0;
   bool asleep = false;
   double sim_ms = 0.0;

@@ -43,12 +43,11 @@ LiveSimulation::LiveSimulation(const Scene& scene) {
 // Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
 void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   const Scene& scene = loaded->scene;
-  const sim::Surroundings surroundings = settled(scene.surroundings, loaded->garment);
-  sim::Simulation simulation(loaded->garment, scene.simulation, surroundings);
+  sim::Simulation simulation = make_simulation(scene, loaded->garment);
   record_ = measure_frame(simulation, 0);
   simulation_.emplace(std::move(simulation));
   loaded_ = std::move(loaded);
-  surroundings_ = surroundings;
+  surroundings_ = simulation_->surroundings();
   pins_ = std::make_shared<const std::vector<sim::Index>>(loaded_->garment.pins);
   note_shape();
   grip_.reset();
@@ -58,17 +57,10 @@ void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   pristine_ = true;
 }
 
-// Hundreds of shapes are kept: one that is shown as it is takes its place once.
 void LiveSimulation::note_shape() {
   sim::State state = simulation_->state();
   state.predicted = {};
   state_ = std::make_shared<const sim::State>(std::move(state));
-  const std::span<const sim::Vec3> shown = simulation_->shown_positions();
-  if (std::equal(shown.begin(), shown.end(), state_->current.begin(), state_->current.end())) {
-    positions_ = std::shared_ptr<const std::vector<sim::Vec3>>(state_, &state_->current);
-  } else {
-    positions_ = std::make_shared<const std::vector<sim::Vec3>>(shown.begin(), shown.end());
-  }
 }
 
 void LiveSimulation::apply(const SimulationCommand& command) {
@@ -88,15 +80,18 @@ void LiveSimulation::perform(const ChangeSettings& change) {
   pristine_ = pristine_ && frame_ == 0;
   if (change.simulation != simulation_->settings()) {
     simulation_->set_settings(change.simulation);
-    // Another bound may show another shape before another frame.
+    // Another bound may move the cloth before another frame.
     note_shape();
-    record_.stretch = sim::measure_stretch(simulation_->garment().springs, *positions_);
+    record_.stretch = sim::measure_stretch(simulation_->garment().springs, state_->current);
   }
   surroundings_ = settled(change.surroundings, loaded_->garment);
   simulation_->set_surroundings(surroundings_);
 }
 
 void LiveSimulation::perform(const TogglePin& toggle) {
+  if (toggle.vertex >= loaded_->garment.mesh.positions.size()) {
+    return;  // aimed at a garment that has been replaced since
+  }
   std::vector<sim::Index> pins = *pins_;
   const auto place = std::lower_bound(pins.begin(), pins.end(), toggle.vertex);
   if (place != pins.end() && *place == toggle.vertex) {
@@ -152,11 +147,11 @@ void LiveSimulation::perform(const GoBack& back) {
   }
   perform(LetGo{});
   set_pins(*past.pins);
-  simulation_->go_back_to(*past.state, *past.positions);
+  simulation_->go_back_to(*past.state);
   record_ = past.record;
   frame_ = past.record.frame;
   note_shape();
-  record_.stretch = sim::measure_stretch(simulation_->garment().springs, *positions_);
+  record_.stretch = sim::measure_stretch(simulation_->garment().springs, state_->current);
   steps_left_ = 0;
   stopped_ = false;
   pristine_ = frame_ == 0;
@@ -203,7 +198,6 @@ SnapshotPtr LiveSimulation::take_snapshot() {
   snapshot.advances = advances_;
   snapshot.loaded = loaded_;
   snapshot.pins = pins_;
-  snapshot.positions = positions_;
   snapshot.state = state_;
   snapshot.record = record_;
   snapshot.notices = notices_;

@@ -58,7 +58,6 @@ class LiveSimulation {
   sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};  ///< on its way to the grip's target
   std::shared_ptr<const std::vector<sim::Index>> pins_;
   std::shared_ptr<const sim::State> state_;
-  std::shared_ptr<const std::vector<sim::Vec3>> positions_;
   FrameRecord record_;
   std::shared_ptr<const std::vector<Notice>> notices_ = std::make_shared<const std::vector<Notice>>();
   std::uint64_t serial_ = 0;

@@ -33,14 +33,16 @@ struct Snapshot {
   std::uint64_t advances = 0;  ///< simulated frames since the session began
   std::shared_ptr<const LoadedScene> loaded;
   std::shared_ptr<const std::vector<sim::Index>> pins;
-  std::shared_ptr<const std::vector<sim::Vec3>> positions;  ///< to be drawn; metres, one for each vertex
-  std::shared_ptr<const sim::State> state;                  ///< to go on from; without `predicted`
+  std::shared_ptr<const sim::State> state;  ///< without `predicted`
   FrameRecord record;
   /// The latest, oldest first; never null. A window that missed a snapshot must not miss what it said.
   std::shared_ptr<const std::vector<Notice>> notices;
   bool paused = false;
   bool stopped = false;   ///< diverged: nothing moves before a reset
   bool pristine = false;  ///< since the start or the last reset no setting changed and nobody pulled
+
+  /// To be drawn; metres, one for each vertex.
+  const std::vector<sim::Vec3>& positions() const { return state->current; }
 };
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;

@@ -176,11 +176,14 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
   }
   past_ = past_within_bound_ = past;
   past_bound_ = solver;
-  const sim::Garment garment = sim::with_pins(past->loaded->garment, *past->pins);
-  if (auto moved = sim::moved_within_bound(garment, *past->positions, solver)) {
+  sim::Garment garment = past->loaded->garment;
+  sim::hold_by(garment, *past->pins);
+  sim::State state = *past->state;
+  sim::move_within_bound(garment, solver, state);
+  if (state.current != past->positions()) {
     Snapshot snapshot = *past;
-    snapshot.record.stretch = sim::measure_stretch(garment.springs, *moved);
-    snapshot.positions = std::make_shared<const std::vector<sim::Vec3>>(std::move(*moved));
+    snapshot.record.stretch = sim::measure_stretch(garment.springs, state.current);
+    snapshot.state = std::make_shared<const sim::State>(std::move(state));
     past_within_bound_ = std::make_shared<const Snapshot>(std::move(snapshot));
   }
   return past_within_bound_;

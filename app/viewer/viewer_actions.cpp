@@ -133,7 +133,7 @@ void Viewer::toggle_pin() {
 }
 
 void Viewer::frame_garment() {
-  state_.camera.frame(renderer::bounding_box(to_float(*state_.shown->positions)), scene_area(layout()));
+  state_.camera.frame(renderer::bounding_box(to_float(state_.shown->positions())), scene_area(layout()));
 }
 
 void Viewer::save_scene() {

@@ -92,7 +92,7 @@ ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const 
   const Snapshot& shown = *state.shown;
   const PictureStyle& picture = state.scene.picture;
   return {shown.loaded,       shown.pins,
-          shown.positions,    state.camera,
+          shown.state,        state.camera,
           picture.surface,    picture.stretch_range,
           picture.wireframe,  picture.settings.shadows,
           state.show_springs, state.show_normals,
@@ -112,7 +112,7 @@ bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layou
 // A scene that stands still is drawn once more to be kept; one that moves would be kept for nothing.
 void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
                                const PictureQuality& quality, bool keep) {
-  renderer::FrameView frame = painter_for(state, area).view(*state.shown->positions);
+  renderer::FrameView frame = painter_for(state, area).view(state.shown->positions());
   frame.camera = state.camera.camera();
   frame.lighting = renderer::studio_lighting(frame.camera);
   if (state.show_springs) {

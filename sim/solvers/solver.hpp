@@ -38,8 +38,8 @@ struct SolverSettings {
   int iterations = 4;
   Rigidity rigidity;          ///< `strong`
   SpringStiffness stiffness;  ///< `ideal`, `provot`
-  /// `bounded`: no structural or shear spring of a frame that is shown is longer than this beyond its rest
-  /// length. `provot`: the threshold above which a spring is pulled back.
+  /// `bounded`: no structural or shear spring is longer than this beyond its rest length at the end of a
+  /// frame. `provot`: the threshold above which a spring is pulled back.
   double max_stretch = 0.05;
   Fabric fabric;  ///< `bounded`
   /// `bounded`: no frame is divided into more time steps than this, even if its bound cannot be kept.
@@ -57,10 +57,10 @@ struct SolverSettings {
 /// How a frame went.
 struct FrameReport {
   int substeps = 0;
-  bool bound_promised = false;   ///< by the solver, for what is shown
+  bool bound_promised = false;   ///< by the solver
   bool bound_kept = true;        ///< whether it could keep its promise in this frame
-  double raw_max_stretch = 0.0;  ///< of the state, where a bound is promised
-  double max_stretch = 0.0;      ///< of what is shown
+  double raw_max_stretch = 0.0;  ///< before the frame's last correction, which keeps the bound
+  double max_stretch = 0.0;      ///< where a bound is promised
   /// `bounded`: over the springs that are bound, with those of frames begun again and of the certificate.
   double sweeps = 0.0;
 };
@@ -76,9 +76,6 @@ class Solver {
   /// Advances `state` by one frame.
   virtual FrameReport advance_frame(const Garment& garment, const Surroundings& surroundings,
                                     double frame_time_s, State& state) = 0;
-
-  /// What is to be shown of the last frame, by vertex; empty where that is the state itself.
-  virtual std::span<const Vec3> shown_positions() const { return {}; }
 };
 
 /// Throws std::invalid_argument on a negative count of substeps, fewer than one iteration, a number of

@@ -23,27 +23,25 @@ class ScriptedEngine : public Engine {
  public:
   ScriptedEngine(const sim::Garment& garment, std::string name, double cpu_ms, double growth, Log* log)
       : name_(std::move(name)), cpu_ms_(cpu_ms), growth_(growth), log_(log), rest_(garment.mesh.positions) {
-    raw_ = shown_ = rest_;
+    now_ = rest_;
   }
 
   FrameCost advance_frame() override {
     log_->push_back(name_);
     ++frame_;
     for (std::size_t v = 0; v < rest_.size(); ++v) {
-      raw_[v] = rest_[v] * (1.0 + 2.0 * growth_ * frame_);
-      shown_[v] = rest_[v] * (1.0 + growth_ * frame_);
+      now_[v] = rest_[v] * (1.0 + growth_ * frame_);
     }
-    return {cpu_ms_, 3, 1000.0, true};
+    return {cpu_ms_, 3, 1000.0, true, 2.0 * growth_ * frame_};
   }
-  std::span<const sim::Vec3> raw_positions() const override { return raw_; }
-  std::span<const sim::Vec3> shown_positions() const override { return shown_; }
+  std::span<const sim::Vec3> positions() const override { return now_; }
 
  private:
   std::string name_;
   double cpu_ms_, growth_;
   Log* log_;
   int frame_ = 0;
-  Positions rest_, raw_, shown_;
+  Positions rest_, now_;
 };
 
 struct Race : testing::Test {
@@ -93,8 +91,7 @@ TEST_F(Race, NotesThatAnEngineDiverged) {
   lost.make = [](const sim::Garment&, const Scene&) -> std::unique_ptr<Engine> {
     struct Lost : Engine {
       FrameCost advance_frame() override { throw sim::Diverged(0, 0.0); }
-      std::span<const sim::Vec3> raw_positions() const override { return none; }
-      std::span<const sim::Vec3> shown_positions() const override { return none; }
+      std::span<const sim::Vec3> positions() const override { return none; }
       Positions none;
     };
     return std::make_unique<Lost>();
@@ -106,7 +103,7 @@ Run made_run(const std::string& engine, std::optional<double> bound, std::vector
              double stretch) {
   Run made{{engine, engine + " as set", bound, {}}, {}, RunEnd::finished};
   for (const double ms : times_ms) {
-    made.frames.push_back({{ms, 2, 1e6, true}, 3.0 * stretch, stretch, 0.5 * stretch});
+    made.frames.push_back({{ms, 2, 1e6, true, {}}, 3.0 * stretch, stretch, 0.5 * stretch});
   }
   return made;
 }
@@ -186,18 +183,17 @@ double worst_edge(const sim::Mesh& mesh, std::span<const sim::Vec3> positions) {
   return worst;
 }
 
-// Notes what an engine shows, frame by frame, outside of the benchmark's own measuring.
+// Notes where an engine has its cloth, frame by frame, outside of the benchmark's own measuring.
 class Witness : public Engine {
  public:
   Witness(std::unique_ptr<Engine> engine, const sim::Mesh& mesh, std::vector<double>* seen)
       : engine_(std::move(engine)), mesh_(mesh), seen_(seen) {}
   FrameCost advance_frame() override {
     const FrameCost cost = engine_->advance_frame();
-    seen_->push_back(worst_edge(mesh_, engine_->shown_positions()));
+    seen_->push_back(worst_edge(mesh_, engine_->positions()));
     return cost;
   }
-  std::span<const sim::Vec3> raw_positions() const override { return engine_->raw_positions(); }
-  std::span<const sim::Vec3> shown_positions() const override { return engine_->shown_positions(); }
+  std::span<const sim::Vec3> positions() const override { return engine_->positions(); }
 
  private:
   std::unique_ptr<Engine> engine_;
@@ -240,7 +236,8 @@ TEST_P(BenchEngines, HaveTheStretchThatTheirPositionsShow) {
 INSTANTIATE_TEST_SUITE_P(All, BenchEngines, testing::ValuesIn(engine_names()),
                          [](const auto& engine) { return engine.param; });
 
-// Free fall without air: every engine has to be where gravity puts it, or else times compare different tasks.
+// Free fall without wind: every engine has to be where gravity puts it, or else times compare different
+// tasks.
 TEST(BulletPeer, FallsAndSwingsAsTheSceneSays) {
   if (bullet_version().empty()) {
     GTEST_SKIP() << "built without Bullet";
@@ -248,13 +245,14 @@ TEST(BulletPeer, FallsAndSwingsAsTheSceneSays) {
   const sim::Garment cloth = sim::make_garment(sim::make_grid({.columns = 5, .rows = 5}), {}, {});
   sim::Surroundings air;
   air.forces.air_drag_per_s = 2.0;
+  air.forces.wind.pressure_coefficient = air.forces.wind.friction_coefficient = 0.0;
   const auto engine = make_bullet_engine(cloth, air, 1.0 / 60.0, {10, 2});
   for (int frame = 0; frame < 60; ++frame) {
     engine->advance_frame();
   }
   // y = -g / d (t - (1 - e^(-d t)) / d) for a fall with the drag d.
   const double expected_m = -9.81 / 2.0 * (1.0 - (1.0 - std::exp(-2.0)) / 2.0);
-  EXPECT_NEAR(engine->shown_positions()[12].y - cloth.mesh.positions[12].y, expected_m, 0.02);
+  EXPECT_NEAR(engine->positions()[12].y - cloth.mesh.positions[12].y, expected_m, 0.02);
 
   const sim::Garment held = sim::make_garment(sim::make_grid({.columns = 5, .rows = 5}), {}, {0, 4});
   air.pin_motion = {{0.1, 0.0, 0.0}, 1.0};
@@ -262,7 +260,7 @@ TEST(BulletPeer, FallsAndSwingsAsTheSceneSays) {
   for (int frame = 0; frame < 15; ++frame) {
     shaken->advance_frame();
   }
-  EXPECT_NEAR(shaken->shown_positions()[4].x - held.mesh.positions[4].x, 0.1, 1e-5);
+  EXPECT_NEAR(shaken->positions()[4].x - held.mesh.positions[4].x, 0.1, 1e-5);
 }
 
 TEST(BulletPeer, IsBlownByTheSameWind) {
@@ -283,7 +281,7 @@ TEST(BulletPeer, IsBlownByTheSameWind) {
   }
   const double drift_m = taut.state().current[12].z;
   EXPECT_LT(drift_m, -0.3);
-  EXPECT_NEAR(bullet->shown_positions()[12].z, drift_m, 0.02 * std::abs(drift_m));
+  EXPECT_NEAR(bullet->positions()[12].z, drift_m, 0.02 * std::abs(drift_m));
 }
 
 TEST(Arithmetic, AllowsMoreOnWiderUnits) {

@@ -119,7 +119,9 @@ SnapshotPtr snapshot_of(const std::shared_ptr<const LoadedScene>& loaded, std::u
   Snapshot snapshot;
   snapshot.serial = serial;
   snapshot.loaded = loaded;
-  snapshot.positions = std::make_shared<const std::vector<sim::Vec3>>(3);
+  sim::State state;
+  state.current.resize(3);
+  snapshot.state = std::make_shared<const sim::State>(std::move(state));
   snapshot.record.frame = frame;
   return std::make_shared<const Snapshot>(snapshot);
 }

@@ -461,11 +461,10 @@ TEST(Bounded, KeepsTheBoundInEveryFrame) {
         simulation.advance_frame();
         const FrameReport& report = simulation.frame_report();
         EXPECT_TRUE(report.bound_promised && report.bound_kept);
-        const double shown = largest_stretch(garment, simulation.shown_positions());
-        ASSERT_LE(shown, bound);
-        EXPECT_NEAR(shown, std::max(report.max_stretch, 0.0), 2e-6);
-        EXPECT_NEAR(largest_stretch(garment, simulation.state().current),
-                    std::max(report.raw_max_stretch, 0.0), 2e-6);
+        const double stretch = largest_stretch(garment, simulation.state().current);
+        ASSERT_LE(stretch, bound);
+        EXPECT_NEAR(stretch, std::max(report.max_stretch, 0.0), 2e-6);
+        EXPECT_GE(report.raw_max_stretch, report.max_stretch);
       }
     }
   }
@@ -520,7 +519,7 @@ TEST(Bounded, NeverGainsEnergy) {
     Simulation simulation(garment, settings, still);
     for (int frame = 0; frame < 240; ++frame) {
       simulation.advance_frame();
-      const Energy energy = measure_energy(garment, simulation.state(), {0, -9.81, 0});
+      const Energy energy = measure_energy(garment, simulation.change(), {0, -9.81, 0});
       ASSERT_LE(energy.kinetic_j + energy.potential_j, 1e-6) << substeps << " substeps, frame " << frame;
     }
   }
@@ -571,6 +570,7 @@ TEST(Bounded, FallsFreelyWithoutPins) {
   const Garment garment = make_garment(irregular_sheet(9, 1.0), {}, {});
   Surroundings airless;
   airless.forces.air_drag_per_s = 0.0;
+  airless.forces.wind.pressure_coefficient = airless.forces.wind.friction_coefficient = 0.0;
   Simulation simulation(garment, bounded_by(0.01), airless);
   for (int frame = 0; frame < 60; ++frame) {
     simulation.advance_frame();
@@ -580,6 +580,24 @@ TEST(Bounded, FallsFreelyWithoutPins) {
     EXPECT_NEAR(fallen_m, 0.5 * 9.81, 0.1) << "first-order in a substep";
   }
   EXPECT_LT(largest_stretch(garment, simulation.state().current), 1e-4);
+}
+
+TEST(Bounded, StillAirBrakesAsTheFaintestWindDoes) {
+  GridSettings lying;
+  lying.plane = GridPlane::horizontal;
+  const Garment garment = make_garment(make_grid(lying), {}, {});
+  std::vector<double> fallen_m;
+  for (const double speed_m_per_s : {0.0, 1e-6}) {
+    Surroundings surroundings;
+    surroundings.forces.wind.speed_m_per_s = speed_m_per_s;
+    Simulation simulation(garment, bounded_by(0.01), surroundings);
+    for (int frame = 0; frame < 60; ++frame) {
+      simulation.advance_frame();
+    }
+    fallen_m.push_back(garment.mesh.positions[40].y - simulation.state().current[40].y);
+  }
+  EXPECT_NEAR(fallen_m[0], fallen_m[1], 1e-4);
+  EXPECT_LT(fallen_m[0], 0.5 * 4.9) << "a sheet that lies on the air falls slowly";
 }
 
 TEST(Bounded, AllVectorUnitsEndInTheSameState) {
@@ -602,7 +620,6 @@ TEST(Bounded, AllVectorUnitsEndInTheSameState) {
 TEST(Bounded, TheNumberOfThreadsChangesNothing) {
   const Garment garment = make_garment(irregular_sheet(97, 1.0), {}, {0, 96});
   std::vector<std::uint64_t> hashes;
-  std::vector<std::vector<Vec3>> shown;
   for (const int threads : {1, 2, 4}) {
     SimulationSettings settings = bounded_by(0.02);
     settings.solver.threads = threads;
@@ -611,11 +628,9 @@ TEST(Bounded, TheNumberOfThreadsChangesNothing) {
       simulation.advance_frame();
     }
     hashes.push_back(hash(simulation.state()));
-    shown.emplace_back(simulation.shown_positions().begin(), simulation.shown_positions().end());
   }
   for (std::size_t k = 1; k < hashes.size(); ++k) {
     EXPECT_EQ(hashes[k], hashes.front());
-    EXPECT_EQ(shown[k], shown.front());
   }
 }
 
@@ -625,7 +640,7 @@ TEST(Bounded, ComesToRestAndFallsAsleep) {
   double slow_since_s = 0.0;
   for (int frame = 0; frame < 900; ++frame) {
     simulation.advance_frame();
-    if (rms_speed(simulation.state()) > 1e-3) {
+    if (rms_speed(simulation.change()) > 1e-3) {
       slow_since_s = simulation.state().time_s;
     }
   }

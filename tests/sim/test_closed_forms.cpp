@@ -28,12 +28,14 @@ Garment chain(const std::vector<Vec3>& positions, double mass_kg, const std::vec
     garment.springs.rest_lengths_m.push_back(glm::length(positions[v + 1] - positions[v]));
   }
   garment.springs.structural_count = garment.springs.ends.size();
-  return with_pins(garment, pins);
+  hold_by(garment, pins);
+  return garment;
 }
 
 Surroundings vacuum(double gravity_m_per_s2) {
   Surroundings surroundings;
   surroundings.forces.air_drag_per_s = 0.0;
+  surroundings.forces.wind.pressure_coefficient = surroundings.forces.wind.friction_coefficient = 0.0;
   surroundings.forces.gravity_m_per_s2 = {0, -gravity_m_per_s2, 0};
   return surroundings;
 }

@@ -215,7 +215,8 @@ TEST(Garment, SharesTheMassEvenlyAndKeepsPinsImmovable) {
   EXPECT_EQ(garment.pins, (std::vector<Index>{0, 2}));
   EXPECT_EQ(garment.inverse_masses_per_kg[2], 0.0);
   EXPECT_GT(garment.inverse_masses_per_kg[1], 0.0);
-  const Garment released = with_pins(garment, {1});
+  Garment released = garment;
+  hold_by(released, {1});
   EXPECT_GT(released.inverse_masses_per_kg[2], 0.0);
   EXPECT_EQ(released.inverse_masses_per_kg[1], 0.0);
 }

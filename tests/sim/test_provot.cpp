@@ -18,7 +18,8 @@ Garment row_of_three(const std::vector<Index>& pins) {
   row.springs.ends = {{0, 1}, {1, 2}};
   row.springs.rest_lengths_m = {1.0, 1.0};
   row.springs.structural_count = 2;
-  return with_pins(row, pins);
+  hold_by(row, pins);
+  return row;
 }
 
 TEST(Provot, LeavesSpringsBelowTheThresholdToTheirForces) {

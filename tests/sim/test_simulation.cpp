@@ -89,7 +89,7 @@ TEST(Simulation, LosesEnergyOnly) {
   Simulation simulation(make_garment(make_grid(lying), {}, {0, 8}), settings, {});
   for (int frame = 0; frame < 300; ++frame) {
     simulation.advance_frame();
-    const Energy energy = measure_energy(simulation.garment(), simulation.state(), {0, -9.81, 0});
+    const Energy energy = measure_energy(simulation.garment(), simulation.change(), {0, -9.81, 0});
     EXPECT_LE(energy.kinetic_j + energy.potential_j, 1e-9) << "frame " << frame;
   }
 }
@@ -98,7 +98,8 @@ TEST(Simulation, AGarmentAtRestFallsAsleepUntilSomethingChanges) {
   Simulation simulation(pinned_cloth(), {}, {});
   run(simulation, 1200);
   ASSERT_TRUE(simulation.state().asleep);
-  EXPECT_EQ(rms_speed(simulation.state()), 0.0) << "it wakes without the last bit of its motion";
+  EXPECT_EQ(simulation.state().previous, simulation.state().current)
+      << "it wakes without the last bit of its motion";
   const auto at_rest = hash(simulation.state());
   const auto steps = simulation.state().step_count;
   run(simulation, 10);
@@ -129,6 +130,60 @@ TEST(Simulation, PinsAndSettingsWakeItToo) {
   settings.solver.iterations += 1;
   simulation.set_settings(settings);
   EXPECT_FALSE(simulation.state().asleep);
+}
+
+TEST(Simulation, SpeedsAreThoseBetweenTheShapesOfFrames) {
+  Simulation simulation(pinned_cloth(), {}, {});
+  EXPECT_EQ(rms_speed(simulation.change()), 0.0) << "before the first frame";
+  for (int frame = 0; frame < 5; ++frame) {
+    const std::vector<Vec3> before = simulation.state().current;
+    simulation.advance_frame();
+    double squares = 0.0;
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      const Vec3 moved = simulation.state().current[v] - before[v];
+      squares += glm::dot(moved, moved);
+    }
+    EXPECT_NEAR(rms_speed(simulation.change()), 60.0 * std::sqrt(squares / 81.0), 1e-12);
+  }
+}
+
+// A pendulum passes the same place again and again; at its turning points it is slow.
+TEST(Simulation, ClothThatSwingsIsNotAtRest) {
+  Surroundings vacuum;
+  vacuum.forces.air_drag_per_s = 0.0;
+  vacuum.forces.wind.pressure_coefficient = vacuum.forces.wind.friction_coefficient = 0.0;
+  GridSettings lying;
+  lying.plane = GridPlane::horizontal;
+  Simulation simulation(make_garment(make_grid(lying), {}, {0, 8}), {}, vacuum);
+  run(simulation, 600);
+  EXPECT_FALSE(simulation.state().asleep);
+}
+
+TEST(Simulation, APinThatIsNoVertexLeavesTheGarmentAsItWas) {
+  Simulation simulation(pinned_cloth(), {}, {});
+  run(simulation, 3);
+  Simulation untouched(pinned_cloth(), {}, {});
+  run(untouched, 3);
+  EXPECT_THROW(simulation.set_pins({0, 81}), std::invalid_argument);
+  EXPECT_EQ(simulation.garment().pins, (std::vector<Index>{0, 8}));
+  EXPECT_EQ(simulation.garment().mesh.positions.size(), 81U);
+  run(simulation, 3);
+  run(untouched, 3);
+  EXPECT_EQ(hash(simulation.state()), hash(untouched.state()));
+}
+
+TEST(Simulation, ANewBoundMovesTheClothWithinItBeforeTheNextFrame) {
+  Simulation simulation(pinned_cloth(), {}, {});
+  run(simulation, 60);
+  const std::vector<Vec3> before = simulation.state().current;
+  const Vec3 velocity_before = velocity(simulation.state(), 40);
+  ASSERT_GT(measure_stretch(simulation.garment().springs, before).max, 0.006);
+  SimulationSettings settings = simulation.settings();
+  settings.solver.max_stretch = 0.005;
+  simulation.set_settings(settings);
+  EXPECT_LE(measure_stretch(simulation.garment().springs, simulation.state().current).max, 0.005);
+  EXPECT_EQ(simulation.state().current[8], before[8]);
+  EXPECT_NEAR(glm::length(velocity(simulation.state(), 40) - velocity_before), 0.0, 1e-9) << "not thrown";
 }
 
 TEST(Simulation, WithoutAnyForceNothingMoves) {
@@ -193,6 +248,11 @@ TEST(Simulation, RefusesImpossibleSettings) {
   settings = {};
   settings.frame_rate_hz = 0.0;
   EXPECT_THROW(Simulation(pinned_cloth(), settings, {}), std::invalid_argument);
+  Surroundings unsettled;
+  unsettled.layer_distance_m = -1.0;
+  EXPECT_THROW(Simulation(pinned_cloth(), {}, unsettled), std::invalid_argument);
+  Simulation simulation(pinned_cloth(), {}, {});
+  EXPECT_THROW(simulation.set_surroundings(unsettled), std::invalid_argument);
 }
 
 TEST(Measures, StretchOfAPulledCloth) {
@@ -222,13 +282,14 @@ TEST(Measures, The99thPercentileLeavesOutTheWorstHundredth) {
 }
 
 TEST(Measures, ConvergenceIsTheLengthOfTheLastMove) {
-  State state = make_state(pinned_cloth());
-  state.time_step_s = 0.5;
-  state.current[4] += Vec3(0.03, 0.04, 0);
-  EXPECT_NEAR(convergence_of(state, 4), 0.05, 1e-15);
-  EXPECT_NEAR(measure_convergence(state).max_m, 0.05, 1e-15);
-  EXPECT_NEAR(measure_convergence(state).rms_m, 0.05 / 9.0, 1e-15);
-  EXPECT_NEAR(rms_speed(state), 0.1 / 9.0, 1e-15);
+  const std::vector<Vec3> before(81, Vec3(1.0));
+  std::vector<Vec3> now = before;
+  now[4] += Vec3(0.03, 0.04, 0);
+  const ShapeChange change = {before, now, 0.5};
+  EXPECT_NEAR(convergence_of(change, 4), 0.05, 1e-15);
+  EXPECT_NEAR(measure_convergence(change).max_m, 0.05, 1e-15);
+  EXPECT_NEAR(measure_convergence(change).rms_m, 0.05 / 9.0, 1e-15);
+  EXPECT_NEAR(rms_speed(change), 0.1 / 9.0, 1e-15);
 }
 
 TEST(Measures, FindTheFirstVertexThatIsLost) {

@@ -59,6 +59,20 @@ TEST(Wind, DoesNotPushAClothThatMovesWithTheAir) {
   EXPECT_NEAR(glm::length(total_wind_force(garment, state, wind)), 0.0, 1e-9);
 }
 
+TEST(Wind, StillAirBrakesAsTheFaintestWindDoes) {
+  const Garment garment = make_garment(make_grid({}), {}, {});
+  State state = make_state(garment);
+  state.time_step_s = 0.01;
+  for (Vec3& p : state.previous) {
+    p -= Vec3(0, 0, -3.0) * 0.01;
+  }
+  const Vec3 still = total_wind_force(garment, state, {});
+  EXPECT_NEAR(still.z, 0.5 * 1.2 * 9.0 * Wind{}.pressure_coefficient, 1e-4);
+  Wind faintest;
+  faintest.speed_m_per_s = 1e-9;
+  EXPECT_NEAR(glm::length(total_wind_force(garment, state, faintest) - still), 0.0, 1e-6);
+}
+
 TEST(Wind, CannotBlowClothFasterThanAirInOneStep) {
   const Garment garment = make_garment(make_grid({}), {}, {});
   Wind wind;

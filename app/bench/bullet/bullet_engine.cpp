@@ -102,8 +102,7 @@ class BulletEngine : public Engine {
     return cost;
   }
 
-  std::span<const sim::Vec3> raw_positions() const override { return state_.current; }
-  std::span<const sim::Vec3> shown_positions() const override { return state_.current; }
+  std::span<const sim::Vec3> positions() const override { return state_.current; }
 
  private:
   void read_state() {
@@ -115,9 +114,6 @@ class BulletEngine : public Engine {
   }
 
   void add_wind() {
-    if (surroundings_.forces.wind.speed_m_per_s == 0.0) {
-      return;
-    }
     read_state();
     forces_n_.assign(state_.current.size(), sim::Vec3(0.0));
     sim::add_wind_forces(garment_, state_, surroundings_.forces.wind, substep_s_, forces_n_);

@@ -28,8 +28,8 @@ constexpr double costliest_certificate = 3.0;
 /// Where no more substeps are to be had, it is.
 constexpr double last_resort_sweeps = 1000.0;
 
-/// A frame shown this many times further from the state than allowed is repeated, unless it only carries on
-/// with a correction that the frame before it had.
+/// A frame corrected by this many times more than allowed is repeated, unless the frame before it was
+/// corrected as far.
 constexpr double too_far = 3.0;
 constexpr double further_than_before = 1.2;
 
@@ -175,23 +175,24 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
   }
 }
 
+// The shape that keeps the bound is where the next frame begins. The position a time step ago is moved alike,
+// so that the correction adds no velocity.
 void BoundedSolver::end_frame(const Surroundings& surroundings, double frame_time_s, int substeps,
                               State& state) {
   const Cloth& cloth = *cloth_;
-  shown_m_.resize(cloth.layout.vertex_count());
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
     const Index v = cloth.layout.vertex_of_row[row];
     const Vec3& start = cloth.motion.start_m[row];
-    state.current[v] = start + vector_of(cloth.motion.current[row]);
-    state.previous[v] = start + vector_of(cloth.motion.previous[row]);
-    shown_m_[v] = start + vector_of(cloth.certifier.shown()[row]);
+    const Vec3 moved = vector_of(cloth.motion.current[row]) - vector_of(cloth.motion.previous[row]);
+    state.current[v] = start + vector_of(cloth.certifier.corrected()[row]);
+    state.previous[v] = state.current[v] - moved;
   }
   // Exactly where they belong: what single precision rounds away would add up from frame to frame.
   for (std::size_t row = 0; row < cloth.layout.pin_count; ++row) {
     const Index v = cloth.layout.vertex_of_row[row];
     const Vec3 moved = pin_offset(surroundings.pin_motion, state.time_s + frame_time_s) -
                        pin_offset(surroundings.pin_motion, state.time_s);
-    state.current[v] = shown_m_[v] = cloth.motion.start_m[row] + moved;
+    state.current[v] = cloth.motion.start_m[row] + moved;
   }
   state.time_step_s = frame_time_s / substeps;
   state.time_s += frame_time_s;

@@ -20,7 +20,6 @@ class BoundedSolver : public Solver {
 
   FrameReport advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
                             State& state) override;
-  std::span<const Vec3> shown_positions() const override { return shown_m_; }
 
  private:
   struct Cloth;
@@ -37,7 +36,6 @@ class BoundedSolver : public Solver {
   SolverSettings settings_;
   std::unique_ptr<bounded::Loops> loops_;
   std::unique_ptr<Cloth> cloth_;
-  std::vector<Vec3> shown_m_;
 };
 
 }  // namespace taut::sim

@@ -27,7 +27,7 @@ float relaxation_of(const Layout& layout) {
 /// Springs this close to the bound may get too long by the correction of others.
 constexpr float nearly = 0.995F;
 
-/// Of the last frame's correction. All of it would be fewest sweeps, but what is shown would drift off.
+/// Of the last frame's correction. All of it would be fewest sweeps, but shapes would drift off.
 constexpr float kept_correction = 0.9F;
 
 /// Aims a little below what is checked: the last of a correction takes the most sweeps.
@@ -42,19 +42,19 @@ float squared_aim_of(double max_stretch) {
 
 Certifier::Certifier(const Layout& layout)
     : relaxation_(relaxation_of(layout)),
-      shown_(layout.row_count()),
+      corrected_(layout.row_count()),
       corrections_(layout.row_count()),
       new_corrections_(layout.row_count()),
       squared_ratios_(layout.springs.block_count()) {}
 
 void Certifier::start_from_last_frame(const Rows& raw) {
   for (std::size_t row = 0; row < raw.size(); ++row) {
-    shown_[row] = scaled_sum(raw[row], corrections_[row], kept_correction);
+    corrected_[row] = scaled_sum(raw[row], corrections_[row], kept_correction);
   }
 }
 
 double Certifier::largest_ratio(const Layout& layout, Loops& loops) {
-  loops.largest_ratios(layout.springs, shown_.data(), squared_ratios_.data());
+  loops.largest_ratios(layout.springs, corrected_.data(), squared_ratios_.data());
   float largest = 0.0F;
   for (const float ratio : squared_ratios_) {
     // Written so that a ratio that is not a number is not passed over.
@@ -82,7 +82,7 @@ void Certifier::shorten_chosen(const Layout& layout, float squared_bound, Loops&
     for (std::size_t c = 0; c + 1 < colour_begin_.size(); ++c) {
       const std::size_t count = colour_begin_[c + 1] - colour_begin_[c];
       loops.shorten(layout.springs, std::span(long_blocks_).subspan(colour_begin_[c], count), squared_bound,
-                    factor, shown_.data());
+                    factor, corrected_.data());
     }
   }
 }
@@ -93,14 +93,14 @@ Certificate Certifier::certify(const Layout& layout, const Rows& raw, double max
   const double squared_bound = allowed * allowed;
   const float squared_aim = squared_aim_of(max_stretch);
   Certificate certificate;
-  shown_ = raw;
+  corrected_ = raw;
   double ratio = largest_ratio(layout, loops);
   certificate.raw_max_stretch = std::sqrt(ratio) - 1.0;
   if (const double raw_ratio = ratio; !(raw_ratio <= squared_bound)) {
     start_from_last_frame(raw);
     ratio = largest_ratio(layout, loops);
     if (!(ratio <= raw_ratio)) {
-      shown_ = raw;
+      corrected_ = raw;
       ratio = largest_ratio(layout, loops);
     }
   }
@@ -113,7 +113,7 @@ Certificate Certifier::certify(const Layout& layout, const Rows& raw, double max
   }
   float largest_shift2 = 0.0F;
   for (std::size_t row = 0; row < raw.size(); ++row) {
-    const Row& shift = new_corrections_[row] = scaled_sum(shown_[row], raw[row], -1.0F);
+    const Row& shift = new_corrections_[row] = scaled_sum(corrected_[row], raw[row], -1.0F);
     largest_shift2 = std::max(largest_shift2, shift.x * shift.x + shift.y * shift.y + shift.z * shift.z);
   }
   certificate.largest_shift_m = std::sqrt(largest_shift2);

@@ -13,7 +13,7 @@ struct Certificate {
   double raw_max_stretch = 0.0;  ///< before
   double max_stretch = 0.0;      ///< after
   double cost = 0.0;             ///< the work it took, in sweeps over all springs
-  double largest_shift_m = 0.0;  ///< how far a vertex shown is from where the state has it
+  double largest_shift_m = 0.0;  ///< the furthest a vertex was moved
   bool kept = false;             ///< no spring is longer than the bound allows
 };
 
@@ -37,7 +37,7 @@ class Certifier {
   void end_frame() { corrections_.swap(new_corrections_); }
 
   /// Displacements since the frame's start that keep the bound.
-  const Rows& shown() const { return shown_; }
+  const Rows& corrected() const { return corrected_; }
 
  private:
   void start_from_last_frame(const Rows& raw);
@@ -46,7 +46,7 @@ class Certifier {
   void shorten_chosen(const Layout& layout, float squared_bound, Loops& loops);
 
   float relaxation_;
-  Rows shown_;
+  Rows corrected_;
   Rows corrections_;                        ///< of the last frame
   Rows new_corrections_;                    ///< of this one
   std::vector<float> squared_ratios_;       ///< by block

@@ -100,7 +100,7 @@ CoarseCloth coarsen(const Garment& fine, const std::vector<Index>& order) {
   mesh.triangles = triangles_between(fine.mesh, coarse.cluster_of);
   coarse.garment = make_garment(std::move(mesh), {{}, fine.areal_density_kg_per_m2}, {});
   coarse.garment.masses_kg = std::move(masses_kg);
-  coarse.garment = with_pins(std::move(coarse.garment), {});
+  hold_by(coarse.garment, {});
   return coarse;
 }
 

@@ -90,9 +90,6 @@ void HeldForces::add_hand(const Garment& garment, const ExternalForces& external
 
 void HeldForces::add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
                           double time_step_s, double held_s, Loops& loops) {
-  if (wind.speed_m_per_s == 0.0) {
-    return;
-  }
   const TriangleLanes& triangles = layout_.triangles;
   loops.wind(triangles, air_flow(garment, wind, time_s, time_step_s, held_s), motion.start.high.data(),
              motion.current.data(), motion.previous.data(), corner_forces_n_.data());

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <functional>
+#include <random>
 #include <vector>
 
 #include "sim/solvers/bounded/team.hpp"
+#include "sim/solvers/bounded/thread_choice.hpp"
 
 namespace taut::sim::bounded {
 namespace {
@@ -44,6 +47,43 @@ TEST(Team, SmallGarmentsGetOneThreadUnlessAskedOtherwise) {
   EXPECT_EQ(thread_count(3, 1000), 3);
   EXPECT_GE(thread_count(0, 100000), 1);
   EXPECT_LE(thread_count(0, 100000), 4);
+}
+
+/// What frames cost, alone and shared, over what they would cost alone; `cost` of a frame's number.
+double part_of_alone(int frames, const std::function<double(int frame, bool shared)>& cost) {
+  ThreadChoice choice;
+  double sum = 0.0, alone = 0.0;
+  for (int frame = 0; frame < frames; ++frame) {
+    const double took = cost(frame, choice.is_shared());
+    sum += took;
+    alone += cost(frame, false);
+    choice.frame_took(took);
+  }
+  return sum / alone;
+}
+
+TEST(ThreadChoice, SharesWhereThatIsFaster) {
+  EXPECT_LT(part_of_alone(300, [](int, bool shared) { return shared ? 0.6 : 1.0; }), 0.62);
+}
+
+TEST(ThreadChoice, NeverTakesATenthLongerThanAlone) {
+  EXPECT_LT(part_of_alone(100, [](int, bool shared) { return shared ? 2.0 : 1.0; }), 1.06);
+  EXPECT_LT(part_of_alone(1000, [](int, bool shared) { return shared ? 5.0 : 1.0; }), 1.1);
+}
+
+TEST(ThreadChoice, FollowsAMachineThatGetsBusyAndIdleAgain) {
+  const auto is_busy = [](int frame) { return frame >= 200 && frame < 600; };
+  const auto cost = [&](int frame, bool shared) { return shared ? (is_busy(frame) ? 3.0 : 0.6) : 1.0; };
+  EXPECT_LT(part_of_alone(600, cost), (200 * 0.6 + 400 * 1.1) / 600);
+  EXPECT_LT(part_of_alone(3000, cost), (2600 * 0.7 + 400 * 1.1) / 3000) << "it tries again";
+}
+
+TEST(ThreadChoice, IsNotLedAstrayByNoise) {
+  std::minstd_rand random(7);
+  std::uniform_real_distribution<double> noise(1.0, 1.5);
+  EXPECT_LT(part_of_alone(1000, [&](int, bool shared) { return (shared ? 0.6 : 1.0) * noise(random); }),
+            0.68);
+  EXPECT_LT(part_of_alone(1000, [&](int, bool shared) { return (shared ? 1.6 : 1.0) * noise(random); }), 1.1);
 }
 
 }  // namespace

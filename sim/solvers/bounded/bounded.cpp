@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/bounded.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "sim/solvers/bounded/certificate.hpp"
@@ -10,6 +11,7 @@
 #include "sim/solvers/bounded/loops.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
 #include "sim/solvers/bounded/tethers.hpp"
+#include "sim/solvers/bounded/thread_choice.hpp"
 
 namespace taut::sim {
 
@@ -50,6 +52,7 @@ struct BoundedSolver::Cloth {
   Contacts contacts;
   Certifier certifier;
   SubstepControl control{1, 1, 1};
+  ThreadChoice threads;
   Tethers tethers;
   Motion motion;
   Rows velocities;           ///< m/s, when the frame began
@@ -202,8 +205,10 @@ void BoundedSolver::end_frame(const Surroundings& surroundings, double frame_tim
 FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundings& surroundings,
                                          double frame_time_s, State& state) {
   lay_out(garment, surroundings, frame_time_s);
-  begin_frame(state);
+  const auto began = std::chrono::steady_clock::now();
   Cloth& cloth = *cloth_;
+  loops_->share(cloth.threads.is_shared());
+  begin_frame(state);
   cloth.contacts.begin_frame(garment, cloth.layout, surroundings, cloth.motion, cloth.velocities,
                              frame_time_s);
   SubstepControl& control = cloth.control;
@@ -227,6 +232,8 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
   const int substeps = control.substeps();
   control.frame_kept(certificate.cost, shift);
   end_frame(surroundings, frame_time_s, substeps, state);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  cloth.threads.frame_took(took.count() / sweeps);
   return {substeps, true, certificate.kept, certificate.raw_max_stretch, certificate.max_stretch, sweeps};
 }
 

@@ -12,6 +12,8 @@ class Loops {
  public:
   Loops(const Kernels& kernels, int threads) : kernels_(kernels), team_(threads) {}
 
+  void share(bool is_shared) { team_.share(is_shared); }
+
   /// Of all rows; `tethers` may be null.
   void predict(const Prediction& prediction, const Tether* tethers, const Row* accelerations,
                const Rows& current, Rows& previous);

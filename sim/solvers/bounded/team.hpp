@@ -13,7 +13,8 @@ namespace taut::sim::bounded {
 /// the time.
 ///
 /// A loop lasts some microseconds and thousands of them make a frame. So the caller never waits for a thread
-/// to begin: one that does not get a processor leaves its chunks to the others.
+/// to begin: one that does not get a processor leaves its chunks to the others. It does wait for one that
+/// loses its processor in the middle of a chunk (see ThreadChoice).
 class Team {
  public:
   /// The caller is one of the threads: 1 starts none.
@@ -22,11 +23,14 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
+  /// Whether loops are shared from now on, or the caller does them alone.
+  void share(bool is_shared) { is_shared_ = is_shared; }
+
   /// Calls part(b, e) for chunks that cover [begin, end), of at least `least` each, and returns when all are
   /// done. `part` must not throw.
   template <typename Part>
   void split(std::size_t begin, std::size_t end, std::size_t least, const Part& part) {
-    if (workers_.empty() || end - begin < 2 * least) {
+    if (workers_.empty() || !is_shared_ || end - begin < 2 * least) {
       part(begin, end);
       return;
     }
@@ -52,6 +56,7 @@ class Team {
   std::atomic<std::uint64_t> claim_{0};  ///< the loop's number, and in the low 32 bits the next chunk to take
   std::atomic<std::size_t> done_{0};     ///< chunks
   std::atomic<bool> is_over_{false};
+  bool is_shared_ = true;  ///< the caller's own
   std::vector<std::thread> workers_;
 };
 

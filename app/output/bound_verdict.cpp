@@ -2,16 +2,44 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <cstdio>
+#include <string>
 
 namespace taut::app {
 
+namespace {
+
+// Springs a little too stiff for the steps push back nearly as they should.
+constexpr double noticeable = 2.0;
+
+void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
+  const sim::SolverSettings& solver = scene.simulation.solver;
+  const double asked = solver.fabric.compression_stiffness_n_per_m;
+  const double followed = summary.followed_compression_n_per_m;
+  if (!(asked > noticeable * followed)) {
+    return;
+  }
+  const double steps = std::ceil(summary.mean_substeps * std::sqrt(asked / followed));
+  const std::string remedy = steps <= solver.max_substeps
+                                 ? fmt::format("solver.substeps = {:.0f} would follow it", steps)
+                                 : fmt::format("it would take {:.2g} of them", steps);
+  fmt::print(
+      stderr,
+      "taut: warning: cloth.compression_stiffness = {:g} N/m is stiffer than {:.0f} time steps a frame can "
+      "follow; short springs pushed back as at about {:.2g} N/m; {}\n",
+      asked, summary.mean_substeps, followed, remedy);
+}
+
+}  // namespace
+
 int judge_bound(const Scene& scene, const RunSummary& summary) {
+  std::fflush(stdout);
+  warn_of_stiffness(scene, summary);
   if (summary.frames_over_bound == 0) {
     return 0;
   }
   const bool allowed = scene.allow_exceeding_bound;
-  std::fflush(stdout);
   fmt::print(stderr,
              "taut: {}: {} of {} frames exceed solver.max_stretch = {:g}, the first is frame {}; the largest "
              "stretch is {:.4g}. Pins may pull the cloth apart, or more time steps are needed "

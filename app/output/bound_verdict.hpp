@@ -5,8 +5,9 @@
 
 namespace taut::app {
 
-/// Where the solver promised a bound on stretch and a frame exceeds it, says so on standard error. The exit
-/// code of the command: 1 then, unless the scene allows it.
+/// Says on standard error where a run was not what the scene asks for: where frames exceed the bound that the
+/// solver promised, and where its time steps were too long for the fabric's stiffness against compression.
+/// The exit code of the command: 1 where a bound was exceeded, unless the scene allows it.
 int judge_bound(const Scene& scene, const RunSummary& summary);
 
 }  // namespace taut::app

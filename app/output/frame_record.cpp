@@ -28,6 +28,7 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
     record.raw_max_stretch = report.bound_promised ? report.raw_max_stretch : record.stretch.max;
     record.bound_kept = is_bound_kept(simulation, record.stretch);
     record.substeps = report.substeps;
+    record.followed_compression_n_per_m = report.followed_compression_n_per_m;
   }
   const sim::ShapeChange change = simulation.change();
   record.rms_speed_m_per_s = sim::rms_speed(change);
@@ -52,6 +53,8 @@ RunSummary summarise(const std::vector<FrameRecord>& records) {
     simulated += record.frame > 0 ? 1 : 0;
     summary.max_raw_stretch = std::max(summary.max_raw_stretch, record.raw_max_stretch);
     summary.mean_substeps += record.substeps;
+    summary.followed_compression_n_per_m =
+        std::min(summary.followed_compression_n_per_m, record.followed_compression_n_per_m);
     if (!record.bound_kept) {
       ++summary.frames_over_bound;
       summary.first_frame_over_bound =

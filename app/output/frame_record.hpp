@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "sim/measures.hpp"
@@ -16,6 +17,8 @@ struct FrameRecord {
   double raw_max_stretch = 0.0;  ///< before the solver's last correction: how hard it had to work
   bool bound_kept = true;        ///< false: the solver promised a bound and could not keep it
   int substeps = 0;
+  double followed_compression_n_per_m =
+      std::numeric_limits<double>::infinity();  ///< as sim::FrameReport has it
   double rms_speed_m_per_s = 0.0;
   sim::Energy energy;
   double convergence_m = 0.0;  ///< the largest |p(t) - p(t - dt)| of any vertex, from frame to frame
@@ -39,6 +42,8 @@ struct RunSummary {
   int frames_over_bound = 0;
   int first_frame_over_bound = -1;  ///< none: -1
   double mean_substeps = 0.0;       ///< of frames that were simulated
+  double followed_compression_n_per_m =
+      std::numeric_limits<double>::infinity();  ///< in the least stiff frame
   double final_rms_speed_m_per_s = 0.0;
   int asleep_since_frame = -1;  ///< none: -1
   double mean_sim_ms = 0.0;     ///< of frames that were simulated

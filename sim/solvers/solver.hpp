@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "sim/garment.hpp"
@@ -20,8 +21,9 @@ const char* name_of(SolverKind kind);
 
 /// `bounded`: the cloth in physical terms, which do not depend on how finely it is meshed.
 struct Fabric {
-  double bending_rigidity_n_m = 5e-6;           ///< a soft jersey; denim has about ten times that
-  double compression_stiffness_n_per_m = 30.0;  ///< of springs shorter than at rest: less crumples sooner
+  double bending_rigidity_n_m = 5e-6;  ///< a soft jersey; denim has about ten times that
+  /// Of springs shorter than at rest: less crumples sooner. See FrameReport::followed_compression_n_per_m.
+  double compression_stiffness_n_per_m = 30.0;
 
   bool operator==(const Fabric&) const = default;
 };
@@ -63,6 +65,9 @@ struct FrameReport {
   double max_stretch = 0.0;      ///< where a bound is promised
   /// `bounded`: over the springs that are bound, with those of frames begun again and of the certificate.
   double sweeps = 0.0;
+  /// `bounded`: about the largest stiffness against compression that time steps of this length answer to:
+  /// springs of a fabric that is stiffer push back as if they had this one. Infinite where nothing limits it.
+  double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
 };
 
 /// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20.

@@ -505,6 +505,28 @@ TEST(Bounded, ChoosesMoreStepsForATighterBoundAndFixesThemWhereAsked) {
   EXPECT_EQ(simulation.frame_report().substeps, 77);
 }
 
+// A hundredfold stiffness makes no difference where steps follow neither; within what they follow it does.
+TEST(Bounded, SaysHowStiffAgainstCompressionItsStepsCanBe) {
+  const Garment garment = make_garment(irregular_sheet(17, 1.0), {}, {0, 16});
+  const auto compression_with = [&](double stiffness_n_per_m, int substeps) {
+    SimulationSettings settings = bounded_by(0.01);
+    settings.solver.substeps = substeps;
+    settings.solver.fabric.compression_stiffness_n_per_m = stiffness_n_per_m;
+    Simulation simulation(garment, settings, {});
+    for (int frame = 0; frame < 60; ++frame) {
+      simulation.advance_frame();
+    }
+    return std::pair(measure_stretch(garment.springs, simulation.state().current).max_compression,
+                     simulation.frame_report().followed_compression_n_per_m);
+  };
+  const auto [most, followed] = compression_with(0.0, 20);
+  const auto [at_limit, same] = compression_with(followed, 20);
+  EXPECT_EQ(followed, same);
+  EXPECT_LT(at_limit, 0.8 * most);
+  EXPECT_NEAR(compression_with(100.0 * followed, 20).first, at_limit, 0.2 * at_limit);
+  EXPECT_NEAR(compression_with(30.0, 80).second, 16.0 * followed, 1e-6 * followed);
+}
+
 TEST(Bounded, NeverGainsEnergy) {
   GridSettings lying;
   lying.columns = lying.rows = 25;

@@ -35,6 +35,30 @@ constexpr double last_resort_sweeps = 1000.0;
 constexpr double too_far = 3.0;
 constexpr double further_than_before = 1.2;
 
+/// The part of its error that a short spring may give back in one step and still push by its stiffness, and
+/// not by how long the step is: what its neighbours undo within the step it could only give back in more
+/// steps.
+constexpr double largest_short_share = 0.9;
+
+/// What springs' ends weigh against a correction, on average; per kg.
+double mean_mobility_per_kg(const Layout& layout) {
+  const SpringLanes& springs = layout.springs;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
+    if (springs.spring[k] != SpringLanes::no_spring) {
+      sum += layout.inverse_masses_per_kg[springs.row_i(k)] + layout.inverse_masses_per_kg[springs.row_j(k)];
+      ++count;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+/// By the share k dt^2 w / (1 + k dt^2 w) of begin_substeps; infinite where nothing can move.
+double followed_compression(double mobility_per_kg, double time_step_s) {
+  return largest_short_share / (1.0 - largest_short_share) / (time_step_s * time_step_s * mobility_per_kg);
+}
+
 }  // namespace
 
 /// What the solver derives from a garment, and keeps from frame to frame.
@@ -44,7 +68,8 @@ struct BoundedSolver::Cloth {
         layout(make_layout(garment)),
         forces(garment, layout, settings.fabric.bending_rigidity_n_m, frame_time_s),
         certifier(layout),
-        tethers(make_tethers(garment, layout, settings.max_stretch)) {}
+        tethers(make_tethers(garment, layout, settings.max_stretch)),
+        mobility_per_kg(mean_mobility_per_kg(layout)) {}
 
   std::vector<Index> pins;
   Layout layout;
@@ -54,6 +79,7 @@ struct BoundedSolver::Cloth {
   SubstepControl control{1, 1, 1};
   ThreadChoice threads;
   Tethers tethers;
+  double mobility_per_kg;
   Motion motion;
   Rows velocities;           ///< m/s, when the frame began
   double shift = 0.0;        ///< of the last frame, in parts of the largest allowed
@@ -234,7 +260,13 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
   end_frame(surroundings, frame_time_s, substeps, state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   cloth.threads.frame_took(took.count() / sweeps);
-  return {substeps, true, certificate.kept, certificate.raw_max_stretch, certificate.max_stretch, sweeps};
+  return {substeps,
+          true,
+          certificate.kept,
+          certificate.raw_max_stretch,
+          certificate.max_stretch,
+          sweeps,
+          followed_compression(cloth.mobility_per_kg, frame_time_s / substeps)};
 }
 
 }  // namespace taut::sim

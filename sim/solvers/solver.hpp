@@ -62,7 +62,6 @@ struct FrameReport {
   bool bound_promised = false;   ///< by the solver
   bool bound_kept = true;        ///< whether it could keep its promise in this frame
   double raw_max_stretch = 0.0;  ///< before the frame's last correction, which keeps the bound
-  double max_stretch = 0.0;      ///< where a bound is promised
   /// `bounded`: over the springs that are bound, with those of frames begun again and of the certificate.
   double sweeps = 0.0;
   /// `bounded`: about the largest stiffness against compression that time steps of this length answer to:

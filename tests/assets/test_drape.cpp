@@ -60,7 +60,7 @@ Shape hung(const std::string& triangles, double max_stretch) {
   for (int frame = 0; frame < 360; ++frame) {
     simulation.advance_frame();
   }
-  return shape_of(garment, simulation.shown_positions());
+  return shape_of(garment, simulation.state().current);
 }
 
 /// How far a model may be from the finest: lengths in m, the others in parts.

@@ -463,8 +463,7 @@ TEST(Bounded, KeepsTheBoundInEveryFrame) {
         EXPECT_TRUE(report.bound_promised && report.bound_kept);
         const double stretch = largest_stretch(garment, simulation.state().current);
         ASSERT_LE(stretch, bound);
-        EXPECT_NEAR(stretch, std::max(report.max_stretch, 0.0), 2e-6);
-        EXPECT_GE(report.raw_max_stretch, report.max_stretch);
+        EXPECT_GE(report.raw_max_stretch, stretch - 2e-6);
       }
     }
   }
@@ -482,7 +481,7 @@ TEST(Bounded, SaysSoWhereThePinsPullTheClothApart) {
   Simulation simulation(garment, settings, {});
   simulation.advance_frame();
   EXPECT_FALSE(simulation.frame_report().bound_kept);
-  EXPECT_GT(simulation.frame_report().max_stretch, 0.05);
+  EXPECT_GT(largest_stretch(garment, simulation.state().current), 0.05);
   EXPECT_EQ(simulation.frame_report().substeps, 40);
 }
 
@@ -503,6 +502,27 @@ TEST(Bounded, ChoosesMoreStepsForATighterBoundAndFixesThemWhereAsked) {
   Simulation simulation(garment, fixed, {});
   simulation.advance_frame();
   EXPECT_EQ(simulation.frame_report().substeps, 77);
+}
+
+// Of such an edge single precision tells nothing once the cloth has moved by a centimetre.
+TEST(Bounded, KeepsTheBoundOfEdgesOfTenNanometres) {
+  Mesh mesh = sheet(17, 1.0);
+  for (Index row = 2; row < 17; row += 3) {
+    for (Index column = 2; column < 15; column += 4) {
+      const Index v = row * 17 + column;
+      mesh.positions[v] = mesh.positions[v + 1] - Vec3(1e-8, 0, 0);
+    }
+  }
+  const Garment garment = make_garment(mesh, {}, {0, 16});
+  for (const double bound : {0.05, 0.01, 0.001}) {
+    Simulation simulation(garment, bounded_by(bound), {});
+    for (int frame = 0; frame < 40; ++frame) {
+      simulation.advance_frame();
+      ASSERT_TRUE(simulation.frame_report().bound_kept) << bound << ", frame " << frame;
+      ASSERT_LE(largest_stretch(garment, simulation.state().current), bound);
+      ASSERT_LT(simulation.frame_report().substeps, 1000);
+    }
+  }
 }
 
 // A hundredfold stiffness makes no difference where steps follow neither; within what they follow it does.

@@ -12,6 +12,7 @@
 #include "sim/solvers/bounded/substep_control.hpp"
 #include "sim/solvers/bounded/tethers.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
+#include "sim/within_bound.hpp"
 
 namespace taut::sim {
 
@@ -206,22 +207,26 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
 
 // The shape that keeps the bound is where the next frame begins. The position a time step ago is moved alike,
 // so that the correction adds no velocity.
-void BoundedSolver::end_frame(const Surroundings& surroundings, double frame_time_s, int substeps,
-                              State& state) {
+void BoundedSolver::write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const {
   const Cloth& cloth = *cloth_;
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
-    const Index v = cloth.layout.vertex_of_row[row];
-    const Vec3& start = cloth.motion.start_m[row];
-    const Vec3 moved = vector_of(cloth.motion.current[row]) - vector_of(cloth.motion.previous[row]);
-    state.current[v] = start + vector_of(cloth.certifier.corrected()[row]);
-    state.previous[v] = state.current[v] - moved;
+    state.current[cloth.layout.vertex_of_row[row]] =
+        cloth.motion.start_m[row] + vector_of(cloth.certifier.corrected()[row]);
   }
   // Exactly where they belong: what single precision rounds away would add up from frame to frame.
+  const Vec3 moved = pin_offset(surroundings.pin_motion, state.time_s + frame_time_s) -
+                     pin_offset(surroundings.pin_motion, state.time_s);
   for (std::size_t row = 0; row < cloth.layout.pin_count; ++row) {
+    state.current[cloth.layout.vertex_of_row[row]] = cloth.motion.start_m[row] + moved;
+  }
+}
+
+void BoundedSolver::end_frame(double frame_time_s, int substeps, State& state) const {
+  const Cloth& cloth = *cloth_;
+  for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
+    const Vec3 moved = vector_of(cloth.motion.current[row]) - vector_of(cloth.motion.previous[row]);
     const Index v = cloth.layout.vertex_of_row[row];
-    const Vec3 moved = pin_offset(surroundings.pin_motion, state.time_s + frame_time_s) -
-                       pin_offset(surroundings.pin_motion, state.time_s);
-    state.current[v] = cloth.motion.start_m[row] + moved;
+    state.previous[v] = state.current[v] - moved;
   }
   state.time_step_s = frame_time_s / substeps;
   state.time_s += frame_time_s;
@@ -250,6 +255,9 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
                                           largest_cost, *loops_);
     sweeps += control.substeps() + certificate.cost;
     shift = allowed_m > 0.0 ? certificate.largest_shift_m / allowed_m : 0.0;
+    write_shape(surroundings, frame_time_s, state);
+    certificate.kept =
+        certificate.kept || keeps_bound_in_double(garment, settings_.max_stretch, state.current);
   } while ((!certificate.kept || (shift > too_far && shift > further_than_before * cloth.shift)) &&
            control.try_more());
   cloth.shift = shift;
@@ -257,14 +265,13 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
 
   const int substeps = control.substeps();
   control.frame_kept(certificate.cost, shift);
-  end_frame(surroundings, frame_time_s, substeps, state);
+  end_frame(frame_time_s, substeps, state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   cloth.threads.frame_took(took.count() / sweeps);
   return {substeps,
           true,
           certificate.kept,
           certificate.raw_max_stretch,
-          certificate.max_stretch,
           sweeps,
           followed_compression(cloth.mobility_per_kg, frame_time_s / substeps)};
 }

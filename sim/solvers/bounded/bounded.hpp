@@ -31,7 +31,8 @@ class BoundedSolver : public Solver {
                     double frame_time_s, int substeps);
   void predict(const Surroundings& surroundings, double frame_began_s, double time_s, double time_step_s);
   void sweep_springs();
-  void end_frame(const Surroundings& surroundings, double frame_time_s, int substeps, State& state);
+  void write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const;
+  void end_frame(double frame_time_s, int substeps, State& state) const;
 
   SolverSettings settings_;
   std::unique_ptr<bounded::Loops> loops_;

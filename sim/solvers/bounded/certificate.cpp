@@ -117,7 +117,6 @@ Certificate Certifier::certify(const Layout& layout, const Rows& raw, double max
     largest_shift2 = std::max(largest_shift2, shift.x * shift.x + shift.y * shift.y + shift.z * shift.z);
   }
   certificate.largest_shift_m = std::sqrt(largest_shift2);
-  certificate.max_stretch = std::sqrt(ratio) - 1.0;
   certificate.kept = ratio <= squared_bound;
   return certificate;
 }

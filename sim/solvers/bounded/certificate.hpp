@@ -11,7 +11,6 @@ namespace taut::sim::bounded {
 /// What came of making a frame keep its bound.
 struct Certificate {
   double raw_max_stretch = 0.0;  ///< before
-  double max_stretch = 0.0;      ///< after
   double cost = 0.0;             ///< the work it took, in sweeps over all springs
   double largest_shift_m = 0.0;  ///< the furthest a vertex was moved
   bool kept = false;             ///< no spring is longer than the bound allows

@@ -31,7 +31,8 @@ def speed_complaints(program, records, frame_rate):
         if before is not None:
             speed = rms_speed(before, after, frame_rate)
             if not abs(speed - record["rms_speed"]) <= 1e-6 * speed + ROUNDING_M_PER_S:
-                found.append(f"frame {frame}: moves at {speed:.9f} m/s, but run.json says {record['rms_speed']:.9f} m/s")
+                said = record["rms_speed"]
+                found.append(f"frame {frame}: moves at {speed:.9f} m/s, but run.json says {said:.9f} m/s")
         before = after
     return found
 

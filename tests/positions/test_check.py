@@ -1,14 +1,16 @@
 """The check itself has to notice: made-up shapes that are right, and one change at a time."""
 
 import pathlib
+import sys
 import tempfile
 import unittest
 import zlib
+from functools import partial
 
 import check_positions
 from measure import Cloth, Printed, Shape, complaints, grid, read_obj
 from program import Program, pdf_text
-from ways_out import ways_out
+from ways_out import exported, ways_out
 
 STRETCH = 0.004321
 
@@ -60,6 +62,56 @@ class Complaints(unittest.TestCase):
             shape.faces = [list(face) for face in shape.faces]
             change(shape.faces)
             self.assertEqual(len(complaints(shape)), 1)
+
+
+# Stands in for the program: `taut simulate` of a square that grows by 1 % a frame, with one change to what it writes.
+FAKE = """#!{python}
+import json, sys
+change = {change}
+frames, records = int(sys.argv[4]), []
+for frame in range(1, frames + 1):
+    size = 1.0 + 0.01 * frame
+    points = [[0, 0, 0], [size, 0, 0], [size, size, 0], [0, size, 0]]
+    said = dict(frame=frame, max_stretch=size - 1.0, printed=f"{{100 * (size - 1.0):.4f}}")
+    if frame == 2:
+        change(points, said)
+    with open(f"{{frame}}.obj", "w") as file:
+        file.writelines(f"v {{x}} {{y}} {{z}}\\n" for x, y, z in points)
+        file.write("f 1 2 3 4\\n")
+    print(f"frame {{frame:5}}  time 0 s  max stretch {{said.pop('printed'):>8}} %  p99")
+    records.append(said)
+with open("run.json", "w") as file:
+    json.dump(dict(frames=records), file)
+"""
+
+
+class Runs(unittest.TestCase):
+    def run_with(self, change):
+        with tempfile.TemporaryDirectory() as folder:
+            fake = pathlib.Path(folder, "taut")
+            fake.write_text(FAKE.format(python=sys.executable, change=change), encoding="utf-8")
+            fake.chmod(0o755)
+            square = Cloth([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)], [[0, 1, 2, 3]])
+            program = Program(fake, folder, pathlib.Path(folder, "out"))
+            return check_positions.check(program, partial(exported, "square", square, 0.03, 3, {}))
+
+    def test_what_is_right_passes(self):
+        self.assertEqual(self.run_with("lambda points, said: None"), (3, []))
+
+    def test_one_vertex_of_one_frame(self):
+        # Edges of 1.02, one of them longer by 1 %: more than is said in two places, and more than the bound.
+        _, found = self.run_with("lambda points, said: points[1].__setitem__(0, 1.02 * 1.01)")
+        self.assertEqual(len(found), 3, found)
+        self.assertTrue(all(text.startswith("frame 2: stretched by 3.0") for text in found), found)
+
+    def test_the_fourth_digit_of_one_number(self):
+        for change in ("max_stretch=0.02001", "printed='2.0010'"):
+            _, found = self.run_with(f"lambda points, said: said.update({change})")
+            self.assertEqual(len(found), 1, found)
+
+    def test_a_frame_that_is_missing(self):
+        found = self.run_with("lambda points, said: said.update(frame=7)")[1]
+        self.assertIn("run.json has not the frames 1 to 3", found)
 
 
 class Cloths(unittest.TestCase):

@@ -84,7 +84,8 @@ def tabled(figure, program):
 
 def remade(scene, frame, program):
     """A picture, the same made again from itself, and the shape of the scene that it carries."""
-    program.run("render", scene, "--frames", frame, "--resolution", "64,64", "--output", "first.png", "--stats", "1.json")
+    program.run("render", scene, "--frames", frame, "--resolution", "64,64", "--output", "first.png", "--stats",
+                "1.json")
     program.run("render", "first.png", "--output", "again.png", "--stats", "2.json")
     texts = png_texts(program.folder / "first.png")
     (program.folder / "recorded.toml").write_text(texts["Taut Scene"], encoding="utf-8")

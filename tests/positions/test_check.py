@@ -8,6 +8,7 @@ import zlib
 from functools import partial
 
 import check_positions
+from check_still_air import masses_kg, motion
 from measure import Cloth, Printed, Shape, complaints, grid, read_obj
 from program import Program, pdf_text
 from ways_out import exported, ways_out
@@ -68,7 +69,7 @@ class Complaints(unittest.TestCase):
 FAKE = """#!{python}
 import json, sys
 change = {change}
-frames, records = int(sys.argv[4]), []
+frames, records = int(sys.argv[-1].removeprefix("time.frames=")), []
 for frame in range(1, frames + 1):
     size = 1.0 + 0.01 * frame
     points = [[0, 0, 0], [size, 0, 0], [size, size, 0], [0, size, 0]]
@@ -126,6 +127,17 @@ class Cloths(unittest.TestCase):
         millimetres = Cloth([(0.0, 0.0, 0.0), (1000.0, 0.0, 0.0), (0.0, 1000.0, 0.0)], [[0, 1, 2]], 0.001)
         written = [(0.0, 0.0, 0.0), (1.25, 0.0, 0.0), (0.0, 1.0, 0.0)]
         self.assertAlmostEqual(millimetres.largest_stretch(written, [[0, 1, 2]]), 0.25)
+
+
+class Motions(unittest.TestCase):
+    def test_cloth_that_moves_as_a_whole(self):
+        before = [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 3.0, 0.0)]
+        masses = masses_kg(before, [[0, 1, 2]])
+        self.assertAlmostEqual(sum(masses), 0.45)
+        moved = motion(before, [(x, y, z + 0.05) for x, y, z in before], masses, 60)
+        self.assertAlmostEqual(moved["rms_speed"], 3.0)
+        self.assertAlmostEqual(moved["convergence"], 0.05)
+        self.assertAlmostEqual(moved["kinetic_energy"], 0.5 * 0.45 * 9.0)
 
 
 class Files(unittest.TestCase):

@@ -21,8 +21,8 @@ WIND = {"wind__speed": 10, "wind__direction": [0.3, 0, 1]}
 
 def exported(scene, cloth, bound, frames, keys, program):
     """Every frame of a run as OBJ, beside the statistics and what is printed meanwhile."""
-    said = program.run("simulate", scene, "--frames", frames, "--export", "{frame}.obj", "--stats", "run.json",
-                       *settings(**keys))
+    said = program.run("simulate", scene, "--export", "{frame}.obj", "--stats", "run.json",
+                       *settings(time__frames=frames, **keys))
     lines = dict(re.findall(r"^frame +(\d+) .* max stretch +([-\d.]+) %", said, re.MULTILINE))
     records = program.statistics("run.json")
     if [record["frame"] for record in records] != list(range(1, frames + 1)):

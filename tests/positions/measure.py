@@ -1,10 +1,19 @@
 """How far written positions stretch a cloth, by nothing but files: shares no code with the program."""
 
 import math
+import statistics
 from dataclasses import dataclass, field
 
 # Of lengths that are computed here and there from the same decimals.
 ROUNDING = 1e-11
+
+# What is said of the stretches of a cloth's edges.
+MEASURES = {
+    "max_stretch": max,
+    "p99_stretch": lambda stretches: sorted(stretches)[(len(stretches) - 1) * 99 // 100],
+    "mean_stretch": statistics.fmean,
+    "max_compression": lambda stretches: max(0.0, -min(stretches)),
+}
 
 
 class Cloth:
@@ -12,20 +21,23 @@ class Cloth:
 
     def __init__(self, points, faces, metres_per_unit=1.0):
         self.points, self.faces = points, faces
-        edges = {(min(a, b), max(a, b)) for face in faces for a, b in zip(face, face[1:] + face[:1])}
+        first_at = {}
+        welded = [first_at.setdefault(point, i) for i, point in enumerate(points)]
+        corners = [[welded[i] for i in face] for face in faces]
+        edges = {(min(a, b), max(a, b)) for face in corners for a, b in zip(face, face[1:] + face[:1])}
         self.edges = [(a, b, metres_per_unit * math.dist(points[a], points[b])) for a, b in sorted(edges)]
         self._places = (None, None)
 
-    def largest_stretch(self, points, faces):
-        """Of written positions, in metres. Faces have to be the input's in the same order; vertices may be numbered
-        anew and welded where the input has them at one place."""
+    def stretches(self, points, faces):
+        """Of every edge in written positions, in metres. Faces have to be the input's in the same order; vertices may be
+        numbered anew and welded where the input has them at one place."""
         if self._places[0] != faces:
             self._places = (faces, self._places_in(faces))
         place = self._places[1]
         for point in points:
             if not all(map(math.isfinite, point)):
                 raise ValueError(f"a vertex is at {point}")
-        return max(math.dist(points[place[a]], points[place[b]]) / rest - 1.0 for a, b, rest in self.edges)
+        return [math.dist(points[place[a]], points[place[b]]) / rest - 1.0 for a, b, rest in self.edges]
 
     def _places_in(self, faces):
         if len(faces) != len(self.faces):
@@ -63,16 +75,22 @@ def grid(columns, rows, width_m, height_m):
 
 @dataclass
 class Printed:
-    """A stretch as the program says it."""
+    """A number as the program says it."""
 
     where: str
-    stretch: float
+    number: float
+    measure: str = "max_stretch"
     half_a_digit: float = 0.0
 
     @classmethod
-    def percent(cls, where, text):
+    def percent(cls, where, text, measure="max_stretch"):
         decimals = len(text.partition(".")[2])
-        return cls(where, float(text) / 100.0, 0.5 * 10.0 ** (-decimals - 2))
+        return cls(where, float(text) / 100.0, measure, 0.5 * 10.0 ** (-decimals - 2))
+
+    @classmethod
+    def all_of(cls, where, record):
+        """What a record of the program says, by the names of the measures."""
+        return [cls(where, float(record[name]), name) for name in MEASURES if name in record]
 
 
 @dataclass
@@ -90,13 +108,17 @@ class Shape:
 def complaints(shape):
     """What does not hold of a shape, one text each."""
     try:
-        stretch = shape.cloth.largest_stretch(shape.points, shape.faces)
+        stretches = shape.cloth.stretches(shape.points, shape.faces)
     except (ValueError, IndexError) as error:
         return [f"{shape.where}: {error}"]
-    found = [f"{shape.where}: stretched by {100 * stretch:.7f} %, but {said.where} says {100 * said.stretch:.7f} %"
-             for said in shape.printed if not abs(stretch - said.stretch) <= said.half_a_digit + ROUNDING]
-    if not shape.printed:
+    found = []
+    for said in shape.printed:
+        number = MEASURES[said.measure](stretches)
+        if not abs(number - said.number) <= said.half_a_digit + ROUNDING:
+            found.append(f"{shape.where}: {said.measure} is {100 * number:.7f} %, "
+                         f"but {said.where} says {100 * said.number:.7f} %")
+    if not any(said.measure == "max_stretch" for said in shape.printed):
         found.append(f"{shape.where}: nothing is said about its stretch")
-    if shape.bound is not None and not stretch <= shape.bound + ROUNDING:
-        found.append(f"{shape.where}: stretched by {100 * stretch:.7f} %, more than {100 * shape.bound:g} %")
+    if shape.bound is not None and not max(stretches) <= shape.bound + ROUNDING:
+        found.append(f"{shape.where}: stretched by {100 * max(stretches):.7f} %, more than {100 * shape.bound:g} %")
     return found

@@ -29,7 +29,7 @@ def exported(scene, cloth, bound, frames, keys, program):
         raise RuntimeError(f"run.json has not the frames 1 to {frames}")
     for record in records:
         frame = record["frame"]
-        printed = [Printed("run.json", record["max_stretch"])]
+        printed = Printed.all_of("run.json", record)
         if str(frame) in lines:
             printed.append(Printed.percent("a line of the run", lines[str(frame)]))
         yield Shape(f"frame {frame}", cloth, *read_obj(program.folder / f"{frame}.obj"), printed, bound)
@@ -58,28 +58,40 @@ def exported_model(bound, frames, program):
     return exported("model.obj", cloth, bound, frames, keys, program)
 
 
+def table(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def captions(path):
+    """What a figure says below each panel that shows a shape; below others it may say more of the same shapes."""
+    text = pdf_text(path)
+    said = [[Printed.percent("its caption", largest)]
+            for largest in re.findall(r"(?:largest stretch|stretched by up to) ([-\d.]+) %", text)]
+    more = re.findall(r"mean ([-\d.]+) %, 99 of 100 springs below ([-\d.]+) %", text)
+    for printed, (mean, p99) in zip(said, more):
+        printed += [Printed.percent("its second caption", mean, "mean_stretch"),
+                    Printed.percent("its second caption", p99, "p99_stretch")]
+    return said
+
+
 def tabled(figure, program):
     """The tables of a figure and its captions; and again drawn from those tables, which measures anew."""
     program.run("figures", "--only", figure, "--scale", 0.25, "--output", "made")
     program.run("figures", "--only", figure, "--scale", 0.25, "--data", "made", "--output", "again")
     for folder in (program.folder / "made", program.folder / "again"):
-        with open(folder / f"{figure}_shapes.csv", encoding="utf-8", newline="") as file:
-            points = {}
-            for row in csv.DictReader(file):
-                points.setdefault(row["panel"], []).append(tuple(float(row[axis]) for axis in ("x_m", "y_m", "z_m")))
-        with open(folder / f"{figure}.csv", encoding="utf-8", newline="") as file:
-            moments = list(csv.DictReader(file))
-        captions = re.findall(r"(?:largest stretch|stretched by up to) ([-\d.]+) %",
-                              pdf_text(folder / f"{figure}.pdf"))
-        if len(captions) != len(moments) or points.keys() != {moment["panel"] for moment in moments}:
-            raise RuntimeError(f"{folder}: {len(moments)} moments, {len(captions)} captions, {len(points)} shapes")
+        points = {}
+        for row in table(folder / f"{figure}_shapes.csv"):
+            points.setdefault(row["panel"], []).append(tuple(float(row[axis]) for axis in ("x_m", "y_m", "z_m")))
+        moments = table(folder / f"{figure}.csv")
+        said = captions(folder / f"{figure}.pdf")
+        if len(said) != len(moments) or points.keys() != {moment["panel"] for moment in moments}:
+            raise RuntimeError(f"{folder}: {len(moments)} moments, {len(said)} captions, {len(points)} shapes")
         cloths = {scene: program.cloth(scene) for scene in {moment["scene"] for moment in moments}}
-        for moment, caption in zip(moments, captions):
+        for moment, printed in zip(moments, said):
             cloth = cloths[moment["scene"]]
-            printed = [Printed(f"{figure}.csv", float(moment["max_stretch"])),
-                       Printed.percent("its caption", caption)]
-            yield Shape(f"{folder.name}, panel {moment['panel']}", cloth, points[moment["panel"]], cloth.faces, printed,
-                        program.promised(moment["scene"]))
+            yield Shape(f"{folder.name}, panel {moment['panel']}", cloth, points[moment["panel"]], cloth.faces,
+                        printed + Printed.all_of(f"{figure}.csv", moment), program.promised(moment["scene"]))
 
 
 def remade(scene, frame, program):
@@ -94,7 +106,8 @@ def remade(scene, frame, program):
                 *settings(garment__file=str(garment)))
     printed = [Printed(name, float(png_texts(program.folder / name)["Taut Stretch"]))
                for name in ("first.png", "again.png")]
-    printed += [Printed(name, program.statistics(name)[-1]["max_stretch"]) for name in ("1.json", "2.json")]
+    for name in ("1.json", "2.json"):
+        printed += Printed.all_of(name, program.statistics(name)[-1])
     yield Shape(f"frame {frame}", program.cloth(scene), *read_obj(program.folder / f"{frame}.obj"), printed,
                 program.promised(scene))
 

@@ -57,6 +57,8 @@ std::function<Command()> add_bench(CLI::App& app) {
   command->add_flag("--ablation", options->ablation, "the bounded solver without one of its parts at a time")
       ->excludes("--engines");
   command->add_option("--output", options->output, "folder for bench.json, bench.png and bench.pdf");
+  command->add_option("--shapes", options->shapes,
+                      "folder for the most stretched shape of every run, SCENE_TRIANGLES_RUN.obj");
   command->add_flag("--json", options->json, "print JSON instead of the table");
   command->add_flag("--quiet", options->quiet, "print neither progress nor the table");
   command->footer(

@@ -34,10 +34,20 @@ RunEnd end_so_far(const std::vector<FrameSample>& frames, const RaceSettings& se
   return frames.back().stretch > settings.hopeless_stretch ? RunEnd::hopeless : RunEnd::finished;
 }
 
+bool is_most_stretched(const FrameSample& sample, const std::vector<FrameSample>& earlier) {
+  return std::none_of(earlier.begin(), earlier.end(),
+                      [&](const FrameSample& frame) { return frame.stretch >= sample.stretch; });
+}
+
 void advance(Engine& engine, const sim::Springs& springs, const RaceSettings& settings, Run& run) {
   try {
     const FrameCost cost = engine.advance_frame();
-    run.frames.push_back(measured(engine, springs, cost));
+    const FrameSample sample = measured(engine, springs, cost);
+    if (is_most_stretched(sample, run.frames)) {
+      const std::span<const sim::Vec3> positions = engine.positions();
+      run.most_stretched.assign(positions.begin(), positions.end());
+    }
+    run.frames.push_back(sample);
     run.end = end_so_far(run.frames, settings);
   } catch (const sim::Diverged&) {
     run.end = RunEnd::diverged;
@@ -65,7 +75,7 @@ std::vector<Run> race(const std::vector<Entrant>& entrants, const sim::Garment& 
   std::vector<Run> runs;
   std::vector<std::unique_ptr<Engine>> engines;
   for (const Entrant& entrant : entrants) {
-    runs.push_back({entrant, {}, RunEnd::finished});
+    runs.push_back({entrant, {}, RunEnd::finished, {}});
     engines.push_back(entrant.make(garment, scene));
   }
   for (int begin = 0; begin < settings.frames; begin += frames_in_a_turn) {

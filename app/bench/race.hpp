@@ -29,6 +29,7 @@ struct Run {
   Entrant entrant;
   std::vector<FrameSample> frames;
   RunEnd end = RunEnd::finished;
+  std::vector<sim::Vec3> most_stretched;  ///< the positions of the frame with the largest stretch
 };
 
 struct RaceSettings {

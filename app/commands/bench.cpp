@@ -9,6 +9,7 @@
 #include "app/commands/options.hpp"
 #include "app/errors.hpp"
 #include "app/garment/garment_loading.hpp"
+#include "app/garment/obj_export.hpp"
 #include "app/interruption.hpp"
 #include "app/output/files.hpp"
 #include "app/output/progress.hpp"
@@ -82,6 +83,16 @@ class BenchProgress {
   bool is_shown_;
 };
 
+// The numbers are those of the runs in the JSON.
+void write_shapes(const std::filesystem::path& folder, const Heat& heat, const sim::Mesh& mesh) {
+  for (std::size_t i = 0; i < heat.runs.size(); ++i) {
+    if (!heat.runs[i].frames.empty()) {
+      write_text_file(folder / fmt::format("{}_{}_{}.obj", heat.scene.name, heat.size.triangles, i),
+                      obj_text(mesh, heat.runs[i].most_stretched));
+    }
+  }
+}
+
 Heat run_heat(const BenchScene& bench_scene, const BenchSize& size, const BenchOptions& options,
               const std::vector<Entrant>& entrants, const BenchProgress& progress) {
   const Scene scene = make_bench_scene(bench_scene, size);
@@ -100,6 +111,9 @@ Heat run_heat(const BenchScene& bench_scene, const BenchSize& size, const BenchO
     progress.show(fmt::format("{}, {} triangles, {} settings in turns: frame {} of {}", bench_scene.name,
                               size.triangles, entrants.size(), frame, settings.frames));
   });
+  if (!options.shapes.empty()) {
+    write_shapes(options.shapes, heat, garment.mesh);
+  }
   return heat;
 }
 
@@ -148,6 +162,9 @@ int run(const BenchOptions& given) {
   const BenchOptions options = completed(given);
   if (!options.output.empty()) {
     prepare_folder_of(options.output / "bench.json");
+  }
+  if (!options.shapes.empty()) {
+    prepare_folder_of(options.shapes / "shape.obj");
   }
   const Machine machine = this_machine("");
   const BenchResults results = run_all(options);

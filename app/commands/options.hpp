@@ -40,6 +40,7 @@ struct BenchOptions {
   bool json = false;
   bool quiet = false;
   std::filesystem::path output;  ///< folder for the results; empty: none
+  std::filesystem::path shapes;  ///< folder for the most stretched shape of every run; empty: none
 };
 
 struct RenderOptions {

@@ -77,8 +77,9 @@ void view_headless(const ViewOptions& options, const Session& session, const Sce
   if (!options.layout.empty()) {
     write_text_file(options.layout, layout_text(viewer.viewer().state()));
   }
-  fmt::print("frame {} state {:016x} drawn by {}\n", viewer.viewer().state().newest->record.frame,
-             viewer.state_hash(), viewer.gl_renderer());
+  const FrameRecord& shown = viewer.viewer().state().newest->record;
+  fmt::print("frame {} state {:016x} largest stretch {:.4f} % drawn by {}\n", shown.frame,
+             viewer.state_hash(), 100.0 * shown.stretch.max, viewer.gl_renderer());
 }
 
 }  // namespace

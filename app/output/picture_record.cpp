@@ -23,6 +23,7 @@ constexpr const char* command_keyword = "Taut Command";
 constexpr const char* scene_keyword = "Taut Scene";
 constexpr const char* frame_keyword = "Taut Frame";
 constexpr const char* state_keyword = "Taut State";
+constexpr const char* stretch_keyword = "Taut Stretch";
 constexpr const char* renderer_keyword = "Taut Renderer";
 
 constexpr std::array<std::uint8_t, 8> signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
@@ -117,7 +118,8 @@ std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const 
           {scene_keyword, origin.scene},
           {renderer_keyword, origin.gl_renderer},
           {frame_keyword, fmt::format("{}", record.frame)},
-          {state_keyword, fmt::format("{:016x}", record.state_hash)}};
+          {state_keyword, fmt::format("{:016x}", record.state_hash)},
+          {stretch_keyword, fmt::format("{}", record.stretch.max)}};
 }
 
 bool is_picture(const std::filesystem::path& file) {

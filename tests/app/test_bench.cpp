@@ -101,7 +101,7 @@ TEST_F(Race, NotesThatAnEngineDiverged) {
 
 Run made_run(const std::string& engine, std::optional<double> bound, std::vector<double> times_ms,
              double stretch) {
-  Run made{{engine, engine + " as set", bound, {}}, {}, RunEnd::finished};
+  Run made{{engine, engine + " as set", bound, {}}, {}, RunEnd::finished, {}};
   for (const double ms : times_ms) {
     made.frames.push_back({{ms, 2, 1e6, true, {}}, 3.0 * stretch, stretch, 0.5 * stretch});
   }

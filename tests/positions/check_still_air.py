@@ -1,0 +1,85 @@
+"""Whether every T-shirt in still air is asleep within 8 s: check_still_air.py TAUT SOURCE FOLDER TRIANGLES
+
+Also that what is said of a frame's motion is how the written positions moved since the frame before."""
+
+import math
+import pathlib
+import shutil
+import sys
+
+from measure import read_obj
+from program import Program, settings
+
+SCENES = ("tshirt", "tshirt-gravity", "tshirt-wind-1", "tshirt-wind-10")
+SECONDS = 8
+AREAL_DENSITY_KG_PER_M2 = 0.15
+# Of the number; what is nearly at rest has few digits.
+ROUNDING = 1e-6
+LEAST = 1e-12
+
+
+def masses_kg(points, faces):
+    """A third of every triangle's mass to each of its corners."""
+    masses = [0.0] * len(points)
+    for face in faces:
+        a, b, c = (math.dist(points[face[i]], points[face[i - 1]]) for i in range(3))
+        half = (a + b + c) / 2.0
+        area = math.sqrt(half * (half - a) * (half - b) * (half - c))
+        for corner in face:
+            masses[corner] += AREAL_DENSITY_KG_PER_M2 * area / 3.0
+    return masses
+
+
+def motion(before, after, masses, frame_rate):
+    """Between two frames, by the names of the statistics."""
+    moved = [math.dist(a, b) for a, b in zip(before, after, strict=True)]
+    return {"rms_speed": frame_rate * math.sqrt(sum(m * m for m in moved) / len(moved)),
+            "convergence": max(moved),
+            "kinetic_energy": sum(0.5 * mass * (frame_rate * m) ** 2 for mass, m in zip(masses, moved, strict=True))}
+
+
+def motion_complaints(program, records, frame_rate, garment):
+    """Of the frames that were written."""
+    points, faces = read_obj(garment)
+    masses, found = masses_kg(points, faces), []
+    for record in records:
+        frame = record["frame"]
+        before, points = points, read_obj(program.folder / f"{frame}.obj")[0]
+        if frame > 1:
+            found += [f"frame {frame}: the {name} is {value:.6g}, but run.json says {record[name]:.6g}"
+                      for name, value in motion(before, points, masses, frame_rate).items()
+                      if not abs(value - record[name]) <= ROUNDING * value + LEAST]
+    return found
+
+
+def check(program, scene, triangles, export):
+    shutil.rmtree(program.folder, ignore_errors=True)
+    program.folder.mkdir(parents=True)
+    frame_rate = program.scene(scene)["time"].get("frame_rate", 60)
+    garment = program.shirt(triangles)
+    program.run("simulate", scene, "--stats", "run.json", *export,
+                *settings(wind__speed=0, garment__file=str(garment), time__frames=SECONDS * frame_rate))
+    records = program.statistics("run.json")
+    found = motion_complaints(program, records, frame_rate, garment) if export else []
+    if not records[-1]["asleep"]:
+        found.append(f"awake after {SECONDS} s, at {records[-1]['rms_speed']:.9f} m/s")
+    awake = sum(not record["asleep"] for record in records)
+    print(f"{scene}, {triangles} triangles: awake for {awake / frame_rate:.2f} s, {len(found)} complaints", *found[:20],
+          sep="\n  ", flush=True)
+    return found
+
+
+def main(taut, source, folder, triangles):
+    taut, source, folder = (pathlib.Path(path).resolve() for path in (taut, source, folder))
+    program = Program(taut, source / "assets", folder)
+    # Hundreds of files are written where they are small.
+    export = ("--export", "{frame}.obj") if triangles == "1028" else ()
+    failed = [scene for scene in SCENES if check(program, scene, triangles, export)]
+    if failed:
+        return 1
+    shutil.rmtree(folder)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

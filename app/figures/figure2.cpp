@@ -33,7 +33,7 @@ Drawing draw_figure2(const Results& results, StudioDoor& studio) {
     panels.push_back({std::move(prints.pictures[i]),
                       {static_cast<char>('a' + static_cast<int>(i)),
                        fmt::format("{:.2f} s{}", record.time_s, record.asleep ? ", at rest" : ""),
-                       fmt::format("largest stretch {:.1f} %", 100.0 * record.stretch.max)}});
+                       fmt::format("largest stretch {:.4g} %", 100.0 * record.stretch.max)}});
   }
   return sheet_of(std::move(panels), prints.size, {.columns = 4}, {0.5F * prints.metre_px, "0.5 m"});
 }

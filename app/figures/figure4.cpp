@@ -17,10 +17,10 @@ Caption caption_of(const PrintedMoment& moment, char letter) {
   if (moment.shows_stretch) {
     return {
         letter, "the same, coloured by its stretch",
-        fmt::format("mean {:.1f} %, 99 of 100 springs below {:.1f} %",
+        fmt::format("mean {:.4g} %, 99 of 100 springs below {:.4g} %",
                     100.0 * moment.moment->record.stretch.mean, 100.0 * moment.moment->record.stretch.p99)};
   }
-  return {letter, fmt::format("stretched by up to {:.1f} %", 100.0 * moment.moment->record.stretch.max),
+  return {letter, fmt::format("stretched by up to {:.4g} %", 100.0 * moment.moment->record.stretch.max),
           fmt::format("{} sweeps of the constraint in a step; red: at rest length",
                       moment.recording->scene.simulation.solver.iterations)};
 }

@@ -41,7 +41,7 @@ Drawing draw_figure5(const Results& results, StudioDoor& studio) {
     panels.push_back({std::move(prints.pictures[i]),
                       {static_cast<char>('a' + static_cast<int>(i)),
                        speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s),
-                       fmt::format("after {:.1f} s; largest stretch {:.1f} %", record.time_s,
+                       fmt::format("after {:.1f} s; largest stretch {:.4g} %", record.time_s,
                                    100.0 * record.stretch.max)}});
   }
   return sheet_of(std::move(panels), prints.size, {.columns = 3}, {0.2F * prints.metre_px, "20 cm"});

@@ -16,12 +16,11 @@ struct Certificate {
   bool kept = false;             ///< no spring is longer than the bound allows
 };
 
-/// Moves a copy of the cloth to where no spring is longer than the bound: what is shown and written. The
-/// state itself is left alone; feeding the copy back would gain nothing and can add energy.
+/// The last correction of a frame: moves the cloth to where no spring is longer than the bound.
 ///
 /// Springs no longer than a bound are a convex set of shapes, so that correcting the longer ones again and
 /// again ends in it wherever the pins allow it (cyclic projection; Bregman 1965). That is so for any weights
-/// of the vertices, and the copy need not move as masses do: weights that grow towards the pins hand
+/// of the vertices, and this correction need not move as masses do: weights that grow towards the pins hand
 /// corrections down the cloth instead of back and forth. The correction of the last frame, a little faded, is
 /// where the next one starts.
 class Certifier {

@@ -18,7 +18,7 @@ class SubstepControl {
   bool is_spent() const { return substeps_ >= most_; }
 
   /// After a frame whose certificate took work worth `certify_cost` sweeps over all springs and had to move
-  /// what is shown away from the state by `shift`, in parts of the largest that is allowed.
+  /// a vertex moved by the last correction by `shift`, in parts of the largest that is allowed.
   void frame_kept(double certify_cost, double shift);
 
   /// More for the same frame again, because its bound could not be kept. False where the budget is spent.
@@ -36,7 +36,7 @@ class SubstepControl {
   bool took_fewer_ = false;  ///< since more were last needed
 };
 
-/// How far what is shown should be from the state at most, in m: some thousandths of the cloth's reach from
+/// How far the last correction of a frame should move a vertex at most, in m: some thousandths of the cloth's reach from
 /// its pins.
 double allowed_shift_m(const Layout& layout, double max_stretch);
 

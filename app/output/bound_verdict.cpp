@@ -17,7 +17,8 @@ void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
   const sim::SolverSettings& solver = scene.simulation.solver;
   const double asked = solver.fabric.compression_stiffness_n_per_m;
   const double followed = summary.followed_compression_n_per_m;
-  if (!(asked > noticeable * followed)) {
+  const bool is_asked_for = asked != sim::Fabric{}.compression_stiffness_n_per_m;
+  if (!is_asked_for || !(asked > noticeable * followed)) {
     return;
   }
   const double steps = std::ceil(summary.mean_substeps * std::sqrt(asked / followed));

@@ -176,12 +176,11 @@ std::string report_html(std::span<const Claim> claims, std::span<const DrawnFigu
       "corrects "
       "every spring after each step. Its figures are drawn again here, and its claims are put to the test. "
       "Every number on this page was measured in the run that wrote it.</p>\n"
-      "<p>Each claim is judged by a rule that was fixed beforehand, and by the paper&rsquo;s own method "
-      "alone: "
-      "the solver <i>strong</i>. What the solver <i>bounded</i> of this program reaches in the same test "
-      "stands on a line of its own and decides nothing. What no number can decide, such as whether cloth "
-      "looks "
-      "real or a method is easy to build in, is left out.</p>\n";
+      "<p>Each claim is judged by a rule that stands in the program before anything is measured, and by the "
+      "paper&rsquo;s own method alone: the solver <i>strong</i>. What the solver <i>bounded</i> of this "
+      "program "
+      "reaches in the same test stands on a line of its own and decides nothing. What no number can decide, "
+      "such as whether cloth looks real or a method is easy to build in, is left out.</p>\n";
   html += machine_html(machine) + "<h2>Claims</h2>\n" + summary_html(claims);
   for (const Claim& claim : claims) {
     html += claim_html(claim);

@@ -73,10 +73,13 @@ Plot stretch_plot(const BenchResults& results, const Heat& heat) {
     plot.levels.push_back({100.0 * bound, percent(bound)});
   }
   plot.x = decades_around("processor time for one frame in ms", times_ms);
+  const double least = *std::min_element(stretches.begin(), stretches.end());
+  // Room for the legend above everything.
+  stretches.push_back(200.0 * *std::max_element(stretches.begin(), stretches.end()));
   plot.y = decades_around("stretch in the worst of all frames", stretches);
   plot.y.suffix = " %";
   // Markers at a bound stand free of the frame.
-  plot.y.minimum = 0.5 * *std::min_element(stretches.begin(), stretches.end());
+  plot.y.minimum = 0.5 * least;
   return plot;
 }
 

@@ -50,6 +50,7 @@ Json cell_json(const Heat& heat, const std::string& engine, double bound, const 
     json["run"] = index_of(heat, *told);
     json["median_ms"] = facts.median_ms;
     json["max_stretch"] = facts.stretch;
+    json["max_p99_stretch"] = facts.p99_stretch;
     json["of_arithmetic"] = facts.springs_per_s / results.arithmetic.back().rootless_springs_per_s;
     const double strong = strong_springs_per_s(heat);
     json["times_strong_springs_per_s"] = strong > 0.0 ? Json(facts.springs_per_s / strong) : Json();
@@ -57,14 +58,14 @@ Json cell_json(const Heat& heat, const std::string& engine, double bound, const 
   return json;
 }
 
-Json fronts_json(const Heat& heat, const std::vector<std::string>& engines) {
+Json fronts_json(const Heat& heat, const std::vector<std::string>& engines, StretchMeasure measure) {
   Json fronts = Json::object();
   for (const std::string& engine : engines) {
     std::vector<DataPoint> points;
     std::vector<std::size_t> runs;
     for (const Run& run : heat.runs) {
       if (run.entrant.engine == engine && run.end == RunEnd::finished && !run.frames.empty()) {
-        points.push_back({facts_of(run).median_ms, facts_of(run).stretch});
+        points.push_back({facts_of(run).median_ms, stretch_by(measure, facts_of(run))});
         runs.push_back(index_of(heat, run));
       }
     }
@@ -79,8 +80,13 @@ Json fronts_json(const Heat& heat, const std::vector<std::string>& engines) {
 Json ratios_json(const Heat& heat) {
   Json ratios = Json::array();
   for (const std::string peer : {"bullet", "strong"}) {
-    if (const auto ratio = speed_ratio(heat, 0.01, peer, 0.05)) {
-      ratios.push_back({{"bounded_bound", 0.01},
+    for (const StretchMeasure measure : stretch_measures) {
+      const auto ratio = speed_ratio(heat, 0.01, peer, 0.05, measure);
+      if (!ratio) {
+        continue;
+      }
+      ratios.push_back({{"by", name_of(measure)},
+                        {"bounded_bound", 0.01},
                         {"bounded_ms", ratio->bounded_ms},
                         {"peer", peer},
                         {"peer_bound", 0.05},
@@ -107,7 +113,8 @@ Json heat_json(const Heat& heat, const BenchResults& results) {
                {"springs", {{"structural", heat.structural_springs}, {"flexural", heat.flexural_springs}}},
                {"cells", Json::array()},
                {"ratios", ratios_json(heat)},
-               {"pareto_fronts", fronts_json(heat, engines)},
+               {"pareto_fronts", fronts_json(heat, engines, StretchMeasure::worst_edge)},
+               {"pareto_fronts_p99", fronts_json(heat, engines, StretchMeasure::p99)},
                {"runs", Json::array()}};
   for (const double bound : results.bounds) {
     for (const std::string& engine : engines) {

@@ -18,6 +18,9 @@ std::string bench_json(const BenchResults& results, const Machine& machine);
 /// and, with several sizes, time against triangles.
 Drawing draw_bench(const BenchResults& results);
 
+/// What `draw_bench` draws, without captions.
+std::vector<Plot> bench_plots(const BenchResults& results);
+
 /// "5 %", "0.1 %".
 std::string percent(double fraction);
 

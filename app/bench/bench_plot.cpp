@@ -24,24 +24,29 @@ Look look_of(const std::string& engine) {
   if (engine == "bullet") {
     return {{palette::vermilion, 4.0F, {4.0F, 2.5F}}, Marker::square};
   }
-  return {{palette::quiet_ink, 3.5F, {1.5F, 2.5F}}, Marker::ring};
+  return {{palette::quiet_ink, 3.5F, {1.5F, 2.5F}}, Marker::disc};
 }
 
-// Of the runs that reached their end: median ms against the worst stretch in percent.
-std::vector<DataPoint> points_of(const Heat& heat, const std::string& engine) {
+// Of the runs that reached their end: median ms against stretch in percent, in the worst of all frames.
+std::vector<DataPoint> points_of(const Heat& heat, const std::string& engine, StretchMeasure measure) {
   std::vector<DataPoint> points;
   for (const Run& run : heat.runs) {
     if (run.entrant.engine == engine && run.end == RunEnd::finished && !run.frames.empty()) {
       const RunFacts facts = facts_of(run);
-      points.push_back({facts.median_ms, 100.0 * facts.stretch});
+      points.push_back({facts.median_ms, 100.0 * stretch_by(measure, facts)});
     }
   }
   return points;
 }
 
-Curve front_curve(const std::string& engine, const std::vector<DataPoint>& points) {
-  const Look look = look_of(engine);
-  Curve curve{title_of_engine(engine), {}, look.stroke, look.marker};
+// The 99th percentile thinner, its markers hollow.
+Curve front_curve(const std::string& engine, const std::vector<DataPoint>& points, StretchMeasure measure) {
+  Look look = look_of(engine);
+  if (measure == StretchMeasure::p99) {
+    look.stroke.thickness_px *= 0.5F;
+    look.marker = Marker::ring;
+  }
+  Curve curve{fmt::format("{}, {}", title_of_engine(engine), name_of(measure)), {}, look.stroke, look.marker};
   for (const std::size_t i : pareto_front(points)) {
     curve.points.push_back(points[i]);
   }
@@ -52,13 +57,15 @@ Plot stretch_plot(const BenchResults& results, const Heat& heat) {
   Plot plot;
   std::vector<double> times_ms, stretches;
   for (const std::string& engine : engines_in(results)) {
-    const std::vector<DataPoint> points = points_of(heat, engine);
-    for (const auto& [ms, stretch] : points) {
-      times_ms.push_back(ms);
-      stretches.push_back(stretch);
-    }
-    if (!points.empty()) {
-      plot.curves.push_back(front_curve(engine, points));
+    for (const StretchMeasure measure : stretch_measures) {
+      const std::vector<DataPoint> points = points_of(heat, engine, measure);
+      for (const auto& [ms, stretch] : points) {
+        times_ms.push_back(ms);
+        stretches.push_back(stretch);
+      }
+      if (!points.empty()) {
+        plot.curves.push_back(front_curve(engine, points, measure));
+      }
     }
   }
   for (const double bound : results.bounds) {
@@ -66,10 +73,13 @@ Plot stretch_plot(const BenchResults& results, const Heat& heat) {
     plot.levels.push_back({100.0 * bound, percent(bound)});
   }
   plot.x = decades_around("processor time for one frame in ms", times_ms);
-  plot.y = decades_around("stretch of the worst spring in all frames", stretches);
+  const double least = *std::min_element(stretches.begin(), stretches.end());
+  // Room for the legend above everything.
+  stretches.push_back(200.0 * *std::max_element(stretches.begin(), stretches.end()));
+  plot.y = decades_around("stretch in the worst of all frames", stretches);
   plot.y.suffix = " %";
   // Markers at a bound stand free of the frame.
-  plot.y.minimum = 0.5 * *std::min_element(stretches.begin(), stretches.end());
+  plot.y.minimum = 0.5 * least;
   return plot;
 }
 
@@ -152,7 +162,8 @@ std::vector<BenchPanel> panels_of(const BenchResults& results) {
   if (std::count_if(results.heats.begin(), results.heats.end(), same_scene) > 1) {
     panels.push_back(
         {growth_plot(results, scene),
-         {'a', fmt::format("{}: the fastest that keeps {}", scene, percent(results.bounds.front())),
+         {'a',
+          fmt::format("{}: the fastest whose worst edge keeps {}", scene, percent(results.bounds.front())),
           "at every size the best setting of each engine"}});
   }
   for (std::size_t i = 0; i < panels.size(); ++i) {
@@ -162,6 +173,14 @@ std::vector<BenchPanel> panels_of(const BenchResults& results) {
 }
 
 }  // namespace
+
+std::vector<Plot> bench_plots(const BenchResults& results) {
+  std::vector<Plot> plots;
+  for (const BenchPanel& panel : panels_of(results)) {
+    plots.push_back(panel.plot);
+  }
+  return plots;
+}
 
 Drawing draw_bench(const BenchResults& results) {
   constexpr float width_px = 1300.0F, height_px = 1000.0F, gap_px = 60.0F;

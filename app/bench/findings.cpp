@@ -49,20 +49,29 @@ RunFacts facts_of(const Run& run) {
   return facts;
 }
 
-int frames_over(const Run& run, double bound) {
-  return static_cast<int>(std::count_if(run.frames.begin(), run.frames.end(),
-                                        [&](const FrameSample& frame) { return !(frame.stretch <= bound); }));
+const char* name_of(StretchMeasure measure) {
+  return measure == StretchMeasure::worst_edge ? "worst edge" : "99th percentile";
 }
 
-bool keeps(const Run& run, double bound) {
-  return run.end == RunEnd::finished && !run.frames.empty() && frames_over(run, bound) == 0;
+double stretch_by(StretchMeasure measure, const RunFacts& facts) {
+  return measure == StretchMeasure::worst_edge ? facts.stretch : facts.p99_stretch;
 }
 
-const Run* best_run(const Heat& heat, const std::string& engine, double bound) {
+int frames_over(const Run& run, double bound, StretchMeasure measure) {
+  return static_cast<int>(std::count_if(run.frames.begin(), run.frames.end(), [&](const FrameSample& frame) {
+    return !((measure == StretchMeasure::worst_edge ? frame.stretch : frame.p99_stretch) <= bound);
+  }));
+}
+
+bool keeps(const Run& run, double bound, StretchMeasure measure) {
+  return run.end == RunEnd::finished && !run.frames.empty() && frames_over(run, bound, measure) == 0;
+}
+
+const Run* best_run(const Heat& heat, const std::string& engine, double bound, StretchMeasure measure) {
   const Run* best = nullptr;
   double best_ms = std::numeric_limits<double>::infinity();
   for (const Run& run : heat.runs) {
-    if (run.entrant.engine == engine && was_asked_for(run, bound) && keeps(run, bound)) {
+    if (run.entrant.engine == engine && was_asked_for(run, bound) && keeps(run, bound, measure)) {
       const double ms = facts_of(run).median_ms;
       if (ms < best_ms) {
         best = &run;
@@ -130,9 +139,9 @@ std::vector<std::string> engines_in(const BenchResults& results) {
 }
 
 std::optional<SpeedRatio> speed_ratio(const Heat& heat, double bound, const std::string& peer,
-                                      double peer_bound) {
-  const Run* bounded = best_run(heat, "bounded", bound);
-  const Run* other = best_run(heat, peer, peer_bound);
+                                      double peer_bound, StretchMeasure measure) {
+  const Run* bounded = best_run(heat, "bounded", bound, measure);
+  const Run* other = best_run(heat, peer, peer_bound, measure);
   if (bounded == nullptr || other == nullptr) {
     return std::nullopt;
   }

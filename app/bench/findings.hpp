@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,16 +47,27 @@ struct RunFacts {
 
 RunFacts facts_of(const Run& run);
 
-/// Frames whose worst spring is longer than the bound allows. No tolerance: what is shown either keeps the
-/// bound or does not.
-int frames_over(const Run& run, double bound);
+/// What of a frame is held against a bound: its worst edge, or the stretch that a hundredth of its edges
+/// exceed.
+enum class StretchMeasure { worst_edge, p99 };
+inline constexpr std::array stretch_measures = {StretchMeasure::worst_edge, StretchMeasure::p99};
+
+/// "worst edge", "99th percentile".
+const char* name_of(StretchMeasure measure);
+
+double stretch_by(StretchMeasure measure, const RunFacts& facts);
+
+/// Frames that are stretched by more than the bound allows. No tolerance: a frame either keeps the bound or
+/// does not.
+int frames_over(const Run& run, double bound, StretchMeasure measure = StretchMeasure::worst_edge);
 
 /// Whether the run reached its end and kept the bound in every frame.
-bool keeps(const Run& run, double bound);
+bool keeps(const Run& run, double bound, StretchMeasure measure = StretchMeasure::worst_edge);
 
 /// The engine's fastest run by median that keeps the bound; of an engine that takes a bound, the one that was
 /// asked for it. Null where there is none.
-const Run* best_run(const Heat& heat, const std::string& engine, double bound);
+const Run* best_run(const Heat& heat, const std::string& engine, double bound,
+                    StretchMeasure measure = StretchMeasure::worst_edge);
 
 /// What comes closest where no run keeps the bound: of those that reached their end (or, without any, of all)
 /// the one that stretched least; of an engine that takes a bound, the one that was asked for it. Null where
@@ -87,6 +99,6 @@ struct SpeedRatio {
   double ratio() const { return peer_ms / bounded_ms; }
 };
 std::optional<SpeedRatio> speed_ratio(const Heat& heat, double bound, const std::string& peer,
-                                      double peer_bound);
+                                      double peer_bound, StretchMeasure measure = StretchMeasure::worst_edge);
 
 }  // namespace taut::app

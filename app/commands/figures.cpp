@@ -95,7 +95,8 @@ std::vector<Experiment> experiments_for(const std::vector<Figure>& figures, bool
     needed.insert(figure.needs.begin(), figure.needs.end());
   }
   if (with_report) {
-    needed.insert({Experiment::mapping, Experiment::sweeps, Experiment::restart});
+    needed.insert(
+        {Experiment::stiffnesses, Experiment::strong_runs, Experiment::garments, Experiment::restart});
   }
   return {needed.begin(), needed.end()};
 }
@@ -154,7 +155,8 @@ int run(const FiguresOptions& options) {
   for (const Figure& figure : figures) {
     if (figure.needs_frame_times) {
       // Only now, with every other thread gone: they would take from what is measured.
-      results.frame_times = measure_frame_times(frame_time_repeats, [](double) { throw_if_interrupted(); });
+      measure_frame_times(
+          frame_time_repeats, [](double) { throw_if_interrupted(); }, results);
       writer.write(figure, results);
     }
   }

@@ -18,32 +18,12 @@
 namespace taut::app {
 namespace {
 
-MappedModel map_model(int triangles) {
-  const Scene scene = shirt_scene("tshirt-gravity", triangles);
-  const sim::Garment garment = load_garment(scene).garment;
-  const auto springs_of = sim::edges_of_vertices(garment.mesh.positions.size(), garment.springs.ends);
-  MappedModel model;
-  model.file = scene.garment.file.filename().string();
-  model.vertices = garment.mesh.positions.size();
-  model.triangles = garment.mesh.triangles.size();
-  model.edges = garment.adjacency.edges.size();
-  model.structural = garment.springs.count(sim::SpringKind::structural);
-  model.flexural = garment.springs.count(sim::SpringKind::flexural);
-  for (std::size_t v = 0; v < springs_of.size(); ++v) {
-    model.loose_vertices += springs_of[v].empty() ? 1 : 0;
-  }
-  return model;
-}
-
 void map_models(Results& results) {
   results.grid_patch = whole_patch(sim::make_garment(sim::make_grid({.columns = 5, .rows = 5}), {}, {}));
   const sim::Garment shirt = load_garment(shirt_scene("tshirt-gravity", model_sizes.front())).garment;
   // The middle of the chest: flat, and away from every seam.
   const sim::Vec3 chest_m(0.06, 1.25, 0.11);
   results.shirt_patch = patch_around(shirt, nearest_vertex(shirt.mesh.positions, chest_m).vertex, 2);
-  for (const int triangles : model_sizes) {
-    results.models.push_back(map_model(triangles));
-  }
 }
 
 StepRecording record_fall(const Checkpoint& checkpoint) {
@@ -61,17 +41,46 @@ void run_methods(Results& results, const Checkpoint& checkpoint) {
   }
 }
 
-void run_sweeps(Results& results, const Checkpoint& checkpoint) {
-  constexpr std::array sweeps = {10, 50, 200};
+void run_stiffnesses(Results& results, const Checkpoint& checkpoint) {
+  for (const double factor : stiffness_factors) {
+    results.ideal_stiffnesses.push_back(
+        run_method(sim::SolverKind::ideal, method_rates_hz[0], methods_duration_s, factor));
+    checkpoint(static_cast<double>(results.ideal_stiffnesses.size()) / stiffness_factors.size());
+  }
+}
+
+// The scene asks for everything but what is varied.
+StrongRun run_strong(const std::string& garment, Scene scene, bool is_rigid, int frames,
+                     const Checkpoint& checkpoint) {
+  sim::SolverSettings& solver = scene.simulation.solver;
+  if (is_rigid) {
+    solver.rigidity = {};
+  }
+  StrongRun run = {garment, is_rigid, solver.substeps, solver.iterations, {INFINITY, INFINITY}};
+  try {
+    const Recording recording = record_frames(scene, std::array{frames}, checkpoint);
+    run.stretch = {recording.last().record.stretch.max, recording.largest_stretch};
+  } catch (const sim::Diverged&) {
+    // Infinite stretch says so.
+  }
+  return run;
+}
+
+void run_strong_shirts(Results& results, const Checkpoint& checkpoint) {
   constexpr int frames = 45;
-  for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    Scene scene = literal_shirt_scene(model_sizes.back());
-    scene.simulation.solver.substeps = 1;
-    scene.simulation.solver.iterations = sweeps[i];
-    const Recording run = record_frames(scene, std::array{frames}, [&](double fraction) {
-      checkpoint((static_cast<double>(i) + fraction) / sweeps.size());
-    });
-    results.sweeps[i] = {sweeps[i], run.last().record.stretch.max, run.largest_stretch};
+  constexpr std::array<std::array<int, 2>, 4> settings = {{{1, 10}, {1, 50}, {1, 200}, {100, 1}}};
+  const Scene cloth = find_scene(pinned_scenes[0], {});
+  results.strong_runs.push_back(run_strong("9x9 cloth", cloth, true, cloth.frames, checkpoint));
+  for (const bool is_rigid : {false, true}) {
+    for (const auto& [substeps, sweeps] : settings) {
+      Scene scene = strong_shirt_scene(model_sizes.back());
+      scene.simulation.solver.substeps = substeps;
+      scene.simulation.solver.iterations = sweeps;
+      const auto before = static_cast<double>(results.strong_runs.size() - 1);
+      results.strong_runs.push_back(run_strong("shirt", scene, is_rigid, frames, [&](double fraction) {
+        checkpoint((before + fraction) / (2.0 * settings.size()));
+      }));
+    }
   }
 }
 
@@ -104,9 +113,15 @@ Job job_of(Experiment experiment, Results& results) {
       return recording_job(shirt_scenes[2], 26.0, results.shirts[2], strong_wind_frames);
     case Experiment::methods:
       return {"methods", 0.3, [&results](const Checkpoint& checkpoint) { run_methods(results, checkpoint); }};
-    case Experiment::sweeps:
-      return {"few long steps", 4.0,
-              [&results](const Checkpoint& checkpoint) { run_sweeps(results, checkpoint); }};
+    case Experiment::stiffnesses:
+      return {"stiffnesses", 0.2,
+              [&results](const Checkpoint& checkpoint) { run_stiffnesses(results, checkpoint); }};
+    case Experiment::strong_runs:
+      return {"shirts by the paper's method", 14.0,
+              [&results](const Checkpoint& checkpoint) { run_strong_shirts(results, checkpoint); }};
+    case Experiment::garments:
+      return {"garments of many kinds", 14.0,
+              [&results](const Checkpoint& checkpoint) { results.garments = try_garments(checkpoint); }};
     case Experiment::restart:
       return {"restart", 0.05, [&results](const Checkpoint&) {
                 results.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60);
@@ -126,7 +141,7 @@ Scene shirt_scene(const std::string& name, int triangles) {
   return scene;
 }
 
-Scene literal_shirt_scene(int triangles) {
+Scene strong_shirt_scene(int triangles) {
   Scene scene = shirt_scene("tshirt-gravity", triangles);
   scene.simulation.solver.kind = sim::SolverKind::strong;
   // Rigid against compression too, triangles lock and the shirt does not fall into folds.
@@ -134,14 +149,17 @@ Scene literal_shirt_scene(int triangles) {
   return scene;
 }
 
-MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s) {
+MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s, double stiffness_factor) {
   Scene scene = find_scene("pinned-9x9-methods", {});
   scene.simulation.solver.kind = kind;
   scene.simulation.frame_rate_hz = steps_per_s;
+  scene.simulation.solver.stiffness.structural_n_per_m *= stiffness_factor;
+  scene.simulation.solver.stiffness.shear_n_per_m *= stiffness_factor;
   sim::Simulation simulation = make_simulation(scene, load_garment(scene).garment);
   MethodRun run;
   run.kind = kind;
   run.time_step_s = simulation.frame_time_s();
+  run.stiffness_n_per_m = scene.simulation.solver.stiffness.structural_n_per_m;
   const auto steps = static_cast<int>(std::lround(duration_s * steps_per_s));
   try {
     for (int step = 0; step < steps; ++step) {

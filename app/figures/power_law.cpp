@@ -1,21 +1,38 @@
 #include "app/figures/power_law.hpp"
 
 #include <cmath>
+#include <vector>
 
 namespace taut::app {
 
-PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
+StraightLine fit_line(std::span<const std::array<double, 2>> points) {
   const auto n = static_cast<double>(points.size());
   double sum_x = 0.0, sum_y = 0.0, sum_xx = 0.0, sum_xy = 0.0;
-  for (const auto& point : points) {
-    const double x = std::log(point[0]), y = std::log(point[1]);
+  for (const auto& [x, y] : points) {
     sum_x += x;
     sum_y += y;
     sum_xx += x * x;
     sum_xy += x * y;
   }
-  const double exponent = (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
-  return {exponent, std::exp((sum_y - exponent * sum_x) / n)};
+  StraightLine line;
+  line.slope = (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+  line.offset = (sum_y - line.slope * sum_x) / n;
+  double squares = 0.0;
+  for (const auto& [x, y] : points) {
+    const double distance = y - line.offset - line.slope * x;
+    squares += distance * distance;
+  }
+  line.misfit = std::sqrt(squares / n);
+  return line;
+}
+
+PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
+  std::vector<std::array<double, 2>> logarithms;
+  for (const auto& [x, y] : points) {
+    logarithms.push_back({std::log(x), std::log(y)});
+  }
+  const StraightLine line = fit_line(logarithms);
+  return {line.slope, std::exp(line.offset), line.misfit};
 }
 
 }  // namespace taut::app

@@ -9,13 +9,14 @@
 
 namespace taut::app {
 
-/// A claim of the paper in our own words, how it is tested and by what it is judged.
+/// A claim of the paper in our own words, how it is tested and by which rule it is judged. All of it is true
+/// whatever comes out.
 struct ClaimText {
   std::string id;
   std::string section;  ///< of the paper
   std::string claim;
   std::string test;
-  std::string threshold;
+  std::string rule;
   std::string remark;  ///< what else to know
   std::string figure;  ///< where it can be seen; empty: nowhere
 };

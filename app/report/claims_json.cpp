@@ -21,21 +21,30 @@ Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 
+Json numbers_json(const Finding& finding) {
+  Json json = Json::array();
+  for (const MeasuredNumber& number : finding.measured) {
+    json.push_back(number_json(number));
+  }
+  return json;
+}
+
 Json claim_json(const Claim& claim) {
   const auto& [text, judgement] = claim;
   Json json = {{"id", text.id},
                {"section", text.section},
                {"claim", text.claim},
                {"test", text.test},
-               {"threshold", text.threshold},
-               {"measured", Json::array()},
+               {"rule", text.rule},
+               {"measured", numbers_json(judgement.finding)},
                {"verdict", name_of(judgement.verdict)},
-               {"condition", text_or_null(judgement.condition)},
-               {"finding", judgement.finding},
+               {"part", text_or_null(judgement.part)},
+               {"finding", judgement.finding.text},
+               {"bounded", nullptr},
                {"remark", text.remark},
                {"figure", text_or_null(text.figure)}};
-  for (const MeasuredNumber& number : judgement.measured) {
-    json["measured"].push_back(number_json(number));
+  if (!judgement.bounded.text.empty()) {
+    json["bounded"] = {{"finding", judgement.bounded.text}, {"measured", numbers_json(judgement.bounded)}};
   }
   return json;
 }

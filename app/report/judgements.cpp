@@ -4,111 +4,147 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "app/figures/axis.hpp"
+#include <set>
 
 namespace taut::app {
 namespace {
 
-MeasuredNumber percent(std::string name, double fraction) {
-  return {std::move(name), 100.0 * fraction, "%", 3};
-}
-
-std::string text_of(double value, const std::string& unit) {
-  return number_text({"", value, unit, 2});
-}
-
-std::string percent_text(double fraction) {
-  return text_of(100.0 * fraction, "%");
-}
-
-StretchNumbers stretch_of(const Recording& recording) {
-  return {recording.last().record.stretch.max, recording.largest_stretch};
-}
-
-// The condition goes with the verdict that has one.
-Judgement judged(Verdict verdict, std::string condition, std::string finding,
-                 std::vector<MeasuredNumber> measured) {
-  if (verdict != Verdict::holds_with_condition) {
-    condition.clear();
+std::string models_text(const std::set<int>& models) {
+  if (models.empty()) {
+    return "none of the models";
   }
-  return {verdict, std::move(condition), std::move(finding), std::move(measured)};
+  std::string text = models.size() == 1 ? "the model of" : "the models of";
+  for (const int triangles : models) {
+    const bool is_first = triangles == *models.begin(), is_last = triangles == *models.rbegin();
+    text += fmt::format("{} {}", is_first ? "" : is_last ? " and" : ",", triangles);
+  }
+  return text + " triangles";
 }
 
-std::vector<double> medians_with(const std::vector<FrameTimes>& times, bool one_step) {
-  std::vector<double> medians;
+std::string setting_text(int substeps, int sweeps) {
+  return fmt::format("{} step{} x {} sweep{}", substeps, substeps == 1 ? "" : "s", sweeps,
+                     sweeps == 1 ? "" : "s");
+}
+
+// The cloth as figure 4 draws it is one of them.
+std::vector<StrongRun> all_strong_runs(const Results& results) {
+  const Recording& cloth = *results.pinned[0];
+  const sim::SolverSettings& solver = cloth.scene.simulation.solver;
+  std::vector<StrongRun> runs = {{"9x9 cloth, as in figure 4",
+                                  false,
+                                  solver.substeps,
+                                  solver.iterations,
+                                  {cloth.last().record.stretch.max, cloth.largest_stretch}}};
+  runs.insert(runs.end(), results.strong_runs.begin(), results.strong_runs.end());
+  return runs;
+}
+
+std::string name_of(const StrongRun& run) {
+  return fmt::format("{}, {}{}", run.garment, setting_text(run.substeps, run.sweeps),
+                     run.is_rigid ? ", rigid both ways" : "");
+}
+
+bool is_worse(const StrongRun& a, const StrongRun& b) {
+  return a.stretch.on_the_way < b.stretch.on_the_way;
+}
+
+const FrameTimes& times_of_finest(const std::vector<FrameTimes>& times) {
+  return *std::max_element(times.begin(), times.end(),
+                           [](const auto& a, const auto& b) { return a.triangles < b.triangles; });
+}
+
+std::string in_wind(const Recording& run) {
+  const double speed_m_per_s = run.scene.surroundings.forces.wind.speed_m_per_s;
+  return speed_m_per_s > 0.0 ? fmt::format("in a wind of {:g} m/s", speed_m_per_s) : "in still air";
+}
+
+Finding bound_of_bounded(const Results& results) {
+  Finding finding;
+  for (const std::optional<Recording>& run : results.shirts) {
+    const std::string name =
+        fmt::format("{}, asked for {:g} %", in_wind(*run), 100.0 * run->scene.simulation.solver.max_stretch);
+    finding.text += fmt::format("{}{} it reaches {}", finding.text.empty() ? "On the shirt " : "; ", name,
+                                number_text(percent_number("", run->largest_stretch)));
+    finding.measured.push_back(percent_number("shirt " + name, run->largest_stretch));
+  }
+  const FrameTimes& times = times_of_finest(results.bounded_times);
+  finding.text += fmt::format(". A frame of {} triangles takes it {}.", times.triangles,
+                              text_of(times.median_ms(), "ms"));
+  finding.measured.push_back(
+      {fmt::format("a frame of {} triangles, median", times.triangles), times.median_ms(), "ms", 3});
+  return finding;
+}
+
+std::vector<PacedModel> paced_models(const std::vector<FrameTimes>& times) {
+  std::vector<PacedModel> models;
   for (const FrameTimes& time : times) {
-    if ((time.substeps == 1) == one_step) {
-      medians.push_back(time.median_ms());
+    models.push_back({time.triangles, time.median_ms(), time.largest_stretch});
+  }
+  return models;
+}
+
+std::set<int> models_in_real_time(const std::vector<PacedModel>& models) {
+  std::set<int> in_time;
+  for (const PacedModel& model : models) {
+    if (is_in_real_time(model)) {
+      in_time.insert(model.triangles);
     }
   }
-  return medians;
+  return in_time;
 }
 
-const MethodRun& method_run(const Results& results, std::size_t rate, sim::SolverKind kind) {
-  return results.methods[3 * rate + static_cast<std::size_t>(kind)];
+void add_paced(const FrameTimes& time, const std::string& setting, Finding& finding) {
+  const std::string name = fmt::format("{} triangles{}", time.triangles, setting);
+  finding.measured.push_back({name + ", a frame", time.median_ms(), "ms", 3});
+  finding.measured.push_back(percent_number(name + ", largest stretch", time.largest_stretch));
 }
 
-double unrest_speed(const Results& results, std::size_t rate, sim::SolverKind kind) {
-  const auto unrest = measure_unrest(method_run(results, rate, kind));
-  return unrest ? unrest->speed_m_per_s : INFINITY;
-}
-
-double settled_stretch(const Results& results, sim::SolverKind kind) {
-  const auto unrest = measure_unrest(method_run(results, 0, kind));
-  return unrest ? unrest->largest_stretch : INFINITY;
+Finding pace_of_bounded(const std::vector<FrameTimes>& times) {
+  const FrameTimes& finest = times_of_finest(times);
+  Finding finding;
+  finding.text = fmt::format(
+      "In real time and within {:g} %: {}. The finest model takes it {} a frame and is stretched by {}.",
+      100.0 * stretch_bound, models_text(models_in_real_time(paced_models(times))),
+      text_of(finest.median_ms(), "ms"), number_text(percent_number("", finest.largest_stretch)));
+  for (const FrameTimes& time : times) {
+    add_paced(time, "", finding);
+  }
+  return finding;
 }
 
 }  // namespace
 
-std::string number_text(const MeasuredNumber& number) {
-  if (!std::isfinite(number.value)) {
-    return "diverged";
+Judgement judged(Verdict verdict, std::string part, Finding finding, Finding bounded) {
+  if (verdict != Verdict::holds_in_part) {
+    part.clear();
   }
-  std::string digits = fmt::format("{:.{}g}", number.value, number.digits);
-  if (std::abs(number.value) >= 10.0 && std::abs(number.value) < 1e6) {
-    // Never 8.5e+02, and no noughts behind a number of things.
-    const bool is_whole = std::abs(number.value - std::round(number.value)) < 1e-9;
-    const int decimals =
-        is_whole ? 0 : std::max(0, number.digits - 1 - static_cast<int>(std::log10(std::abs(number.value))));
-    digits = fmt::format("{:.{}f}", number.value, decimals);
-  }
-  const std::size_t e = digits.find('e');
-  if (e != std::string::npos) {
-    digits = digits.substr(0, e) + " × " + power_of_ten(std::stoi(digits.substr(e + 1)));
-  }
-  return digits + (number.unit.empty() ? "" : " ") + number.unit;
+  return {verdict, std::move(part), std::move(finding), std::move(bounded)};
 }
 
 Judgement judge_bound(const Results& results) {
-  const StretchNumbers grid = stretch_of(*results.pinned[0]);
-  const StretchNumbers shirt = stretch_of(*results.shirts[0]);
-  const StretchNumbers wind = stretch_of(*results.shirts[2]);
-  std::vector<double> few_sweeps;
-  std::vector<MeasuredNumber> measured = {percent("9x9 cloth", grid.at_end),
-                                          percent("9x9 cloth, largest on the way", grid.on_the_way)};
-  for (const SweepRun& run : results.sweeps) {
-    few_sweeps.push_back(run.final_stretch);
-    measured.push_back(percent(fmt::format("shirt, 1 step, {} sweeps", run.sweeps), run.final_stretch));
+  const std::vector<StrongRun> runs = all_strong_runs(results);
+  std::vector<StretchNumbers> numbers;
+  Finding finding;
+  int kept = 0;
+  for (const StrongRun& run : runs) {
+    numbers.push_back(run.stretch);
+    kept += judge_stretch_bound({&run.stretch, 1}) == Verdict::holds ? 1 : 0;
+    finding.measured.push_back(percent_number(name_of(run) + ": at the end", run.stretch.at_end));
+    finding.measured.push_back(percent_number("the same, on the way", run.stretch.on_the_way));
   }
-  measured.push_back(percent("shirt, bounded at 1 %", shirt.at_end));
-  measured.push_back(percent("the same, largest on the way", shirt.on_the_way));
-  measured.push_back(percent("shirt in wind of 10 m/s, bounded at 1 %", wind.at_end));
-  measured.push_back(percent("the same, largest on the way", wind.on_the_way));
-  const SweepRun& fewest = results.sweeps.front();
-  const SweepRun& most = results.sweeps.back();
-  return judged(judge_stretch_bound(std::array{grid, shirt, wind}, few_sweeps),
-                "at the end of a run, not in every frame; on fine meshes only with short time steps",
-                fmt::format("At the end the 9x9 cloth is stretched by {}, the shirt in short steps and with "
-                            "a certified bound of "
-                            "1 % by {} and in a strong wind by {}; on the way they reach {}, {} and {}. To "
-                            "the letter, with one "
-                            "step a frame, the shirt ends at {} after {} sweeps a step and at {} after {}.",
-                            percent_text(grid.at_end), percent_text(shirt.at_end), percent_text(wind.at_end),
-                            percent_text(grid.on_the_way), percent_text(shirt.on_the_way),
-                            percent_text(wind.on_the_way), percent_text(fewest.final_stretch), fewest.sweeps,
-                            percent_text(most.final_stretch), most.sweeps),
-                std::move(measured));
+  const StrongRun& worst = *std::max_element(runs.begin(), runs.end(), is_worse);
+  const StrongRun& best = *std::min_element(runs.begin(), runs.end(), is_worse);
+  const auto told = [](const StretchNumbers& stretch) {
+    return fmt::format("{} on the way and {} at the end", percent_text(stretch.on_the_way),
+                       percent_text(stretch.at_end));
+  };
+  finding.text = fmt::format(
+      "{} of {} runs keep 5 % in every frame. The cloth of figure 4 reaches {}. The run that stretches most "
+      "({}) reaches {}, the one that stretches least ({}) {}.",
+      kept, runs.size(), told(runs.front().stretch), name_of(worst), told(worst.stretch), name_of(best),
+      told(best.stretch));
+  return judged(judge_stretch_bound(numbers), "at the end of every run, not in every frame", finding,
+                bound_of_bounded(results));
 }
 
 Judgement judge_fall(const Results& results) {
@@ -117,14 +153,14 @@ Judgement judge_fall(const Results& results) {
   const double last_m = fall.moved_m.back();
   return judged(
       judge_convergence(peak_m, last_m, fall.came_to_rest),
-      "as far as the run went: the cloth had not come to rest",
-      fmt::format("The point moves by {} at most in a step of {}, and by {} in the last of {} steps, "
-                  "when the cloth {} come to rest.",
-                  text_of(peak_m, "m"), text_of(1e3 * fall.time_step_s, "ms"), text_of(last_m, "m"),
-                  fall.moved_m.size(), fall.came_to_rest ? "has" : "has not"),
-      {{"largest movement in a step", peak_m, "m", 3},
-       {"movement in the last step", last_m, "m", 3},
-       {"steps", static_cast<double>(fall.moved_m.size()), "", 6}});
+      "the movement has shrunk to less than a tenth, the cloth had not come to rest",
+      {fmt::format("The point moves by {} at most in a step of {}, and by {} in the last of {} steps, "
+                   "when the cloth {} come to rest.",
+                   text_of(peak_m, "m"), text_of(1e3 * fall.time_step_s, "ms"), text_of(last_m, "m"),
+                   fall.moved_m.size(), fall.came_to_rest ? "has" : "has not"),
+       {{"largest movement in a step", peak_m, "m", 3},
+        {"movement in the last step", last_m, "m", 3},
+        count_number("steps", fall.moved_m.size())}});
 }
 
 Judgement judge_velocity(const Results& results) {
@@ -132,103 +168,59 @@ Judgement judge_velocity(const Results& results) {
   const bool are_equal = restart.uninterrupted_hash == restart.restarted_hash;
   return judged(
       judge_no_velocity(restart.uninterrupted_hash, restart.restarted_hash), "",
-      fmt::format("Taken up after {} steps from positions alone, the run {} the uninterrupted one {} "
-                  "steps later.",
-                  restart.steps_before, are_equal ? "is bit for bit" : "differs from", restart.steps_after),
-      {{"runs that differ", are_equal ? 0.0 : 1.0, "", 1}});
+      {fmt::format("Taken up after {} steps from positions alone, the run {} the uninterrupted one {} "
+                   "steps later.",
+                   restart.steps_before, are_equal ? "is bit for bit" : "differs from", restart.steps_after),
+       {count_number("runs that differ", are_equal ? 0 : 1)}});
 }
 
 Judgement judge_speed(const Results& results) {
-  const std::vector<double> few = medians_with(results.frame_times, true);
-  const std::vector<double> many = medians_with(results.frame_times, false);
-  std::vector<MeasuredNumber> measured;
+  Finding finding;
   for (const FrameTimes& time : results.frame_times) {
-    measured.push_back({fmt::format("{} triangles, {} x {}", time.triangles, time.substeps, time.sweeps),
-                        time.median_ms(), "ms", 3});
+    add_paced(time, ", " + setting_text(time.substeps, time.sweeps), finding);
   }
-  const double slowest_few_ms = *std::max_element(few.begin(), few.end());
-  const double slowest_many_ms = *std::max_element(many.begin(), many.end());
-  return judged(judge_real_time(few, many),
-                slowest_few_ms <= slowest_many_ms
-                    ? "with one step a frame, which lets fine models over-stretch"
-                    : "with many short steps a frame",
-                fmt::format("The slowest model takes {} with 1 step of 10 sweeps, a setting that leaves the "
-                            "shirt stretched by {}; and {} with 100 steps of 1 sweep.",
-                            text_of(slowest_few_ms, "ms"), percent_text(results.sweeps.front().final_stretch),
-                            text_of(slowest_many_ms, "ms")),
-                std::move(measured));
+  const std::vector<PacedModel> models = paced_models(results.frame_times);
+  const std::string in_time = models_text(models_in_real_time(models));
+  const int finest = times_of_finest(results.frame_times).triangles;
+  finding.text =
+      fmt::format("In real time and within {:g} %: {}. The finest model", 100.0 * stretch_bound, in_time);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (models[i].triangles == finest) {
+      finding.text +=
+          fmt::format("{} {} a frame with {} and is stretched by {}",
+                      finding.text.ends_with("model") ? " takes" : ";", text_of(models[i].frame_ms, "ms"),
+                      setting_text(results.frame_times[i].substeps, results.frame_times[i].sweeps),
+                      percent_text(models[i].stretch));
+    }
+  }
+  finding.text += '.';
+  return judged(judge_real_time(models), "for " + in_time, finding, pace_of_bounded(results.bounded_times));
 }
 
 Judgement judge_cost(const Results& results) {
-  const double few = fit_power_law(results.frame_times, 1).exponent;
-  const double many = fit_power_law(results.frame_times, 100).exponent;
-  return judged(
-      judge_growth(std::min(few, many)), "in the levels of refinement, not in the number of triangles",
-      fmt::format("Time grows as triangles to the power {:.2f} and {:.2f}: half the edge length, which is "
-                  "four times the triangles, takes {:.1f} and {:.1f} times as long.",
-                  few, many, std::pow(4.0, few), std::pow(4.0, many)),
-      {{"exponent, 1 x 10", few, "", 3}, {"exponent, 100 x 1", many, "", 3}});
-}
-
-Judgement judge_any_garment(const Results& results) {
-  std::vector<MappingNumbers> numbers;
-  std::vector<MeasuredNumber> measured;
-  std::size_t edges = 0, structural = 0, flexural = 0, loose = 0;
-  for (const MappedModel& model : results.models) {
-    numbers.push_back({model.edges, model.structural, model.flexural, model.loose_vertices});
-    const auto add = [&](const char* what, std::size_t count) {
-      measured.push_back({fmt::format("{}: {}", model.file, what), static_cast<double>(count), "", 6});
-    };
-    add("structural springs", model.structural);
-    add("flexural springs", model.flexural);
-    add("loose vertices", model.loose_vertices);
-    edges += model.edges;
-    structural += model.structural;
-    flexural += model.flexural;
-    loose += model.loose_vertices;
+  const TimeGrowth few = measure_growth(results.frame_times, 1);
+  const TimeGrowth many = measure_growth(results.frame_times, 100);
+  const double bounded = measure_growth(results.bounded_times, 0).exponent;
+  const auto fit_of = [](const TimeGrowth& growth) {
+    return growth.geometric_misfit < growth.power_misfit ? "a geometric law" : "a power";
+  };
+  Finding finding = {
+      fmt::format("Time grows as triangles to the power {:.2f} with 1 x 10 and {:.2f} with 100 x 1. The law "
+                  "that fits better is {} with the first and {} with the second. Four times the triangles, "
+                  "which is half the edge length, take {:.1f} and {:.1f} times as long.",
+                  few.exponent, many.exponent, fit_of(few), fit_of(many), std::pow(4.0, few.exponent),
+                  std::pow(4.0, many.exponent)),
+      {}};
+  for (const auto& [name, growth] : {std::pair("1 x 10", few), std::pair("100 x 1", many)}) {
+    finding.measured.push_back({fmt::format("{}: exponent of the power", name), growth.exponent, "", 3});
+    finding.measured.push_back({"misfit of the power, in ln of the time", growth.power_misfit, "", 2});
+    finding.measured.push_back({"misfit of a geometric law", growth.geometric_misfit, "", 2});
   }
-  return judged(
-      judge_mapping(numbers), "",
-      fmt::format("The {} edges of {} models give {} structural and {} flexural springs; {} vertices are "
-                  "held by none. One shirt at several precisions is evidence, not proof for any garment.",
-                  edges, results.models.size(), structural, flexural, loose),
-      std::move(measured));
-}
-
-Judgement judge_threshold(const Results& results) {
-  UnrestNumbers numbers[2];
-  std::vector<MeasuredNumber> measured;
-  for (const sim::SolverKind kind : {sim::SolverKind::provot, sim::SolverKind::strong}) {
-    const bool is_strong = kind == sim::SolverKind::strong;
-    const double short_step = unrest_speed(results, 0, kind), long_step = unrest_speed(results, 1, kind);
-    numbers[is_strong ? 1 : 0] = {short_step, long_step};
-    const std::string name = is_strong ? "strong" : "threshold";
-    measured.push_back({name + ", short step", short_step, "m/s", 3});
-    measured.push_back({name + ", long step", long_step, "m/s", 3});
-  }
-  const auto& [threshold, strong] = numbers;
-  return judged(
-      judge_threshold_vibrates(threshold, strong),
-      threshold.long_step_m_per_s > vibration_m_per_s
-          ? "only with time steps that are too long for the springs themselves"
-          : "only with the short time step",
-      fmt::format("With steps of 1/{:.0f} s the cloth with a threshold ends at a speed of {}, with the "
-                  "strong constraint {}; with steps of 1/{:.0f} s at {} and {}.",
-                  method_rates_hz[0], text_of(threshold.short_step_m_per_s, "m/s"),
-                  text_of(strong.short_step_m_per_s, "m/s"), method_rates_hz[1],
-                  text_of(threshold.long_step_m_per_s, "m/s"), text_of(strong.long_step_m_per_s, "m/s")),
-      std::move(measured));
-}
-
-Judgement judge_ideal(const Results& results) {
-  const double ideal = settled_stretch(results, sim::SolverKind::ideal);
-  const double strong = settled_stretch(results, sim::SolverKind::strong);
-  return judged(
-      judge_ideal_overstretches(ideal, strong), "for springs as soft as those of the test",
-      fmt::format("Ideal springs settle at {}, the strong constraint at {}. By Hooke's law springs {:.1f} "
-                  "times as stiff would stay within 5 %.",
-                  percent_text(ideal), percent_text(strong), ideal / stretch_bound),
-      {percent("ideal", ideal), percent("strong", strong)});
+  return judged(std::max(judge_growth(few), judge_growth(many)),
+                "faster than in proportion to the triangles, but no setting short of a geometric law",
+                finding,
+                {fmt::format("Its time grows as triangles to the power {:.2f}.", bounded),
+                 {{"exponent of the power", bounded, "", 3}}});
 }
 
 }  // namespace taut::app

@@ -1,16 +1,30 @@
 #include "app/report/verdicts.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace taut::app {
 namespace {
 
-bool all_within(std::span<const double> values, double bound) {
-  return std::all_of(values.begin(), values.end(), [&](double value) { return value <= bound; });
-}
-
 bool vibrates(double speed_m_per_s) {
   return !(speed_m_per_s <= vibration_m_per_s);
+}
+
+// Of the cases in which a claim could hold; none at all proves nothing.
+Verdict all_or_some(std::size_t holding, std::size_t partly, std::size_t all) {
+  if (all == 0) {
+    return Verdict::does_not_hold;
+  }
+  if (holding == all) {
+    return Verdict::holds;
+  }
+  return partly == all ? Verdict::holds_in_part : Verdict::does_not_hold;
+}
+
+template <class Range, class Predicate>
+std::size_t count_if(const Range& range, Predicate predicate) {
+  return static_cast<std::size_t>(std::count_if(range.begin(), range.end(), predicate));
 }
 
 }  // namespace
@@ -19,59 +33,72 @@ const char* name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::holds:
       return "holds";
-    case Verdict::holds_with_condition:
-      return "holds with a condition";
+    case Verdict::holds_in_part:
+      return "holds in part";
     case Verdict::does_not_hold:
       return "does not hold";
   }
   return "";
 }
 
-Verdict judge_stretch_bound(std::span<const StretchNumbers> kept, std::span<const double> few_sweeps) {
-  const auto all_keep = [&](double at_end, double on_the_way) {
-    return std::all_of(kept.begin(), kept.end(), [=](const StretchNumbers& run) {
-      return run.at_end <= at_end && run.on_the_way <= on_the_way;
-    });
+Verdict judge_stretch_bound(std::span<const StretchNumbers> runs) {
+  // Each asks for both: of a run, the largest stretch can be lost and the last be there.
+  const auto always = [](const StretchNumbers& run) {
+    return run.on_the_way <= stretch_bound && run.at_end <= stretch_bound;
   };
-  if (all_keep(stretch_bound, stretch_bound) && all_within(few_sweeps, stretch_bound)) {
-    return Verdict::holds;
-  }
-  return all_keep(stretch_bound, 2.0 * stretch_bound) ? Verdict::holds_with_condition
-                                                      : Verdict::does_not_hold;
+  const auto at_end = [](const StretchNumbers& run) {
+    return std::isfinite(run.on_the_way) && run.at_end <= stretch_bound;
+  };
+  return all_or_some(count_if(runs, always), count_if(runs, at_end), runs.size());
 }
 
 Verdict judge_convergence(double peak_m, double last_m, bool came_to_rest) {
   if (came_to_rest || last_m < 1e-3 * peak_m) {
     return Verdict::holds;
   }
-  return last_m < 0.1 * peak_m ? Verdict::holds_with_condition : Verdict::does_not_hold;
+  return last_m < 0.1 * peak_m ? Verdict::holds_in_part : Verdict::does_not_hold;
 }
 
 Verdict judge_no_velocity(std::uint64_t uninterrupted_hash, std::uint64_t restarted_hash) {
   return uninterrupted_hash == restarted_hash ? Verdict::holds : Verdict::does_not_hold;
 }
 
-Verdict judge_real_time(std::span<const double> few_sweeps_ms, std::span<const double> short_steps_ms) {
-  const bool few_hold = all_within(few_sweeps_ms, real_time_ms);
-  const bool short_hold = all_within(short_steps_ms, real_time_ms);
-  if (few_hold && short_hold) {
-    return Verdict::holds;
-  }
-  return few_hold || short_hold ? Verdict::holds_with_condition : Verdict::does_not_hold;
+bool is_in_real_time(const PacedModel& model) {
+  return model.frame_ms <= real_time_ms && model.stretch <= stretch_bound;
 }
 
-Verdict judge_growth(double exponent) {
-  if (exponent > proportional_exponent) {
-    return Verdict::holds;
+Verdict judge_real_time(std::span<const PacedModel> models) {
+  std::set<int> all, in_time;
+  for (const PacedModel& model : models) {
+    all.insert(model.triangles);
+    if (is_in_real_time(model)) {
+      in_time.insert(model.triangles);
+    }
   }
-  return exponent >= 0.8 ? Verdict::holds_with_condition : Verdict::does_not_hold;
+  const bool are_most = 2 * in_time.size() > all.size();
+  return all_or_some(in_time.size(), are_most ? all.size() : 0, all.size());
 }
 
-Verdict judge_mapping(std::span<const MappingNumbers> models) {
-  const bool all_hold = !models.empty() && std::all_of(models.begin(), models.end(), [](const auto& model) {
-    return model.structural == model.edges && model.loose_vertices == 0 && model.flexural > 0;
-  });
-  return all_hold ? Verdict::holds : Verdict::does_not_hold;
+Verdict judge_growth(const TimeGrowth& growth) {
+  if (!(growth.exponent > proportional_exponent)) {
+    return Verdict::does_not_hold;
+  }
+  return growth.geometric_misfit < growth.power_misfit ? Verdict::holds : Verdict::holds_in_part;
+}
+
+bool is_mapped(const Mapping& mapping) {
+  return mapping.edges > 0 && mapping.structural == mapping.edges && mapping.loose_vertices == 0 &&
+         mapping.flexural > 0;
+}
+
+Verdict judge_any_garment(std::span<const GarmentTrial> trials) {
+  const auto keeps_bound = [](const GarmentTrial& trial) {
+    return trial.refusal.empty() && is_mapped(trial.mapping) && trial.strong.largest_stretch <= stretch_bound;
+  };
+  const auto is_simulated = [](const GarmentTrial& trial) {
+    return trial.refusal.empty() && is_mapped(trial.mapping) && std::isfinite(trial.strong.largest_stretch);
+  };
+  return all_or_some(count_if(trials, keeps_bound), count_if(trials, is_simulated), trials.size());
 }
 
 Verdict judge_threshold_vibrates(const UnrestNumbers& threshold, const UnrestNumbers& strong) {
@@ -80,12 +107,15 @@ Verdict judge_threshold_vibrates(const UnrestNumbers& threshold, const UnrestNum
   if (with_short && with_long) {
     return Verdict::holds;
   }
-  return with_short || with_long ? Verdict::holds_with_condition : Verdict::does_not_hold;
+  return with_short || with_long ? Verdict::holds_in_part : Verdict::does_not_hold;
 }
 
-Verdict judge_ideal_overstretches(double ideal_stretch, double strong_stretch) {
-  return ideal_stretch > stretch_bound && strong_stretch <= stretch_bound ? Verdict::holds_with_condition
-                                                                          : Verdict::does_not_hold;
+Verdict judge_ideal_overstretches(std::span<const double> ideal_stretches, double strong_stretch) {
+  const std::size_t over = count_if(ideal_stretches, [](double stretch) { return stretch > stretch_bound; });
+  if (over == 0 || !(strong_stretch <= stretch_bound)) {
+    return Verdict::does_not_hold;
+  }
+  return over == ideal_stretches.size() ? Verdict::holds : Verdict::holds_in_part;
 }
 
 }  // namespace taut::app

@@ -4,15 +4,18 @@
 #include <cstdint>
 #include <span>
 
+#include "app/figures/experiments.hpp"
+
 namespace taut::app {
 
-/// What numbers say about a claim of the paper.
-enum class Verdict { holds, holds_with_condition, does_not_hold };
+/// What numbers say about a claim of the paper; the best first.
+enum class Verdict { holds, holds_in_part, does_not_hold };
 
-/// "holds", "holds with a condition", "does not hold".
+/// "holds", "holds in part", "does not hold".
 const char* name_of(Verdict verdict);
 
-// The thresholds of the verdicts. Each function below is pure: numbers in, verdict out.
+// The rules. Each is about the paper's method and pure: numbers in, verdict out. A number that is not finite,
+// or that is not there, never helps a claim.
 
 /// The paper's bound on over-stretch.
 inline constexpr double stretch_bound = 0.05;
@@ -24,54 +27,50 @@ inline constexpr double vibration_m_per_s = 0.01;
 /// Exponents of growth up to this are called "in proportion": timing leaves about so much in doubt.
 inline constexpr double proportional_exponent = 1.2;
 
-/// The largest stretch of a run's last frame and of all its frames.
-struct StretchNumbers {
-  double at_end = 0.0;
-  double on_the_way = 0.0;
-};
+/// Holds where all runs keep the bound in every frame; in part where all do in their last.
+Verdict judge_stretch_bound(std::span<const StretchNumbers> runs);
 
-/// `kept` are the runs with settings that are to keep the bound: the cloth of figure 4 and the shirt with
-/// short steps. Holds where they do in every frame and runs with few sweeps do as well; with a condition
-/// where they do at the end and never go beyond twice the bound, whatever becomes of those with few sweeps.
-Verdict judge_stretch_bound(std::span<const StretchNumbers> kept, std::span<const double> few_sweeps);
-
-/// Holds where the cloth came to rest or moves by less than a thousandth of its peak; with a condition below
-/// a tenth.
+/// Holds where the cloth came to rest or moves by less than a thousandth of its peak; in part below a tenth.
 Verdict judge_convergence(double peak_m, double last_m, bool came_to_rest);
 
-/// Holds where two runs end in the same bits, one of which went on from positions alone.
+/// Holds where two runs end in the same bits, one of which went on from positions alone. Bits are the same or
+/// they are not: nothing holds in part.
 Verdict judge_no_velocity(std::uint64_t uninterrupted_hash, std::uint64_t restarted_hash);
 
-/// Median times of a frame, in ms. Holds where all are within a 60th of a second; with a condition where
-/// those with few sweeps all are, or those with short steps all are.
-Verdict judge_real_time(std::span<const double> few_sweeps_ms, std::span<const double> short_steps_ms);
-
-/// "Geometrically" over the number of triangles would be faster than in proportion. Holds above the
-/// proportional exponent. In proportion, refining by halving the edges multiplies triangles and time by
-/// four, which is a geometric sequence in the levels of refinement: with that condition it holds from 0.8 on.
-Verdict judge_growth(double exponent);
-
-/// Of each model: springs that are not edges or edges that are none of the springs, vertices no spring holds,
-/// flexural springs. Holds where only the last differs from zero in all.
-struct MappingNumbers {
-  std::size_t edges = 0;
-  std::size_t structural = 0;
-  std::size_t flexural = 0;
-  std::size_t loose_vertices = 0;
+/// What a setting costs and keeps for the model with so many triangles.
+struct PacedModel {
+  int triangles = 0;
+  double frame_ms = 0.0;
+  double stretch = 0.0;
 };
-Verdict judge_mapping(std::span<const MappingNumbers> models);
+bool is_in_real_time(const PacedModel& model);
+/// A model is simulated in real time where one of its settings needs no more than a 60th of a second and
+/// keeps the bound. Holds where all models are; in part where more than half are.
+Verdict judge_real_time(std::span<const PacedModel> models);
 
-/// Unrest of the threshold method and of the strong constraint with the short and with the long step; not
-/// finite for a run that diverged, which counts as vibrating. Holds where the threshold vibrates with both
-/// steps and the strong constraint with none; with a condition where it is so with one of the steps.
+/// Does not hold up to the proportional exponent. Above, time grows faster than the number of triangles:
+/// holds where a geometric law fits better than a power of the triangles, in part where the power fits
+/// better.
+Verdict judge_growth(const TimeGrowth& growth);
+
+/// Every edge a structural spring, every vertex held by a spring, and some flexural springs.
+bool is_mapped(const Mapping& mapping);
+/// Holds where every garment is mapped and keeps the bound in every frame; in part where every one is mapped
+/// and simulated to the end.
+Verdict judge_any_garment(std::span<const GarmentTrial> trials);
+
+/// Unrest with the short and with the long step; not finite for a run that diverged, which counts as
+/// vibrating. Holds where the threshold vibrates with both steps and the strong constraint with none; in part
+/// where it is so with one of the steps.
 struct UnrestNumbers {
   double short_step_m_per_s = 0.0;
   double long_step_m_per_s = 0.0;
 };
 Verdict judge_threshold_vibrates(const UnrestNumbers& threshold, const UnrestNumbers& strong);
 
-/// Ideal springs and the strong constraint on the same cloth. With a condition where the first exceed the
-/// bound and the second does not: how far they stretch is a matter of the stiffness that was chosen.
-Verdict judge_ideal_overstretches(double ideal_stretch, double strong_stretch);
+/// Ideal springs of several stiffnesses (infinite: diverged) and the strong constraint on the same cloth.
+/// Holds where the strong constraint keeps the bound and ideal springs of every stiffness exceed it; in part
+/// where those of some do.
+Verdict judge_ideal_overstretches(std::span<const double> ideal_stretches, double strong_stretch);
 
 }  // namespace taut::app

@@ -147,6 +147,19 @@ TEST(BenchFindings, ChooseTheFastestThatKeepsTheBoundInEveryFrame) {
   EXPECT_FALSE(speed_ratio(heat, 0.01, "bullet", 0.05));
 }
 
+TEST(BenchFindings, CompareByWorstEdgeAndByThe99thPercentile) {
+  Heat heat;
+  // Half of their worst edge is the 99th percentile of made-up runs.
+  heat.runs = {made_run("bullet", {}, {9.0, 9.0}, 0.05), made_run("bullet", {}, {5.0, 5.0}, 0.1),
+               made_run("bounded", 0.01, {1.0, 1.0}, 0.01)};
+  EXPECT_EQ(best_run(heat, "bullet", 0.05), &heat.runs[0]);
+  EXPECT_EQ(best_run(heat, "bullet", 0.05, StretchMeasure::p99), &heat.runs[1]);
+  EXPECT_EQ(frames_over(heat.runs[1], 0.05), 2);
+  EXPECT_EQ(frames_over(heat.runs[1], 0.05, StretchMeasure::p99), 0);
+  EXPECT_EQ(speed_ratio(heat, 0.01, "bullet", 0.05)->ratio(), 9.0);
+  EXPECT_EQ(speed_ratio(heat, 0.01, "bullet", 0.05, StretchMeasure::p99)->ratio(), 5.0);
+}
+
 TEST(BenchFindings, AParetoFrontHoldsWhatNothingBeatsInBoth) {
   const std::vector<DataPoint> points = {{3, 1}, {1, 5}, {2, 5}, {2, 3}, {4, 1}, {5, 0.5}};
   EXPECT_EQ(pareto_front(points), (std::vector<std::size_t>{1, 3, 0, 5}));
@@ -290,6 +303,64 @@ TEST(Arithmetic, AllowsMoreOnWiderUnits) {
   EXPECT_GT(limits.front().springs_per_s, 1e6);
   EXPECT_GT(limits.front().rootless_springs_per_s, limits.front().springs_per_s);
   EXPECT_GT(limits.back().springs_per_s, 1.5 * limits.front().springs_per_s);
+}
+
+BenchResults made_results() {
+  BenchResults results;
+  results.bounds = {0.05, 0.01};
+  results.frames = 2;
+  results.arithmetic = {{"1 double", 1, 1e9, 2e9}};
+  results.heats.push_back({bench_scenes()[0], bench_sizes()[0], 10, 0, {}});
+  results.heats[0].runs = {
+      made_run("bounded", 0.01, {1.0, 1.0}, 0.0094), made_run("bounded", 0.05, {0.5, 0.5}, 0.0484),
+      made_run("bullet", {}, {9.0, 9.0}, 0.0364), made_run("bullet", {}, {4.0, 4.0}, 0.0822),
+      made_run("strong", {}, {2.0, 2.0}, 0.3126)};
+  return results;
+}
+
+TEST(BenchTable, HasWorstEdgeAnd99thPercentileOfEveryEngine) {
+  const std::string table = bench_table(made_results());
+  const auto expect_in = [&](const std::string& text) {
+    EXPECT_NE(table.find(text), std::string::npos) << "'" << text << "' is not in\n" << table;
+  };
+  expect_in("the fastest setting whose worst edge keeps it in every frame");
+  expect_in("4.840     2.420");
+  expect_in("3.640     1.820");
+  expect_in("closest: worst edge 31.3 %, p99 15.6 % at 2 ms");
+  expect_in("by worst edge: bounded at 1 % (1.00 ms) is 9.0 times faster than Bullet at 5 %");
+  expect_in("by 99th percentile: bounded at 1 % (1.00 ms) is 4.0 times faster than Bullet at 5 %");
+}
+
+TEST(BenchPlot, HasWorstEdgeAnd99thPercentileOfEveryEngine) {
+  const std::vector<Plot> plots = bench_plots(made_results());
+  ASSERT_EQ(plots.size(), 1U);
+  std::map<std::string, std::vector<DataPoint>> curves;
+  for (const Curve& curve : plots[0].curves) {
+    curves[curve.name] = curve.points;
+  }
+  ASSERT_EQ(curves.size(), 6U);
+  const std::vector<DataPoint> worst = {{4.0, 8.22}, {9.0, 3.64}}, p99 = {{4.0, 4.11}, {9.0, 1.82}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(curves.at("Bullet, worst edge").at(i)[1], worst[i][1], 1e-9);
+    EXPECT_NEAR(curves.at("Bullet, 99th percentile").at(i)[1], p99[i][1], 1e-9);
+  }
+  for (const char* engine : {"bounded", "strong"}) {
+    EXPECT_EQ(curves.count(std::string(engine) + ", worst edge"), 1U);
+    EXPECT_EQ(curves.count(std::string(engine) + ", 99th percentile"), 1U);
+  }
+}
+
+TEST(BenchJson, HasWorstEdgeAnd99thPercentileOfEveryEngine) {
+  const auto heat = nlohmann::json::parse(bench_json(made_results(), {}))["heats"][0];
+  for (const auto& cell : heat["cells"]) {
+    EXPECT_EQ(cell["max_p99_stretch"].get<double>(), 0.5 * cell["max_stretch"].get<double>());
+  }
+  EXPECT_EQ(heat["ratios"][0]["by"], "worst edge");
+  EXPECT_EQ(heat["ratios"][1]["by"], "99th percentile");
+  EXPECT_EQ(heat["ratios"][1]["times_faster"], 4.0);
+  for (const char* engine : {"bounded", "bullet", "strong"}) {
+    EXPECT_TRUE(heat["pareto_fronts_p99"].contains(engine));
+  }
 }
 
 TEST(BenchJson, SaysForEveryCellWhetherItsBoundWasKept) {

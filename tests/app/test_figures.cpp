@@ -31,9 +31,6 @@ TEST(Figure1, ShowsTheSpringsTheMappingMade) {
   EXPECT_GT(shirt.count(SpringKind::structural), shirt.points_m.size());
   EXPECT_EQ(shirt.count(SpringKind::shear), 0U);
   EXPECT_GT(shirt.count(SpringKind::flexural), 5U);
-  ASSERT_EQ(results.models.size(), 3U);
-  EXPECT_EQ(results.models[2].triangles, 10600U);
-  EXPECT_EQ(results.models[2].structural, results.models[2].edges);
 }
 
 TEST(SpringPatch, OfAWholeGridHasTheMappingsCounts) {

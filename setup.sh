@@ -40,6 +40,7 @@ packages=(
   ffmpeg
   # tests
   libgtest-dev
+  python3             # makes models of every format, and is a terminal
   xdotool             # keys and pointer for a window
   xvfb                # a display for it
   xauth               # what xvfb-run asks for and no package brings

@@ -41,6 +41,8 @@ packages=(
   # tests
   libgtest-dev
   python3             # makes models of every format, and is a terminal
+  git                 # tests/fresh_machine.sh clones with it
+  debootstrap         # and makes a bare Debian
   xdotool             # keys and pointer for a window
   xvfb                # a display for it
   xauth               # what xvfb-run asks for and no package brings

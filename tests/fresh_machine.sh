@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # fresh_machine.sh test|figures [FOLDER]
 # Runs that command of the README, as it is written there, on a bare Debian 12 with a clone of what is committed: the
-# proof that setup.sh names all that is needed. Needs root, git, debootstrap and a mirror of Debian in apt's sources;
+# proof that setup.sh names all that is needed. Needs root, debootstrap and a mirror of Debian in apt's sources;
 # takes up to half an hour and 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes.
 set -euo pipefail
 if [ $# -eq 0 ] || [ $# -gt 2 ]; then
@@ -17,9 +17,7 @@ fail() {
   exit 1
 }
 [ "$(id -u)" -eq 0 ] || fail "this user is not root, who alone makes file systems to change into"
-for program in debootstrap git unshare; do
-  command -v $program >/dev/null || fail "there is no $program"
-done
+command -v debootstrap >/dev/null || fail "there is no debootstrap"
 command=$(sed -En "s|^(\./setup\.sh && cmake --workflow --preset $preset)( .*)?\$|\1|p" "$source/README.md")
 [ -n "$command" ] || fail "README.md has no command for '$preset'; expected test or figures"
 # What apt on this machine takes Debian from: a line each for the release, its updates and its security.
@@ -41,7 +39,7 @@ clean_up() {
     wait "$child" || true
     sleep 1  # the kernel ends the others
   fi
-  rm -rf "$machine"
+  rm -rf "$machine" "$folder/log.txt"
   rmdir --ignore-fail-on-non-empty "$folder"
 }
 trap clean_up EXIT
@@ -58,7 +56,6 @@ apart() {
 make_debian() {
   apart debootstrap --variant=minbase --include=ca-certificates,git $release "$machine" "$mirror" \
     >"$folder/log.txt" || { tail -n 30 "$folder/log.txt"; return 1; }
-  rm "$folder/log.txt"
   echo "$sources" >"$machine/etc/apt/sources.list"
   git clone --quiet --no-local "$source" "$machine/root/taut"
 }
@@ -82,6 +79,6 @@ timed() {
 }
 
 timed "a bare Debian" make_debian
-timed ./setup.sh on_the_machine ./setup.sh
+timed ./setup.sh on_the_machine './setup.sh >/tmp/setup.log 2>&1 || { tail -n 30 /tmp/setup.log; exit 1; }'
 # Without a network: setup.sh has nothing left to do, and nothing else may need one.
 timed "$command" on_the_machine "$command" --net

@@ -36,7 +36,7 @@ mkdir -p "$folder"
 child=
 clean_up() {
   if [ -n "$child" ] && kill -KILL "$child" 2>/dev/null; then
-    wait "$child" || true
+    wait "$child" 2>/dev/null || true  # which would tell that it was killed
     sleep 1  # the kernel ends the others
   fi
   rm -rf "$machine" "$folder/log.txt"

@@ -21,7 +21,8 @@ command -v debootstrap >/dev/null || fail "there is no debootstrap"
 command=$(sed -En "s|^(\./setup\.sh && cmake --workflow --preset $preset)( .*)?\$|\1|p" "$source/README.md")
 [ -n "$command" ] || fail "README.md has no command for '$preset'; expected test or figures"
 # What apt on this machine takes Debian from: a line each for the release, its updates and its security.
-sources=$(apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' |
+sources=$(apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' \
+  'Created-By: Packages' 'Origin: Debian' |
   awk -v release=$release 'index($3, release) == 1')
 mirror=$(awk -v release=$release '$3 == release { print $2; exit }' <<<"$sources")
 [ -n "$mirror" ] || fail "apt knows no mirror of Debian $release; expected one in its sources, and apt-get update run"
@@ -78,7 +79,11 @@ timed() {
   echo "fresh_machine.sh: $((SECONDS - began)) s: $1"
 }
 
-timed "a bare Debian" make_debian
-timed ./setup.sh on_the_machine './setup.sh >/tmp/setup.log 2>&1 || { tail -n 30 /tmp/setup.log; exit 1; }'
-# Without a network: setup.sh has nothing left to do, and nothing else may need one.
-timed "$command" on_the_machine "$command" --net
+# In braces bash reads it all before it begins, and another script may be checked out meanwhile.
+{
+  timed "a bare Debian" make_debian
+  timed ./setup.sh on_the_machine './setup.sh >/tmp/setup.log 2>&1 || { tail -n 30 /tmp/setup.log; exit 1; }'
+  # Without a network: setup.sh has nothing left to do, and nothing else may need one.
+  timed "$command" on_the_machine "$command" --net
+  exit
+}

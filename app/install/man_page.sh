@@ -6,7 +6,12 @@ taut=$1
 # In the language of man pages; in lists of options and commands, what stands left and what stands right of two spaces.
 formatted() {
   awk '
-    function escaped(text) { gsub(/\\/, "\\e", text); gsub(/-/, "\\-", text); sub(/^[.\047]/, "\\\\\\&&", text); return text }
+    function escaped(text) {
+      gsub(/\\/, "\\e", text)
+      gsub(/-/, "\\-", text)
+      sub(/^[.\047]/, "\\\\\\&&", text)
+      return text
+    }
     /^Examples?:$/ { print ".PP\n" $0 "\n.nf"; is_example = 1; next }
     is_example { if ($0 == "") { print ".fi"; is_example = 0 } else print escaped($0); next }
     /^(Positionals|Options):$/ || /-h,--help/ { next }
@@ -23,8 +28,8 @@ formatted() {
     { sub(/^ +/, ""); print $0 == "" ? ".PP" : escaped($0) }'
 }
 
-printf '.TH TAUT 1 "" "%s" "User Commands"\n.SH NAME\ntaut \\- simulates garments that do not over-stretch and draws them\n' \
-  "$("$taut" --version)"
+printf '.TH TAUT 1 "" "%s" "User Commands"\n' "$("$taut" --version)"
+printf '.SH NAME\ntaut \\- simulates garments that do not over-stretch and draws them\n'
 printf '.SH DESCRIPTION\n'
 "$taut" --help | formatted
 printf '.SH COMMANDS\n'

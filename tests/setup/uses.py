@@ -43,21 +43,20 @@ def loaded_by(executables):
 
 
 def loaded_while_drawing(taut):
-    """The libraries that drawing a picture loads, each way to OpenGL, and the font of the window."""
+    """The libraries that drawing a picture loads, each way to OpenGL that is here, and the font of the window."""
     environment = {**os.environ, **SOFTWARE_RASTERISER, 'LD_DEBUG': 'files'}
-    files = {output_of('fc-match', '-f', '%{file}', 'DejaVu Sans')}
-    for backend in ('osmesa', 'egl'):
-        with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([taut, 'render', 'cloth-fall', '--frames', '0', '--resolution', '16,16', '--backend', backend],
-                                  cwd=folder, env=environment, capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit('taut render --backend %s: exit code %d' % (backend, done.returncode))
-        files |= set(re.findall(r'calling init: (/\S+)', done.stderr))
-    return files
+    picture = [taut, 'render', 'cloth-fall', '--frames', '0', '--resolution', '16,16', '--backend']
+    with tempfile.TemporaryDirectory() as folder:
+        ways = [subprocess.run([*picture, way], cwd=folder, env=environment, capture_output=True, text=True)
+                for way in ('osmesa', 'egl')]
+    loaded = [set(re.findall(r'calling init: (/\S+)', way.stderr)) for way in ways if way.returncode == 0]
+    if not loaded:
+        sys.exit('%s draws nothing: %s' % (taut, ways[-1].stderr[-1000:]))
+    return {output_of('fc-match', '-f', '%{file}', 'DejaVu Sans')}.union(*loaded)
 
 
 def without_strings(script):
-    """A shell script's commands: no comments, no lists, no strings but for commands within, no text that is handed on."""
+    """A shell script's commands: no comments, lists, text that is handed on, or strings but for commands within."""
     script = re.sub(r"<<-?\s*['\"]?(\w+)['\"]?([^\n]*)\n.*?\n\1\n", r'\2\n', script, flags=re.S)
     script = SHELL_QUOTES.sub(lambda quoted: '"' + '\n'.join(re.findall(r'\$\(.*', quoted[0])), script)
     return re.sub(r'=\([^)]*\)', '', script)
@@ -87,7 +86,7 @@ def scripts_in(sources):
 
 
 def programs_of(scripts):
-    """The programs that scripts run, each with a script that does; followed into programs that are scripts themselves."""
+    """The programs that scripts run, each with a script that does, and those that programs run that are scripts."""
     run_by, waiting = {}, list(scripts)
     while waiting:
         script = waiting.pop()

@@ -58,6 +58,7 @@ make_debian() {
   apart debootstrap --variant=minbase --include=ca-certificates,git $release "$machine" "$mirror" \
     >"$folder/log.txt" || { tail -n 30 "$folder/log.txt"; return 1; }
   echo "$sources" >"$machine/etc/apt/sources.list"
+  rm -r "$machine"/var/lib/apt/lists/*  # as in the image of a container
   git clone --quiet --no-local "$source" "$machine/root/taut"
 }
 

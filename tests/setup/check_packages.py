@@ -43,14 +43,14 @@ def main():
     named = [name for name in packages.named_in(sources / 'setup.sh') if name not in left_out]
     brought = packages.Files(packages.Installed().brought_by(named))
     files, programs = used(sources, build)
-    missing = {}
-    for path, user in {**files, **programs}.items():
-        if not (brought.have(path) if os.path.isabs(path) else brought.have_program(path)):
-            missing.setdefault(packages.owner_of(path), []).append((path, user))
-    for owner, found in sorted(missing.items()):
-        (path, user), others = min(found), len(found) - 1
+    in_use = {**files, **programs}
+    missing = [path for path in in_use
+               if not (brought.have(path) if os.path.isabs(path) else brought.have_program(path))]
+    owners = packages.owners_of(missing) if missing else {}
+    for owner in sorted(set(owners.values())):
+        path, *others = sorted(path for path in missing if owners[path] == owner)
         print('%s: %s%s, used by %s; expected a package that setup.sh brings' %
-              (owner, path, ' and %d more' % others if others else '', user))
+              (owner, path, ' and %d more' % len(others) if others else '', in_use[path]))
     print('%d files and %d programs in use, %d packages named' % (len(files), len(programs), len(named)))
     return 1 if missing else 0
 

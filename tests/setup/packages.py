@@ -72,10 +72,15 @@ class Files:
         return any(self.have('%s/%s' % (folder, name)) for folder in PROGRAM_FOLDERS)
 
 
-def owner_of(path):
-    path = path if os.path.isabs(path) else '/usr/bin/' + path
-    for spelling in (path, os.path.realpath(path), path.removeprefix('/usr')):
-        owner = output_of('dpkg-query', '-S', spelling)
-        if owner:
-            return 'package ' + owner.split(':')[0]
-    return 'no package'
+def owners_of(files_and_programs):
+    """Whose package each is of, for people."""
+    spellings = {}
+    for one in files_and_programs:
+        path = one if os.path.isabs(one) else '/usr/bin/' + one
+        spellings.update((spelling, one) for spelling in (path, os.path.realpath(path), path.removeprefix('/usr')))
+    owners = dict.fromkeys(files_and_programs, 'no package')
+    for line in output_of('dpkg-query', '-S', *spellings).splitlines():
+        owner, _, path = line.partition(': ')
+        if path in spellings and not owner.startswith('diversion '):
+            owners[spellings[path]] = 'package ' + owner.split(':')[0]
+    return owners

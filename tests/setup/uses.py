@@ -17,7 +17,7 @@ SHELL_QUOTES = re.compile(r"""'[^']*'|"(?:\\.|[^"\\])*"|\\.|(?<![^\s;(])\#[^\n]*
 SHELL_COMMAND = re.compile(r'(?:^|[\n;&|({`])\s*(?:(?:if|then|elif|else|while|until|do|!|exec|command -v|\w+=\S*)\s+)*'
                            r'([A-Za-z][\w.+-]*)')
 CMAKE_COMMAND = re.compile(r'\bCOMMAND\s+([a-z][\w.+-]*)|find_program\(\w+\s+([\w.+-]+)')
-PYTHON_COMMAND = re.compile(r"""\b(?:run|Popen|output_of)\(\[?['"]([\w.+-]+)['"]""")
+PYTHON_COMMAND = re.compile(r"""\b(?:subprocess\.(?:run|Popen)\(\[|output_of\()['"]([\w.+-]+)['"]""")
 
 
 def builds_in(folder):

@@ -40,6 +40,9 @@ packages=(
   ffmpeg
   # tests
   libgtest-dev
+  python3             # makes models of every format, and is a terminal
+  git                 # tests/fresh_machine.sh clones with it
+  debootstrap         # and makes a bare Debian
   xdotool             # keys and pointer for a window
   xvfb                # a display for it
   xauth               # what xvfb-run asks for and no package brings
@@ -60,10 +63,24 @@ is_installed() {
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]
 }
 
+as_root=()
+update_lists() {
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "setup.sh: not root and no sudo here. Have an administrator install: ${missing[*]}" >&2
+      exit 1
+    fi
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get update -qq
+}
+
 missing=()
 for package in "${packages[@]}"; do
   is_installed "$package" || missing+=("$package")
 done
+# The image of a container comes without lists, and would offer nothing.
+[ ${#missing[@]} -eq 0 ] || update_lists
 for package in "${packages_if_offered[@]}"; do
   is_installed "$package" || [ -z "$(apt-cache --names-only search "^$package\$")" ] || missing+=("$package")
 done
@@ -71,15 +88,7 @@ if [ ${#missing[@]} -eq 0 ]; then
   exit 0
 fi
 
-as_root=()
-if [ "$(id -u)" -ne 0 ]; then
-  if ! command -v sudo >/dev/null; then
-    echo "setup.sh: not root and no sudo here. Have an administrator install: ${missing[*]}" >&2
-    exit 1
-  fi
-  as_root=(sudo)
-fi
+update_lists
 echo "Installing: ${missing[*]}"
-"${as_root[@]}" apt-get update -qq
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
   "${missing[@]}"

@@ -1,0 +1,24 @@
+# Completion for bash. What there is to choose from is asked of the program itself, which alone knows.
+_taut() {
+  local program=${COMP_WORDS[0]} command=${COMP_WORDS[1]}
+  local previous=${COMP_WORDS[COMP_CWORD - 1]} word=${COMP_WORDS[COMP_CWORD]}
+  local choices help
+  if ((COMP_CWORD == 1)); then
+    choices="--help --version $("$program" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p')"
+  elif [[ $command == help ]]; then
+    choices=scene
+  elif [[ $previous == --set ]]; then
+    choices=$("$program" help scene | sed -n 's/^  \([a-z_.]*\) = .*/\1=/p')
+    compopt -o nospace
+  else
+    help=$("$program" "$command" --help)
+    choices=$(sed -n "s/^  $previous [A-Z]*:{\([^}]*\)}.*/\1/p" <<<"$help" | tr , ' ')
+    if [[ -z $choices && $word == -* ]]; then
+      choices=$(sed -n 's/^  \(-h,\)\{0,1\}\(--[a-z-]*\).*/\2/p' <<<"$help")
+    elif [[ -z $choices && $previous != --* ]] && grep -q '^  SCENE' <<<"$help"; then
+      choices=$("$program" scenes | sed 's/ .*//')
+    fi
+  fi
+  mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$word")
+}
+complete -o default -F _taut taut  # default: names of files where nothing else fits

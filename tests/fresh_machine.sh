@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# fresh_machine.sh test|figures [FOLDER]
+# Runs that command of the README, as it is written there, on a bare Debian 12 with a clone of what is committed: the
+# proof that setup.sh names all that is needed. Needs root, debootstrap and a mirror of Debian in apt's sources;
+# takes up to half an hour and 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes.
+set -euo pipefail
+if [ $# -eq 0 ] || [ $# -gt 2 ]; then
+  sed -n '2,5s/^# //p' "$0" >&2
+  exit 2
+fi
+preset=$1
+source=$(cd "$(dirname "$0")/.." && pwd)
+release=bookworm
+
+fail() {
+  echo "fresh_machine.sh: $*" >&2
+  exit 1
+}
+[ "$(id -u)" -eq 0 ] || fail "this user is not root, who alone makes file systems to change into"
+command -v debootstrap >/dev/null || fail "there is no debootstrap"
+command=$(sed -En "s|^(\./setup\.sh && cmake --workflow --preset $preset)( .*)?\$|\1|p" "$source/README.md")
+[ -n "$command" ] || fail "README.md has no command for '$preset'; expected test or figures"
+# What apt on this machine takes Debian from: a line each for the release, its updates and its security.
+sources=$(apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' \
+  'Created-By: Packages' 'Origin: Debian' |
+  awk -v release=$release 'index($3, release) == 1')
+mirror=$(awk -v release=$release '$3 == release { print $2; exit }' <<<"$sources")
+[ -n "$mirror" ] || fail "apt knows no mirror of Debian $release; expected one in its sources, and apt-get update run"
+
+folder=${2:-$(mktemp -d "${TMPDIR:-/tmp}/fresh_machine.XXXXXX")}
+machine=$folder/machine
+[ ! -e "$machine" ] || fail "$machine is there already"
+mkdir -p "$folder"
+
+# What is mounted is so for the processes of the machine alone, and they end with their first one: nothing is left to
+# be unmounted, however this script ends.
+child=
+clean_up() {
+  if [ -n "$child" ] && kill -KILL "$child" 2>/dev/null; then
+    wait "$child" 2>/dev/null || true  # which would tell that it was killed
+    sleep 1  # the kernel ends the others
+  fi
+  rm -rf "$machine" "$folder/log.txt"
+  rmdir --ignore-fail-on-non-empty "$folder"
+}
+trap clean_up EXIT
+trap 'exit 130' INT TERM HUP
+apart() {
+  unshare --mount --pid --fork --kill-child "$@" &
+  child=$!
+  local code=0
+  wait "$child" || code=$?
+  child=
+  return $code
+}
+
+make_debian() {
+  apart debootstrap --variant=minbase --include=ca-certificates,git $release "$machine" "$mirror" \
+    >"$folder/log.txt" || { tail -n 30 "$folder/log.txt"; return 1; }
+  echo "$sources" >"$machine/etc/apt/sources.list"
+  rm -r "$machine"/var/lib/apt/lists/*  # as in the image of a container
+  git clone --quiet --no-local "$source" "$machine/root/taut"
+}
+
+# on_the_machine COMMAND [OPTION of unshare...]
+on_the_machine() {
+  apart "${@:2}" bash -euc '
+    mount -t proc proc "$0/proc"
+    mount -t sysfs -o ro sysfs "$0/sys"
+    mount --bind /dev "$0/dev"
+    mount -t devpts -o newinstance,ptmxmode=0666,mode=620 devpts "$0/dev/pts"
+    mount -t tmpfs tmpfs "$0/dev/shm"
+    exec chroot "$0" env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+      bash -c "cd ~/taut && $1"' "$machine" "$1"
+}
+
+timed() {
+  local began=$SECONDS
+  "${@:2}" || fail "failed after $((SECONDS - began)) s: $1"
+  echo "fresh_machine.sh: $((SECONDS - began)) s: $1"
+}
+
+# In braces bash reads it all before it begins, and another script may be checked out meanwhile.
+{
+  timed "a bare Debian" make_debian
+  timed ./setup.sh on_the_machine './setup.sh >/tmp/setup.log 2>&1 || { tail -n 30 /tmp/setup.log; exit 1; }'
+  # Without a network: setup.sh has nothing left to do, and nothing else may need one.
+  timed "$command" on_the_machine "$command" --net
+  exit
+}

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# install.sh CMAKE BUILD SOURCES: the installed program, moved to another folder and where the sources can be hidden
+# without them, does what the README says first; its manual page and its completions know every command.
+set -euo pipefail
+cmake=$1 build=$2 sources=$3
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+fail() {
+  echo "$*"
+  exit 1
+}
+
+"$cmake" --install "$build" --prefix "$folder/staged" >"$folder/log.txt" || fail "$(cat "$folder/log.txt")"
+mv "$folder/staged" "$folder/usr"
+mkdir "$folder/empty"
+cd "$folder/empty"
+export PATH="$folder/usr/bin:$PATH"
+hide=(unshare --mount)
+[ "$(id -u)" -eq 0 ] || hide+=(--map-root-user)
+"${hide[@]}" true 2>/dev/null || hide=()
+# without_sources COMMAND...
+without_sources() {
+  if [ ${#hide[@]} -eq 0 ]; then
+    "$@"
+  else
+    "${hide[@]}" sh -c 'mount -t tmpfs none "$1" && shift && exec "$@"' sh "$sources" "$@"
+  fi
+}
+[ ${#hide[@]} -gt 0 ] || echo "the sources cannot be hidden on this machine, and might be used unnoticed"
+
+commands='figures render simulate view inspect bench scenes help'
+without_sources taut scenes | grep -q '^tshirt-wind-10 ' || fail "taut scenes does not list them"
+without_sources taut figures --only fig1 >log.txt
+without_sources taut render tshirt-wind-10 --frames 0:0 --resolution 64,64 >log.txt
+without_sources taut render pinned-9x9-5 --frames 0:0 --resolution 64,64 >log.txt
+without_sources taut simulate pinned-9x9-5 --frames 2 --stats run.json >log.txt
+without_sources taut inspect "$folder/usr/share/taut/garments/tshirt_1028.obj" | grep -q '1028 triangles' ||
+  fail "taut inspect reads no garment"
+for file in figures/fig1.png figures/fig1.pdf tshirt-wind-10.png pinned-9x9-5.png run.json; do
+  [ -s $file ] || fail "there is no $file"
+done
+
+page=$folder/usr/share/man/man1/taut.1
+for command in $commands; do
+  grep -qx ".SS taut $command" "$page" || fail "the manual page lacks taut $command"
+done
+grep -q '^\.B \\-\\-supersampling' "$page" || fail "the manual page lacks options"
+[ -s "$folder/usr/share/doc/taut/LICENSE" ] || fail "there is no licence"
+
+# A stand-in for what bash has in an interactive shell alone.
+compopt() { :; }
+. "$folder/usr/share/bash-completion/completions/taut"
+# completes WORD... WANTED: the last word of the command line becomes each of the WANTED, a list.
+completes() {
+  local wanted=${*: -1} choice
+  COMP_WORDS=("${@:1:$#-1}")
+  COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+  _taut
+  for choice in $wanted; do
+    [[ " ${COMPREPLY[*]} " == *" $choice "* ]] || fail "'${COMP_WORDS[*]}' becomes '${COMPREPLY[*]}', without $choice"
+  done
+}
+completes taut '' "$commands --help --version"
+completes taut rend render
+completes taut render tshirt-w 'tshirt-wind-1 tshirt-wind-10'
+completes taut render tshirt-gravity --s '--set --stats --stretch --samples --supersampling'
+completes taut render tshirt-gravity --set wind. 'wind.speed= wind.direction='
+completes taut render tshirt-gravity --backend '' 'auto osmesa egl'
+completes taut help '' scene

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,30 @@ class RecentValues {
   std::vector<float> values_;
 };
 
+/// How simulated time goes by beside the clock's, over about the last second.
+class RealTime {
+ public:
+  /// In `elapsed_s` of the clock so much was simulated, and so long the window was drawn.
+  void add(double elapsed_s, double simulated_s, double drawn_s);
+  void forget() { *this = {}; }
+  /// Simulated seconds in a second of the clock; none in the first moments.
+  std::optional<double> factor() const;
+  /// Of the clock's time.
+  double drawn_share() const;
+
+ private:
+  double elapsed_s_ = 0.0;
+  double simulated_s_ = 0.0;
+  double drawn_s_ = 0.0;
+};
+
+/// Why a simulation is slower than it was asked to be.
+enum class SlowedBy { nothing, simulation, drawing, other_programs };
+
+/// `simulate_ms` is what the processor takes for a frame, `frame_ms` what it may take at the speed asked for.
+/// Where it could keep up and does not, something else has the processors: the window's drawing, or others.
+SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double drawn_share);
+
 /// What is plotted beside the scene.
 struct Measurements {
   RecentValues max_stretch;
@@ -31,6 +56,8 @@ struct Measurements {
   RecentValues simulate_ms;
   RecentValues draw_ms;
   RecentValues panel_ms;
+  RealTime real_time;
+  double worked_ms = 0.0;  ///< of the processor, for the last simulated frame
   bool shows_times = true;
 
   /// Takes note of what a frame of the simulation measured.

@@ -28,7 +28,8 @@ class WindowSession {
   WindowSession(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                 const std::filesystem::path& record_to)
       : simulation_(scene),
-        place_([this, title = "Taut - " + scene.name, size = start.size] { return open(title, size); }),
+        title_(title_of(scene)),
+        place_([this, size = start.size] { return open(title_, size); }),
         viewer_(simulation_, {window_->framebuffer_size(), window_->content_scale(), keep_folder, true}) {
     if (!record_to.empty()) {
       SessionStart actual = start;
@@ -71,6 +72,7 @@ class WindowSession {
       if (const auto text = viewer_.take_clipboard()) {
         window_->set_clipboard(*text);
       }
+      name_window();
       show();
     }
   }
@@ -79,6 +81,16 @@ class WindowSession {
     auto window = renderer::open_window({title, size.width_px, size.height_px});
     window_ = window.get();
     return window;
+  }
+
+  static std::string title_of(const Scene& scene) { return "Taut - " + scene.name; }
+
+  void name_window() {
+    std::string title = title_of(viewer_.state().newest->loaded->scene);
+    if (title != title_) {
+      title_ = std::move(title);
+      window_->set_title(title_);
+    }
   }
 
   // Until the next frame is due; as long as nothing moves, until something happens.
@@ -132,15 +144,15 @@ class WindowSession {
   void draw(std::size_t level) {
     const Stopwatch drawing;
     const bool is_urgent = viewer_.has_input() || viewer_.is_still() || viewer_.wants_screenshot();
+    if (viewer_.wants_picture()) {
+      viewer_.take_picture(place_.picture().picture(0, viewer_.state(), viewer_.layout(), level,
+                                                    viewer_.letters(), viewer_.picture_overlay()));
+    }
     place_.picture().draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(),
                           is_urgent);
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
-    viewer_.note_times(draw_ms, panel_ms_);
-    if (viewer_.wants_picture()) {
-      const WindowLayout layout = viewer_.layout();
-      viewer_.take_picture(renderer::read_framebuffer(*window_, 0, layout.width_px, layout.height_px));
-    }
+    viewer_.note_times(draw_ms, panel_ms_, simulation_.worked_ms());
     window_->present();
     if (place_.picture().drew_scene() && level == quality_.level()) {
       quality_.note(panel_ms_ + drawing.elapsed_ms(), simulation_.take_given_up_ms());
@@ -174,6 +186,7 @@ class WindowSession {
   }
 
   SimulationThread simulation_;
+  std::string title_;
   renderer::Window* window_ = nullptr;  ///< the context of `place_`
   DrawingPlace place_;
   Viewer viewer_;

@@ -31,7 +31,7 @@ ItemPlace plot_frame(ViewerState& state, const char* name, const Plot& plot, flo
   ImGui::TextUnformatted(plot.title.c_str());
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  float left = ImGui::GetCursorPosX() + width + gap;
+  float left = width + gap;  // from where the group begins
   for (const Words& words : plot.reading) {
     left -= ImGui::CalcTextSize(words.text.c_str()).x + gap;
   }
@@ -43,7 +43,7 @@ ItemPlace plot_frame(ViewerState& state, const char* name, const Plot& plot, flo
     left += ImGui::CalcTextSize(words.text.c_str()).x + gap;
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = 20.0F * scale;
+  const float height = 23.0F * scale;
   ImGui::Dummy({width, height});
   ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height},
                                             ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0F * scale);
@@ -168,7 +168,7 @@ std::string speed_text(const ViewerState& state) {
     return "times real time: not known here";
   }
   const double frame_ms = 1000.0 / (state.scene.simulation.frame_rate_hz * state.speed);
-  const SlowedBy reason = slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.drawn_share());
+  const SlowedBy reason = slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share());
   return fmt::format("{:.2f} x real time{}", *factor, reason_text(reason));
 }
 

@@ -201,7 +201,7 @@ void Viewer::note_speed(std::uint64_t advances_before) {
     return;
   }
   const auto advances = static_cast<double>(state_.newest->advances - advances_before);
-  real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, std::exchange(drawn_s_, 0.0));
+  real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, std::exchange(busy_s_, 0.0));
 }
 
 void Viewer::warn() {
@@ -237,9 +237,8 @@ void Viewer::note_changes(const SessionFrame& frame) {
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }
 
-void Viewer::note_times(double draw_ms, double panel_ms, double simulate_ms) {
-  constexpr double s_per_ms = 0.001;
-  drawn_s_ += s_per_ms * (draw_ms + panel_ms);
+void Viewer::note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s) {
+  busy_s_ += busy_s;
   state_.measurements.worked_ms = simulate_ms;
   state_.measurements.draw_ms.add(static_cast<float>(draw_ms));
   state_.measurements.panel_ms.add(static_cast<float>(panel_ms));

@@ -54,8 +54,9 @@ class Viewer {
   void take_picture(const renderer::Image& picture);
   /// Text for the clipboard, once.
   std::optional<std::string> take_clipboard();
-  /// How long the frame took, and of the processor's time the simulation's last: shown in the panel.
-  void note_times(double draw_ms, double panel_ms, double simulate_ms);
+  /// How long the frame took; of the processor's time, the simulation's last. Since the last call the program
+  /// had all processors busy for so long. Shown in the panel.
+  void note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s);
   void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
   /// Completes a recording that is under way; says what came of it, as a message too.
   std::optional<std::string> finish_recording();
@@ -111,7 +112,7 @@ class Viewer {
   sim::SolverSettings past_bound_;
 
   double elapsed_s_ = 0.0;
-  double drawn_s_ = 0.0;  ///< drawing and laying out since the last frame
+  double busy_s_ = 0.0;  ///< all processors, since the last frame
   int still_frames_ = 0;
   int frames_since_input_ = 0;
   bool screenshot_ = false;

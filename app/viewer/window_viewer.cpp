@@ -1,7 +1,10 @@
 #include <fmt/core.h>
+#include <time.h>
 
 #include <chrono>
 #include <optional>
+#include <thread>
+#include <utility>
 
 #include "app/errors.hpp"
 #include "app/interruption.hpp"
@@ -117,6 +120,14 @@ class WindowSession {
     return elapsed_s;
   }
 
+  // Of all processors, by all threads of this program.
+  double next_busy_s() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    const double used_s = static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    return (used_s - std::exchange(used_s_, used_s)) / std::max(std::thread::hardware_concurrency(), 1U);
+  }
+
   void show() {
     if (!viewer_.is_still()) {
       since_change_ = Stopwatch();
@@ -152,7 +163,7 @@ class WindowSession {
                           is_urgent);
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
-    viewer_.note_times(draw_ms, panel_ms_, simulation_.worked_ms());
+    viewer_.note_times(draw_ms, panel_ms_, simulation_.worked_ms(), next_busy_s());
     window_->present();
     if (place_.picture().drew_scene() && level == quality_.level()) {
       quality_.note(panel_ms_ + drawing.elapsed_ms(), simulation_.take_given_up_ms());
@@ -197,6 +208,7 @@ class WindowSession {
   Stopwatch since_loss_;
   Stopwatch since_change_;  ///< of anything that is drawn
   double panel_ms_ = 0.0;
+  double used_s_ = 0.0;  ///< of processors' time
   int losses_ = 0;
 };
 

@@ -122,7 +122,7 @@ TEST(RealTime, IsWhatWentByLately) {
   EXPECT_FALSE(time.factor());
   for (int i = 0; i < 300; ++i) time.add(1.0 / 60.0, 0.5 / 60.0, 0.004);
   EXPECT_NEAR(*time.factor(), 0.5, 1e-6);
-  EXPECT_NEAR(time.drawn_share(), 0.24, 1e-6);
+  EXPECT_NEAR(time.busy_share(), 0.24, 1e-6);
   for (int i = 0; i < 300; ++i) time.add(1.0 / 60.0, 1.0 / 60.0, 0.0);
   EXPECT_NEAR(*time.factor(), 1.0, 0.01);
   time.forget();

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 #include <stdexcept>
 
 #include "renderer/bindings.hpp"
+#include "renderer/whole_number.hpp"
 
 namespace taut::renderer {
 
@@ -58,10 +60,11 @@ PixelRect shaded_floor(const FrameBlock& block) {
     upper = glm::max(upper, pixel);
   }
   // A few pixels more: the floor's shader lifts its points before it looks them up.
-  lower = glm::clamp(glm::floor(lower - 4.0F), glm::vec2{0.0F}, size);
-  upper = glm::clamp(glm::ceil(upper + 4.0F), lower, size);
-  return {static_cast<int>(lower.x), static_cast<int>(lower.y), static_cast<int>(upper.x - lower.x),
-          static_cast<int>(upper.y - lower.y)};
+  const int left = whole_within(std::floor(lower.x - 4.0F), 0, all.width_px);
+  const int bottom = whole_within(std::floor(lower.y - 4.0F), 0, all.height_px);
+  const int right = whole_within(std::ceil(upper.x + 4.0F), left, all.width_px);
+  const int top = whole_within(std::ceil(upper.y + 4.0F), bottom, all.height_px);
+  return {left, bottom, right - left, top - bottom};
 }
 
 std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& size_px) {

@@ -62,10 +62,8 @@ Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const g
 }
 
 void check(const Box& box, const Framing& framing, float aspect) {
-  for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(box.lower[i]) || !std::isfinite(box.upper[i]) || box.lower[i] > box.upper[i]) {
-      throw std::invalid_argument("frame_box: the box is not finite or is inside out");
-    }
+  if (!is_near(box)) {
+    throw std::invalid_argument("frame_box: the box is inside out, or reaches farther than 1e9 m");
   }
   if (!(std::isfinite(aspect) && aspect > 0.0F)) {
     throw std::invalid_argument("frame_box: the aspect has to be a positive number");
@@ -106,12 +104,20 @@ glm::mat4 Camera::projection(float aspect) const {
 
 Box bounding_box(std::span<const glm::vec3> points) {
   if (points.empty()) throw std::invalid_argument("bounding_box: there are no points");
-  Box box{points.front(), points.front()};
+  Box box{glm::vec3{INFINITY}, glm::vec3{-INFINITY}};
   for (const glm::vec3& point : points) {
     box.lower = glm::min(box.lower, point);
     box.upper = glm::max(box.upper, point);
   }
   return box;
+}
+
+bool is_near(const Box& box) {
+  bool near = true;
+  for (int i = 0; i < 3; ++i) {
+    near = near && -farthest_m <= box.lower[i] && box.lower[i] <= box.upper[i] && box.upper[i] <= farthest_m;
+  }
+  return near;
 }
 
 Box united(const Box& a, const Box& b) {

@@ -21,14 +21,20 @@ struct Camera {
   glm::mat4 projection(float aspect) const;
 };
 
+/// A coordinate beyond is too far for a picture: the products that shading and framing need would overflow.
+inline constexpr float farthest_m = 1e9F;
+
 /// An axis-aligned box, in metres.
 struct Box {
   glm::vec3 lower{0.0F};
   glm::vec3 upper{0.0F};
 };
 
-/// The smallest box around the points. Throws std::invalid_argument when there are none.
+/// The smallest box around the points; coordinates that are not a number are passed over. Throws
+/// std::invalid_argument when there are no points.
 Box bounding_box(std::span<const glm::vec3> points);
+/// Whether a box holds something and nothing of it is farther than farthest_m.
+bool is_near(const Box& box);
 Box united(const Box& a, const Box& b);
 
 /// How a box is looked at.
@@ -40,8 +46,8 @@ struct Framing {
 };
 
 /// The camera that sees the whole box as large as the margin allows, its projection centred in the picture.
-/// Also sets near_m and far_m. Throws std::invalid_argument for a box or an aspect that is not finite, or a
-/// margin outside 0..0.49. A box without extent is taken as one of a millimetre.
+/// Also sets near_m and far_m. Throws std::invalid_argument for a box that is not near, an aspect that
+/// is not finite, or a margin outside 0..0.49. A box without extent is taken as one of a millimetre.
 Camera frame_box(const Box& box, const Framing& framing, float aspect);
 
 /// The same for points, of which a box may hold only a few near its corners. Throws std::invalid_argument

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "renderer/whole_number.hpp"
+
 namespace taut::renderer {
 
 namespace {
@@ -15,7 +17,7 @@ constexpr std::uint8_t open_to_shadow = 2;
 // The square a coordinate lies in, one pixel's rounding aside.
 int square_of(float coordinate_px, int count) {
   const float square = std::floor(coordinate_px / static_cast<float>(CoveredSquares::side_px));
-  return static_cast<int>(std::clamp(square, -1.0F, static_cast<float>(count)));
+  return whole_within(square, -1, count);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "renderer/depth_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
 
 #include "renderer/triangle_spans.hpp"
+#include "renderer/whole_number.hpp"
 
 namespace taut::renderer {
 
@@ -34,16 +36,15 @@ void DepthMap::clear() {
 }
 
 void DepthMap::include(const std::vector<glm::vec3>& points) {
-  if (points.empty()) return;
-  glm::vec2 lower{points.front()};
-  glm::vec2 upper = lower;
+  glm::vec2 lower{INFINITY};
+  glm::vec2 upper{-INFINITY};
   for (const glm::vec3& point : points) {
     lower = glm::min(lower, glm::vec2{point});
     upper = glm::max(upper, glm::vec2{point});
   }
-  const auto highest = static_cast<float>(side);
-  const MapArea own{glm::ivec2{glm::clamp(lower - 1.0F, 0.0F, highest)},
-                    glm::ivec2{glm::clamp(upper + 2.0F, 0.0F, highest)}};
+  if (!(lower.x <= upper.x && lower.y <= upper.y)) return;
+  const MapArea own{{whole_within(lower.x - 1.0F, 0, side), whole_within(lower.y - 1.0F, 0, side)},
+                    {whole_within(upper.x + 2.0F, 0, side), whole_within(upper.y + 2.0F, 0, side)}};
   const bool first = drawn_area.lower == drawn_area.upper;
   drawn_area =
       first ? own : MapArea{glm::min(drawn_area.lower, own.lower), glm::max(drawn_area.upper, own.upper)};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "renderer/whole_number.hpp"
+
 namespace taut::renderer {
 
 namespace {
@@ -32,8 +34,11 @@ class Bounds {
 
   Tile in_blocks() const {
     const glm::ivec2 size{size_px};
-    const glm::ivec2 lower = glm::ivec2(glm::clamp(lower_px, glm::vec2{0.0F}, size_px)) / block_px * block_px;
-    const glm::ivec2 last = glm::ivec2(glm::clamp(upper_px, glm::vec2{0.0F}, size_px)) / block_px;
+    const auto within = [&](const glm::vec2& place) {
+      return glm::ivec2{whole_within(place.x, 0, size.x), whole_within(place.y, 0, size.y)};
+    };
+    const glm::ivec2 lower = within(lower_px) / block_px * block_px;
+    const glm::ivec2 last = within(upper_px) / block_px;
     const glm::ivec2 upper = glm::min((last + 1) * block_px, size);
     if (lower_px.x > upper_px.x || lower.x >= upper.x || lower.y >= upper.y) return {};
     return {lower.x, size.y - upper.y, upper.x - lower.x, upper.y - lower.y};

@@ -74,14 +74,15 @@ void check_range(const char* name, int found, int lowest, int highest) {
 }
 
 void check_camera(const Camera& camera) {
-  if (!is_finite(camera.eye) || !is_finite(camera.target) || camera.eye == camera.target) {
-    fail("camera", "eye and target have to be finite and different");
+  if (!is_near({camera.eye, camera.eye}) || !is_near({camera.target, camera.target}) ||
+      camera.eye == camera.target) {
+    fail("camera", "eye and target have to be different and no farther than 1e9 m");
   }
   if (!(camera.vertical_fov_rad > 0.0F && camera.vertical_fov_rad < 3.1F)) {
     fail("camera", "vertical_fov_rad has to be above 0 and below 3.1");
   }
-  if (!(camera.near_m > 0.0F && camera.far_m > camera.near_m)) {
-    fail("camera", "near_m has to be above 0 and below far_m");
+  if (!(camera.near_m > 0.0F && camera.far_m > camera.near_m && std::isfinite(camera.far_m))) {
+    fail("camera", "near_m has to be above 0 and below far_m, which has to be finite");
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "renderer/whole_number.hpp"
+
 namespace taut::renderer {
 
 namespace {
@@ -29,7 +31,7 @@ std::vector<float> ticks(float minimum, float maximum) {
 }
 
 std::string number(float value, float step, const std::string& suffix) {
-  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 0.001F)));
+  const int digits = whole_within(std::ceil(-std::log10(step) - 0.001F), 0, 40);
   char text[64];
   // Adding zero turns a minus zero into zero.
   std::snprintf(text, sizeof text, "%.*f", digits, static_cast<double>(value) + 0.0);

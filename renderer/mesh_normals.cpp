@@ -21,7 +21,7 @@ void add_triangle(const std::array<std::uint32_t, 3>& corners, std::span<const g
   const std::array p{positions[corners[0]], positions[corners[1]], positions[corners[2]]};
   const glm::vec3 twice_area = glm::cross(p[1] - p[0], p[2] - p[0]);
   const float length = glm::length(twice_area);
-  if (!(length > 0.0F)) return;
+  if (!(length > 0.0F && std::isfinite(length))) return;
   for (std::size_t i = 0; i < 3; ++i) {
     if (weight == NormalWeight::area) {
       normals[corners[i]] += twice_area;
@@ -45,7 +45,7 @@ void vertex_normals(std::span<const glm::vec3> positions, std::span<const std::u
   }
   for (glm::vec3& normal : normals) {
     const float length = glm::length(normal);
-    normal = length > 0.0F ? normal / length : glm::vec3{0.0F, 1.0F, 0.0F};
+    normal = length > 0.0F && std::isfinite(length) ? normal / length : glm::vec3{0.0F, 1.0F, 0.0F};
   }
 }
 

@@ -14,6 +14,7 @@
 #include "renderer/depth_map.hpp"
 #include "renderer/frame_block.hpp"
 #include "renderer/triangle_spans.hpp"
+#include "renderer/whole_number.hpp"
 
 namespace taut::renderer {
 
@@ -54,7 +55,7 @@ struct WindowAxis {
 
 WindowAxis window_axis(float middle_px) {
   const float start = std::clamp(middle_px - 0.5F * window, 0.0F, static_cast<float>(map_px - 8));
-  const int first = static_cast<int>(start);
+  const int first = whole_within(start, 0, map_px - 8);
   const float part = start - static_cast<float>(first);
   return {first, {1.0F - part, 1.0F, 1.0F, 1.0F, 1.0F, part, 0.0F, 0.0F}};
 }
@@ -190,8 +191,8 @@ float SkyLight::floor_blocked(const glm::vec2& middle_px, float radius_px) const
   const glm::vec2 lower = glm::clamp(middle_px - radius_px, 0.0F, highest);
   const glm::vec2 upper = glm::clamp(middle_px + radius_px, 0.0F, highest);
   const auto sum_to = [&](float x, float y) {
-    const int column = std::min(static_cast<int>(x), map_px - 1);
-    const int row = std::min(static_cast<int>(y), map_px - 1);
+    const int column = whole_within(x, 0, map_px - 1);
+    const int row = whole_within(y, 0, map_px - 1);
     const float* corner = sums.data() + row * (map_px + 1) + column;
     const glm::vec2 part{x - static_cast<float>(column), y - static_cast<float>(row)};
     const float near = glm::mix(corner[0], corner[1], part.x);

@@ -64,6 +64,11 @@ void StudioLight::begin(FrameBlock& block, const FrameView& frame, std::span<con
                         const PictureSettings& settings) {
   casters = casters_among(surfaces);
   casters_box = box_around(casters);
+  // A map of everything would show nothing of what is near.
+  if (casters_box && !is_near(*casters_box)) {
+    casters.clear();
+    casters_box.reset();
+  }
   block = make_frame_block(frame, settings, casters_box);
   if (!settings.shadows) casters.clear();
   set_shadow_bounds(block, casters);

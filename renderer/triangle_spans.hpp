@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include "renderer/whole_number.hpp"
 
 namespace taut::renderer {
 
@@ -34,14 +37,14 @@ inline RowCut row_cut(const glm::vec3& from, const glm::vec3& to, bool counter_c
 
 /// Calls `fill` with every span of a triangle on a square of side_px; x and y in pixels, z is the depth.
 /// Neighbours may share the pixels on their edge, but never leave a gap. Of both windings.
+/// A triangle may be anywhere, or nowhere: no span leaves the square.
 template <typename Fill>
 void triangle_spans(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, int side_px, Fill&& fill) {
   // A hair to spare on every side, px.
   constexpr float spare = 1e-3F;
-  const auto first_centre = [](float edge) { return static_cast<int>(std::max(edge + 0.5F - spare, 0.0F)); };
+  const auto first_centre = [side_px](float edge) { return whole_within(edge + 0.5F - spare, 0, side_px); };
   const auto last_centre = [side_px](float edge) {
-    const auto highest = static_cast<float>(side_px);
-    return static_cast<int>(std::clamp(edge + 0.5F + spare, 0.0F, highest)) - 1;
+    return whole_within(edge + 0.5F + spare, 0, side_px) - 1;
   };
   const int first_row = first_centre(std::min({a.y, b.y, c.y}));
   const int last_row = last_centre(std::max({a.y, b.y, c.y}));
@@ -53,7 +56,7 @@ void triangle_spans(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, 
   const glm::vec3 ab = b - a;
   const glm::vec3 ac = c - a;
   const float twice_area = ab.x * ac.y - ac.x * ab.y;
-  if (twice_area == 0.0F) return;
+  if (!(std::abs(twice_area) > 0.0F && std::isfinite(twice_area))) return;
   const glm::vec2 slope = glm::vec2{ab.z * ac.y - ac.z * ab.y, ab.x * ac.z - ac.x * ab.z} / twice_area;
   const bool turn = twice_area > 0.0F;
   std::array<detail::RowCut, 3> cuts;

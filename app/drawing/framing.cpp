@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace taut::app {
 namespace {
@@ -13,6 +14,12 @@ constexpr float ground_gap = 0.06F;
 // Vertices times pins that are compared one by one; of more, some pins are passed over, which makes the
 // reach of a fine mesh larger by about an edge.
 constexpr std::size_t most_distances = 50'000'000;
+
+// A plain cast of what no float can hold is undefined.
+float to_float(double coordinate) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(coordinate, -largest, largest));
+}
 
 double distance_to_nearest_pin(const sim::Garment& garment, const sim::Vec3& point, sim::Vec3& pin_m) {
   const std::size_t stride = 1 + garment.pins.size() * garment.mesh.positions.size() / most_distances;
@@ -54,7 +61,11 @@ struct ShapeBox {
 }  // namespace
 
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
-  return {points.begin(), points.end()};
+  std::vector<glm::vec3> nearest(points.size());
+  std::transform(points.begin(), points.end(), nearest.begin(), [](const sim::Vec3& point) {
+    return glm::vec3{to_float(point.x), to_float(point.y), to_float(point.z)};
+  });
+  return nearest;
 }
 
 renderer::Box expected_reach(const Scene& scene, const sim::Garment& garment) {

@@ -10,6 +10,7 @@
 
 namespace taut::app {
 
+/// What is too far for a float stays as far as one can say.
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points);
 
 /// What a garment is expected to reach: its shape as modelled, each vertex hung straight below the nearest

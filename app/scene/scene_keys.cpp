@@ -80,7 +80,7 @@ void add_run(SceneKeys& keys) {
       whole("solver.substeps", 0, 10000, MEMBER(simulation.solver.substeps),
             "time steps in a frame; more stretch less and cost in proportion; 0: as many as needed"));
   keys.push_back(whole("solver.max_substeps", 1, 10000, MEMBER(simulation.solver.max_substeps),
-                       "bounded: the most it may choose"));
+                       "the most that a solver may choose"));
   keys.push_back(whole("solver.iterations", 1, 10000, MEMBER(simulation.solver.iterations),
                        "strong: sweeps of the constraint in a step; more stretch less, stiffer"));
   keys.push_back(number("solver.compression", "", fraction, MEMBER(simulation.solver.rigidity.compression),

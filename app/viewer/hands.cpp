@@ -52,7 +52,7 @@ void Hands::update(const Pointer& pointer, bool is_free, const ViewArea& area, V
     is_moving_ =
         is_moving_ || pointer.was_pressed(PointerButton::right) || pointer.was_pressed(PointerButton::middle);
     if (pointer.notches != 0.0F) {
-      state.camera.zoom(pointer.notches);
+      state.camera.zoom(pointer.notches, pointer.place_px, area);
     }
   }
   if (!pointer.is_down(PointerButton::left)) {

@@ -44,13 +44,20 @@ SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
   }
   SessionFrame played = viewer_.update(frame);
   if (viewer_.wants_picture()) {
-    viewer_.take_picture(draw());
+    viewer_.take_picture(draw_scene());
   }
   if (frame.expected_state && *frame.expected_state != simulation_->state_hash()) {
     throw InputError(fmt::format("the state is {:016x}, the session expects {:016x}",
                                  simulation_->state_hash(), *frame.expected_state));
   }
   return played;
+}
+
+renderer::Image HeadlessViewer::draw_scene() {
+  const WindowLayout layout = viewer_.layout();
+  const unsigned framebuffer = target_->framebuffer(layout.width_px, layout.height_px);
+  return place_.picture().picture(framebuffer, viewer_.state(), layout, 0, viewer_.letters(),
+                                  viewer_.picture_overlay());
 }
 
 renderer::Image HeadlessViewer::draw() {

@@ -60,14 +60,29 @@ void InterfacePicture::draw_panel(const WindowLayout& layout, const renderer::Ov
   since_panel_ = Stopwatch();
 }
 
+// Whether they are others than before.
+bool InterfacePicture::take_letters(const UserInterface::Letters& letters) {
+  if (letters.number == letters_number_) {
+    return false;
+  }
+  pass_.set_coverage(letters.width_px, letters.height_px, letters.coverage);
+  letters_number_ = letters.number;
+  return true;
+}
+
+void InterfacePicture::draw_over(unsigned framebuffer, const WindowLayout& layout,
+                                 const UserInterface::Letters& letters,
+                                 const renderer::OverlayView& overlay) {
+  if (take_letters(letters)) {
+    panel_size_ = {};  // the panel has the old ones
+  }
+  pass_.draw(framebuffer, layout.width_px, layout.height_px, overlay);
+}
+
 void InterfacePicture::draw(unsigned framebuffer, const WindowLayout& layout,
                             const UserInterface::Letters& letters, const renderer::OverlayView& overlay,
                             bool is_urgent) {
-  const bool has_new_letters = letters.number != letters_number_;
-  if (has_new_letters) {
-    pass_.set_coverage(letters.width_px, letters.height_px, letters.coverage);
-    letters_number_ = letters.number;
-  }
+  const bool has_new_letters = take_letters(letters);
   const int scene_width_px = scene_area(layout).width_px;
   const std::uint64_t look = hash_of(overlay);
   if (scene_width_px < layout.width_px) {

@@ -20,12 +20,17 @@ class InterfacePicture {
   void draw(unsigned framebuffer, const WindowLayout& layout, const UserInterface::Letters& letters,
             const renderer::OverlayView& overlay, bool is_urgent);
 
+  /// Some of it, over what was drawn.
+  void draw_over(unsigned framebuffer, const WindowLayout& layout, const UserInterface::Letters& letters,
+                 const renderer::OverlayView& overlay);
+
   /// Whether this is what was drawn last.
   bool is_drawn(const renderer::OverlayView& overlay) const;
 
   static constexpr double longest_s = 0.2;
 
  private:
+  bool take_letters(const UserInterface::Letters& letters);
   void draw_panel(const WindowLayout& layout, const renderer::OverlayView& panel);
 
   renderer::Context& context_;

@@ -79,7 +79,7 @@ WindowRecorder::WindowRecorder(const fs::path& folder, const std::string& stem, 
 
 void WindowRecorder::add(const renderer::Image& picture, double elapsed_s) {
   if (picture.width_px < width_px_ || picture.height_px < height_px_) {
-    throw std::invalid_argument("the window has become smaller than the recording");
+    throw std::invalid_argument("the picture has become smaller than the recording");
   }
   const renderer::Image part = cropped(picture, width_px_, height_px_);
   owed_s_ += frames_ == 0 ? 1.0 / rate_hz : std::min(elapsed_s, 1.0);

@@ -21,7 +21,7 @@ Scene kept_scene(const ViewerState& state, const ViewArea& area);
 /// The camera as a section of a scene file.
 std::string camera_text(const renderer::Camera& camera);
 
-/// Makes a video or a folder of pictures of what the window shows, in step with the clock.
+/// Makes a video or a folder of pictures of what the scene shows, in step with the clock.
 class WindowRecorder {
  public:
   /// Throws InputError where it cannot begin.

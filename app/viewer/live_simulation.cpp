@@ -77,6 +77,9 @@ void LiveSimulation::perform(const LoadScene& asked) {
 }
 
 void LiveSimulation::perform(const ChangeSettings& change) {
+  if (stopped_) {
+    start(loaded_);  // there is nothing left to go on from
+  }
   pristine_ = pristine_ && frame_ == 0;
   if (change.simulation != simulation_->settings()) {
     simulation_->set_settings(change.simulation);
@@ -188,7 +191,7 @@ void LiveSimulation::advance() {
     note_shape();
   } catch (const std::exception& error) {
     stopped_ = true;
-    tell(std::string(error.what()) + "; R starts again", true);
+    tell(std::string(error.what()) + "; R or any other setting starts again", true);
   }
 }
 

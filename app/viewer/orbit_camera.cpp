@@ -12,7 +12,6 @@ namespace {
 
 constexpr float steepest_rad = glm::radians(89.0F);
 constexpr float nearest_m = 0.01F;
-constexpr float farthest_m = 1000.0F;
 constexpr float closer_by_notch = 0.88F;
 constexpr float frame_margin = 0.06F;
 
@@ -40,19 +39,28 @@ void OrbitCamera::pan(const glm::vec2& way_px, const ViewArea& area) {
   const glm::vec3 up = glm::cross(right, forward);
   const float m_per_px = 2.0F * distance_m_ * std::tan(0.5F * vertical_fov_rad_) /
                          static_cast<float>(std::max(area.height_px, 1));
-  target_ += m_per_px * (up * way_px.y - right * way_px.x);
-  target_ = glm::clamp(target_, glm::vec3(-farthest_m), glm::vec3(farthest_m));
+  move_target(target_ + m_per_px * (up * way_px.y - right * way_px.x));
 }
 
-void OrbitCamera::zoom(float notches) {
+void OrbitCamera::move_target(const glm::vec3& target) {
+  target_ = glm::clamp(target, glm::vec3(-farthest_m), glm::vec3(farthest_m));
+}
+
+// All that is on the ray through the pixel stays on it when the eye moves along it.
+void OrbitCamera::zoom(float notches, const glm::vec2& point_px, const ViewArea& area) {
+  const float before_m = distance_m_;
+  const Ray ray = ray_through(point_px, area);
   distance_m_ = std::clamp(distance_m_ * std::pow(closer_by_notch, std::clamp(notches, -50.0F, 50.0F)),
                            nearest_m, farthest_m);
+  const glm::vec3 forward = glm::normalize(target_ - ray.origin);
+  const glm::vec3 under = ray.origin + ray.direction * (before_m / glm::dot(ray.direction, forward));
+  move_target(under + (distance_m_ / before_m) * (target_ - under));
 }
 
 void OrbitCamera::frame(const renderer::Box& box, const ViewArea& area) {
   const renderer::Camera framed = renderer::frame_box(
       box, {azimuth_rad_, elevation_rad_, vertical_fov_rad_, frame_margin}, area.aspect());
-  target_ = framed.target;
+  move_target(framed.target);
   distance_m_ = std::clamp(glm::distance(framed.eye, framed.target), nearest_m, farthest_m);
 }
 

@@ -35,8 +35,8 @@ class OrbitCamera {
   void orbit(const glm::vec2& way_px, const ViewArea& area);
   /// What is at the target's depth follows the pointer.
   void pan(const glm::vec2& way_px, const ViewArea& area);
-  /// Nearer for positive notches of the wheel.
-  void zoom(float notches);
+  /// Nearer for positive notches of the wheel. What is seen at the pixel stays there.
+  void zoom(float notches, const glm::vec2& point_px, const ViewArea& area);
   /// Looks at the whole box from the same side.
   void frame(const renderer::Box& box, const ViewArea& area);
 
@@ -50,7 +50,12 @@ class OrbitCamera {
 
   bool operator==(const OrbitCamera&) const = default;
 
+  /// No camera looks farther, nor at a point that is farther from the origin along any axis.
+  static constexpr float farthest_m = 1000.0F;
+
  private:
+  void move_target(const glm::vec3& target);
+
   glm::vec3 target_{0.0F};
   float distance_m_ = 3.0F;
   float azimuth_rad_ = 0.0F;    ///< 0: from +z

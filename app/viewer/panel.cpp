@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/viewer/panel_hints.hpp"
 #include "app/viewer/panel_parts.hpp"
 
 namespace taut::app {
@@ -32,6 +33,24 @@ void lay_out_panel(ViewerState& state, const WindowLayout& layout, const ViewAre
   ImGui::End();
 }
 
+// A pointer on its way elsewhere should not make the panel flicker.
+constexpr double hint_after_s = 0.5;
+
+void explain(ViewerState& state, const std::string& name) {
+  const double before_s = state.hovered && state.hovered->name == name ? state.hovered->for_s : 0.0;
+  state.hovered = {name, before_s + static_cast<double>(ImGui::GetIO().DeltaTime)};
+  const std::string text = hint_for(name);
+  if (text.empty() || is_hint_due(state)) {
+    return;
+  }
+  constexpr float letters_in_line = 26.0F;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(letters_in_line * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
 }  // namespace
 
 bool panel_fits(const WindowLayout& layout) {
@@ -45,6 +64,7 @@ ViewArea scene_area(const WindowLayout& layout) {
 
 void lay_out(ViewerState& state, const WindowLayout& layout) {
   state.places.clear();
+  const std::optional<Hovered> before = state.hovered;
   const ViewArea area = scene_area(layout);
   lay_out_legends(state, layout.scale);
   if (panel_fits(layout)) {
@@ -55,12 +75,34 @@ void lay_out(ViewerState& state, const WindowLayout& layout) {
   }
   lay_out_messages(state, area, layout.scale);
   lay_out_key_sheet(state, area);
+  // Nothing has been under the pointer in this frame.
+  if (before && state.hovered && before->name == state.hovered->name &&
+      before->for_s == state.hovered->for_s) {
+    state.hovered.reset();
+  }
 }
 
 void note_place(ViewerState& state, const char* name) {
   const ImVec2 lower = ImGui::GetItemRectMin();
   const ImVec2 upper = ImGui::GetItemRectMax();
   state.places[name] = {{lower.x, lower.y}, {upper.x, upper.y}};
+  if (ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown()) {
+    explain(state, name);
+  }
+}
+
+bool begin_list(const char* label, const char* chosen) {
+  if (!ImGui::BeginCombo(label, chosen)) {
+    return false;
+  }
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    ImGui::CloseCurrentPopup();
+  }
+  return true;
+}
+
+bool is_hint_due(const ViewerState& state) {
+  return state.hovered && state.hovered->for_s < hint_after_s;
 }
 
 void action_button(ViewerState& state, const char* label, Action action, const char* name, float width_px) {
@@ -81,8 +123,8 @@ bool number_slider(ViewerState& state, const char* label, const char* name, doub
 }
 
 bool whole_slider(ViewerState& state, const char* label, const char* name, int& value, int lowest,
-                  int highest) {
-  const bool changed = ImGui::SliderInt(label, &value, lowest, highest, "%d",
+                  int highest, const char* format) {
+  const bool changed = ImGui::SliderInt(label, &value, lowest, highest, format,
                                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   note_place(state, name);
   return changed;

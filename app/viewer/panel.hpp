@@ -23,4 +23,7 @@ bool panel_fits(const WindowLayout& layout);
 /// changes the state's settings as a person does and notes what else was asked for.
 void lay_out(ViewerState& state, const WindowLayout& layout);
 
+/// Whether what the pointer rests on is about to be explained.
+bool is_hint_due(const ViewerState& state);
+
 }  // namespace taut::app

@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -24,14 +25,11 @@ void lay_out_presets(ViewerState& state) {
       state.scene_asked = scene.name;
     }
     note_place(state, ("preset." + scene.name).c_str());
-    if (ImGui::IsItemHovered()) {
-      ImGui::SetTooltip("%s", scene.name.c_str());
-    }
   }
 }
 
 void lay_out_scene_list(ViewerState& state) {
-  if (ImGui::BeginCombo("scene", state.scene.name.c_str())) {
+  if (begin_list("scene", state.scene.name.c_str())) {
     for (const Choice& scene : state.scenes) {
       if (ImGui::Selectable(scene.name.c_str(), scene.name == state.scene.name)) {
         state.scene_asked = scene.name;
@@ -46,7 +44,7 @@ void lay_out_scene_list(ViewerState& state) {
 void lay_out_garment_list(ViewerState& state) {
   const std::filesystem::path& file = state.scene.garment.file;
   const std::string name = file.empty() ? "grid" : file.stem().string();
-  if (ImGui::BeginCombo("garment", name.c_str())) {
+  if (begin_list("garment", name.c_str())) {
     for (const Choice& garment : state.garments) {
       if (ImGui::Selectable(garment.name.c_str(), garment.name == name)) {
         state.garment_asked = garment.file;
@@ -66,9 +64,16 @@ void keep_range_to_bound(PictureStyle& picture, double before, double bound) {
   }
 }
 
+// What the solver has chosen by itself.
+std::string chosen_substeps(const ViewerState& state) {
+  const int chosen = state.newest->record.substeps;
+  const bool is_most = chosen >= state.scene.simulation.solver.max_substeps;
+  return chosen == 0 ? "auto" : fmt::format("auto, {}{}", chosen, is_most ? ", no more" : "");
+}
+
 void lay_out_solver(ViewerState& state) {
   sim::SolverSettings& solver = state.scene.simulation.solver;
-  if (ImGui::BeginCombo("solver", sim::name_of(solver.kind))) {
+  if (begin_list("solver", sim::name_of(solver.kind))) {
     for (const sim::SolverKind kind : sim::all_solver_kinds) {
       if (ImGui::Selectable(sim::name_of(kind), kind == solver.kind)) {
         solver.kind = kind;
@@ -78,8 +83,8 @@ void lay_out_solver(ViewerState& state) {
     ImGui::EndCombo();
   }
   note_place(state, "solver");
-  whole_slider(state, solver.substeps == 0 ? "substeps (auto)" : "substeps", "solver.substeps",
-               solver.substeps, 0, 400);
+  whole_slider(state, "substeps", "solver.substeps", solver.substeps, 0, 400,
+               solver.substeps == 0 ? chosen_substeps(state).c_str() : "%d");
   const bool sweeps = solver.kind == sim::SolverKind::strong;
   const bool hooke = solver.kind == sim::SolverKind::ideal || solver.kind == sim::SolverKind::provot;
   if (sweeps) {

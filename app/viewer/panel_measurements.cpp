@@ -26,11 +26,12 @@ struct Plot {
 };
 
 // The frame of a plot with its line of text above; returns the rectangle for the curves.
-ItemPlace plot_frame(const Plot& plot, float scale) {
+ItemPlace plot_frame(ViewerState& state, const char* name, const Plot& plot, float scale) {
+  ImGui::BeginGroup();
   ImGui::TextUnformatted(plot.title.c_str());
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  float left = ImGui::GetCursorPosX() + width + gap;
+  float left = width + gap;  // from where the group begins
   for (const Words& words : plot.reading) {
     left -= ImGui::CalcTextSize(words.text.c_str()).x + gap;
   }
@@ -42,10 +43,12 @@ ItemPlace plot_frame(const Plot& plot, float scale) {
     left += ImGui::CalcTextSize(words.text.c_str()).x + gap;
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = 27.0F * scale;
+  const float height = 23.0F * scale;
   ImGui::Dummy({width, height});
   ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height},
                                             ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0F * scale);
+  ImGui::EndGroup();
+  note_place(state, name);
   return {{corner.x, corner.y}, {corner.x + width, corner.y + height}};
 }
 
@@ -89,7 +92,7 @@ std::string in_little_room(float value, int decimals) {
   return std::abs(value) < 1e5F ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.1e}", value);
 }
 
-void plot_stretch(const ViewerState& state, float scale) {
+void plot_stretch(ViewerState& state, float scale) {
   const RecentValues& stretch = state.measurements.max_stretch;
   const std::optional<double> bound = stretch_bound(state.scene);
   const auto limit = static_cast<float>(bound.value_or(0.0));
@@ -99,7 +102,7 @@ void plot_stretch(const ViewerState& state, float scale) {
   const float highest = rounded_up(largest(stretch.values()), std::max(1.25F * limit, 0.001F));
   const bool is_exceeded = bound && !state.newest->record.bound_kept;
   const Words words = is_exceeded ? Words{reading, bound_colour} : Words{reading};
-  const ItemPlace place = plot_frame({"Largest stretch", {words}}, scale);
+  const ItemPlace place = plot_frame(state, "measured.stretch", {"Largest stretch", {words}}, scale);
   if (bound) {
     const float y = height_of(limit, place, highest);
     ImGui::GetWindowDrawList()->AddLine({place.lower_px.x, y}, {place.upper_px.x, y}, bound_colour, scale);
@@ -107,11 +110,12 @@ void plot_stretch(const ViewerState& state, float scale) {
   draw_curve(stretch.values(), place, highest, curve_colour, scale);
 }
 
-void plot_convergence(const ViewerState& state, float scale) {
+void plot_convergence(ViewerState& state, float scale) {
   const RecentValues& moved = state.measurements.convergence_mm;
   const float highest = rounded_up(largest(moved.values()), 0.01F);
   const ItemPlace place =
-      plot_frame({"Convergence", {{in_little_room(moved.last(), 3) + " mm a step"}}}, scale);
+      plot_frame(state, "measured.convergence",
+                 {"Convergence", {{in_little_room(moved.last(), 3) + " mm a step"}}}, scale);
   draw_curve(moved.values(), place, highest, curve_colour, scale);
 }
 
@@ -119,10 +123,10 @@ std::string few_digits(float milliseconds) {
   return fmt::format("{:.{}f}", milliseconds, milliseconds < 10.0F ? 1 : 0);
 }
 
-void plot_times(const ViewerState& state, float scale) {
+void plot_times(ViewerState& state, float scale) {
   const Measurements& m = state.measurements;
   if (!m.shows_times) {
-    plot_frame({"Milliseconds", {{"not shown here"}}}, scale);
+    plot_frame(state, "measured.times", {"Milliseconds", {{"not shown here"}}}, scale);
     return;
   }
   const float highest =
@@ -130,18 +134,55 @@ void plot_times(const ViewerState& state, float scale) {
   const std::vector<Words> reading = {{"simulate " + few_digits(m.simulate_ms.last()), curve_colour},
                                       {"draw " + few_digits(m.draw_ms.last()), second_colour},
                                       {"panel " + few_digits(m.panel_ms.last())}};
-  const ItemPlace place = plot_frame({"ms", reading}, scale);
+  const ItemPlace place = plot_frame(state, "measured.times", {"ms", reading}, scale);
   draw_curve(m.simulate_ms.values(), place, highest, curve_colour, scale);
   draw_curve(m.draw_ms.values(), place, highest, second_colour, scale);
 }
 
+std::string size_text(const sim::Garment& garment) {
+  return fmt::format("{} triangles, {} vertices", garment.mesh.triangles.size(),
+                     garment.mesh.positions.size());
+}
+
+const char* reason_text(SlowedBy reason) {
+  switch (reason) {
+    case SlowedBy::nothing:
+      return "";
+    case SlowedBy::simulation:
+      return ", slowed by the simulation";
+    case SlowedBy::drawing:
+      return ", slowed by drawing";
+    case SlowedBy::other_programs:
+      return ", slowed by other programs";
+  }
+  return "";
+}
+
+std::string speed_text(const ViewerState& state) {
+  const Measurements& m = state.measurements;
+  if (state.newest->stopped || state.newest->paused) {
+    return state.newest->stopped ? "stopped" : "paused";
+  }
+  const auto factor = m.real_time.factor();
+  if (!m.shows_times || !factor) {
+    return "times real time: not known here";
+  }
+  const double frame_ms = 1000.0 / (state.scene.simulation.frame_rate_hz * state.speed);
+  const SlowedBy reason = slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share());
+  return fmt::format("{:.2f} x real time{}", *factor, reason_text(reason));
+}
+
 }  // namespace
 
-void lay_out_measurements(const ViewerState& state, float scale) {
+void lay_out_measurements(ViewerState& state, float scale) {
   ImGui::Separator();
   plot_stretch(state, scale);
   plot_convergence(state, scale);
   plot_times(state, scale);
+  ImGui::TextDisabled("%s", size_text(state.newest->loaded->garment).c_str());
+  note_place(state, "measured.size");
+  ImGui::TextDisabled("%s", speed_text(state).c_str());
+  note_place(state, "measured.speed");
 }
 
 }  // namespace taut::app

@@ -8,6 +8,7 @@
 #include "app/viewer/key_bindings.hpp"
 #include "app/viewer/panel_parts.hpp"
 #include "app/viewer/spring_colours.hpp"
+#include "app/viewer/user_interface.hpp"
 #include "renderer/colour.hpp"
 
 // What lies over the scene: the time bar, messages, legends and the sheet of keys.
@@ -32,7 +33,7 @@ void lay_out_speed(ViewerState& state) {
   const auto current = std::find_if(speeds.begin(), speeds.end(),
                                     [&](const auto& speed) { return speed.second == state.speed; });
   ImGui::SetNextItemWidth(4.2F * ImGui::GetFontSize());
-  if (ImGui::BeginCombo("##speed", current == speeds.end() ? "?" : current->first)) {
+  if (begin_list("##speed", current == speeds.end() ? "?" : current->first)) {
     for (const auto& [label, factor] : speeds) {
       if (ImGui::Selectable(label, factor == state.speed)) {
         state.speed = factor;
@@ -93,7 +94,7 @@ void lay_out_time_bar(ViewerState& state, const ViewArea& area, float scale) {
 }
 
 void lay_out_messages(const ViewerState& state, const ViewArea& area, float scale) {
-  if (state.messages.empty()) {
+  if (state.messages.empty() && state.warning.empty()) {
     return;
   }
   const auto width = static_cast<float>(area.width_px);
@@ -104,6 +105,9 @@ void lay_out_messages(const ViewerState& state, const ViewArea& area, float scal
   ImGui::SetNextWindowBgAlpha(background);
   if (ImGui::Begin("messages", nullptr, untouchable)) {
     ImGui::PushTextWrapPos(std::max(std::min(640.0F * scale, width - 48.0F * scale), 16.0F));
+    if (!state.warning.empty()) {
+      ImGui::TextUnformatted(state.warning.c_str());
+    }
     for (const Message& message : state.messages) {
       const ImVec4 ink =
           message.is_error ? ImVec4(0.70F, 0.12F, 0.10F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
@@ -199,7 +203,7 @@ void lay_out_legends(const ViewerState& state, float scale) {
   }
   ImGui::SetNextWindowPos({10.0F * scale, 10.0F * scale});
   ImGui::SetNextWindowBgAlpha(0.6F);
-  if (ImGui::Begin("legends", nullptr, untouchable)) {
+  if (ImGui::Begin(UserInterface::in_pictures, nullptr, untouchable)) {
     if (stretch) {
       ImGui::TextUnformatted("stretch");
       ImGui::Dummy({1.0F, 3.0F * scale});

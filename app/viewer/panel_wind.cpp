@@ -68,6 +68,7 @@ void speed_slider(ViewerState& state, float scale) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::InvisibleButton("speed", {width, 2.0F * knob});
+  note_place(state, "wind.speed");
   // Named so that 0 and 1 across are the slider's ends.
   state.places["wind.speed"] = {{corner.x + knob, corner.y},
                                 {corner.x + width - knob, corner.y + 2.0F * knob}};

@@ -26,7 +26,7 @@ std::optional<Hit> meet(const glm::dvec3& origin, const glm::dvec3& direction, c
   const glm::dvec3 q = glm::cross(from_a, ab);
   const double v = glm::dot(direction, q) / determinant;
   const double distance = glm::dot(ac, q) / determinant;
-  if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0)) {
+  if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 && std::isfinite(distance))) {
     return std::nullopt;
   }
   return Hit{distance, {1.0 - u - v, u, v}};

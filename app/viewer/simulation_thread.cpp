@@ -65,6 +65,11 @@ double SimulationThread::take_given_up_ms() {
   return std::chrono::duration<double, std::milli>(std::exchange(given_up_, {})).count();
 }
 
+double SimulationThread::worked_ms() {
+  const std::lock_guard lock(mutex_);
+  return std::chrono::duration<double, std::milli>(worked_).count();
+}
+
 std::uint64_t SimulationThread::state_hash() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !busy_ && posted_.empty(); });

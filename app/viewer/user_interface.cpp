@@ -211,11 +211,13 @@ const renderer::OverlayView& UserInterface::end_frame() {
   vertices_.resize(static_cast<std::size_t>(drawn.TotalVtxCount));
   indices_.clear();
   overlay_.parts.clear();
+  picture_overlay_.parts.clear();
   std::size_t first_vertex = 0;
   for (int l = 0; l < drawn.CmdListsCount; ++l) {
     const ImDrawList& list = *drawn.CmdLists[l];
     std::memcpy(static_cast<void*>(vertices_.data() + first_vertex), list.VtxBuffer.Data,
                 static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
+    const bool is_in_pictures = std::strcmp(list._OwnerName, in_pictures) == 0;
     for (const ImDrawCmd& command : list.CmdBuffer) {
       overlay_.parts.push_back(
           {.clip_lower_px = {static_cast<int>(command.ClipRect.x), static_cast<int>(command.ClipRect.y)},
@@ -223,12 +225,15 @@ const renderer::OverlayView& UserInterface::end_frame() {
            .first_index = indices_.size() + command.IdxOffset,
            .index_count = command.ElemCount,
            .first_vertex = first_vertex + command.VtxOffset});
+      if (is_in_pictures) {
+        picture_overlay_.parts.push_back(overlay_.parts.back());
+      }
     }
     indices_.insert(indices_.end(), list.IdxBuffer.begin(), list.IdxBuffer.end());
     first_vertex += static_cast<std::size_t>(list.VtxBuffer.Size);
   }
-  overlay_.vertices = vertices_;
-  overlay_.indices = indices_;
+  overlay_.vertices = picture_overlay_.vertices = vertices_;
+  overlay_.indices = picture_overlay_.indices = indices_;
   return overlay_;
 }
 

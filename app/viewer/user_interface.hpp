@@ -30,6 +30,10 @@ class UserInterface {
   /// What was laid out since; valid until the next begin_frame.
   const renderer::OverlayView& end_frame();
 
+  /// The part of it that belongs into a picture of the scene: the windows of this name.
+  const renderer::OverlayView& picture_overlay() const { return picture_overlay_; }
+  static constexpr const char* in_pictures = "legends";
+
   /// The letters for renderer::OverlayPass; the number changes when they do.
   struct Letters {
     int width_px = 0;
@@ -52,6 +56,7 @@ class UserInterface {
   std::vector<renderer::OverlayVertex> vertices_;
   std::vector<std::uint16_t> indices_;
   renderer::OverlayView overlay_;
+  renderer::OverlayView picture_overlay_;
 };
 
 }  // namespace taut::app

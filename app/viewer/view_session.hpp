@@ -49,6 +49,8 @@ class HeadlessViewer {
   SessionFrame play(const SessionFrame& frame);
   /// What the window shows, at best quality; the size must not be 0.
   renderer::Image draw();
+  /// The scene alone, as screenshots and recordings have it.
+  renderer::Image draw_scene();
 
   Viewer& viewer() { return viewer_; }
   std::uint64_t state_hash() { return simulation_->state_hash(); }

@@ -8,6 +8,7 @@
 #include "app/scene/scene_lookup.hpp"
 #include "app/viewer/choices.hpp"
 #include "app/viewer/key_bindings.hpp"
+#include "app/viewer/lost_cloth.hpp"
 #include "sim/within_bound.hpp"
 
 namespace taut::app {
@@ -48,7 +49,10 @@ SessionFrame Viewer::update(SessionFrame frame) {
   }
   pointer_.way_px = pointer_.place_px - place_before;
 
+  const std::uint64_t advances_before = state_.newest->advances;
   note_snapshot(simulation_.begin_frame(frame.elapsed_s, frame.pace));
+  note_speed(advances_before);
+  warn();
   interface_.begin_frame(layout().width_px, layout().height_px, frame.elapsed_s);
   lay_out(state_, layout());
   hands_.update(pointer_, !interface_.wants_pointer(), scene_area(layout()), state_, commands_);
@@ -189,6 +193,23 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
   return past_within_bound_;
 }
 
+void Viewer::note_speed(std::uint64_t advances_before) {
+  RealTime& real_time = state_.measurements.real_time;
+  const bool goes_on = !state_.newest->paused && !state_.newest->stopped;
+  if (!goes_on) {
+    real_time.forget();
+    return;
+  }
+  const auto advances = static_cast<double>(state_.newest->advances - advances_before);
+  real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, std::exchange(busy_s_, 0.0));
+}
+
+void Viewer::warn() {
+  state_.warning = state_.newest->stopped && !state_.past_frame
+                       ? "the simulation has stopped: R, any other setting or another scene starts again"
+                       : lost_cloth(state_.shown->positions(), state_.camera, scene_area(layout()));
+}
+
 void Viewer::collect_settings() {
   const Scene& scene = state_.scene;
   if (scene.simulation != told_simulation_ || scene.surroundings != told_surroundings_) {
@@ -210,13 +231,15 @@ void Viewer::note_changes(const SessionFrame& frame) {
   const std::size_t gone =
       std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
   const bool moves = !state_.paused && !state_.newest->record.asleep && !state_.newest->stopped;
-  const bool is_changing =
-      moves || !frame.events.empty() || gone > 0 || hands_.is_busy() || recorder_ || !key_actions_.empty();
+  const bool is_changing = moves || !frame.events.empty() || gone > 0 || hands_.is_busy() || recorder_ ||
+                           !key_actions_.empty() || is_hint_due(state_);
   frames_since_input_ = !frame.events.empty() || hands_.is_busy() ? 0 : frames_since_input_ + 1;
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }
 
-void Viewer::note_times(double draw_ms, double panel_ms) {
+void Viewer::note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s) {
+  busy_s_ += busy_s;
+  state_.measurements.worked_ms = simulate_ms;
   state_.measurements.draw_ms.add(static_cast<float>(draw_ms));
   state_.measurements.panel_ms.add(static_cast<float>(panel_ms));
 }

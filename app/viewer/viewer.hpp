@@ -35,6 +35,8 @@ class Viewer {
   // Of the last frame.
   const ViewerState& state() const { return state_; }
   const renderer::OverlayView& overlay() const { return *overlay_; }
+  /// What of the overlay belongs into a picture of the scene.
+  const renderer::OverlayView& picture_overlay() const { return interface_.picture_overlay(); }
   UserInterface::Letters letters() const { return interface_.letters(); }
   WindowLayout layout() const;
   /// Nothing that is drawn has changed in this frame or is about to.
@@ -46,14 +48,15 @@ class Viewer {
   /// A person has asked to end.
   bool is_ended() const { return is_ended_; }
 
-  /// What was drawn is wanted: for a screenshot, or a recording goes on.
+  /// The scene's picture is wanted: for a screenshot, or a recording goes on.
   bool wants_picture() const { return screenshot_ || recorder_; }
   bool wants_screenshot() const { return screenshot_; }
   void take_picture(const renderer::Image& picture);
   /// Text for the clipboard, once.
   std::optional<std::string> take_clipboard();
-  /// How long the frame took: shown in the panel.
-  void note_times(double draw_ms, double panel_ms);
+  /// How long the frame took; of the processor's time, the simulation's last. Since the last call the program
+  /// had all processors busy for so long. Shown in the panel.
+  void note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s);
   void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
   /// Completes a recording that is under way; says what came of it, as a message too.
   std::optional<std::string> finish_recording();
@@ -81,6 +84,8 @@ class Viewer {
   void load_asked();
   void load(Scene scene);
   void collect_settings();
+  void note_speed(std::uint64_t advances_before);
+  void warn();
   void note_changes(const SessionFrame& frame);
 
   SimulationHost& simulation_;
@@ -107,6 +112,7 @@ class Viewer {
   sim::SolverSettings past_bound_;
 
   double elapsed_s_ = 0.0;
+  double busy_s_ = 0.0;  ///< all processors, since the last frame
   int still_frames_ = 0;
   int frames_since_input_ = 0;
   bool screenshot_ = false;

@@ -82,6 +82,9 @@ void Viewer::perform(Action action) {
     case Action::show_keys:
       state_.show_keys = !state_.show_keys;
       return;
+    case Action::close_keys:
+      state_.show_keys = false;
+      return;
     case Action::show_panel:
       state_.show_panel = !state_.show_panel;
       return;
@@ -151,8 +154,8 @@ void Viewer::start_or_stop_recording() {
     finish_recording();
     return;
   }
-  const WindowLayout size = layout();
-  recorder_.emplace(keep_folder_, state_.scene.name, state_.recording_kind, size.width_px, size.height_px);
+  const ViewArea area = scene_area(layout());
+  recorder_.emplace(keep_folder_, state_.scene.name, state_.recording_kind, area.width_px, area.height_px);
   state_.is_recording = true;
   tell("recording; F10 ends it", false);
 }

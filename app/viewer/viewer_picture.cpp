@@ -139,6 +139,26 @@ void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, c
   }
 }
 
+// Kept, so that `draw` can show it without the legends, which it lays over itself.
+renderer::Image ViewerPicture::picture(unsigned framebuffer, const ViewerState& state,
+                                       const WindowLayout& layout, std::size_t level,
+                                       const UserInterface::Letters& letters,
+                                       const renderer::OverlayView& legends) {
+  context_.make_current();
+  const ViewArea area = scene_area(layout);
+  if (has_room(area)) {
+    drawn_look_.reset();
+    draw_scene(framebuffer, state, area, picture_qualities[level], true);
+    drawn_look_ = look_of(state, area);
+    drawn_level_ = level;
+    has_picture_ = true;
+    interface_.draw_over(framebuffer, layout, letters, legends);
+  } else {
+    renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px, behind_panel_grey);
+  }
+  return renderer::read_framebuffer(context_, framebuffer, area.width_px, area.height_px);
+}
+
 void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
                          std::size_t level, const UserInterface::Letters& letters,
                          const renderer::OverlayView& overlay, bool is_urgent) {
@@ -157,6 +177,7 @@ void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const W
   } else {
     renderer::clear_framebuffer(context_, framebuffer, layout.width_px, layout.height_px, behind_panel_grey);
   }
+  drew_scene_ = std::exchange(has_picture_, false) || drew_scene_;
   interface_.draw(framebuffer, layout, letters, overlay, is_urgent);
 }
 

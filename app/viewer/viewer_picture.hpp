@@ -24,12 +24,18 @@ class ViewerPicture {
   void draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
             const UserInterface::Letters& letters, const renderer::OverlayView& overlay, bool is_urgent);
 
+  /// The scene as `draw` draws it, with its legends and nothing else of the user interface; draws to the same
+  /// framebuffer, so it comes before `draw`. Throws renderer::ContextError.
+  renderer::Image picture(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
+                          std::size_t level, const UserInterface::Letters& letters,
+                          const renderer::OverlayView& legends);
+
   /// Whether `draw` would draw the same as before.
   bool is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
                 const renderer::OverlayView& overlay) const;
 
-  /// Whether the last `draw` drew the scene, which takes most of the time. A scene that has not changed since
-  /// it was drawn and kept at least as well is only copied.
+  /// Whether the last `draw`, or `picture` before it, drew the scene, which takes most of the time. A scene
+  /// that has not changed since it was drawn and kept at least as well is only copied.
   bool drew_scene() const { return drew_scene_; }
 
  private:
@@ -78,6 +84,7 @@ class ViewerPicture {
   bool is_kept_ = false;  ///< the renderer has what was drawn and can show it again
   std::size_t drawn_level_ = 0;
   bool drew_scene_ = false;
+  bool has_picture_ = false;  ///< `picture` has drawn the scene that `draw` is to show
   PaintedAs painted_as_;
   std::optional<GarmentPainter> painter_;
   std::array<std::vector<glm::vec3>, sim::all_spring_kinds.size()> spring_points_;

@@ -34,6 +34,7 @@ enum class Action {
   save_scene,
   copy_camera,
   show_keys,
+  close_keys,
   show_panel,
   quit,
 };
@@ -49,6 +50,12 @@ struct Choice {
   std::string name;
   std::string label;  ///< of a figure of the paper: "5, left"; otherwise empty
   std::filesystem::path file;
+};
+
+/// The thing of the panel that the pointer rests on.
+struct Hovered {
+  std::string name;
+  double for_s = 0.0;
 };
 
 /// A line of text that goes away by itself.
@@ -80,12 +87,15 @@ struct ViewerState {
   std::vector<Choice> scenes;
   std::vector<Choice> garments;
   std::vector<Message> messages;
+  std::string warning;  ///< said as long as it is true; empty: nothing
   bool is_recording = false;
 
   // What was asked for in this frame.
   std::vector<Action> asked;
   std::optional<std::string> scene_asked;  ///< a name or a file
   std::optional<std::filesystem::path> garment_asked;
+
+  std::optional<Hovered> hovered;
 
   /// Where named things of the panel are: for sessions written by hand and for tests.
   std::map<std::string, ItemPlace> places;

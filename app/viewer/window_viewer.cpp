@@ -1,7 +1,10 @@
 #include <fmt/core.h>
+#include <time.h>
 
 #include <chrono>
 #include <optional>
+#include <thread>
+#include <utility>
 
 #include "app/errors.hpp"
 #include "app/interruption.hpp"
@@ -28,7 +31,8 @@ class WindowSession {
   WindowSession(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                 const std::filesystem::path& record_to)
       : simulation_(scene),
-        place_([this, title = "Taut - " + scene.name, size = start.size] { return open(title, size); }),
+        title_(title_of(scene)),
+        place_([this, size = start.size] { return open(title_, size); }),
         viewer_(simulation_, {window_->framebuffer_size(), window_->content_scale(), keep_folder, true}) {
     if (!record_to.empty()) {
       SessionStart actual = start;
@@ -71,6 +75,7 @@ class WindowSession {
       if (const auto text = viewer_.take_clipboard()) {
         window_->set_clipboard(*text);
       }
+      name_window();
       show();
     }
   }
@@ -79,6 +84,16 @@ class WindowSession {
     auto window = renderer::open_window({title, size.width_px, size.height_px});
     window_ = window.get();
     return window;
+  }
+
+  static std::string title_of(const Scene& scene) { return "Taut - " + scene.name; }
+
+  void name_window() {
+    std::string title = title_of(viewer_.state().newest->loaded->scene);
+    if (title != title_) {
+      title_ = std::move(title);
+      window_->set_title(title_);
+    }
   }
 
   // Until the next frame is due; as long as nothing moves, until something happens.
@@ -103,6 +118,14 @@ class WindowSession {
     const double elapsed_s = since_frame_.elapsed_ms() / 1000.0;
     since_frame_ = Stopwatch();
     return elapsed_s;
+  }
+
+  // Of all processors, by all threads of this program.
+  double next_busy_s() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    const double used_s = static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    return (used_s - std::exchange(used_s_, used_s)) / std::max(std::thread::hardware_concurrency(), 1U);
   }
 
   void show() {
@@ -132,15 +155,15 @@ class WindowSession {
   void draw(std::size_t level) {
     const Stopwatch drawing;
     const bool is_urgent = viewer_.has_input() || viewer_.is_still() || viewer_.wants_screenshot();
+    if (viewer_.wants_picture()) {
+      viewer_.take_picture(place_.picture().picture(0, viewer_.state(), viewer_.layout(), level,
+                                                    viewer_.letters(), viewer_.picture_overlay()));
+    }
     place_.picture().draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(),
                           is_urgent);
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
-    viewer_.note_times(draw_ms, panel_ms_);
-    if (viewer_.wants_picture()) {
-      const WindowLayout layout = viewer_.layout();
-      viewer_.take_picture(renderer::read_framebuffer(*window_, 0, layout.width_px, layout.height_px));
-    }
+    viewer_.note_times(draw_ms, panel_ms_, simulation_.worked_ms(), next_busy_s());
     window_->present();
     if (place_.picture().drew_scene() && level == quality_.level()) {
       quality_.note(panel_ms_ + drawing.elapsed_ms(), simulation_.take_given_up_ms());
@@ -174,6 +197,7 @@ class WindowSession {
   }
 
   SimulationThread simulation_;
+  std::string title_;
   renderer::Window* window_ = nullptr;  ///< the context of `place_`
   DrawingPlace place_;
   Viewer viewer_;
@@ -184,6 +208,7 @@ class WindowSession {
   Stopwatch since_loss_;
   Stopwatch since_change_;  ///< of anything that is drawn
   double panel_ms_ = 0.0;
+  double used_s_ = 0.0;  ///< of processors' time
   int losses_ = 0;
 };
 

@@ -87,6 +87,7 @@ class GlfwWindow final : public Window {
   bool take_damage() override { return std::exchange(is_damaged, false); }
   bool is_asked_to_close() const override { return glfwWindowShouldClose(handle) == GLFW_TRUE; }
   bool is_lost() const override { return reset_status != nullptr && reset_status() != GL_NO_ERROR; }
+  void set_title(const std::string& title) override { glfwSetWindowTitle(handle, title.c_str()); }
   void set_clipboard(const std::string& text) override { glfwSetClipboardString(handle, text.c_str()); }
 
  private:

@@ -34,6 +34,7 @@ class Window : public Context {
   virtual bool is_asked_to_close() const = 0;
   /// The driver has thrown the context away; nothing can be drawn with it any more.
   virtual bool is_lost() const = 0;
+  virtual void set_title(const std::string& title) = 0;
   virtual void set_clipboard(const std::string& text) = 0;
 };
 

@@ -3,7 +3,6 @@
 #include <glm/geometric.hpp>
 
 namespace taut::sim {
-namespace {
 
 double stiffness_of(SpringKind kind, const SpringStiffness& stiffness) {
   switch (kind) {
@@ -16,8 +15,6 @@ double stiffness_of(SpringKind kind, const SpringStiffness& stiffness) {
   }
   return 0.0;
 }
-
-}  // namespace
 
 void IdealSprings::add_spring_forces(const Garment& garment, const State& state,
                                      std::span<Vec3> forces_n) const {

@@ -14,8 +14,10 @@ struct SpringStiffness {
   bool operator==(const SpringStiffness&) const = default;
 };
 
+double stiffness_of(SpringKind kind, const SpringStiffness& stiffness);
+
 /// The ideal mass-spring model: elongation in proportion to stress (Hooke) and no constraint, so that cloth
-/// over-stretches (section III of the paper). Explicit: stable while dt < 2 sqrt(m / k) about every vertex.
+/// over-stretches (section III of the paper). Explicit: stable in short steps alone, see stable_time_step_s.
 class IdealSprings : public SpringResponse {
  public:
   explicit IdealSprings(const SpringStiffness& stiffness) : stiffness_(stiffness) {}

@@ -1,36 +1,51 @@
 #include "sim/solvers/solver.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "sim/solvers/bounded/bounded.hpp"
 #include "sim/solvers/provot.hpp"
+#include "sim/solvers/stable_step.hpp"
 #include "sim/solvers/strong.hpp"
 #include "sim/step.hpp"
 
 namespace taut::sim {
 namespace {
 
+/// Hooke's springs need steps that are short enough for their stiffness.
+int least_substeps(const SolverSettings& settings, const Garment& garment, const ExternalForces& forces,
+                   double frame_time_s) {
+  const bool is_hooke = settings.kind == SolverKind::ideal || settings.kind == SolverKind::provot;
+  if (settings.substeps > 0 || !is_hooke) {
+    return 0;
+  }
+  const double needed = frame_time_s / stable_time_step_s(garment, settings.stiffness, forces.air_drag_per_s);
+  return static_cast<int>(std::ceil(std::min<double>(needed, settings.max_substeps)));
+}
+
 /// Divides a frame into equal time steps.
 class SteppedSolver : public Solver {
  public:
-  SteppedSolver(int substeps, std::unique_ptr<SpringResponse> springs)
-      : substeps_(substeps), springs_(std::move(springs)) {}
+  SteppedSolver(const SolverSettings& settings, std::unique_ptr<SpringResponse> springs)
+      : settings_(settings), springs_(std::move(springs)) {}
 
   FrameReport advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
                             State& state) override {
     buffers_.forces_n.assign(state.current.size(), Vec3(0.0));
-    for (int substep = 0; substep < substeps_; ++substep) {
-      step(garment, surroundings, *springs_, frame_time_s / substeps_, state, buffers_);
-    }
     FrameReport report;
-    report.substeps = substeps_;
+    report.substeps = std::max(equal_substeps(settings_),
+                               least_substeps(settings_, garment, surroundings.forces, frame_time_s));
+    for (int substep = 0; substep < report.substeps; ++substep) {
+      step(garment, surroundings, *springs_, frame_time_s / report.substeps, state, buffers_);
+    }
     return report;
   }
 
  private:
-  int substeps_;
+  SolverSettings settings_;
   std::unique_ptr<SpringResponse> springs_;
   StepBuffers buffers_;
 };
@@ -85,7 +100,7 @@ std::unique_ptr<Solver> make_solver(const SolverSettings& settings) {
   if (settings.kind == SolverKind::bounded) {
     return std::make_unique<BoundedSolver>(settings);
   }
-  return std::make_unique<SteppedSolver>(equal_substeps(settings), make_spring_response(settings));
+  return std::make_unique<SteppedSolver>(settings, make_spring_response(settings));
 }
 
 }  // namespace taut::sim

@@ -44,7 +44,8 @@ struct SolverSettings {
   /// frame. `provot`: the threshold above which a spring is pulled back.
   double max_stretch = 0.05;
   Fabric fabric;  ///< `bounded`
-  /// `bounded`: no frame is divided into more time steps than this, even if its bound cannot be kept.
+  /// No frame is divided into more time steps than this by a solver that may choose, even if its bound cannot
+  /// be kept or its springs are too stiff for them.
   int max_substeps = 2000;
   /// `bounded`: no vertex gets further from its pin than the way along the cloth is long.
   bool tethers = true;
@@ -69,7 +70,8 @@ struct FrameReport {
   double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
 };
 
-/// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20.
+/// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20. `ideal` and
+/// `provot` that may choose take more where their springs would swing up, see stable_time_step_s.
 int equal_substeps(const SolverSettings& settings);
 
 /// Moves cloth from one frame to the next. How a frame is divided is the solver's own matter.

@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/viewer/grip.hpp"
+#include "app/viewer/lost_cloth.hpp"
+#include "app/viewer/measurements.hpp"
 #include "app/viewer/orbit_camera.hpp"
 #include "app/viewer/panel.hpp"
 #include "app/viewer/picking.hpp"
@@ -64,8 +66,8 @@ TEST(OrbitCamera, RayThroughAPixelLeadsToWhatIsSeenThere) {
 
 TEST(OrbitCamera, FramesABoxAndStaysWithinBoundsHoweverFarTheWheelTurns) {
   OrbitCamera camera = from_the_front();
-  camera.zoom(1e9F);
-  camera.zoom(-1e9F);
+  camera.zoom(1e9F, {5.0F, 700.0F}, area);
+  camera.zoom(-1e9F, {950.0F, 3.0F}, area);
   camera.frame({{-1.0F, -1.0F, -1.0F}, {1.0F, 1.0F, 1.0F}}, area);
   for (const float x : {-1.0F, 1.0F}) {
     EXPECT_TRUE(area.contains(*camera.pixel_of({x, x, x}, area)));
@@ -82,6 +84,58 @@ TEST(Picking, FindsTheNearestOfTwoTriangles) {
   EXPECT_NEAR(picked->distance_m, 5.0, 1e-6);
   EXPECT_FALSE(pick({{3.0F, 0.0F, 5.0F}, {0.0F, 0.0F, -1.0F}}, positions, triangles));
   EXPECT_FALSE(pick({{0.0F, 0.0F, -5.0F}, {0.0F, 0.0F, -1.0F}}, positions, triangles)) << "behind the eye";
+}
+
+TEST(Picking, FindsWhatIsNearBesideWhatIsLost) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<sim::Triangle> triangles = {{3, 4, 5}, {0, 3, 1}, {0, 1, 2}};
+  for (const double lost : {nan, inf, -inf, 1e30, 1e308}) {
+    const std::vector<sim::Vec3> positions = {{-1, -1, 0},       {1, -1, 0},      {0, 1, 0},
+                                              {lost, lost, 0.5}, {0, lost, lost}, {lost, -lost, lost}};
+    const auto picked = pick({{0.4F, -0.8F, 5.0F}, {0.0F, 0.0F, -1.0F}}, positions, triangles);
+    ASSERT_TRUE(picked) << lost;
+    EXPECT_TRUE(std::isfinite(picked->distance_m) && std::isfinite(picked->point_m.x)) << lost;
+  }
+}
+
+TEST(LostCloth, IsSaidWhereNothingOfItCanBeSeen) {
+  const OrbitCamera camera = from_the_front();
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto said = [&](const sim::Vec3& one, const sim::Vec3& other) {
+    return lost_cloth(std::vector<sim::Vec3>{one, other}, camera, area);
+  };
+  EXPECT_EQ(said({0.0, 1.0, 0.0}, {0.0, -70.0, 0.0}), "") << "a part of it is seen";
+  for (const double far : {-70.0, 70.0}) {
+    EXPECT_NE(said({0.0, far, 0.0}, {far, 1.0, 0.0}).find("F looks at it"), std::string::npos);
+  }
+  EXPECT_NE(said({0.0, 1.0, 5.0}, {0.0, 1.0, 9.0}).find("F looks at it"), std::string::npos)
+      << "behind the eye";
+  for (const double far : {1e4, 1e30, inf, nan}) {
+    EXPECT_NE(said({0.0, -far, 0.0}, {far, far, far}).find("left the world"), std::string::npos) << far;
+  }
+}
+
+TEST(RealTime, IsWhatWentByLately) {
+  RealTime time;
+  EXPECT_FALSE(time.factor());
+  for (int i = 0; i < 300; ++i) time.add(1.0 / 60.0, 0.5 / 60.0, 0.004);
+  EXPECT_NEAR(*time.factor(), 0.5, 1e-6);
+  EXPECT_NEAR(time.busy_share(), 0.24, 1e-6);
+  for (int i = 0; i < 300; ++i) time.add(1.0 / 60.0, 1.0 / 60.0, 0.0);
+  EXPECT_NEAR(*time.factor(), 1.0, 0.01);
+  time.forget();
+  EXPECT_FALSE(time.factor());
+}
+
+TEST(RealTime, TellsWhySimulatingIsSlow) {
+  const double frame_ms = 1000.0 / 60.0;
+  EXPECT_EQ(slowed_by(0.99, 1.0, 12.0, frame_ms, 0.9), SlowedBy::nothing);
+  EXPECT_EQ(slowed_by(0.1, 0.1, 60.0, 10.0 * frame_ms, 0.0), SlowedBy::nothing) << "slow as asked";
+  EXPECT_EQ(slowed_by(0.3, 1.0, 55.0, frame_ms, 0.9), SlowedBy::simulation);
+  EXPECT_EQ(slowed_by(0.6, 1.0, 10.0, frame_ms, 0.8), SlowedBy::drawing);
+  EXPECT_EQ(slowed_by(0.6, 1.0, 10.0, frame_ms, 0.2), SlowedBy::other_programs);
 }
 
 TEST(Picking, DragsInThePlaneThatFacesTheCamera) {

@@ -82,7 +82,7 @@ shadows = false
   EXPECT_EQ(scene.picture.ground.kind, GroundKind::fixed);
   EXPECT_EQ(scene.picture.ground.height_m, -1.5);
   EXPECT_EQ(scene.picture.cloth.outside_colour, renderer::rgb(0xFF8000));
-  EXPECT_EQ(scene.picture.stretch_range, (std::array{-0.1, 0.2}));
+  EXPECT_EQ(scene.picture.stretch_range, std::optional(std::array{-0.1, 0.2}));
   EXPECT_FALSE(scene.picture.settings.shadows);
 }
 

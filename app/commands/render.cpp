@@ -188,7 +188,7 @@ int run(const RenderOptions& options) {
   LoadedGarment loaded = garment.get();
   progress.hide();
   print_remarks(job.scene, loaded);
-  sim::Simulation simulation = make_simulation(job.scene, std::move(loaded.garment));
+  sim::Simulation simulation = make_simulation(job.scene, std::move(loaded));
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
   const std::vector<int> frames = options.resume ? frames_left(job, output, origin) : job.frames;
   if (frames.size() < job.frames.size()) {

@@ -58,7 +58,7 @@ int run(const SimulateOptions& options) {
   progress.hide();
   print_remarks(scene, loaded);
   progress.begin("frame 1");
-  sim::Simulation simulation = make_simulation(scene, std::move(loaded.garment));
+  sim::Simulation simulation = make_simulation(scene, std::move(loaded));
   outputs.report = [&](const FrameRecord& record) {
     progress.hide();
     print_record(record);

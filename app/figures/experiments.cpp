@@ -138,7 +138,7 @@ MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s
   Scene scene = find_scene("pinned-9x9-methods", {});
   scene.simulation.solver.kind = kind;
   scene.simulation.frame_rate_hz = steps_per_s;
-  sim::Simulation simulation = make_simulation(scene, load_garment(scene).garment);
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   MethodRun run;
   run.kind = kind;
   run.time_step_s = simulation.frame_time_s();

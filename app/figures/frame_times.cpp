@@ -22,7 +22,7 @@ sim::Simulation timed_simulation(int triangles, const StepSettings& settings) {
   scene.simulation.solver.iterations = settings.sweeps;
   // The method alone: layers are another matter, and their distance depends on the model.
   scene.surroundings.layer_distance_m = 0.0;
-  return make_simulation(scene, load_garment(scene).garment);
+  return make_simulation(scene, load_garment(scene));
 }
 
 }  // namespace

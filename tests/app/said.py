@@ -82,26 +82,28 @@ def exports():
                '%s.obj is not frame %d' % (name, frame))
 
 
+def processor_time_of_children_ms():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return 1e3 * (used.ru_utime + used.ru_stime)
+
+
 def measures_processor_time():
-    """Stopped for a while by whoever else wants the processor, a frame has not taken longer."""
+    """Made to wait, as by whoever else wants the processor, a run has not cost more."""
+    before_ms = processor_time_of_children_ms()
     process = subprocess.Popen([program, 'simulate', 'tshirt-gravity', '--frames', '40', '--stats', 'times.json'],
                                cwd=folder, stdout=subprocess.PIPE, text=True)
-    stops_s = 0.0
-    while process.poll() is None and stops_s < 2.0:
+    waits = 0
+    while process.poll() is None and waits < 5:
         time.sleep(0.1)
         process.send_signal(signal.SIGSTOP)
         time.sleep(0.4)
         process.send_signal(signal.SIGCONT)
-        stops_s += 0.4
+        waits += 1
     process.communicate()
-    expect(process.returncode == 0, 'simulate ended with %d' % process.returncode)
-    summary = json.loads((folder / 'times.json').read_text())['summary']
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    expect(0 < summary['total_sim_ms'] <= 1e3 * (used.ru_utime + used.ru_stime),
-           'sim_ms adds up to %g ms, more than the processor spent on it' % summary['total_sim_ms'])
-    frames = json.loads((folder / 'times.json').read_text())['frames']
-    longest = max(frames, key=lambda f: f['sim_ms'])
-    expect(longest['sim_ms'] < 390, 'frame %(frame)d: sim_ms %(sim_ms)g has the time in it that it stood still' % longest)
+    used_ms = processor_time_of_children_ms() - before_ms
+    expect(process.returncode == 0 and waits > 0, 'simulate ended with %d' % process.returncode)
+    said_ms = json.loads((folder / 'times.json').read_text())['summary']['total_sim_ms']
+    expect(0 < said_ms <= used_ms, 'sim_ms adds up to %g ms, of %g ms that the processor spent' % (said_ms, used_ms))
 
 
 def counts_what_resume_wrote():
@@ -141,8 +143,8 @@ for check in (says_sleep_once, prints_as_it_goes, keeps_quiet, speaks_json, expo
     before = failures
     try:
         check()
-    except OSError as error:
-        expect(False, error)
+    except Exception as error:  # the other checks are made all the same
+        expect(False, repr(error))
     if failures > before:
         print('^ %s' % check.__name__)
 sys.exit(1 if failures else 0)

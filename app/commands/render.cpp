@@ -197,7 +197,8 @@ int run(const RenderOptions& options) {
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
   const std::vector<int> frames = options.resume ? frames_left(job, output, origin) : job.frames;
   if (frames.size() < job.frames.size()) {
-    fmt::print("{} of {} frames are there already\n", job.frames.size() - frames.size(), job.frames.size());
+    fmt::print("there already: {} of {}\n", job.frames.size() - frames.size(),
+               counted(job.frames.size(), "frame"));
   }
   const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin, frames, progress);
   progress.begin("finishing " + job.output);

@@ -66,7 +66,7 @@ const FrameColumn frame_columns[] = {
      [](const auto& r) -> Json { return r.rms_speed_m_per_s; }},
     {"kinetic_energy", "J", "of all vertices", [](const auto& r) -> Json { return r.energy.kinetic_j; }},
     {"potential_energy", "J", "in gravity", [](const auto& r) -> Json { return r.energy.potential_j; }},
-    {"convergence", "m", "the largest |p(t) - p(t - dt)| of any vertex",
+    {"convergence", "m", "the largest |p(t) - p(t - dt)| of any vertex, from frame to frame",
      [](const auto& r) -> Json { return r.convergence_m; }},
     {"sim_ms", "ms", "processor time of the thread that simulates; of several threads, the one that leads",
      [](const auto& r) -> Json { return r.sim_ms; }},

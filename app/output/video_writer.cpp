@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/counted.hpp"
 #include "app/errors.hpp"
 #include "app/interruption.hpp"
 
@@ -212,8 +213,8 @@ void VideoWriter::finish() {
   close_input();
   const int status = wait_for_end();
   if (status != 0) {
-    throw InputError(fmt::format("cannot make '{}': ffmpeg failed with {} after {} frames{}", file_.string(),
-                                 describe_end(status), frames_, last_words()));
+    throw InputError(fmt::format("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(),
+                                 describe_end(status), counted(frames_, "frame"), last_words()));
   }
   std::error_code error;
   fs::rename(temporary_, file_, error);
@@ -225,8 +226,8 @@ void VideoWriter::finish() {
 void VideoWriter::fail_stopped() {
   close_input();
   const int status = wait_for_end();
-  throw InputError(fmt::format("cannot make '{}': ffmpeg stopped with {} after {} frames{}", file_.string(),
-                               describe_end(status), frames_, last_words()));
+  throw InputError(fmt::format("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(),
+                               describe_end(status), counted(frames_, "frame"), last_words()));
 }
 
 int VideoWriter::wait_for_end() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 
+#include "app/counted.hpp"
 #include "app/errors.hpp"
 #include "app/output/files.hpp"
 
@@ -111,7 +112,7 @@ std::string WindowRecorder::finish() {
   if (video_) {
     video_->finish();
   }
-  return fmt::format("wrote {}, {} frames", target_.string(), frames_);
+  return fmt::format("wrote {}, {}", target_.string(), counted(frames_, "frame"));
 }
 
 }  // namespace taut::app

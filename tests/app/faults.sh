@@ -118,7 +118,7 @@ case $fault in
     all_complete
     # What is left of a picture in the making is not taken for one.
     (draw --resume)
-    grep -q 'of 201 frames are there already' said.txt || fail "nothing was resumed"
+    grep -q 'there already: [0-9]* of 201 frames' said.txt || fail "nothing was resumed"
     for picture in whole/*.png; do
       cmp "$picture" "out/${picture#whole/}" || fail "resumed, a picture differs"
     done ;;

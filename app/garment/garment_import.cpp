@@ -50,7 +50,7 @@ ImportedModel import_garment(const std::filesystem::path& path, const ImportLimi
     model.triangles = sim::cut_into_triangles({arrays.positions, arrays.corner_counts, arrays.corners});
     model.positions = std::move(arrays.positions);
     model.position_of_vertex = std::move(arrays.position_of_vertex);
-    model.shares_vertices = !is_counting_up(arrays.corners);
+    model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);
     model.format = std::move(arrays.format);
     model.meshes = arrays.meshes;
     model.ignored_lines = arrays.ignored_lines;

@@ -133,6 +133,8 @@ TEST_F(PinsOfAFile, CountCornersWhereFacesShareNoVertices) {
       "quad\n";
   EXPECT_EQ(place_of("quad.stl", stl, 4), sim::Vec3(1, 1, 0));
   EXPECT_TRUE(load("quad.stl", stl, {}).file_vertices.are_corners);
+  EXPECT_FALSE(load("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", {}).file_vertices.are_corners)
+      << "a single face shares none with others";
   EXPECT_CONTAINS(test::message_of<InputError>([&] { load("quad.stl", stl, {sim::Index{6}}); }),
                   "expected one of the corners of the file's faces, which share no vertices, 0 to 5");
 }

@@ -53,6 +53,10 @@ void print_summary(const RunSummary& summary) {
                                      : fmt::format("; at rest since frame {}", summary.asleep_since_frame));
 }
 
+bool is_told(const SimulateOptions& options) {
+  return !options.quiet && !options.json;
+}
+
 /// Where shapes go: a file for every frame in the range, or one for the last of them.
 class ShapeOutput {
  public:
@@ -90,6 +94,22 @@ sim::Simulation prepare(const Scene& scene, Progress& progress, std::FILE* remar
   return make_simulation(scene, std::move(loaded));
 }
 
+// What a run ends with: said, printed for programs, written.
+void hand_over(const SimulateOptions& options, const RunStatistics& statistics, const RunSummary& summary,
+               const std::optional<ShapeOutput>& shapes) {
+  if (is_told(options)) {
+    print_summary(summary);
+    fmt::print("{}", shapes ? shapes->describe() + '\n' : "");
+  }
+  if (options.json) {
+    fmt::print("{}", statistics_json(statistics));
+  }
+  if (!options.statistics.empty()) {
+    write_statistics(options.statistics, statistics);
+    fmt::print("{}", is_told(options) ? "wrote " + options.statistics.string() + '\n' : "");
+  }
+}
+
 }  // namespace
 
 int run(const SimulateOptions& options) {
@@ -105,7 +125,6 @@ int run(const SimulateOptions& options) {
   }
   prepare_statistics(options.statistics);
 
-  const bool is_told = !options.quiet && !options.json;
   Progress progress(scene.name);
   sim::Simulation simulation = prepare(scene, progress,
                                        options.quiet  ? nullptr
@@ -113,7 +132,7 @@ int run(const SimulateOptions& options) {
                                                       : stdout);
   FrameLines lines(range);
   outputs.report = [&](const FrameRecord& record) {
-    if (is_told) {
+    if (is_told(options)) {
       progress.hide();
       lines.print(record);
     }
@@ -123,18 +142,7 @@ int run(const SimulateOptions& options) {
   progress.hide();
 
   const RunSummary summary = summarise(records);
-  const RunStatistics statistics = {scene, simulation.garment(), "", records};
-  if (is_told) {
-    print_summary(summary);
-    fmt::print("{}", shapes ? shapes->describe() + '\n' : "");
-  }
-  if (options.json) {
-    fmt::print("{}", statistics_json(statistics));
-  }
-  if (!options.statistics.empty()) {
-    write_statistics(options.statistics, statistics);
-    fmt::print("{}", is_told ? "wrote " + options.statistics.string() + '\n' : "");
-  }
+  hand_over(options, {scene, simulation.garment(), "", records}, summary, shapes);
   return judge_bound(scene, summary);
 }
 

@@ -5,8 +5,10 @@
 #include <memory>
 
 #include "app/command_line_bench.hpp"
+#include "app/command_line_help.hpp"
 #include "app/errors.hpp"
 #include "app/figures/figures.hpp"
+#include "app/frame_range.hpp"
 #include "app/garment/placement.hpp"
 #include "app/version.hpp"
 #include "renderer/context/context.hpp"
@@ -48,7 +50,8 @@ void add_garment_arguments(CLI::App& command, SceneArguments& arguments) {
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
   command.add_option("SCENE", arguments.scene, scene_help_text)->required();
   add_garment_arguments(command, arguments);
-  command.add_option("--stats", arguments.statistics, "write measurements of every frame to this JSON file");
+  command.add_option("--stats", arguments.statistics,
+                     "write measurements of every frame to this file, .json or .csv (taut help stats)");
 }
 
 std::vector<Override> overrides_of(const SceneArguments& arguments) {
@@ -153,7 +156,6 @@ std::function<Command()> add_render(CLI::App& app) {
   struct Arguments {
     SceneArguments scene;
     PictureShortcuts shortcuts;
-    std::string frames;
     RenderOptions options;
   };
   auto arguments = std::make_shared<Arguments>();
@@ -164,8 +166,8 @@ std::function<Command()> add_render(CLI::App& app) {
   command->add_option("--output", arguments->options.output,
                       "file, or pattern such as frames/frame_{frame:04}.png, or a video, .mp4 or .gif "
                       "(default SCENE.png)");
-  command->add_option("--frames", arguments->frames,
-                      "A:B or A; frame 0 is before the first step (default: the last; of a video: all)");
+  command->add_option("--frames", arguments->options.frames,
+                      std::string("frames to draw: ") + frame_range_help + " (default: last; of a video 0:)");
   command->add_flag("--resume", arguments->options.resume,
                     "draw only those pictures of a sequence that an earlier run did not finish");
   add_picture_shortcuts(*command, arguments->shortcuts);
@@ -181,9 +183,6 @@ std::function<Command()> add_render(CLI::App& app) {
     options.statistics = arguments->scene.statistics;
     options.overrides = overrides_of(arguments->scene);
     append_shortcuts(arguments->shortcuts, options.overrides);
-    if (!arguments->frames.empty()) {
-      options.frames = parse_frame_range(arguments->frames);
-    }
     return Command(options);
   };
 }
@@ -197,13 +196,20 @@ std::function<Command()> add_simulate(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("simulate", "Simulate a scene without drawing and print measurements");
   add_scene_arguments(*command, arguments->scene);
-  command->add_option("--frames", arguments->options.frames, "how many (default: as many as the scene says)")
-      ->check(CLI::Range(1, 1000000));
-  command->add_option("--export", arguments->options.shapes,
-                      "write the shape of every frame, pattern such as shapes/{frame:04}.obj");
+  command->add_option("--frames", arguments->options.frames,
+                      std::string("frames to print and to export, simulated up to the last of them: ") +
+                          frame_range_help + " (default: 1:)");
+  command->add_option(
+      "--export", arguments->options.shapes,
+      "write the shape of each of these frames, pattern such as shapes/{frame:04}.obj, or of the "
+      "last of them, such as end.obj");
+  command->add_flag("--quiet", arguments->options.quiet, "print nothing but warnings and errors");
+  command->add_flag("--json", arguments->options.json,
+                    "print what --stats writes as JSON, and nothing else; remarks go to standard error");
   command->footer(
       "Examples:\n  taut simulate pinned-9x9-5\n"
-      "  taut simulate tshirt-gravity --frames 60 --set solver.substeps=40 --stats run.json\n");
+      "  taut simulate tshirt-gravity --frames :60 --set solver.substeps=40 --stats run.csv\n"
+      "  taut simulate my-dress.obj --quiet --export end.obj\n");
   return [arguments] {
     SimulateOptions options = arguments->options;
     options.scene = arguments->scene.scene;
@@ -309,45 +315,18 @@ std::function<Command()> add_scenes(CLI::App& app) {
   return [] { return Command(ScenesOptions{}); };
 }
 
-std::function<Command()> add_help(CLI::App& app) {
-  auto options = std::make_shared<HelpOptions>();
-  CLI::App* command = app.add_subcommand("help", "Explain the keys of scene files");
-  command->add_option("TOPIC", options->topic, "scene")->required();
-  command->footer("Example:\n  taut help scene\n");
-  return [options] { return Command(*options); };
-}
-
-int whole_frame(const std::string& digits, const std::string& text) {
-  int frame = -1;
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, frame);
-  if (error != std::errc() || stop != end || frame < 0 || frame > 1000000) {
-    throw UsageError("--frames " + text + ": expected A:B, the first and the last frame, such as 0:120");
-  }
-  return frame;
-}
-
 }  // namespace
-
-FrameRange parse_frame_range(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  const int first = whole_frame(text.substr(0, colon), text);
-  const int last = colon == std::string::npos ? first : whole_frame(text.substr(colon + 1), text);
-  if (last < first) {
-    throw UsageError("--frames " + text + ": the last frame comes before the first");
-  }
-  return {first, last};
-}
 
 Command parse_command_line(int argument_count, const char* const* arguments) {
   CLI::App app("Taut simulates garments that do not over-stretch and draws them.", "taut");
   app.set_version_flag("--version", "taut " + program_version());
   app.require_subcommand(1);
   app.footer(
-      "taut COMMAND --help says more. Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
+      "taut help COMMAND says more. Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
   const std::vector<std::function<Command()>> commands = {
       add_figures(app), add_render(app), add_simulate(app),     add_view(app), add_inspect(app),
       add_bench(app),   add_scenes(app), add_import_model(app), add_help(app)};
+  require_command(app, std::span(arguments, static_cast<std::size_t>(argument_count)));
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {

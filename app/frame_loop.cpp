@@ -15,7 +15,7 @@ bool is_drawn(int frame, const FrameOutputs& outputs) {
 
 FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOutputs& outputs) {
   FrameInWork work;
-  Stopwatch simulating;
+  const ProcessorStopwatch simulating;
   if (frame > 0) {
     simulation.advance_frame();
   }
@@ -51,7 +51,7 @@ void write_frame(FrameInWork& work, const FrameOutputs& outputs) {
 std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
                                     const FrameOutputs& outputs) {
   std::vector<FrameRecord> records;
-  int next_frame = is_drawn(0, outputs) ? 0 : 1;
+  int next_frame = outputs.with_frame_0 || is_drawn(0, outputs) ? 0 : 1;
 
   FrameStages stages;
   stages.simulate = [&]() -> std::optional<FrameInWork> {

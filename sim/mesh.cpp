@@ -89,30 +89,25 @@ std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places,
                                   std::count(used_place.begin(), used_place.end(), 1));
 }
 
-/// Drops the vertices no triangle uses and renumbers the rest. Returns how many were dropped.
-std::size_t compact_vertices(Mesh& mesh) {
-  std::vector<char> used(mesh.positions.size(), 0);
-  for (const Triangle& t : mesh.triangles) {
-    for (const Index v : t) {
-      used[v] = 1;
-    }
-  }
-  std::vector<Index> renumbered(mesh.positions.size());
+/// Drops the vertices no triangle uses and numbers the rest anew. Returns the new numbers, `no_vertex` of
+/// those that were dropped.
+std::vector<Index> compact_vertices(Mesh& mesh) {
+  const std::vector<char> used = used_vertices(mesh);
+  std::vector<Index> renumbered(mesh.positions.size(), no_vertex);
   Index kept = 0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    renumbered[v] = kept;
     if (used[v]) {
+      renumbered[v] = kept;
       mesh.positions[kept++] = mesh.positions[v];
     }
   }
-  const std::size_t dropped = mesh.positions.size() - kept;
   mesh.positions.resize(kept);
   for (Triangle& t : mesh.triangles) {
     for (Index& v : t) {
       v = renumbered[v];
     }
   }
-  return dropped;
+  return renumbered;
 }
 
 }  // namespace
@@ -130,6 +125,11 @@ double surface_area(const Mesh& mesh) {
 }
 
 ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings) {
+  std::vector<Index> kept;
+  return weld_and_validate(input, settings, kept);
+}
+
+ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings, std::vector<Index>& kept) {
   require_well_formed(input);
   ValidatedMesh out{{input.positions, input.triangles, {}}, {}};
   Mesh& mesh = out.mesh;
@@ -156,7 +156,15 @@ ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& setting
     t = {welded[t[0]], welded[t[1]], welded[t[2]]};
   }
   report.turned_triangles = orient_consistently(mesh);
-  report.unused_vertices = compact_vertices(mesh) - report.welded_vertices - report.near_vertices;
+  const std::vector<Index> renumbered = compact_vertices(mesh);
+  const std::size_t dropped = input.positions.size() - mesh.positions.size();
+  report.unused_vertices = dropped - report.welded_vertices - report.near_vertices;
+  const std::vector<char> used = used_vertices(input);
+  kept.assign(used.size(), no_vertex);
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    // A vertex that nothing uses is no vertex of the mesh, though one at its place be.
+    kept[v] = used[v] ? renumbered[welded[v]] : no_vertex;
+  }
   return out;
 }
 

@@ -14,7 +14,7 @@
 namespace taut::sim {
 namespace {
 
-constexpr Index none = std::numeric_limits<Index>::max();
+constexpr Index none = no_vertex;
 
 std::size_t mixed(std::size_t hash, std::uint64_t value) {
   hash = (hash ^ value) * 0x9E3779B97F4A7C15ULL;
@@ -51,16 +51,6 @@ std::vector<char> border_vertices(const Mesh& mesh, const Adjacency& adjacency) 
     }
   }
   return at_border;
-}
-
-std::vector<char> used_vertices(const Mesh& mesh) {
-  std::vector<char> used(mesh.positions.size(), 0);
-  for (const Triangle& t : mesh.triangles) {
-    for (const Index v : t) {
-      used[v] = 1;
-    }
-  }
-  return used;
 }
 
 /// First guess: a vertex whose triangles close around it stays for itself, others at a place become one.
@@ -123,6 +113,16 @@ struct Fans {
 };
 
 }  // namespace
+
+std::vector<char> used_vertices(const Mesh& mesh) {
+  std::vector<char> used(mesh.positions.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t) {
+      used[v] = 1;
+    }
+  }
+  return used;
+}
 
 std::vector<Index> first_at_same_position(const std::vector<Vec3>& positions) {
   std::unordered_map<Vec3, Index, PositionHash> first;

@@ -1,11 +1,22 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "sim/mesh.hpp"
 
 namespace taut::sim {
+
+/// In place of a vertex: there is none.
+inline constexpr Index no_vertex = std::numeric_limits<Index>::max();
+
+/// As of sim/mesh.hpp. Fills `kept` with the vertex of the result that stands for each vertex of `input`, or
+/// `no_vertex` where it belongs to no triangle, or only to some that were dropped.
+ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings, std::vector<Index>& kept);
+
+/// Of each vertex whether a triangle uses it.
+std::vector<char> used_vertices(const Mesh& mesh);
 
 /// For each vertex the first vertex at exactly the same position; -0 equals +0.
 std::vector<Index> first_at_same_position(const std::vector<Vec3>& positions);

@@ -22,12 +22,6 @@ struct FiguresOptions {
   std::string backend = "auto";
 };
 
-/// Frames A to B.
-struct FrameRange {
-  int first = 0;
-  int last = 0;
-};
-
 struct BenchOptions {
   std::vector<int> sizes;  ///< triangles; empty, as everything here: as `full` says
   std::vector<std::string> scenes;
@@ -46,7 +40,7 @@ struct BenchOptions {
 struct RenderOptions {
   std::string scene;   ///< or a picture that is to be made again
   std::string output;  ///< empty: SCENE_NAME.png
-  std::optional<FrameRange> frames;
+  std::string frames;  ///< as in frame_range.hpp; empty: the last, of a video all
   std::vector<Override> overrides;
   std::filesystem::path statistics;
   std::string backend = "auto";
@@ -56,8 +50,10 @@ struct RenderOptions {
 
 struct SimulateOptions {
   std::string scene;
-  std::optional<int> frames;
-  std::string shapes;  ///< pattern of OBJ files; empty: none
+  std::string frames;  ///< as in frame_range.hpp; empty: all from 1 on
+  std::string shapes;  ///< pattern of OBJ files, or one for the last frame; empty: none
+  bool json = false;
+  bool quiet = false;
   std::vector<Override> overrides;
   std::filesystem::path statistics;
 };
@@ -92,9 +88,8 @@ struct ImportModelOptions {
 
 struct ScenesOptions {};
 
-/// Help about something that is no command.
 struct HelpOptions {
-  std::string topic;
+  std::string text;  ///< what there is to say
 };
 
 /// The command line was answered by itself, as --version is.
@@ -117,8 +112,5 @@ int run(const HelpOptions& options);
 inline int run(const Answered& answered) {
   return answered.exit_code;
 }
-
-/// "A:B", or "A" for one frame. Throws UsageError.
-FrameRange parse_frame_range(const std::string& text);
 
 }  // namespace taut::app

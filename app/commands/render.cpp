@@ -7,13 +7,14 @@
 #include <numeric>
 
 #include "app/commands/options.hpp"
+#include "app/counted.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/studio.hpp"
 #include "app/errors.hpp"
 #include "app/frame_loop.hpp"
+#include "app/frame_range.hpp"
 #include "app/garment/garment_loading.hpp"
 #include "app/garment/garment_remarks.hpp"
-#include "app/garment/layers.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/files.hpp"
 #include "app/output/output_pattern.hpp"
@@ -39,8 +40,9 @@ struct Job {
 std::vector<int> frames_to_draw(const RenderOptions& options, const Job& job) {
   const int last = job.again ? job.again->frame : job.scene.frames;
   const int first = is_video(job.output) && !job.again ? 0 : last;
-  const FrameRange range = options.frames.value_or(FrameRange{first, last});
-  std::vector<int> frames(static_cast<std::size_t>(range.last - range.first) + 1);
+  const FrameRange range =
+      options.frames.empty() ? FrameRange{first, last} : frame_range(options.frames, job.scene.frames);
+  std::vector<int> frames(static_cast<std::size_t>(range.count()));
   std::iota(frames.begin(), frames.end(), range.first);
   return frames;
 }
@@ -87,6 +89,7 @@ class PictureOutput {
     } else {
       renderer::write_png(pattern_->path_of(record.frame), picture, picture_texts(origin, record));
     }
+    written_.push_back(record.frame);
   }
 
   /// Throws UsageError where there is one file for all frames.
@@ -100,16 +103,20 @@ class PictureOutput {
   /// Says what was written.
   std::string finish() {
     if (!video_) {
-      return describe_written(*pattern_, job_.frames);
+      return describe_written(*pattern_, written_);
     }
     video_->finish();
-    return fmt::format("wrote {}, {} frames", job_.output, job_.frames.size());
+    const int left_out = static_cast<int>(written_.size()) - video_->frames();
+    return fmt::format(
+        "wrote {}, {}{}", job_.output, counted(video_->frames(), "frame"),
+        left_out == 0 ? "" : fmt::format(" of {}: a GIF shows at most 50 in a second", written_.size()));
   }
 
  private:
   const Job& job_;
   std::optional<OutputPattern> pattern_;
   std::unique_ptr<VideoWriter> video_;
+  std::vector<int> written_;
 };
 
 // A picture made again may differ where the program, the garment's file or OpenGL has changed since.
@@ -173,9 +180,7 @@ std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Studi
 int run(const RenderOptions& options) {
   const Job job = job_of(options);
   PictureOutput output(job);
-  if (!options.statistics.empty()) {
-    prepare_folder_of(options.statistics);
-  }
+  prepare_statistics(options.statistics);
 
   Progress progress(job.scene.name);
   // Starting OpenGL and compiling shaders takes as long as reading a model.
@@ -188,11 +193,12 @@ int run(const RenderOptions& options) {
   LoadedGarment loaded = garment.get();
   progress.hide();
   print_remarks(job.scene, loaded);
-  sim::Simulation simulation = make_simulation(job.scene, std::move(loaded.garment));
+  sim::Simulation simulation = make_simulation(job.scene, std::move(loaded));
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
   const std::vector<int> frames = options.resume ? frames_left(job, output, origin) : job.frames;
   if (frames.size() < job.frames.size()) {
-    fmt::print("{} of {} frames are there already\n", job.frames.size() - frames.size(), job.frames.size());
+    fmt::print("there already: {} of {}\n", job.frames.size() - frames.size(),
+               counted(job.frames.size(), "frame"));
   }
   const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin, frames, progress);
   progress.begin("finishing " + job.output);
@@ -203,8 +209,7 @@ int run(const RenderOptions& options) {
     compare_with_record(job, records, studio.gl_renderer());
   }
   if (!options.statistics.empty()) {
-    write_text_file(options.statistics,
-                    statistics_json(job.scene, simulation.garment(), studio.gl_renderer(), records));
+    write_statistics(options.statistics, {job.scene, simulation.garment(), studio.gl_renderer(), records});
     fmt::print("wrote {}\n", options.statistics.string());
   }
   fmt::print("{}\n", written);

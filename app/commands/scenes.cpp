@@ -20,11 +20,7 @@ int run(const ScenesOptions&) {
 }
 
 int run(const HelpOptions& options) {
-  if (options.topic != "scene") {
-    throw UsageError("help " + options.topic +
-                     ": there is help about 'scene'; about a command: taut COMMAND --help");
-  }
-  fmt::print("{}", scene_help());
+  fmt::print("{}", options.text);
   return 0;
 }
 

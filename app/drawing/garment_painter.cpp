@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/drawing/framing.hpp"
+#include "app/scene/promise.hpp"
 #include "renderer/canvas.hpp"
 #include "renderer/mesh_normals.hpp"
 #include "sim/measures.hpp"
@@ -79,6 +80,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const Scene& s
                                const sim::Garment& garment)
     : renderer_(renderer),
       style_(scene.picture),
+      legend_(stretch_legend(scene)),
       springs_(garment.springs),
       pins_(garment.pins),
       triangles_(flat(garment.mesh.triangles)),
@@ -129,9 +131,7 @@ renderer::SurfaceView GarmentPainter::garment_view() const {
   surface.style = style_.cloth;
   surface.filled = style_.surface != SurfaceLook::wireframe;
   if (style_.surface == SurfaceLook::stretch) {
-    surface.scalars =
-        renderer::ScalarColours{stretch_, static_cast<float>(style_.stretch_range[0]),
-                                static_cast<float>(style_.stretch_range[1]), style_.stretch_colours};
+    surface.scalars = renderer::ScalarColours{stretch_, legend_.minimum, legend_.maximum, legend_.map};
   }
   if (style_.wireframe || !surface.filled) {
     surface.wireframe = renderer::Wireframe{.edges = structural_edges_, .width_px = line_width_px_};
@@ -174,16 +174,20 @@ renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions) {
   place.bar_width_px = 0.022F * height;
   place.bar_height_px = 0.35F * height;
   place.text.size_px = 0.025F * height;
-  renderer::draw_legend(canvas, stretch_legend(style_), place);
+  renderer::draw_legend(canvas, legend_, place);
   return canvas.to_image();
 }
 
-renderer::Legend stretch_legend(const PictureStyle& style) {
+renderer::Legend stretch_legend(const Scene& scene) {
+  const auto [lowest, highest] = shown_stretch_range(scene);
   renderer::Legend legend;
   legend.title = "stretch";
-  legend.minimum = static_cast<float>(style.stretch_range[0]);
-  legend.maximum = static_cast<float>(style.stretch_range[1]);
-  legend.map = style.stretch_colours;
+  legend.minimum = static_cast<float>(lowest);
+  legend.maximum = static_cast<float>(highest);
+  legend.map = scene.picture.stretch_colours;
+  if (const std::optional<double> bound = stretch_bound(scene)) {
+    legend.bound = static_cast<float>(*bound);
+  }
   legend.factor = 100.0F;
   legend.suffix = " %";
   legend.more_above = true;

@@ -35,6 +35,7 @@ class GarmentPainter {
 
   renderer::SceneRenderer& renderer_;
   PictureStyle style_;
+  renderer::Legend legend_;
   sim::Springs springs_;
   std::vector<sim::Index> pins_;
   std::vector<std::uint32_t> triangles_;
@@ -52,7 +53,7 @@ class GarmentPainter {
   std::vector<glm::vec3> pin_positions_;
 };
 
-/// The colour bar of pictures that show the stretch.
-renderer::Legend stretch_legend(const PictureStyle& style);
+/// The colour bar of pictures that show the stretch, with the bound marked that the solver means to keep.
+renderer::Legend stretch_legend(const Scene& scene);
 
 }  // namespace taut::app

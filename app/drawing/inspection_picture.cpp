@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <span>
 
+#include "app/counted.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/inspection_marks.hpp"
@@ -102,19 +103,15 @@ std::string shortened(const renderer::Canvas& canvas, std::string text, const re
   return text + "…";
 }
 
-std::string plural(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::vector<std::string> facts_of(const Inspection& i) {
   const sim::Vec3 size = i.upper_m - i.lower_m;
   return {
       fmt::format("{}, {}, {}; {:.3g} x {:.3g} x {:.3g} m; unit: {}; up: {}",
-                  plural(i.vertices, "vertex", "vertices"), plural(i.triangles, "triangle", "triangles"),
-                  plural(i.topology.components, "part", "parts"), size.x, size.y, size.z,
+                  counted(i.vertices, "vertex", "vertices"), counted(i.triangles, "triangle", "triangles"),
+                  counted(i.topology.components, "part", "parts"), size.x, size.y, size.z,
                   i.placement.unit_text, i.placement.up_text),
       fmt::format("repaired: {} joined, {} degenerate and {} repeated triangles removed, {} turned",
-                  plural(i.repairs.welded_vertices + i.repairs.near_vertices, "vertex", "vertices"),
+                  counted(i.repairs.welded_vertices + i.repairs.near_vertices, "vertex", "vertices"),
                   i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, i.repairs.turned_triangles)};
 }
 
@@ -146,7 +143,7 @@ std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::s
                     std::max(3.0F, marks.width_px), marks.dots});
   }
   if (pins > 0) {
-    rows.push_back({fmt::format("held: {}", plural(pins, "vertex", "vertices")), pin_colour,
+    rows.push_back({fmt::format("held: {}", counted(pins, "vertex", "vertices")), pin_colour,
                     LegendRow::Sample::dot, 16.0F});
   }
   rows.push_back({"outside", outside_colour, LegendRow::Sample::area});

@@ -155,7 +155,7 @@ MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s
   scene.simulation.frame_rate_hz = steps_per_s;
   scene.simulation.solver.stiffness.structural_n_per_m *= stiffness_factor;
   scene.simulation.solver.stiffness.shear_n_per_m *= stiffness_factor;
-  sim::Simulation simulation = make_simulation(scene, load_garment(scene).garment);
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   MethodRun run;
   run.kind = kind;
   run.time_step_s = simulation.frame_time_s();

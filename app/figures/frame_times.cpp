@@ -31,7 +31,7 @@ TimedRun make_timed_run(int triangles, Scene scene) {
   times.triangles = triangles;
   times.substeps = is_strong ? scene.simulation.solver.substeps : 0;
   times.sweeps = is_strong ? scene.simulation.solver.iterations : 0;
-  return {make_simulation(scene, load_garment(scene).garment), times};
+  return {make_simulation(scene, load_garment(scene)), times};
 }
 
 std::vector<TimedRun> make_timed_runs() {

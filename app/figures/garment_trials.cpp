@@ -58,8 +58,8 @@ Mapping mapping_of(const sim::Garment& garment) {
   return mapping;
 }
 
-TrialRun run_trial(const sim::Garment& garment, const Scene& scene, const Checkpoint& checkpoint) {
-  sim::Simulation simulation = make_simulation(scene, garment);
+TrialRun run_trial(const LoadedGarment& loaded, const Scene& scene, const Checkpoint& checkpoint) {
+  sim::Simulation simulation = make_simulation(scene, loaded);
   FrameOutputs outputs;
   outputs.report = [&](const FrameRecord& record) {
     checkpoint(static_cast<double>(record.frame) / trial_frames);
@@ -86,17 +86,17 @@ GarmentTrial try_garment(const std::string& file, const std::string& kind, const
   trial.kind = kind;
   try {
     Scene scene = find_scene(file, {});
-    const sim::Garment garment = load_garment(scene).garment;
-    trial.mapping = mapping_of(garment);
+    const LoadedGarment loaded = load_garment(scene);
+    trial.mapping = mapping_of(loaded.garment);
     sim::SolverSettings& solver = scene.simulation.solver;
     solver = {};
     solver.kind = sim::SolverKind::strong;
     solver.substeps = trial_steps;
     solver.iterations = trial_sweeps;
-    trial.strong = run_trial(garment, scene, [&](double done) { checkpoint(0.8 * done); });
+    trial.strong = run_trial(loaded, scene, [&](double done) { checkpoint(0.8 * done); });
     solver = {};
     solver.max_stretch = trial_bound;
-    trial.bounded = run_trial(garment, scene, [&](double done) { checkpoint(0.8 + 0.2 * done); });
+    trial.bounded = run_trial(loaded, scene, [&](double done) { checkpoint(0.8 + 0.2 * done); });
   } catch (const InputError& error) {
     trial.refusal = error.what();
   }

@@ -29,7 +29,7 @@ Scene scene_for_print(const PrintedMoment& moment, const PictureSize& size) {
   }
   if (moment.shows_stretch) {
     scene.picture.surface = SurfaceLook::stretch;
-    scene.picture.stretch_range = {-printed_stretch, printed_stretch};
+    scene.picture.stretch_range = std::array{-printed_stretch, printed_stretch};
     scene.picture.stretch_colours = printed_stretch_colours;
     scene.picture.legend = false;
   }

@@ -24,7 +24,7 @@ void keep(const sim::Simulation& simulation, int frame, Recording& recording) {
 }  // namespace
 
 Recording record_frames(const Scene& scene, std::span<const int> frames, const Checkpoint& checkpoint) {
-  sim::Simulation simulation = make_simulation(scene, load_garment(scene).garment);
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   Recording recording = begin_recording(scene, simulation);
   if (frames.front() == 0) {
     keep(simulation, 0, recording);
@@ -57,7 +57,7 @@ StepRecording record_steps(const Scene& scene, std::span<const int> frames, sim:
                            const Checkpoint& checkpoint) {
   const int steps_in_frame = sim::equal_substeps(scene.simulation.solver);
   const Scene stepped = with_steps_as_frames(scene);
-  sim::Simulation simulation = make_simulation(stepped, load_garment(stepped).garment);
+  sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
   StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};
   if (frames.front() == 0) {
     keep(simulation, 0, recording.frames);

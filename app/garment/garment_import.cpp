@@ -18,6 +18,15 @@ void count_faces(const ModelArrays& arrays, ImportedModel& model) {
   }
 }
 
+bool is_counting_up(const std::vector<sim::Index>& corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i] != i) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void require_size(const ModelArrays& arrays) {
   if (arrays.corner_counts.empty()) {
     throw std::invalid_argument("it has no faces");
@@ -40,6 +49,8 @@ ImportedModel import_garment(const std::filesystem::path& path, const ImportLimi
     count_faces(arrays, model);
     model.triangles = sim::cut_into_triangles({arrays.positions, arrays.corner_counts, arrays.corners});
     model.positions = std::move(arrays.positions);
+    model.position_of_vertex = std::move(arrays.position_of_vertex);
+    model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);
     model.format = std::move(arrays.format);
     model.meshes = arrays.meshes;
     model.ignored_lines = arrays.ignored_lines;

@@ -16,7 +16,9 @@ namespace taut::app {
 struct ImportedModel {
   std::vector<sim::Vec3> positions;  ///< in the file's unit, along its axes
   std::vector<sim::Triangle> triangles;
-  std::string format;  ///< the reader's name for it
+  std::vector<sim::Index> position_of_vertex;  ///< as in ModelArrays
+  bool shares_vertices = false;                ///< false: every corner of a face has a position of its own
+  std::string format;                          ///< the reader's name for it
   std::size_t meshes = 0;
   std::size_t file_triangles = 0;  ///< faces with three corners
   std::size_t file_quads = 0;      ///< with four, cut in two

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "app/garment/layers.hpp"
 #include "app/scene/pins.hpp"
 #include "sim/subdivide.hpp"
+#include "sim/welding.hpp"
 
 namespace taut::app {
 namespace {
@@ -66,6 +68,17 @@ void tell(const StageReport& begin, const std::string& stage) {
   }
 }
 
+FileVertices vertices_of_file(const ImportedModel& model, std::vector<sim::Index>& kept) {
+  FileVertices vertices{model.position_of_vertex, !model.shares_vertices && model.position_of_vertex.empty()};
+  for (sim::Index& vertex : vertices.mesh_vertex) {
+    vertex = kept[vertex];
+  }
+  if (vertices.mesh_vertex.empty()) {
+    vertices.mesh_vertex = std::move(kept);
+  }
+  return vertices;
+}
+
 sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const StageReport& begin) {
   tell(begin, "reading " + source.file.filename().string());
   ImportedModel& model = loaded.model.emplace(import_garment(source.file));
@@ -75,8 +88,10 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
   require_size(source, *loaded.placement);
   tell(begin, "joining its vertices");
   try {
-    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m / loaded.placement->scale});
+    std::vector<sim::Index> kept;
+    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m / loaded.placement->scale}, kept);
     loaded.repairs = valid.report;
+    loaded.file_vertices = vertices_of_file(model, kept);
     require_one_size(valid.mesh);
     model.positions = std::move(soup.positions);
     for (sim::Vec3& position : valid.mesh.positions) {
@@ -113,7 +128,8 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
     loaded.hanging = hang(mesh, sim::make_adjacency(mesh));
     return loaded.hanging->pins;
   }
-  return select_pins(scene.pins, {mesh, loaded.landmarks, is_grid ? &scene.garment.grid : nullptr});
+  return select_pins(scene.pins,
+                     {mesh, loaded.landmarks, loaded.file_vertices, is_grid ? &scene.garment.grid : nullptr});
 }
 
 }  // namespace
@@ -126,8 +142,11 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   }
   sim::Mesh mesh = is_grid ? sim::make_grid(scene.garment.grid) : read_mesh(scene.garment, loaded, begin);
   tell(begin, "mapping it to springs");
-  if (!is_grid) {
-    loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh);
+  if (is_grid) {
+    loaded.file_vertices.mesh_vertex.resize(mesh.positions.size());
+    std::iota(loaded.file_vertices.mesh_vertex.begin(), loaded.file_vertices.mesh_vertex.end(), 0U);
+  } else {
+    loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh, loaded.file_vertices);
   }
   // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
   std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded);
@@ -136,8 +155,12 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   return loaded;
 }
 
-sim::Simulation make_simulation(const Scene& scene, sim::Garment garment) {
-  sim::Surroundings surroundings = settled(scene.surroundings, garment);
+sim::Simulation make_simulation(const Scene& scene, LoadedGarment loaded) {
+  return make_simulation(scene, std::move(loaded.garment), loaded.file_vertices);
+}
+
+sim::Simulation make_simulation(const Scene& scene, sim::Garment garment, const FileVertices& file_vertices) {
+  sim::Surroundings surroundings = settled(scene.surroundings, garment, file_vertices);
   return {std::move(garment), scene.simulation, std::move(surroundings)};
 }
 

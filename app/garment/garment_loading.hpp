@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/garment/file_vertices.hpp"
 #include "app/garment/garment_import.hpp"
 #include "app/garment/hanging.hpp"
 #include "app/garment/landmarks.hpp"
@@ -17,6 +18,7 @@ namespace taut::app {
 struct LoadedGarment {
   sim::Garment garment;
   Landmarks landmarks;
+  FileVertices file_vertices;  ///< in the mesh before it was subdivided; of a grid all its vertices
   // Of a model file; a grid is made, not read.
   std::optional<ImportedModel> model;  ///< with its positions, without its triangles
   std::optional<sim::MeshReport> repairs;
@@ -32,7 +34,9 @@ using StageReport = std::function<void(const std::string& stage)>;
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin = {});
 
 /// The scene's garment as the scene begins. What the scene leaves to the garment is settled here: a
-/// simulation refuses surroundings in which it is not. Throws std::invalid_argument as sim::Simulation does.
-sim::Simulation make_simulation(const Scene& scene, sim::Garment garment);
+/// simulation refuses surroundings in which it is not. Throws std::invalid_argument as sim::Simulation does,
+/// and InputError on a force at a vertex that is not there.
+sim::Simulation make_simulation(const Scene& scene, LoadedGarment loaded);
+sim::Simulation make_simulation(const Scene& scene, sim::Garment garment, const FileVertices& file_vertices);
 
 }  // namespace taut::app

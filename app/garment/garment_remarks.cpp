@@ -2,20 +2,31 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include "app/counted.hpp"
+
 namespace taut::app {
 namespace {
 
 void append_repairs(const sim::MeshReport& repairs, std::vector<std::string>& lines) {
-  const auto say = [&](std::size_t count, const char* what) {
+  const auto say = [&](std::size_t count, const char* one, const char* many) {
     if (count > 0) {
-      lines.push_back(fmt::format("{} {}", count, what));
+      lines.push_back(counted(count, one, many));
     }
   };
-  say(repairs.degenerate_triangles, "triangles without area removed");
-  say(repairs.duplicate_triangles, "repeated triangles removed");
-  say(repairs.turned_triangles, "triangles turned to the side of their neighbours");
-  say(repairs.parted_vertices, "vertices of layers that touch kept apart");
-  say(repairs.near_vertices, "vertices welded to near ones");
+  say(repairs.degenerate_triangles, "triangle without area removed", "triangles without area removed");
+  say(repairs.duplicate_triangles, "repeated triangle removed", "repeated triangles removed");
+  say(repairs.turned_triangles, "triangle turned to the side of its neighbours",
+      "triangles turned to the side of their neighbours");
+  say(repairs.parted_vertices, "vertex of layers that touch kept apart",
+      "vertices of layers that touch kept apart");
+  say(repairs.near_vertices, "vertex welded to a near one", "vertices welded to near ones");
+}
+
+bool has_numbers(const std::optional<std::vector<PinSelector>>& pins) {
+  const auto is_number = [](const PinSelector& pin) { return std::holds_alternative<sim::Index>(pin); };
+  return pins && std::any_of(pins->begin(), pins->end(), is_number);
 }
 
 }  // namespace
@@ -39,10 +50,14 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   return lines;
 }
 
-void print_remarks(const Scene& scene, const LoadedGarment& loaded) {
+void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* output) {
   const std::string file = scene.garment.file.filename().string();
-  for (const std::string& line : remarks_of(loaded)) {
-    fmt::print("{}: {}\n", file, line);
+  std::vector<std::string> lines = remarks_of(loaded);
+  if (loaded.file_vertices.are_corners && has_numbers(scene.pins)) {
+    lines.push_back("pins.at counts " + loaded.file_vertices.describe());
+  }
+  for (const std::string& line : lines) {
+    fmt::print(output, "{}: {}\n", file, line);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "app/counted.hpp"
 #include "sim/groups.hpp"
 
 namespace taut::app {
@@ -188,12 +189,14 @@ std::vector<std::string> describe(const Hanging& hanging) {
     closed += part.closed;
     flat += part.flat;
     if (p < most_lines) {
-      lines.push_back(fmt::format("part {} of {}: {} vertices, {}, {} pins", p + 1, hanging.parts.size(),
-                                  part.vertices, way_of(part.by), part.pins));
+      lines.push_back(fmt::format("part {} of {}: {}, {}, {}", p + 1, hanging.parts.size(),
+                                  counted(part.vertices, "vertex", "vertices"), way_of(part.by),
+                                  counted(part.pins, "pin")));
     }
   }
   if (hanging.parts.size() > most_lines) {
-    lines.push_back(fmt::format("and {} parts more, each held likewise", hanging.parts.size() - most_lines));
+    lines.push_back(
+        fmt::format("and {} more, held likewise", counted(hanging.parts.size() - most_lines, "part")));
   }
   if (closed > 0) {
     lines.push_back(

@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "app/counted.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -82,6 +84,44 @@ std::string describe_size(const Inspection& i) {
       i.smallest_angle_rad * degrees_per_radian);
 }
 
+std::string vertices(std::size_t count) {
+  return counted(count, "vertex", "vertices");
+}
+
+std::string triangles(std::size_t count) {
+  return counted(count, "triangle");
+}
+
+std::string describe_reading(const Inspection& i) {
+  std::string text =
+      fmt::format("read        {}, {}: {}, {}, {}", i.model.format, counted(i.model.meshes, "mesh", "meshes"),
+                  triangles(i.model.file_triangles), counted(i.model.file_quads, "quad"),
+                  counted(i.model.file_polygons, "polygon"));
+  text += fmt::format("; ignored {}, {}\n", counted(i.model.ignored_lines, "line"),
+                      counted(i.model.ignored_points, "point"));
+  text += fmt::format("repaired    {} of {} welded, {} unused; {} degenerate and {} repeated of {} removed\n",
+                      i.repairs.welded_vertices, vertices(i.repairs.input_vertices),
+                      i.repairs.unused_vertices, i.repairs.degenerate_triangles,
+                      i.repairs.duplicate_triangles, triangles(i.repairs.input_triangles));
+  return text +
+         fmt::format("            {} turned, {} welded to near ones, {} of touching layers kept apart\n",
+                     triangles(i.repairs.turned_triangles), vertices(i.repairs.near_vertices),
+                     i.repairs.parted_vertices);
+}
+
+std::string describe_topology(const sim::Topology& t) {
+  const std::string border =
+      t.boundary_loops == 0
+          ? "no boundary"
+          : fmt::format("{} ({}{})", counted(t.boundary_loops, "boundary loop"),
+                        counted(t.boundary_edges, "edge"), t.boundary_loops > 1 ? " in all" : "");
+  const std::string text = fmt::format("topology    {}, {}, Euler characteristic {}\n",
+                                       counted(t.components, "component"), border, t.euler_characteristic);
+  return text + fmt::format("            {}, {}, {}\n", counted(t.non_manifold_edges, "non-manifold edge"),
+                            counted(t.non_manifold_vertices, "non-manifold vertex", "non-manifold vertices"),
+                            counted(t.misoriented_edges, "misoriented edge"));
+}
+
 }  // namespace
 
 Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
@@ -97,6 +137,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
     result.parts = loaded.hanging->parts;
     result.hanging = describe(*loaded.hanging);
   }
+  result.vertex_numbers = loaded.file_vertices.describe();
   result.vertices = garment.mesh.positions.size();
   result.triangles = garment.mesh.triangles.size();
   measure_size(garment.mesh, result);
@@ -113,33 +154,19 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
 }
 
 std::string describe(const Inspection& i) {
-  std::string text = fmt::format("{}\n", i.file);
-  text += fmt::format("read        {}, {} meshes: {} triangles, {} quads, {} polygons", i.model.format,
-                      i.model.meshes, i.model.file_triangles, i.model.file_quads, i.model.file_polygons);
-  text += fmt::format("; ignored {} lines, {} points\n", i.model.ignored_lines, i.model.ignored_points);
-  text += fmt::format(
-      "repaired    {} of {} vertices welded, {} unused; {} degenerate and {} repeated of {} triangles "
-      "removed\n",
-      i.repairs.welded_vertices, i.repairs.input_vertices, i.repairs.unused_vertices,
-      i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, i.repairs.input_triangles);
-  text += fmt::format(
-      "            {} triangles turned, {} vertices welded to near ones, {} of touching layers kept apart\n",
-      i.repairs.turned_triangles, i.repairs.near_vertices, i.repairs.parted_vertices);
+  std::string text = i.file + '\n' + describe_reading(i);
   text += fmt::format("unit        {}\nup          {}\n", i.placement.unit_text, i.placement.up_text);
-  text += fmt::format("mesh        {} vertices, {} triangles\n", i.vertices, i.triangles) + describe_size(i);
-  text += fmt::format("topology    {} components, {} boundary loops of {} edges, Euler characteristic {}\n",
-                      i.topology.components, i.topology.boundary_loops, i.topology.boundary_edges,
-                      i.topology.euler_characteristic);
-  text += fmt::format("            {} non-manifold edges, {} non-manifold vertices, {} misoriented edges\n",
-                      i.topology.non_manifold_edges, i.topology.non_manifold_vertices,
-                      i.topology.misoriented_edges);
+  text +=
+      fmt::format("mesh        {}, {}\n", vertices(i.vertices), triangles(i.triangles)) + describe_size(i);
+  text += describe_topology(i.topology);
   text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs,
                       i.shear_springs, i.flexural_springs);
+  text += fmt::format("numbers     in pins.at count the {}\n", i.vertex_numbers);
   for (const std::string& line : i.hanging) {
     text += "hung        " + line + '\n';
   }
   for (const LandmarkSize& landmark : i.landmarks) {
-    text += fmt::format("landmark    {}: {} vertices\n", landmark.name, landmark.vertices);
+    text += fmt::format("landmark    {}: {}\n", landmark.name, vertices(landmark.vertices));
   }
   for (const std::string& line : i.remarks) {
     text += "remark      " + line + '\n';

@@ -36,6 +36,7 @@ struct Inspection {
   std::size_t shear_springs = 0;
   std::size_t flexural_springs = 0;
   std::vector<LandmarkSize> landmarks;
+  std::string vertex_numbers;        ///< what the numbers in pins.at count
   std::vector<std::string> remarks;  ///< what a user should look at
 };
 

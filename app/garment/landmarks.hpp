@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/garment/file_vertices.hpp"
 #include "app/garment/placement.hpp"
 #include "sim/mesh.hpp"
 
@@ -17,10 +18,9 @@ using Landmarks = std::vector<std::pair<std::string, std::vector<sim::Index>>>;
 std::filesystem::path landmarks_path(const std::filesystem::path& garment);
 
 /// Finds the landmarks in the mesh that was made of the garment and placed. The file holds lists of
-/// points [x, y, z] in the garment's unit or, for an OBJ file, of its vertices counted from 0; either way a
-/// landmark is found by its position, because reading a model reorders its vertices. Without the file there
-/// are none. Throws InputError naming the file, the line, the landmark and the point no vertex lies at.
+/// points [x, y, z] in the garment's unit or of numbers of its vertices. Without the file there are none.
+/// Throws InputError naming the file, the line, the landmark and the point or the vertex that is not there.
 Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement,
-                         const sim::Mesh& mesh);
+                         const sim::Mesh& mesh, const FileVertices& file_vertices);
 
 }  // namespace taut::app

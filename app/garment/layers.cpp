@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "app/errors.hpp"
 #include "sim/groups.hpp"
 
 namespace taut::app {
@@ -120,7 +121,15 @@ double suitable_layer_distance(const sim::Garment& garment) {
   return suitable_m < smallest_m ? 0.0 : suitable_m;
 }
 
-sim::Surroundings settled(sim::Surroundings surroundings, const sim::Garment& garment) {
+sim::Surroundings settled(sim::Surroundings surroundings, const sim::Garment& garment,
+                          const FileVertices& file_vertices) {
+  for (sim::PointForce& force : surroundings.forces.artificial_forces) {
+    const std::optional<sim::Index> vertex = file_vertices.find(force.vertex);
+    if (!vertex) {
+      throw InputError("forces.vertex: " + file_vertices.why_missing(force.vertex));
+    }
+    force.vertex = *vertex;
+  }
   if (surroundings.layer_distance_m == layer_distance_from_mesh) {
     surroundings.layer_distance_m = suitable_layer_distance(garment);
   }

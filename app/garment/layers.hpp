@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/garment/file_vertices.hpp"
 #include "sim/garment.hpp"
 #include "sim/surroundings.hpp"
 
@@ -13,7 +14,10 @@ inline constexpr double layer_distance_from_mesh = -1.0;
 /// distance counts as one cloth (sim/self_collision.hpp). 0 where the edges are next to nothing.
 double suitable_layer_distance(const sim::Garment& garment);
 
-/// The surroundings as the simulation needs them, with the suitable distance where it is left to the mesh.
-sim::Surroundings settled(sim::Surroundings surroundings, const sim::Garment& garment);
+/// The surroundings as the simulation needs them, with the suitable distance where it is left to the mesh and
+/// forces at vertices of the mesh, where the scene means those of the garment's file. Throws InputError on a
+/// force at a vertex that is not there.
+sim::Surroundings settled(sim::Surroundings surroundings, const sim::Garment& garment,
+                          const FileVertices& file_vertices);
 
 }  // namespace taut::app

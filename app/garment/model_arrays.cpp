@@ -1,5 +1,6 @@
 #include "app/garment/model_arrays.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <type_traits>
@@ -70,6 +71,7 @@ std::string encode(const ModelArrays& model) {
   put_list(bytes, model.positions);
   put_list(bytes, model.corner_counts);
   put_list(bytes, model.corners);
+  put_list(bytes, model.position_of_vertex);
   put_list(bytes, model.format);
   put(bytes, static_cast<std::uint64_t>(model.meshes));
   put(bytes, static_cast<std::uint64_t>(model.ignored_lines));
@@ -85,13 +87,18 @@ ModelArrays decode(const std::string& bytes) {
   model.positions = reader.take_list<std::vector<sim::Vec3>>();
   model.corner_counts = reader.take_list<std::vector<std::uint32_t>>();
   model.corners = reader.take_list<std::vector<sim::Index>>();
+  model.position_of_vertex = reader.take_list<std::vector<sim::Index>>();
   model.format = reader.take_list<std::string>();
   model.meshes = reader.take<std::uint64_t>();
   model.ignored_lines = reader.take<std::uint64_t>();
   model.ignored_points = reader.take<std::uint64_t>();
   const auto unit = reader.take<double>();
   const auto axis = reader.take<std::uint8_t>();
-  if (!reader.at_end() || (axis != no_axis && axis > static_cast<std::uint8_t>(ModelAxis::minus_z))) {
+  const auto is_position = [&](sim::Index index) { return index < model.positions.size(); };
+  const bool has_positions =
+      std::all_of(model.position_of_vertex.begin(), model.position_of_vertex.end(), is_position);
+  if (!reader.at_end() || !has_positions ||
+      (axis != no_axis && axis > static_cast<std::uint8_t>(ModelAxis::minus_z))) {
     throw std::runtime_error("the arrays of a model are not as expected");
   }
   model.metres_per_unit = unit > 0.0 ? std::optional(unit) : std::nullopt;

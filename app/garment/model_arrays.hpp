@@ -18,7 +18,9 @@ struct ModelArrays {
   std::vector<sim::Vec3> positions;          ///< in the file's unit, along its axes
   std::vector<std::uint32_t> corner_counts;  ///< of every face, at least 3
   std::vector<sim::Index> corners;           ///< of face after face, positions by number
-  std::string format;                        ///< the reader's name for it
+  /// For each vertex of the file its place in `positions`, where these are in another order; else empty.
+  std::vector<sim::Index> position_of_vertex;
+  std::string format;  ///< the reader's name for it
   std::size_t meshes = 0;
   std::size_t ignored_lines = 0;
   std::size_t ignored_points = 0;

@@ -179,6 +179,7 @@ void number_by_first_use(ModelArrays& model) {
     number(old);
   }
   model.positions = std::move(positions);
+  model.position_of_vertex = std::move(number_of);
 }
 
 std::optional<ModelArrays> ObjReader::read() {

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <string>
 
+#include "app/counted.hpp"
+
 namespace taut::app {
 
 namespace {
@@ -42,12 +44,12 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
   }
   const bool allowed = scene.allow_exceeding_bound;
   fmt::print(stderr,
-             "taut: {}: {} of {} frames exceed solver.max_stretch = {:g}, the first is frame {}; the largest "
+             "taut: {}: {} of {} {} solver.max_stretch = {:g}, the first is frame {}; the largest "
              "stretch is {:.4g}. Pins may pull the cloth apart, or more time steps are needed "
              "(solver.max_substeps = {}){}\n",
-             allowed ? "warning" : "error", summary.frames_over_bound, summary.frames,
-             scene.simulation.solver.max_stretch, summary.first_frame_over_bound, summary.max_stretch,
-             scene.simulation.solver.max_substeps,
+             allowed ? "warning" : "error", summary.frames_over_bound, counted(summary.frames, "frame"),
+             summary.frames_over_bound == 1 ? "exceeds" : "exceed", scene.simulation.solver.max_stretch,
+             summary.first_frame_over_bound, summary.max_stretch, scene.simulation.solver.max_substeps,
              allowed ? "" : "; solver.allow_exceeding = true accepts such frames");
   return allowed ? 0 : 1;
 }

@@ -24,9 +24,11 @@ struct FrameRecord {
   double convergence_m = 0.0;  ///< the largest |p(t) - p(t - dt)| of any vertex, from frame to frame
   std::uint64_t state_hash = 0;
   bool asleep = false;
+  /// Processor time of the thread that simulates, which waits for its helpers without sleeping. In the
+  /// window, which has to keep up with the clock, time on the clock.
   double sim_ms = 0.0;
-  double draw_ms = 0.0;
-  double encode_ms = 0.0;  ///< of the picture or the shape, writing included
+  double draw_ms = 0.0;    ///< on the clock
+  double encode_ms = 0.0;  ///< of the picture or the shape, writing included; on the clock
 };
 
 /// Everything but the times it took.

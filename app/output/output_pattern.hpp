@@ -16,6 +16,9 @@ class OutputPattern {
   /// Throws UsageError where several frames would all get the same name.
   void require_distinct_names(std::size_t frame_count) const;
 
+  /// Whether frames have names of their own.
+  bool has_field() const { return has_field_; }
+
   std::filesystem::path path_of(int frame) const;
 
  private:

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "app/errors.hpp"
+#include "app/output/files.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/version.hpp"
 
@@ -36,6 +38,47 @@ struct JsonWriter {
   }
 };
 
+/// What stands in the statistics of a frame.
+struct FrameColumn {
+  const char* name;
+  const char* unit;
+  const char* meaning;
+  Json (*value)(const FrameRecord&);
+};
+
+const FrameColumn frame_columns[] = {
+    {"frame", "", "its number; 0 is the cloth before the first step",
+     [](const auto& r) -> Json { return r.frame; }},
+    {"time_s", "s", "simulated", [](const auto& r) -> Json { return r.time_s; }},
+    {"max_stretch", "", "length / rest length - 1, the largest of all structural springs",
+     [](const auto& r) -> Json { return r.stretch.max; }},
+    {"p99_stretch", "", "99 of 100 springs are stretched less",
+     [](const auto& r) -> Json { return r.stretch.p99; }},
+    {"mean_stretch", "", "of all structural springs", [](const auto& r) -> Json { return r.stretch.mean; }},
+    {"raw_max_stretch", "", "the largest before the solver's last correction, which keeps the bound",
+     [](const auto& r) -> Json { return r.raw_max_stretch; }},
+    {"bound_kept", "", "false: the solver promised solver.max_stretch and could not keep it",
+     [](const auto& r) -> Json { return r.bound_kept; }},
+    {"substeps", "", "time steps in the frame", [](const auto& r) -> Json { return r.substeps; }},
+    {"max_compression", "", "1 - length / rest length, the largest",
+     [](const auto& r) -> Json { return r.stretch.max_compression; }},
+    {"rms_speed", "m/s", "root of the mean square of all vertices",
+     [](const auto& r) -> Json { return r.rms_speed_m_per_s; }},
+    {"kinetic_energy", "J", "of all vertices", [](const auto& r) -> Json { return r.energy.kinetic_j; }},
+    {"potential_energy", "J", "in gravity", [](const auto& r) -> Json { return r.energy.potential_j; }},
+    {"convergence", "m", "the largest |p(t) - p(t - dt)| of any vertex, from frame to frame",
+     [](const auto& r) -> Json { return r.convergence_m; }},
+    {"sim_ms", "ms", "processor time of the thread that simulates; of several threads, the one that leads",
+     [](const auto& r) -> Json { return r.sim_ms; }},
+    {"draw_ms", "ms", "time on the clock", [](const auto& r) -> Json { return r.draw_ms; }},
+    {"encode_ms", "ms", "time on the clock: making and writing the picture or the shape",
+     [](const auto& r) -> Json { return r.encode_ms; }},
+    {"state_hash", "", "equal where all positions are equal, bit for bit",
+     [](const auto& r) -> Json { return fmt::format("{:016x}", r.state_hash); }},
+    {"asleep", "", "at rest: nothing is computed until something changes",
+     [](const auto& r) -> Json { return r.asleep; }},
+};
+
 Json spring_counts(std::size_t structural, std::size_t shear, std::size_t flexural) {
   return {{"structural", structural}, {"shear", shear}, {"flexural", flexural}};
 }
@@ -58,24 +101,11 @@ Json versions_json(const std::string& gl_renderer) {
 }
 
 Json record_json(const FrameRecord& record) {
-  return {{"frame", record.frame},
-          {"time_s", record.time_s},
-          {"max_stretch", record.stretch.max},
-          {"p99_stretch", record.stretch.p99},
-          {"mean_stretch", record.stretch.mean},
-          {"raw_max_stretch", record.raw_max_stretch},
-          {"bound_kept", record.bound_kept},
-          {"substeps", record.substeps},
-          {"max_compression", record.stretch.max_compression},
-          {"rms_speed", record.rms_speed_m_per_s},
-          {"kinetic_energy", record.energy.kinetic_j},
-          {"potential_energy", record.energy.potential_j},
-          {"convergence", record.convergence_m},
-          {"sim_ms", record.sim_ms},
-          {"draw_ms", record.draw_ms},
-          {"encode_ms", record.encode_ms},
-          {"state_hash", fmt::format("{:016x}", record.state_hash)},
-          {"asleep", record.asleep}};
+  Json json = Json::object();
+  for (const FrameColumn& column : frame_columns) {
+    json[column.name] = column.value(record);
+  }
+  return json;
 }
 
 Json summary_json(const RunSummary& summary) {
@@ -123,18 +153,58 @@ std::string text_of(const Json& json) {
 
 }  // namespace
 
-std::string statistics_json(const Scene& scene, const sim::Garment& garment, const std::string& gl_renderer,
-                            const std::vector<FrameRecord>& records) {
-  Json json = {{"scene", scene.name},
-               {"garment", garment_json(garment)},
-               {"settings", std::visit(JsonWriter{}, scene_settings(scene).data)},
-               {"versions", versions_json(gl_renderer)},
-               {"summary", summary_json(summarise(records))},
+void prepare_statistics(const std::filesystem::path& file) {
+  if (file.empty()) {
+    return;
+  }
+  // What has no ending, such as /dev/stdout, is given JSON.
+  if (file.has_extension() && file.extension() != ".json" && file.extension() != ".csv") {
+    throw UsageError("--stats " + file.string() + ": expected a file name that ends in .json or .csv");
+  }
+  prepare_folder_of(file);
+}
+
+std::string statistics_json(const RunStatistics& run) {
+  Json json = {{"scene", run.scene.name},
+               {"garment", garment_json(run.garment)},
+               {"settings", std::visit(JsonWriter{}, scene_settings(run.scene).data)},
+               {"versions", versions_json(run.gl_renderer)},
+               {"summary", summary_json(summarise(run.records))},
                {"frames", Json::array()}};
-  for (const FrameRecord& record : records) {
+  for (const FrameRecord& record : run.records) {
     json["frames"].push_back(record_json(record));
   }
   return text_of(json);
+}
+
+std::string statistics_csv(const std::vector<FrameRecord>& records) {
+  std::string text;
+  for (const FrameColumn& column : frame_columns) {
+    text += (text.empty() ? "" : ",") + std::string(column.name);
+  }
+  for (const FrameRecord& record : records) {
+    std::string row;
+    for (const FrameColumn& column : frame_columns) {
+      const Json value = column.value(record);
+      row += (row.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    text += '\n' + row;
+  }
+  return text + '\n';
+}
+
+void write_statistics(const std::filesystem::path& file, const RunStatistics& run) {
+  write_text_file(file, file.extension() == ".csv" ? statistics_csv(run.records) : statistics_json(run));
+}
+
+std::string statistics_help() {
+  std::string text =
+      "--stats FILE.csv writes one row for every frame that was simulated, --stats FILE.json the same in\n"
+      "\"frames\", with the scene, its settings, the versions and a summary of the run. Of every frame:\n\n";
+  for (const FrameColumn& column : frame_columns) {
+    text += fmt::format("  {:<17} {:<4} {}\n", column.name, column.unit, column.meaning);
+  }
+  return text;
 }
 
 std::string inspection_json(const Inspection& i) {
@@ -186,6 +256,7 @@ std::string inspection_json(const Inspection& i) {
        {"topology", topology},
        {"springs", spring_counts(i.structural_springs, i.shear_springs, i.flexural_springs)},
        {"landmarks", landmarks},
+       {"vertex_numbers", i.vertex_numbers},
        {"remarks", i.remarks}});
 }
 

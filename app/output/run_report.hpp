@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,29 @@
 
 namespace taut::app {
 
-/// What --stats writes: one JSON object. `gl_renderer` is empty where nothing was drawn.
-std::string statistics_json(const Scene& scene, const sim::Garment& garment, const std::string& gl_renderer,
-                            const std::vector<FrameRecord>& records);
+/// What the statistics of a run are made of.
+struct RunStatistics {
+  const Scene& scene;
+  const sim::Garment& garment;
+  std::string gl_renderer;  ///< empty where nothing was drawn
+  const std::vector<FrameRecord>& records;
+};
+
+/// Makes the folder of the file, where one is named, and tries it. Throws UsageError where its name says
+/// neither JSON nor CSV, and InputError.
+void prepare_statistics(const std::filesystem::path& file);
+
+/// What --stats writes: CSV where the name ends so, and else JSON. Throws InputError.
+void write_statistics(const std::filesystem::path& file, const RunStatistics& run);
+
+/// One object.
+std::string statistics_json(const RunStatistics& run);
+
+/// A line of names, then one for every frame.
+std::string statistics_csv(const std::vector<FrameRecord>& records);
+
+/// What stands in them, with units, for people.
+std::string statistics_help();
 
 /// The same as `describe` (inspection.hpp), for programs.
 std::string inspection_json(const Inspection& inspection);

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/counted.hpp"
 #include "app/errors.hpp"
 #include "app/interruption.hpp"
 
@@ -28,16 +29,21 @@ namespace fs = std::filesystem;
 // Viewers show a GIF frame for whole hundredths of a second and slow anything below two of them down to ten.
 constexpr double fastest_gif_hz = 50.0;
 
+bool is_gif(const fs::path& file) {
+  return file.extension() == ".gif";
+}
+
+int pictures_for_a_frame(const fs::path& file, double frame_rate_hz) {
+  return is_gif(file) ? static_cast<int>(std::ceil(frame_rate_hz / fastest_gif_hz)) : 1;
+}
+
 std::string reason_of(int error_number) {
   return std::generic_category().message(error_number);
 }
 
 // The colours of a GIF are chosen after all frames were seen, which holds them in memory.
-std::vector<std::string> gif_arguments(double frame_rate_hz) {
-  const double divisor = std::ceil(frame_rate_hz / fastest_gif_hz);
-  return {"-filter_complex",
-          fmt::format("[0:v]fps={},split[a][b];[a]palettegen[p];[b][p]paletteuse", frame_rate_hz / divisor),
-          "-f", "gif"};
+std::vector<std::string> gif_arguments() {
+  return {"-filter_complex", "[0:v]split[a][b];[a]palettegen[p];[b][p]paletteuse", "-f", "gif"};
 }
 
 std::vector<std::string> mp4_arguments(bool is_live) {
@@ -67,13 +73,17 @@ std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& 
                                           const VideoSettings& settings) {
   std::vector<std::string> arguments = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y"};
   const std::vector<std::string> input = {
-      "-f",          "rawvideo",
-      "-pix_fmt",    "rgb24",
-      "-video_size", fmt::format("{}x{}", settings.width_px, settings.height_px),
-      "-framerate",  fmt::format("{}", settings.frame_rate_hz),
-      "-i",          "pipe:0"};
-  const std::vector<std::string> kind =
-      file.extension() == ".gif" ? gif_arguments(settings.frame_rate_hz) : mp4_arguments(settings.is_live);
+      "-f",
+      "rawvideo",
+      "-pix_fmt",
+      "rgb24",
+      "-video_size",
+      fmt::format("{}x{}", settings.width_px, settings.height_px),
+      "-framerate",
+      fmt::format("{}", settings.frame_rate_hz / pictures_for_a_frame(file, settings.frame_rate_hz)),
+      "-i",
+      "pipe:0"};
+  const std::vector<std::string> kind = is_gif(file) ? gif_arguments() : mp4_arguments(settings.is_live);
   // Without the date and the library's version in it, the same pictures are the same file.
   const std::vector<std::string> output = {"-fflags", "+bitexact", "-flags:v", "+bitexact",
                                            "file:" + temporary.string()};
@@ -132,7 +142,8 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
       temporary_(file_.string() + ".part" + std::to_string(::getpid())),
       picture_bytes_(static_cast<std::size_t>(settings.width_px) * 3U *
                      static_cast<std::size_t>(settings.height_px)),
-      is_live_(settings.is_live) {
+      is_live_(settings.is_live),
+      pictures_for_a_frame_(pictures_for_a_frame(file_, settings.frame_rate_hz)) {
   require_video_size(file_, settings);
   // A socket and not a pipe: writing to one can be told not to raise SIGPIPE when ffmpeg is gone.
   std::array<int, 2> ends{};
@@ -170,8 +181,10 @@ void VideoWriter::add(const renderer::Image& picture) {
   if (picture.channels != 3 || picture.pixels.size() != picture_bytes_) {
     throw std::invalid_argument("video: a picture has another size than the video");
   }
-  send(picture.pixels);
-  ++frames_;
+  if (pictures_++ % pictures_for_a_frame_ == 0) {
+    send(picture.pixels);
+    ++frames_;
+  }
 }
 
 void VideoWriter::stop_if_interrupted() const {
@@ -200,8 +213,8 @@ void VideoWriter::finish() {
   close_input();
   const int status = wait_for_end();
   if (status != 0) {
-    throw InputError(fmt::format("cannot make '{}': ffmpeg failed with {} after {} frames{}", file_.string(),
-                                 describe_end(status), frames_, last_words()));
+    throw InputError(fmt::format("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(),
+                                 describe_end(status), counted(frames_, "frame"), last_words()));
   }
   std::error_code error;
   fs::rename(temporary_, file_, error);
@@ -213,8 +226,8 @@ void VideoWriter::finish() {
 void VideoWriter::fail_stopped() {
   close_input();
   const int status = wait_for_end();
-  throw InputError(fmt::format("cannot make '{}': ffmpeg stopped with {} after {} frames{}", file_.string(),
-                               describe_end(status), frames_, last_words()));
+  throw InputError(fmt::format("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(),
+                               describe_end(status), counted(frames_, "frame"), last_words()));
 }
 
 int VideoWriter::wait_for_end() {

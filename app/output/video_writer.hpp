@@ -39,12 +39,16 @@ class VideoWriter {
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// RGB of the size in the settings. Throws InputError with ffmpeg's own words when it has stopped, and
+  /// RGB of the size in the settings. A GIF leaves out as many as it takes to show at most 50 in a second.
+  /// Throws InputError with ffmpeg's own words when it has stopped, and
   /// Interrupted unless the video is live.
   void add(const renderer::Image& picture);
 
   /// Waits until all is encoded and gives the file its name. Throws as `add` does.
   void finish();
+
+  /// In the file, once it is finished.
+  int frames() const { return frames_; }
 
  private:
   [[noreturn]] void fail_stopped();
@@ -58,6 +62,8 @@ class VideoWriter {
   std::filesystem::path temporary_;
   std::size_t picture_bytes_ = 0;
   bool is_live_ = false;
+  int pictures_for_a_frame_ = 1;
+  int pictures_ = 0;
   int frames_ = 0;
   pid_t process_ = -1;  ///< -1: ended
   int input_ = -1;      ///< our end of ffmpeg's standard input

@@ -1,7 +1,5 @@
 #include "app/scene/pins.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -68,13 +66,12 @@ struct Selection {
                      " (it has: " + joined(names) + ')');
   }
 
-  std::vector<sim::Index> operator()(sim::Index vertex) const {
-    const std::size_t count = targets.mesh.positions.size();
-    if (vertex >= count) {
-      throw InputError(
-          fmt::format("pins.at: found vertex {}, expected a vertex from 0 to {}", vertex, count - 1));
+  std::vector<sim::Index> operator()(sim::Index number) const {
+    const std::optional<sim::Index> vertex = targets.file_vertices.find(number);
+    if (!vertex) {
+      throw InputError("pins.at: " + targets.file_vertices.why_missing(number));
     }
-    return {vertex};
+    return {*vertex};
   }
 
   std::vector<sim::Index> operator()(const NearestTo& nearest) const {

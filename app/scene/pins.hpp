@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/garment/file_vertices.hpp"
 #include "app/garment/landmarks.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/mesh.hpp"
@@ -22,6 +23,7 @@ NearestVertex nearest_vertex(std::span<const sim::Vec3> positions, const sim::Ve
 struct PinTargets {
   const sim::Mesh& mesh;
   const Landmarks& landmarks;
+  const FileVertices& file_vertices;
   const sim::GridSettings* grid = nullptr;  ///< none for a model
 };
 

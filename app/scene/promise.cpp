@@ -91,4 +91,17 @@ std::optional<std::string> beyond_promise(const Scene& scene) {
   return std::nullopt;
 }
 
+std::optional<double> stretch_bound(const Scene& scene) {
+  const sim::SolverSettings& solver = scene.simulation.solver;
+  const bool keeps_bound = solver.kind != sim::SolverKind::ideal && solver.kind != sim::SolverKind::strong;
+  return keeps_bound ? std::optional(solver.max_stretch) : std::nullopt;
+}
+
+std::array<double, 2> shown_stretch_range(const Scene& scene) {
+  constexpr double most_without_bound = 0.05;
+  const std::array from_zero = {0.0,
+                                std::max(stretch_bound(scene).value_or(most_without_bound), smallest_bound)};
+  return scene.picture.stretch_range.value_or(from_zero);
+}
+
 }  // namespace taut::app

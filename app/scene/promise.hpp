@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -10,5 +11,12 @@ namespace taut::app {
 /// Why the bounded solver's bound is not promised for this scene; nothing where it is, where no bound is
 /// asked for and where the scene allows that it is exceeded.
 std::optional<std::string> beyond_promise(const Scene& scene);
+
+/// The stretch that the scene's solver means not to exceed; none where it means none.
+std::optional<double> stretch_bound(const Scene& scene);
+
+/// The stretch at the two ends of the colours: as the scene says, or else from 0 to the bound, or to 5 %
+/// where there is none.
+std::array<double, 2> shown_stretch_range(const Scene& scene);
 
 }  // namespace taut::app

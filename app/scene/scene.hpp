@@ -32,8 +32,8 @@ struct NearestTo {
   sim::Vec3 point_m = {0.0, 0.0, 0.0};
 };
 
-/// Vertices that are held: a landmark of the garment or a name of `pin_names` (pins.hpp), a vertex, or the
-/// vertex nearest to a point.
+/// Vertices that are held: a landmark of the garment or a name of `pin_names` (pins.hpp), a vertex by its
+/// number in the garment's file (file_vertices.hpp), or the vertex nearest to a point.
 using PinSelector = std::variant<std::string, sim::Index, NearestTo>;
 
 struct CameraSettings {
@@ -64,7 +64,7 @@ struct PictureStyle {
   renderer::PictureSettings settings;
   SurfaceLook surface = SurfaceLook::shaded;
   bool wireframe = false;
-  std::array<double, 2> stretch_range = {0.0, 0.05};
+  std::optional<std::array<double, 2>> stretch_range;  ///< none: up to the bound (promise.hpp)
   renderer::ColourMap stretch_colours = renderer::ColourMap::viridis;  ///< not a key of the file
   renderer::SurfaceStyle cloth;
   Ground ground;

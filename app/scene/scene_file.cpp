@@ -46,6 +46,20 @@ void check_garment(const ValueTable& file, const Source& source) {
   }
 }
 
+// Here and not where it is read, which does not know who names it.
+void require_garment(const ValueTable& file, const Source& source, const std::filesystem::path& garment) {
+  const Value* section = find(file, "garment");
+  const Value* key = section != nullptr ? find(*section->table(), "file") : nullptr;
+  if (key == nullptr) {
+    return;
+  }
+  try {
+    require_file(garment);
+  } catch (const InputError& error) {
+    fail(source, key->line, std::string("garment.file: ") + error.what());
+  }
+}
+
 void apply(std::span<const Override> overrides, const std::vector<Key<Scene>>& keys, Scene& scene) {
   for (const Override& changed : overrides) {
     const Source source{changed.option, true};
@@ -103,7 +117,11 @@ Scene read_scene_text(const std::string& text, const std::string& name, std::spa
   KeyReader(keys, source, scene).read(*file.table());
   check_garment(*file.table(), source);
   check_whole(scene, source);
+  const std::filesystem::path garment = scene.garment.file;
   apply(overrides, keys, scene);
+  if (scene.garment.file == garment) {
+    require_garment(*file.table(), source, garment);
+  }
   return scene;
 }
 

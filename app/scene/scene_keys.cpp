@@ -248,7 +248,7 @@ std::vector<Key<sim::Collider>> collider_keys(const std::string& shape) {
 
 std::vector<Key<sim::PointForce>> force_keys() {
   using F = sim::PointForce;
-  return {whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex), "the vertex that is pulled"),
+  return {whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex), "the vertex that is pulled, as numbered in pins.at"),
           vector_key<F>("force", "N", MEMBER(force_n), "the pull")};
 }
 

@@ -237,13 +237,17 @@ Key<Scene> up_key() {
 }
 
 Key<Scene> pins_key() {
-  return {"pins.at",
-          "",
-          "\"none\" or a list of landmark names, grid names (\"top-left\", ...), vertex numbers and "
-          "{ nearest = [x, y, z] }",
-          "vertices that are held; not set: the upper edge of a grid, each part of a model by its top",
-          read_pins,
-          write_pins};
+  return {
+      "pins.at",
+      "",
+      "\"none\" or a list of landmark names, grid names (\"top-left\", ...), vertex numbers and "
+      "{ nearest = [x, y, z] }",
+      "vertices that are held; not set: the upper edge of a grid, each part of a model by its top. Numbers "
+      "count from 0: a grid's vertices row by row from the top left; the v lines of an OBJ file; the "
+      "vertices of other files, mesh after mesh; where a format shares no vertices between faces (STL, "
+      "FBX, Collada) the corners of its faces. taut inspect says which, and how many",
+      read_pins,
+      write_pins};
 }
 
 Key<Scene> forces_key() {

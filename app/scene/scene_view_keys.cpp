@@ -119,12 +119,13 @@ Key<Scene> stretch_range_key() {
   };
   auto write = [](const Scene& scene) {
     const auto& range = scene.picture.stretch_range;
-    return Value{ValueList{Value{range[0]}, Value{range[1]}}};
+    return range ? Value{ValueList{Value{(*range)[0]}, Value{(*range)[1]}}} : Value{};
   };
   return {"picture.stretch_range",
           "",
           "two numbers [low, high], the lower first",
-          "stretch shown as the two ends of the colours",
+          "stretch shown as the two ends of the colours; not set: from 0 to the solver's bound, or to 0.05 "
+          "where it has none",
           read,
           write};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 
+#include "app/counted.hpp"
 #include "app/errors.hpp"
 #include "app/output/files.hpp"
 
@@ -29,6 +30,20 @@ renderer::Image cropped(const renderer::Image& image, int width_px, int height_p
   return part;
 }
 
+std::vector<PinSelector> numbered_in_file(const std::vector<sim::Index>& pins, const FileVertices& vertices) {
+  std::vector<PinSelector> numbers;
+  for (const sim::Index pin : pins) {
+    const std::optional<sim::Index> number = vertices.number_of(pin);
+    if (!number) {
+      throw InputError(
+          "cannot save a pin between the vertices of the garment's file, where garment.subdivisions "
+          "put one; take it off, or pin a vertex of the file");
+    }
+    numbers.emplace_back(*number);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
@@ -46,7 +61,7 @@ Scene kept_scene(const ViewerState& state, const ViewArea& area) {
   Scene scene = state.scene;
   const std::vector<sim::Index>& pins = *state.newest->pins;
   if (pins != state.newest->loaded->garment.pins) {
-    scene.pins.emplace(pins.begin(), pins.end());
+    scene.pins = numbered_in_file(pins, state.newest->loaded->file_vertices);
   }
   const renderer::Camera camera = state.camera.camera();
   scene.camera.eye = camera.eye;
@@ -97,7 +112,7 @@ std::string WindowRecorder::finish() {
   if (video_) {
     video_->finish();
   }
-  return fmt::format("wrote {}, {} frames", target_.string(), frames_);
+  return fmt::format("wrote {}, {}", target_.string(), counted(frames_, "frame"));
 }
 
 }  // namespace taut::app

@@ -12,7 +12,9 @@ namespace taut::app {
 namespace {
 
 std::shared_ptr<const LoadedScene> load(const Scene& scene, std::uint64_t generation) {
-  return std::make_shared<const LoadedScene>(LoadedScene{scene, load_garment(scene).garment, generation});
+  LoadedGarment loaded = load_garment(scene);
+  return std::make_shared<const LoadedScene>(
+      LoadedScene{scene, std::move(loaded.garment), std::move(loaded.file_vertices), generation});
 }
 
 // The outer third on one side of what the pins extend over, across.
@@ -43,7 +45,7 @@ LiveSimulation::LiveSimulation(const Scene& scene) {
 // Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
 void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   const Scene& scene = loaded->scene;
-  sim::Simulation simulation = make_simulation(scene, loaded->garment);
+  sim::Simulation simulation = make_simulation(scene, loaded->garment, loaded->file_vertices);
   record_ = measure_frame(simulation, 0);
   simulation_.emplace(std::move(simulation));
   loaded_ = std::move(loaded);
@@ -87,7 +89,7 @@ void LiveSimulation::perform(const ChangeSettings& change) {
     note_shape();
     record_.stretch = sim::measure_stretch(simulation_->garment().springs, state_->current);
   }
-  surroundings_ = settled(change.surroundings, loaded_->garment);
+  surroundings_ = settled(change.surroundings, loaded_->garment, loaded_->file_vertices);
   simulation_->set_surroundings(surroundings_);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scene/promise.hpp"
 #include "app/viewer/panel_parts.hpp"
 
 namespace taut::app {
@@ -58,9 +59,12 @@ void lay_out_garment_list(ViewerState& state) {
 
 // Colours that ended at the bound go on ending there; others have to show where it is.
 void keep_range_to_bound(PictureStyle& picture, double before, double bound) {
-  double& highest = picture.stretch_range[1];
+  if (!picture.stretch_range) {
+    return;
+  }
+  auto& [lowest, highest] = *picture.stretch_range;
   if (highest == before || highest < bound) {
-    highest = std::max(bound, picture.stretch_range[0] + 1e-4);
+    highest = std::max(bound, lowest + 1e-4);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/promise.hpp"
 #include "app/viewer/panel_parts.hpp"
 
 namespace taut::app {

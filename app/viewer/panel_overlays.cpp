@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/scene/promise.hpp"
 #include "app/viewer/key_bindings.hpp"
 #include "app/viewer/panel_parts.hpp"
 #include "app/viewer/spring_colours.hpp"
@@ -148,8 +149,9 @@ namespace {
 
 void legend_of_stretch(const ViewerState& state, float scale) {
   // Not a structured binding, which Clang before 16 does not let a lambda capture.
-  const double low = state.scene.picture.stretch_range[0];
-  const double high = state.scene.picture.stretch_range[1];
+  const std::array<double, 2> range = shown_stretch_range(state.scene);
+  const double low = range[0];
+  const double high = range[1];
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size = {14.0F * scale, 170.0F * scale};
   ImDrawList& list = *ImGui::GetWindowDrawList();

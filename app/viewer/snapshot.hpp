@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/garment/file_vertices.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/garment.hpp"
@@ -16,6 +17,7 @@ namespace taut::app {
 struct LoadedScene {
   Scene scene;
   sim::Garment garment;
+  FileVertices file_vertices;
   std::uint64_t generation = 0;  ///< another number for every load
 };
 

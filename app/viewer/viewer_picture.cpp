@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "app/scene/promise.hpp"
 #include "app/viewer/spring_colours.hpp"
 #include "renderer/colour_target.hpp"
 
@@ -40,8 +41,8 @@ ViewerPicture::ViewerPicture(renderer::Context& context)
 GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewArea& area) {
   const Snapshot& shown = *state.shown;
   const PictureStyle& picture = state.scene.picture;
-  PaintedAs wanted{shown.loaded,          shown.pins,        picture.surface,
-                   picture.stretch_range, picture.wireframe, area.height_px};
+  PaintedAs wanted{shown.loaded,      shown.pins,    picture.surface, shown_stretch_range(state.scene),
+                   picture.wireframe, area.height_px};
   if (!painter_ || wanted != painted_as_) {
     Scene scene = state.scene;
     scene.picture.settings.width_px = area.width_px;
@@ -93,7 +94,7 @@ ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const 
   const PictureStyle& picture = state.scene.picture;
   return {shown.loaded,       shown.pins,
           shown.state,        state.camera,
-          picture.surface,    picture.stretch_range,
+          picture.surface,    shown_stretch_range(state.scene),
           picture.wireframe,  picture.settings.shadows,
           state.show_springs, state.show_normals,
           area.width_px,      area.height_px};

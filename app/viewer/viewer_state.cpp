@@ -11,12 +11,6 @@ constexpr std::size_t most_messages = 4;
 
 }  // namespace
 
-std::optional<double> stretch_bound(const Scene& scene) {
-  const sim::SolverSettings& solver = scene.simulation.solver;
-  const bool keeps_bound = solver.kind != sim::SolverKind::ideal && solver.kind != sim::SolverKind::strong;
-  return keeps_bound ? std::optional(solver.max_stretch) : std::nullopt;
-}
-
 void tell(ViewerState& state, const std::string& text, bool is_error) {
   std::erase_if(state.messages, [&](const Message& old) { return old.text == text; });
   if (state.messages.size() >= most_messages) {

@@ -101,9 +101,6 @@ struct ViewerState {
   std::map<std::string, ItemPlace> places;
 };
 
-/// The stretch that the scene's solver promises not to exceed; none where it promises nothing.
-std::optional<double> stretch_bound(const Scene& scene);
-
 /// Shows a message for some seconds.
 void tell(ViewerState& state, const std::string& text, bool is_error = false);
 

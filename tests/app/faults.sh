@@ -74,7 +74,7 @@ case $fault in
     expect 1 "cannot write 'out/run.json': File too large" sh -c 'ulimit -f 1; exec "$@"' sh \
       "$program" simulate pinned-9x9-5 --frames 20 --stats out/run.json
     expect 1 "cannot write 'out/[0-9]*.obj': File too large" sh -c 'ulimit -f 1; exec "$@"' sh \
-      "$program" simulate pinned-9x9-5 --frames 20 --export 'out/{frame}.obj'
+      "$program" simulate pinned-9x9-5 --frames :20 --export 'out/{frame}.obj'
     nothing_else
     all_complete ;;
   full_device)
@@ -89,7 +89,7 @@ case $fault in
     ln -s /proc/self/fd/1 link
     "$program" simulate pinned-9x9-5 --frames 2 --stats link >said.txt
     [ -L link ] || fail "the link was replaced"
-    grep -q '"frames"' said.txt && grep -q 'frames, .* ms each' said.txt || fail "no statistics, or nothing else" ;;
+    grep -q '"frames"' said.txt && grep -q 'frames, .* ms of processor time each' said.txt || fail "no statistics, or nothing else" ;;
   folder_removed)
     long >said.txt 2>&1 &
     run=$!
@@ -118,7 +118,7 @@ case $fault in
     all_complete
     # What is left of a picture in the making is not taken for one.
     (draw --resume)
-    grep -q 'of 201 frames are there already' said.txt || fail "nothing was resumed"
+    grep -q 'there already: [0-9]* of 201 frames' said.txt || fail "nothing was resumed"
     for picture in whole/*.png; do
       cmp "$picture" "out/${picture#whole/}" || fail "resumed, a picture differs"
     done ;;

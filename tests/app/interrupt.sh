@@ -3,7 +3,7 @@
 program=$1
 folder=$2
 rm -rf "$folder"
-"$program" simulate pinned-9x9-5 --frames 100000 --set rest.speed=0 --export "$folder/{frame:06}.obj" >"$folder.txt" 2>&1 &
+"$program" simulate pinned-9x9-5 --frames :100000 --set rest.speed=0 --export "$folder/{frame:06}.obj" >"$folder.txt" 2>&1 &
 run=$!
 while [ ! -e "$folder/000050.obj" ]; do
   kill -0 $run 2>/dev/null || { cat "$folder.txt"; echo "the run ended by itself"; exit 1; }

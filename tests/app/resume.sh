@@ -11,9 +11,9 @@ draw() {
 draw
 sha256sum ./*.png > whole.txt
 rm 2.png 5.png
-draw --resume | grep -q '4 of 6 frames are there already'
+draw --resume | grep -q 'there already: 4 of 6 frames'
 sha256sum -c --quiet whole.txt
-draw --resume | grep -q '6 of 6 frames are there already'
+draw --resume | grep -q 'there already: 6 of 6 frames'
 
 # Pictures of another scene are not taken for ours, nor touched.
 if draw --resume --set wind.speed=3 2> error.txt; then

@@ -4,8 +4,10 @@
 
 #include "app/errors.hpp"
 #include "app/frame_loop.hpp"
+#include "app/frame_range.hpp"
 #include "app/interruption.hpp"
 #include "sim/grid.hpp"
+#include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
@@ -62,6 +64,20 @@ TEST(FrameLoop, HandsOutEveryShape) {
   EXPECT_EQ(frames, (std::vector{1, 2, 3}));
 }
 
+TEST(FrameLoop, HandsOutTheClothAsModelledWhereItIsAskedFor) {
+  sim::Simulation simulation = small_cloth();
+  const std::vector<sim::Vec3> modelled = simulation.garment().mesh.positions;
+  std::vector<int> frames;
+  FrameOutputs outputs;
+  outputs.with_frame_0 = true;
+  outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
+    EXPECT_EQ(moment.state().current == modelled, frame == 0);
+    frames.push_back(frame);
+  };
+  EXPECT_EQ(run_frames(simulation, 2, outputs).size(), 3U);
+  EXPECT_EQ(frames, (std::vector{0, 1, 2}));
+}
+
 TEST(FrameLoopDeathTest, StopsAtTheNextFrameWhenInterrupted) {
   const auto interrupted_run = [] {
     watch_for_interruption();
@@ -82,6 +98,31 @@ TEST(FrameLoopDeathTest, StopsAtTheNextFrameWhenInterrupted) {
     std::exit(1);
   };
   EXPECT_EXIT(interrupted_run(), testing::ExitedWithCode(42), "");
+}
+
+TEST(FrameRange, HasOpenEndsAndALast) {
+  const auto range_of = [](const std::string& text) {
+    const FrameRange range = frame_range(text, 90);
+    return std::pair(range.first, range.last);
+  };
+  EXPECT_EQ(range_of("5"), std::pair(5, 5));
+  EXPECT_EQ(range_of("3:7"), std::pair(3, 7));
+  EXPECT_EQ(range_of("0:"), std::pair(0, 90));
+  EXPECT_EQ(range_of(":10"), std::pair(0, 10));
+  EXPECT_EQ(range_of(":"), std::pair(0, 90));
+  EXPECT_EQ(range_of("last"), std::pair(90, 90));
+  EXPECT_EQ(range_of("80:last"), std::pair(80, 90));
+  EXPECT_EQ(range_of("100:200"), std::pair(100, 200)) << "a run may be longer than its scene says";
+}
+
+TEST(FrameRange, SaysWhatItExpects) {
+  const auto error = [](const std::string& text) {
+    return test::message_of<UsageError>([&] { frame_range(text, 90); });
+  };
+  EXPECT_CONTAINS(error("1:x"), "--frames 1:x: found 'x', expected a frame from 0");
+  EXPECT_CONTAINS(error("-1"), "--frames -1: found '-1'");
+  EXPECT_CONTAINS(error("1:2:3"), "found '2:3'");
+  EXPECT_CONTAINS(error("91:"), "--frames 91:: the last frame, 90, comes before the first, 91");
 }
 
 TEST(RunSummary, FindsTheWorstFrameAndTheRest) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/drawing/framing.hpp"
+#include "app/drawing/garment_painter.hpp"
 #include "sim/grid.hpp"
 
 namespace taut::app {
@@ -49,6 +50,29 @@ TEST(Framing, TakesTheEyeAsGiven) {
   const renderer::Camera camera = scene_camera(scene, {{-1, -1, -1}, {1, 1, 1}}, 1.5F);
   EXPECT_EQ(camera.eye, *scene.camera.eye);
   EXPECT_EQ(camera.target, *scene.camera.target);
+}
+
+TEST(StretchLegend, EndsAtTheBoundWhereTheSceneSaysNothingElse) {
+  Scene scene;
+  scene.simulation.solver.kind = sim::SolverKind::bounded;
+  scene.simulation.solver.max_stretch = 0.013;
+  renderer::Legend legend = stretch_legend(scene);
+  EXPECT_EQ(legend.minimum, 0.0F);
+  EXPECT_EQ(legend.maximum, 0.013F);
+  EXPECT_EQ(legend.bound, 0.013F);
+  scene.picture.stretch_range = std::array{-0.01, 0.03};
+  legend = stretch_legend(scene);
+  EXPECT_EQ(legend.minimum, -0.01F);
+  EXPECT_EQ(legend.maximum, 0.03F);
+  EXPECT_EQ(legend.bound, 0.013F);
+}
+
+TEST(StretchLegend, HasNoBoundWhereTheSolverMeansNone) {
+  Scene scene;
+  scene.simulation.solver.kind = sim::SolverKind::strong;
+  const renderer::Legend legend = stretch_legend(scene);
+  EXPECT_EQ(legend.maximum, 0.05F);
+  EXPECT_FALSE(legend.bound.has_value());
 }
 
 }  // namespace

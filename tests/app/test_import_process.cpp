@@ -82,6 +82,7 @@ ModelArrays some_arrays() {
   model.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   model.corner_counts = {3};
   model.corners = {0, 1, 2};
+  model.position_of_vertex = {2, 0, 1};
   model.format = "any";
   model.meshes = 7;
   model.up = ModelAxis::minus_z;
@@ -94,6 +95,7 @@ TEST(ModelArrays, AreTheSameAfterwards) {
   EXPECT_EQ(again.positions, model.positions);
   EXPECT_EQ(again.corner_counts, model.corner_counts);
   EXPECT_EQ(again.corners, model.corners);
+  EXPECT_EQ(again.position_of_vertex, model.position_of_vertex);
   EXPECT_EQ(again.format, "any");
   EXPECT_EQ(again.meshes, 7U);
   EXPECT_EQ(again.up, ModelAxis::minus_z);
@@ -109,6 +111,9 @@ TEST(ModelArrays, RefuseEveryPrefixAndAnythingBehind) {
   std::string no_axis = bytes;
   no_axis.back() = 6;
   EXPECT_THROW(decode(no_axis), std::runtime_error);
+  ModelArrays beyond = some_arrays();
+  beyond.position_of_vertex.back() = 3;
+  EXPECT_THROW(decode(encode(beyond)), std::runtime_error);
 }
 
 }  // namespace

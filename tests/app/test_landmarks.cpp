@@ -55,8 +55,10 @@ TEST(Landmarks, SayWhichPointIsNoVertex) {
   };
   EXPECT_CONTAINS(error("a = [1]\nb = [[0.5, 0, 0]]\n"),
                   "cloth.landmarks.toml:2: landmark b: the garment has no vertex at [0.5, 0, 0]");
-  EXPECT_CONTAINS(error("a = [7]\n"), "found 7, expected a point [x, y, z] or a vertex from 0 to 4");
-  EXPECT_CONTAINS(error("a = [0]\n"), "has no vertex at [9, 9, 9]");
+  EXPECT_CONTAINS(
+      error("a = [7]\n"),
+      "cloth.landmarks.toml:1: landmark a: found vertex 7, expected one of the vertices of the file, 0 to 4");
+  EXPECT_CONTAINS(error("a = [0]\n"), "vertex 0 of the file belongs to no face");
 }
 
 TEST(Landmarks, CanBePinned) {

@@ -82,14 +82,27 @@ shadows = false
   EXPECT_EQ(scene.picture.ground.kind, GroundKind::fixed);
   EXPECT_EQ(scene.picture.ground.height_m, -1.5);
   EXPECT_EQ(scene.picture.cloth.outside_colour, renderer::rgb(0xFF8000));
-  EXPECT_EQ(scene.picture.stretch_range, (std::array{-0.1, 0.2}));
+  EXPECT_EQ(scene.picture.stretch_range, std::optional(std::array{-0.1, 0.2}));
   EXPECT_FALSE(scene.picture.settings.shadows);
 }
 
 TEST(SceneFile, TakesGarmentFilesRelativeToItself) {
   const TemporaryFolder folder;
   const auto path = folder.write("scene.toml", "[garment]\nfile = \"shirts/a.obj\"\n");
+  std::filesystem::create_directory(folder / "shirts");
+  folder.write("shirts/a.obj", "f");
   EXPECT_EQ(read_scene_file(path).garment.file, folder / "shirts/a.obj");
+}
+
+TEST(SceneFile, NamesTheLineOfAGarmentThatIsNotThere) {
+  const TemporaryFolder folder;
+  const std::string text = "title = \"Lost\"\n[garment]\nfile = \"a.obj\"\n";
+  EXPECT_CONTAINS(file_error(folder, text),
+                  "scene.toml:3: garment.file: there is no file '" + (folder / "a.obj").string() + '\'');
+  folder.write("b.obj", "f");
+  const Override other = {"garment.file", (folder / "b.obj").string(), "--set garment.file=b.obj"};
+  EXPECT_EQ(read_scene_file(folder / "scene.toml", std::span(&other, 1)).garment.file, folder / "b.obj")
+      << "what takes its place is there";
 }
 
 TEST(SceneFile, NamesFileLineKeyAndNearestKeyOfAnUnknownOne) {

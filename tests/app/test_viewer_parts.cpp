@@ -3,7 +3,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/errors.hpp"
 #include "app/viewer/grip.hpp"
+#include "app/viewer/keeping.hpp"
 #include "app/viewer/lost_cloth.hpp"
 #include "app/viewer/measurements.hpp"
 #include "app/viewer/orbit_camera.hpp"
@@ -12,6 +14,7 @@
 #include "app/viewer/picture_quality.hpp"
 #include "app/viewer/timeline.hpp"
 #include "sim/grid.hpp"
+#include "sim/welding.hpp"
 
 namespace taut::app {
 namespace {
@@ -310,6 +313,27 @@ TEST(Panel, LeavesNarrowWindowsToTheScene) {
   EXPECT_EQ(scene_area({1280, 720, 1.0F, false}).width_px, 1280);
   EXPECT_EQ(scene_area({300, 720, 1.0F, true}).width_px, 300);
   EXPECT_EQ(scene_area({0, 0, 1.0F, true}).width_px, 1);
+}
+
+// The mesh has other numbers: vertex 0 of the file belongs to no face, 3 is welded to 1.
+TEST(KeptScene, NumbersItsPinsAsTheGarmentsFile) {
+  LoadedScene loaded;
+  loaded.file_vertices.mesh_vertex = {sim::no_vertex, 2, 0, 2, 1};
+  Snapshot snapshot;
+  snapshot.loaded = std::make_shared<const LoadedScene>(loaded);
+  snapshot.pins = std::make_shared<const std::vector<sim::Index>>(std::vector<sim::Index>{1, 2});
+  ViewerState state;
+  state.camera = from_the_front();
+  state.newest = std::make_shared<const Snapshot>(snapshot);
+  const auto number_of = [](const PinSelector& pin) { return std::get<sim::Index>(pin); };
+  const Scene kept = kept_scene(state, area);
+  ASSERT_EQ(kept.pins.value().size(), 2U);
+  EXPECT_EQ(number_of((*kept.pins)[0]), 4U);
+  EXPECT_EQ(number_of((*kept.pins)[1]), 1U);
+
+  snapshot.pins = std::make_shared<const std::vector<sim::Index>>(std::vector<sim::Index>{3});
+  state.newest = std::make_shared<const Snapshot>(snapshot);
+  EXPECT_THROW(kept_scene(state, area), InputError) << "a vertex that subdivision made";
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+namespace taut::app {
+
+/// Frames A to B.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+
+  bool contains(int frame) const { return frame >= first && frame <= last; }
+  int count() const { return last - first + 1; }
+};
+
+/// What --frames takes, for the help of every command that has it.
+inline constexpr const char* frame_range_help =
+    "A:B, A: to the last, :B from 0, A alone, or last; frame 0 is the cloth before the first step, the last "
+    "one "
+    "is the scene's time.frames";
+
+/// The frames such a text means in a run of which `last_frame` is the last. Throws UsageError.
+FrameRange frame_range(const std::string& text, int last_frame);
+
+}  // namespace taut::app

@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""What the program says of a run and of itself, and how much it writes.   said.py PROGRAM FOLDER"""
+import csv
+import json
+import os
+import pathlib
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+program, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
+failures = 0
+
+# Falls asleep within a few frames, for want of anything that moves it.
+RESTING = ['pinned-9x9-5', '--set', 'gravity.acceleration=[0, 0, 0]', '--set', 'wind.speed=0']
+
+
+def expect(condition, what):
+    global failures
+    if not condition:
+        failures += 1
+        print(what)
+
+
+def run(*arguments):
+    done = subprocess.run([program, *arguments], cwd=folder, capture_output=True, text=True)
+    expect(done.returncode == 0, '%s: exit code %d, %s' % (arguments, done.returncode, done.stderr))
+    return done
+
+
+def frame_lines(text):
+    return [line for line in text.splitlines() if line.startswith('frame ')]
+
+
+def says_sleep_once():
+    said = run('simulate', *RESTING, '--frames', ':200').stdout
+    asleep = [line for line in frame_lines(said) if 'asleep' in line]
+    expect(len(asleep) == 1, '%d lines say that the cloth is asleep:\n%s' % (len(asleep), said))
+    expect(frame_lines(said)[-1:] == asleep, 'lines go on after it fell asleep:\n' + said)
+    expect('201 frames' in said and 'at rest since frame' in said, 'the summary lacks frames or the rest:\n' + said)
+
+
+def prints_as_it_goes():
+    """Fewer lines than fill a block, which is when a pipe would get them otherwise: all of them at the end."""
+    process = subprocess.Popen([program, 'simulate', 'tshirt-gravity', '--frames', ':20'], cwd=folder,
+                               stdout=subprocess.PIPE)
+    first = os.read(process.stdout.fileno(), 65536).decode()
+    process.communicate()
+    expect('frame ' in first and 'largest stretch' not in first, 'what was read first is nothing or all:\n' + first)
+
+
+def keeps_quiet():
+    done = run('simulate', 'pinned-9x9-5', '--frames', ':5', '--quiet', '--stats', 'quiet.csv', '--export', 'quiet.obj')
+    expect(done.stdout == '' and done.stderr == '', 'said with --quiet: %r %r' % (done.stdout, done.stderr))
+    with open(folder / 'quiet.csv', newline='') as file:
+        rows = list(csv.DictReader(file))
+    expect([row['frame'] for row in rows] == ['0', '1', '2', '3', '4', '5'], 'rows of the table: %r' % rows)
+    expect(all(float(row['max_stretch']) >= 0 for row in rows), 'a stretch in the table is no number')
+
+
+def speaks_json():
+    done = run('simulate', 'pinned-9x9-5', '--frames', ':5', '--json', '--stats', 'run.json')
+    expect(done.stdout == (folder / 'run.json').read_text(), 'standard output is not what --stats writes')
+    expect(json.loads(done.stdout)['summary']['frames'] == 6, 'not six frames')
+
+
+def exports():
+    run('simulate', 'pinned-9x9-5', '--frames', ':4', '--export', 'all/{frame}.obj')
+    run('simulate', 'pinned-9x9-5', '--frames', ':4', '--export', 'one.obj')
+    run('simulate', 'pinned-9x9-5', '--set', 'time.frames=4', '--export', 'default.obj')
+    run('simulate', 'pinned-9x9-5', '--frames', '3', '--export', 'third.obj')
+    said = run('simulate', 'pinned-9x9-5', '--set', 'time.frames=4', '--frames', 'last', '--export', 'last/{frame}.obj')
+    expect(sorted(f.name for f in (folder / 'all').iterdir()) == ['%d.obj' % i for i in range(5)], 'not frames 0 to 4')
+    expect([f.name for f in (folder / 'last').iterdir()] == ['4.obj'], 'not the last frame alone')
+    expect(len(frame_lines(said.stdout)) == 1, 'more lines than the last:\n' + said.stdout)
+    for name, frame in (('one', 4), ('default', 4), ('third', 3), ('last/4', 4)):
+        expect((folder / (name + '.obj')).read_bytes() == (folder / ('all/%d.obj' % frame)).read_bytes(),
+               '%s.obj is not frame %d' % (name, frame))
+
+
+def processor_time_of_children_ms():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return 1e3 * (used.ru_utime + used.ru_stime)
+
+
+def measures_processor_time():
+    """Made to wait, as by whoever else wants the processor, a run has not cost more."""
+    before_ms = processor_time_of_children_ms()
+    process = subprocess.Popen([program, 'simulate', 'tshirt-gravity', '--frames', '40', '--stats', 'times.json'],
+                               cwd=folder, stdout=subprocess.PIPE, text=True)
+    waits = 0
+    while process.poll() is None and waits < 5:
+        time.sleep(0.1)
+        process.send_signal(signal.SIGSTOP)
+        time.sleep(0.4)
+        process.send_signal(signal.SIGCONT)
+        waits += 1
+    process.communicate()
+    used_ms = processor_time_of_children_ms() - before_ms
+    expect(process.returncode == 0 and waits > 0, 'simulate ended with %d' % process.returncode)
+    said_ms = json.loads((folder / 'times.json').read_text())['summary']['total_sim_ms']
+    expect(0 < said_ms <= used_ms, 'sim_ms adds up to %g ms, of %g ms that the processor spent' % (said_ms, used_ms))
+
+
+def counts_what_resume_wrote():
+    draw = ['render', 'pinned-9x9-5', '--resolution', '64,64', '--frames', ':5', '--output', 'pictures/{frame}.png']
+    expect('wrote 6 files, pictures/0.png to pictures/5.png' in run(*draw).stdout, 'not six pictures')
+    for frame in (2, 3):
+        (folder / ('pictures/%d.png' % frame)).unlink()
+    said = run(*draw, '--resume').stdout
+    expect('wrote 2 files, pictures/2.png to pictures/3.png' in said, 'resumed: ' + said)
+    said = run(*draw, '--resume').stdout
+    expect('wrote nothing' in said, 'nothing was left to do: ' + said)
+
+
+def names_the_scene_of_a_missing_garment():
+    (folder / 'lost.toml').write_text('title = "Lost"\n[garment]\nfile = "nowhere.obj"\n')
+    done = subprocess.run([program, 'simulate', 'lost.toml'], cwd=folder, capture_output=True, text=True)
+    expect(done.returncode == 1 and "lost.toml:3: garment.file: there is no file 'nowhere.obj'" in done.stderr,
+           'a garment that is missing: %d %s' % (done.returncode, done.stderr))
+
+
+def helps():
+    overview = run('help').stdout
+    expect(overview == run('--help').stdout and 'simulate' in overview, 'taut help is not taut --help')
+    for command in ('figures', 'render', 'simulate', 'view', 'inspect', 'bench', 'scenes', 'help'):
+        expect(re.search('^  %s ' % command, overview, re.M), 'taut help does not list ' + command)
+        expect(run('help', command).stdout == run(command, '--help').stdout,
+               'taut help %s is not taut %s --help' % (command, command))
+    for command in ('render', 'simulate'):
+        said = ' '.join(run('help', command).stdout.split())
+        expect('A:B, A: to the last, :B from 0, A alone, or last' in said, '%s does not explain --frames' % command)
+
+
+shutil.rmtree(folder, ignore_errors=True)
+folder.mkdir(parents=True)
+for check in (says_sleep_once, prints_as_it_goes, keeps_quiet, speaks_json, exports, measures_processor_time,
+              counts_what_resume_wrote, names_the_scene_of_a_missing_garment, helps):
+    before = failures
+    try:
+        check()
+    except Exception as error:  # the other checks are made all the same
+        expect(False, repr(error))
+    if failures > before:
+        print('^ %s' % check.__name__)
+sys.exit(1 if failures else 0)

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/scene/promise.hpp"
 #include "app/scene/scene_lookup.hpp"
 #include "app/viewer/view_session.hpp"
 #include "sim/measures.hpp"

@@ -26,6 +26,8 @@ sim::Surroundings surroundings_for(const FitPhase& phase, const Stance& stance) 
   sim::Surroundings surroundings;
   surroundings.forces.gravity_m_per_s2 = Vec3(0.0);
   surroundings.forces.air_drag_per_s = phase.air_drag_per_s;
+  // Air on the cloth's faces would only slow the fitting down.
+  surroundings.forces.wind.pressure_coefficient = surroundings.forces.wind.friction_coefficient = 0.0;
   surroundings.colliders = body_colliders(stance);
   surroundings.cloth_thickness_m = 0.002;
   return surroundings;

@@ -96,7 +96,7 @@ TEST(Hanging, HoldsEveryPartByItself) {
   EXPECT_EQ(hanging.pins, (std::vector<sim::Index>{8, 9, 10, 11, 13, 14, 15}));
   const std::vector<std::string> lines = describe(hanging);
   ASSERT_EQ(lines.size(), 4U);
-  EXPECT_EQ(lines[2], "part 3 of 3: 3 vertices, lies flat, held by its back edge, 1 pins");
+  EXPECT_EQ(lines[2], "part 3 of 3: 3 vertices, lies flat, held by its back edge, 1 pin");
   EXPECT_CONTAINS(lines[3], "2 parts are flat, like pattern pieces");
 }
 

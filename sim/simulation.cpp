@@ -98,21 +98,19 @@ void Simulation::wake() {
 }
 
 void Simulation::fall_asleep_at_rest() {
-  constexpr double trembling = 10.0;
   const RestSettings& rest = settings_.rest;
-  if (!is_steady(surroundings_) || !(rms_speed(change()) < trembling * rest.speed_m_per_s)) {
+  if (!is_steady(surroundings_)) {
     state_.quiet_frames = 0;
     return;
   }
   if (state_.quiet_frames == 0) {
     quiet_since_m_ = before_m_;
   }
-  if (++state_.quiet_frames < rest.frames) {
-    return;
-  }
-  const ShapeChange drift = {quiet_since_m_, state_.current, state_.quiet_frames * frame_time_s()};
-  state_.quiet_frames = 0;
-  if (rms_speed(drift) < rest.speed_m_per_s) {
+  ++state_.quiet_frames;
+  const ShapeChange drift = {quiet_since_m_, state_.current, rest.frames * frame_time_s()};
+  if (!(rms_speed(drift) < rest.speed_m_per_s)) {
+    state_.quiet_frames = 0;
+  } else if (state_.quiet_frames >= rest.frames) {
     state_.asleep = true;
     state_.previous = state_.current;
   }

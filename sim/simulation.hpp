@@ -11,9 +11,9 @@
 
 namespace taut::sim {
 
-/// When cloth counts as at rest, where nothing outside changes: over that many frames it got no further than
-/// the speed would take it, and in none of them moved ten times as fast. Cloth that trembles about where it
-/// is rests; cloth that swings, or still sinks, does not.
+/// When cloth counts as at rest, where nothing outside changes: when in all of that many frames it was no
+/// further from where it was before them than the speed would take it in that time. Cloth that trembles about
+/// where it is rests; cloth that swings or still sinks does not.
 struct RestSettings {
   double speed_m_per_s = 1e-4;  ///< root mean square; higher sleeps earlier, and further from equilibrium
   int frames = 30;

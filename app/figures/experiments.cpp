@@ -28,7 +28,8 @@ void map_models(Results& results) {
 
 StepRecording record_fall(const Checkpoint& checkpoint) {
   Scene scene = find_scene(fall_scene, {});
-  scene.simulation.rest.speed_m_per_s = fall_rest_m_per_s;
+  scene.simulation.rest.speed_m_per_s = fall_rest_m / fall_rest_s;
+  scene.simulation.rest.frames = static_cast<int>(std::lround(fall_rest_s * scene.simulation.frame_rate_hz));
   return record_steps(scene, fall_frames, followed_vertex(scene), checkpoint);
 }
 

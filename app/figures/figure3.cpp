@@ -77,8 +77,10 @@ void draw_followed_point(renderer::Canvas& canvas, const StepRecording& fall, co
 std::string rest_text(const StepRecording& fall) {
   const auto steps = static_cast<double>(fall.moved_m.size());
   return fmt::format("steps of 1/{:.0f} s; {} after {:.0f} of them, or {:.1f} s", 1.0 / fall.time_step_s,
-                     fall.came_to_rest ? "at rest (slower than 1 mm/s)" : "not yet at rest", steps,
-                     steps * fall.time_step_s);
+                     fall.came_to_rest
+                         ? fmt::format("at rest (within {:g} mm for {:g} s)", 1e3 * fall_rest_m, fall_rest_s)
+                         : "not yet at rest",
+                     steps, steps * fall.time_step_s);
 }
 
 }  // namespace

@@ -31,10 +31,10 @@ Rule rule_of_convergence() {
   return {
       {"convergence", "II", "The iteration converges: a mass point's coordinate becomes stable.",
        "How far the middle of the free edge of the falling 33x33 cloth moves in each step.",
-       fmt::format("holds where the cloth slows down to {} m/s (root mean square) for half a second, or "
+       fmt::format("holds where the cloth stays within {:g} mm (root mean square) for {:g} s, or "
                    "the point moves by less than a thousandth of its peak; in part below a tenth; else it "
                    "does not hold",
-                   fall_rest_m_per_s),
+                   1e3 * fall_rest_m, fall_rest_s),
        "The cloth hangs in air, which slows its swing down.", "fig3"},
       judge_fall};
 }

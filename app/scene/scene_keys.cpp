@@ -108,8 +108,10 @@ void add_run(SceneKeys& keys) {
   keys.push_back(number("solver.stiffness.damping", "N s/m", not_negative,
                         MEMBER(simulation.solver.stiffness.damping_n_s_per_m), "ideal: of every spring"));
   keys.push_back(number("rest.speed", "m/s", not_negative, MEMBER(simulation.rest.speed_m_per_s),
-                        "slower cloth (root mean square) counts as at rest and is put to sleep"));
-  keys.push_back(whole("rest.frames", 1, 1000000, MEMBER(simulation.rest.frames), "for so many frames"));
+                        "cloth that goes no further than by this speed (root mean square) counts as at rest "
+                        "and is put to sleep"));
+  keys.push_back(
+      whole("rest.frames", 1, 1000000, MEMBER(simulation.rest.frames), "at rest in so many frames"));
 }
 
 void add_forces(SceneKeys& keys) {
@@ -248,7 +250,8 @@ std::vector<Key<sim::Collider>> collider_keys(const std::string& shape) {
 
 std::vector<Key<sim::PointForce>> force_keys() {
   using F = sim::PointForce;
-  return {whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex), "the vertex that is pulled, as numbered in pins.at"),
+  return {whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex),
+                       "the vertex that is pulled, as numbered in pins.at"),
           vector_key<F>("force", "N", MEMBER(force_n), "the pull")};
 }
 

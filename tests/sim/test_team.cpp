@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
-#include <random>
 #include <vector>
 
 #include "sim/solvers/bounded/team.hpp"
@@ -49,41 +49,61 @@ TEST(Team, SmallGarmentsGetOneThreadUnlessAskedOtherwise) {
   EXPECT_LE(thread_count(0, 100000), 4);
 }
 
-/// What frames cost, alone and shared, over what they would cost alone; `cost` of a frame's number.
-double part_of_alone(int frames, const std::function<double(int frame, bool shared)>& cost) {
-  ThreadChoice choice;
-  double sum = 0.0, alone = 0.0;
-  for (int frame = 0; frame < frames; ++frame) {
-    const double took = cost(frame, choice.is_shared());
-    sum += took;
-    alone += cost(frame, false);
-    choice.frame_took(took);
+TEST(Team, TellsWhoDidTheWork) {
+  for (const int threads : {1, 2, 4}) {
+    Team team(threads);
+    std::atomic<std::size_t> chunks = 0;
+    for (int loop = 0; loop < 500; ++loop) {
+      team.split(0, 400, 10, [&](std::size_t, std::size_t) { ++chunks; });
+    }
+    const TeamWork work = team.take_work();
+    EXPECT_EQ(work.own_chunks + work.others_chunks, threads > 1 ? chunks.load() : 0u);
+    EXPECT_GE(work.waited_s, 0.0);
+    EXPECT_EQ(team.take_work().own_chunks, 0u) << "it was taken";
+    team.share(false);
+    team.split(0, 400, 10, [&](std::size_t, std::size_t) { ++chunks; });
+    EXPECT_EQ(team.take_work().own_chunks, 0u);
   }
-  return sum / alone;
+}
+
+/// Frames of one second of work for the caller alone, on a machine where others do as much as the caller and
+/// it then waits for them that long.
+double part_of_alone(int frames, const std::function<double(int frame)>& waited_s) {
+  ThreadChoice choice;
+  double sum = 0.0;
+  for (int frame = 0; frame < frames; ++frame) {
+    if (choice.is_shared()) {
+      const double took = 0.5 + waited_s(frame);
+      sum += took;
+      choice.frame_took(took, {10, 10, waited_s(frame)});
+    } else {
+      sum += 1.0;
+      choice.frame_took(1.0, {});
+    }
+  }
+  return sum / frames;
 }
 
 TEST(ThreadChoice, SharesWhereThatIsFaster) {
-  EXPECT_LT(part_of_alone(300, [](int, bool shared) { return shared ? 0.6 : 1.0; }), 0.62);
+  EXPECT_NEAR(part_of_alone(300, [](int) { return 0.1; }), 0.6, 1e-9);
+  EXPECT_NEAR(part_of_alone(300, [](int) { return 0.4; }), 0.9, 1e-9);
 }
 
 TEST(ThreadChoice, NeverTakesATenthLongerThanAlone) {
-  EXPECT_LT(part_of_alone(100, [](int, bool shared) { return shared ? 2.0 : 1.0; }), 1.06);
-  EXPECT_LT(part_of_alone(1000, [](int, bool shared) { return shared ? 5.0 : 1.0; }), 1.1);
+  for (const double waited_s : {0.6, 1.5, 3.0}) {
+    EXPECT_LT(part_of_alone(100, [=](int) { return waited_s; }), 1.1) << waited_s;
+    EXPECT_LT(part_of_alone(3000, [=](int) { return waited_s; }), 1.03) << waited_s;
+  }
 }
 
 TEST(ThreadChoice, FollowsAMachineThatGetsBusyAndIdleAgain) {
-  const auto is_busy = [](int frame) { return frame >= 200 && frame < 600; };
-  const auto cost = [&](int frame, bool shared) { return shared ? (is_busy(frame) ? 3.0 : 0.6) : 1.0; };
-  EXPECT_LT(part_of_alone(600, cost), (200 * 0.6 + 400 * 1.1) / 600);
-  EXPECT_LT(part_of_alone(3000, cost), (2600 * 0.7 + 400 * 1.1) / 3000) << "it tries again";
+  const auto waited_s = [](int frame) { return frame >= 200 && frame < 600 ? 2.0 : 0.1; };
+  EXPECT_LT(part_of_alone(600, waited_s), (200 * 0.6 + 400 * 1.1) / 600);
+  EXPECT_LT(part_of_alone(3000, waited_s), (2600 * 0.7 + 400 * 1.1) / 3000) << "it tries again";
 }
 
-TEST(ThreadChoice, IsNotLedAstrayByNoise) {
-  std::minstd_rand random(7);
-  std::uniform_real_distribution<double> noise(1.0, 1.5);
-  EXPECT_LT(part_of_alone(1000, [&](int, bool shared) { return (shared ? 0.6 : 1.0) * noise(random); }),
-            0.68);
-  EXPECT_LT(part_of_alone(1000, [&](int, bool shared) { return (shared ? 1.6 : 1.0) * noise(random); }), 1.1);
+TEST(ThreadChoice, IsNotUsedUpByAMachineThatIsBusyNowAndThen) {
+  EXPECT_LT(part_of_alone(3000, [](int frame) { return frame % 10 == 0 ? 2.0 : 0.1; }), 1.1);
 }
 
 }  // namespace

@@ -267,13 +267,10 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
   control.frame_kept(certificate.cost, shift);
   end_frame(frame_time_s, substeps, state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  cloth.threads.frame_took(took.count() / sweeps);
-  return {substeps,
-          true,
-          certificate.kept,
-          certificate.raw_max_stretch,
-          sweeps,
-          followed_compression(cloth.mobility_per_kg, frame_time_s / substeps)};
+  cloth.threads.frame_took(took.count(), loops_->take_work());
+  return {substeps,         true,
+          certificate.kept, certificate.raw_max_stretch,
+          sweeps,           followed_compression(cloth.mobility_per_kg, frame_time_s / substeps)};
 }
 
 }  // namespace taut::sim

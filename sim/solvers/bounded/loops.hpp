@@ -13,6 +13,7 @@ class Loops {
   Loops(const Kernels& kernels, int threads) : kernels_(kernels), team_(threads) {}
 
   void share(bool is_shared) { team_.share(is_shared); }
+  TeamWork take_work() { return team_.take_work(); }
 
   /// Of all rows; `tethers` may be null.
   void predict(const Prediction& prediction, const Tether* tethers, const Row* accelerations,

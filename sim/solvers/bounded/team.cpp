@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/team.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 namespace taut::sim::bounded {
 namespace {
@@ -48,8 +49,19 @@ void Team::run(Call call, const void* context, std::size_t begin, std::size_t en
   done_.store(0, std::memory_order_relaxed);
   claim_.store((loop + 1) * one_loop, std::memory_order_release);
   claim_.notify_all();
+  std::size_t own_chunks = 0;
   while (do_chunk()) {
+    ++own_chunks;
   }
+  work_.own_chunks += own_chunks;
+  work_.others_chunks += chunks - own_chunks;
+  if (done_.load(std::memory_order_acquire) != chunks) {
+    wait_for(chunks);
+  }
+}
+
+void Team::wait_for(std::size_t chunks) {
+  const auto began = std::chrono::steady_clock::now();
   for (int looks = 0; done_.load(std::memory_order_acquire) != chunks; ++looks) {
     if (looks < looks_before_yield) {
       pause();
@@ -57,6 +69,7 @@ void Team::run(Call call, const void* context, std::size_t begin, std::size_t en
       std::this_thread::yield();
     }
   }
+  work_.waited_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
 void Team::work() {

@@ -4,9 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace taut::sim::bounded {
+
+/// Who did what of the loops that were shared.
+struct TeamWork {
+  std::size_t own_chunks = 0;  ///< of the caller
+  std::size_t others_chunks = 0;
+  double waited_s = 0.0;  ///< by the caller, for chunks that others had begun
+};
 
 /// Threads that share one loop at a time. A loop is cut into chunks, which whoever is free takes; only loops
 /// belong here whose chunks do not touch what others write, so that the number of threads changes nothing but
@@ -26,6 +34,9 @@ class Team {
   /// Whether loops are shared from now on, or the caller does them alone.
   void share(bool is_shared) { is_shared_ = is_shared; }
 
+  /// Since the last call of this.
+  TeamWork take_work() { return std::exchange(work_, {}); }
+
   /// Calls part(b, e) for chunks that cover [begin, end), of at least `least` each, and returns when all are
   /// done. `part` must not throw.
   template <typename Part>
@@ -42,6 +53,7 @@ class Team {
   using Call = void (*)(const void* context, std::size_t begin, std::size_t end);
 
   void run(Call call, const void* context, std::size_t begin, std::size_t end, std::size_t least);
+  void wait_for(std::size_t chunks);
   void work();
   bool do_chunk();
 
@@ -56,7 +68,9 @@ class Team {
   std::atomic<std::uint64_t> claim_{0};  ///< the loop's number, and in the low 32 bits the next chunk to take
   std::atomic<std::size_t> done_{0};     ///< chunks
   std::atomic<bool> is_over_{false};
-  bool is_shared_ = true;  ///< the caller's own
+  // The caller's own.
+  bool is_shared_ = true;
+  TeamWork work_;
   std::vector<std::thread> workers_;
 };
 

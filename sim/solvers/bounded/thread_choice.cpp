@@ -7,29 +7,27 @@ namespace {
 
 constexpr int fewest_between_trials = 32;
 constexpr int most_between_trials = 512;
-/// Of a new measurement. The machine changes within frames; what is older than some of them says little.
-constexpr double trusted = 0.5;
+
+/// What the chunks of others would have cost the caller, less what it waited for them.
+double gained_s(double seconds, const TeamWork& work) {
+  if (work.own_chunks == 0) {
+    return 0.0;
+  }
+  const double others = static_cast<double>(work.others_chunks) / static_cast<double>(work.own_chunks);
+  return (seconds - work.waited_s) * others - work.waited_s;
+}
 
 }  // namespace
 
-void ThreadChoice::frame_took(double seconds_per_work) {
-  double& known = cost(shared_);
-  known = known == 0.0 || is_trial_ ? seconds_per_work : known + trusted * (seconds_per_work - known);
-  const bool other_is_known = cost(!shared_) > 0.0;
-  if (is_trial_) {
-    is_trial_ = false;
-    const bool won = cost(shared_) < cost(!shared_);
+void ThreadChoice::frame_took(double seconds, const TeamWork& work) {
+  if (!is_shared()) {
+    --frames_alone_;
+  } else if (gained_s(seconds, work) < 0.0) {
     frames_between_trials_ =
-        won ? fewest_between_trials
-            : std::clamp(2 * frames_between_trials_, fewest_between_trials, most_between_trials);
-    frames_to_trial_ = frames_between_trials_;
-    shared_ = won ? shared_ : !shared_;
-  } else if (other_is_known && cost(!shared_) < cost(shared_)) {
-    shared_ = !shared_;
-    frames_to_trial_ = frames_between_trials_ = fewest_between_trials;
-  } else if (--frames_to_trial_ <= 0) {
-    is_trial_ = true;
-    shared_ = !shared_;
+        std::clamp(2 * frames_between_trials_, fewest_between_trials, most_between_trials);
+    frames_alone_ = frames_between_trials_;
+  } else {
+    frames_between_trials_ = 0;
   }
 }
 

@@ -22,7 +22,7 @@ constexpr std::array hints = {
          "How much longer than at rest the longest spring is, in percent, over the last frames. Red:"
          " the bound that the solver promises."},
     Hint{"measured.convergence",
-         "The longest way of a mass point in the last time step, |p(t) - p(t - dt)|, in"
+         "The longest way of a mass point in the last frame, |p(t) - p(t - dt)|, in"
          " millimetres."},
     Hint{"measured.times",
          "Milliseconds of the clock for the last frame: to simulate it, to draw the window, to lay out"

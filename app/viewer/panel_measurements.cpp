@@ -116,7 +116,7 @@ void plot_convergence(ViewerState& state, float scale) {
   const float highest = rounded_up(largest(moved.values()), 0.01F);
   const ItemPlace place =
       plot_frame(state, "measured.convergence",
-                 {"Convergence", {{in_little_room(moved.last(), 3) + " mm a step"}}}, scale);
+                 {"Convergence", {{in_little_room(moved.last(), 3) + " mm a frame"}}}, scale);
   draw_curve(moved.values(), place, highest, curve_colour, scale);
 }
 

@@ -322,7 +322,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   app.set_version_flag("--version", "taut " + program_version());
   app.require_subcommand(1);
   app.footer(
-      "taut help COMMAND says more. Exit codes: 0 done, 1 the input or the run failed, 2 wrong usage.");
+      "taut help COMMAND says more. Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a promised bound was "
+      "exceeded or the run diverged.");
   const std::vector<std::function<Command()>> commands = {
       add_figures(app), add_render(app), add_simulate(app),     add_view(app), add_inspect(app),
       add_bench(app),   add_scenes(app), add_import_model(app), add_help(app)};

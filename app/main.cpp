@@ -7,6 +7,7 @@
 #include "app/command_line.hpp"
 #include "app/errors.hpp"
 #include "app/interruption.hpp"
+#include "sim/simulation.hpp"
 
 // A command reads a scene (scene_lookup, scene_file), loads its garment (garment_loading), and hands a
 // simulation to run_frames (frame_loop), which calls the outputs the command has chosen for it.
@@ -32,11 +33,13 @@ int main(int argument_count, char** arguments) {
     }
     return exit_code;
   } catch (const Interrupted& interrupted) {
-    report(interrupted, 1);
+    report(interrupted, exit_bad_input);
     end_by_signal(interrupted.signal);
   } catch (const UsageError& error) {
-    return report(error, 2);
+    return report(error, exit_wrong_usage);
+  } catch (const taut::sim::Diverged& error) {
+    return report(error, exit_promise_broken);
   } catch (const std::exception& error) {
-    return report(error, 1);
+    return report(error, exit_bad_input);
   }
 }

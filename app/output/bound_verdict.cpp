@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/counted.hpp"
+#include "app/errors.hpp"
 
 namespace taut::app {
 
@@ -51,7 +52,7 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
              summary.frames_over_bound == 1 ? "exceeds" : "exceed", scene.simulation.solver.max_stretch,
              summary.first_frame_over_bound, summary.max_stretch, scene.simulation.solver.max_substeps,
              allowed ? "" : "; solver.allow_exceeding = true accepts such frames");
-  return allowed ? 0 : 1;
+  return allowed ? 0 : exit_promise_broken;
 }
 
 }  // namespace taut::app

@@ -6,6 +6,7 @@
 #include "app/frame_loop.hpp"
 #include "app/frame_range.hpp"
 #include "app/interruption.hpp"
+#include "app/output/bound_verdict.hpp"
 #include "sim/grid.hpp"
 #include "temporary_folder.hpp"
 
@@ -142,6 +143,16 @@ TEST(RunSummary, FindsTheWorstFrameAndTheRest) {
   EXPECT_EQ(summary.mean_sim_ms, 2.0);
   records.back().asleep = false;
   EXPECT_EQ(summarise(records).asleep_since_frame, -1);
+}
+
+TEST(BoundVerdict, EndsTheProgramAsASchedulerCanTell) {
+  std::vector<FrameRecord> records(2);
+  Scene scene;
+  EXPECT_EQ(judge_bound(scene, summarise(records)), 0);
+  records[1].bound_kept = false;
+  EXPECT_EQ(judge_bound(scene, summarise(records)), 3);
+  scene.allow_exceeding_bound = true;
+  EXPECT_EQ(judge_bound(scene, summarise(records)), 0);
 }
 
 }  // namespace

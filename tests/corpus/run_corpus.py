@@ -55,7 +55,7 @@ def check_run(program, model, path):
     reason = model.refused or model.error
     if reason:
         # A setting on the command line that cannot be is wrong usage.
-        wanted = (1, 2) if model.refused else (1,)
+        wanted = (3,) if 'diverged' in reason else (1, 2) if model.refused else (1,)
         if code not in wanted or not re.search('^taut: error: .*' + reason if model.refused else '^taut: error: ', err) \
                 or (re.search('^frame', out, re.M) and 'diverged' not in reason) or statistics.exists():
             yield 'simulate: exit code %s, statistics %s: %r; expected %r' % (code, statistics.exists(), err.strip(), reason)

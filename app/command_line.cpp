@@ -334,7 +334,13 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
     if (error.get_exit_code() == 0) {
       return Answered{app.exit(error)};
     }
-    throw UsageError(std::string(error.what()) + "; taut --help says what there is");
+    // A misspelt option comes before what is missing, which may be all that it stands for.
+    const std::vector<std::string> unknown = app.remaining(true);
+    const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    throw UsageError((is_missing && !unknown.empty()
+                          ? "the following was not expected: " + joined_names(unknown, " ")
+                          : std::string(error.what())) +
+                     "; taut --help says what there is");
   }
   const std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -16,8 +16,7 @@ struct FrameRange {
 /// What --frames takes, for the help of every command that has it.
 inline constexpr const char* frame_range_help =
     "A:B, A: to the last, :B from 0, A alone, or last; frame 0 is the cloth before the first step, the last "
-    "one "
-    "is the scene's time.frames";
+    "one is the scene's time.frames";
 
 /// The frames such a text means in a run of which `last_frame` is the last. Throws UsageError.
 FrameRange frame_range(const std::string& text, int last_frame);

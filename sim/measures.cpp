@@ -30,7 +30,8 @@ Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions)
   result.max = *largest;
   result.mean = sum / static_cast<double>(stretches.size());
   result.max_compression = std::max(0.0, -*smallest);
-  const auto rank = stretches.begin() + static_cast<std::ptrdiff_t>((stretches.size() - 1) * 99 / 100);
+  // The nearest rank: of the springs, 99 of 100 are at or below it.
+  const auto rank = stretches.begin() + static_cast<std::ptrdiff_t>((99 * stretches.size() + 99) / 100 - 1);
   std::nth_element(stretches.begin(), rank, stretches.end());
   result.p99 = *rank;
   return result;

@@ -10,7 +10,7 @@ namespace taut::sim {
 /// Of the structural springs; stretch is length / rest length - 1.
 struct Stretch {
   double max = 0.0;  ///< of the longest; negative where every spring is shorter than at rest
-  double p99 = 0.0;  ///< the 99th percentile
+  double p99 = 0.0;  ///< the 99th percentile: no more than one spring in a hundred exceeds it
   double mean = 0.0;
   double max_compression = 0.0;  ///< 1 - length / rest length of the shortest, at least 0
 };

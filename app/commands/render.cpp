@@ -136,6 +136,19 @@ void compare_with_record(const Job& job, const std::vector<FrameRecord>& records
   }
 }
 
+// Why the picture cannot be this frame of the scene; empty: it can.
+std::string obstacle_to_resuming(const std::filesystem::path& file, int frame, const PictureOrigin& origin) {
+  try {
+    const PictureRecord record = read_picture_record(file, {});
+    const bool is_ours = record.frame == frame && record.gl_renderer == origin.gl_renderer &&
+                         record.program == "taut " + program_version() &&
+                         scene_text(record.scene) == origin.scene;
+    return is_ours ? "" : '\'' + file.string() + "' was made from another scene or by another program";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 // The frames a run that was cut short left to be drawn. Files are renamed into place when they are complete,
 // so those that exist are; but they have to show this very scene.
 std::vector<int> frames_left(const Job& job, const PictureOutput& output, const PictureOrigin& origin) {
@@ -147,12 +160,9 @@ std::vector<int> frames_left(const Job& job, const PictureOutput& output, const 
       left.push_back(frame);
       continue;
     }
-    const PictureRecord record = read_picture_record(file, {});
-    if (record.frame != frame || record.gl_renderer != origin.gl_renderer ||
-        record.program != "taut " + program_version() || scene_text(record.scene) != origin.scene) {
-      throw InputError(
-          "cannot resume: '" + file.string() +
-          "' was made from another scene or by another program; remove it, or run without --resume");
+    const std::string obstacle = obstacle_to_resuming(file, frame, origin);
+    if (!obstacle.empty()) {
+      throw InputError("cannot resume: " + obstacle + "; remove it, or run without --resume");
     }
   }
   return left;

@@ -17,7 +17,7 @@ Caption caption_of(const PrintedMoment& moment, char letter) {
   if (moment.shows_stretch) {
     return {
         letter, "the same, coloured by its stretch",
-        fmt::format("mean {:.4g} %, 99 of 100 springs below {:.4g} %",
+        fmt::format("mean {:.4g} %, 99 of 100 springs up to {:.4g} %",
                     100.0 * moment.moment->record.stretch.mean, 100.0 * moment.moment->record.stretch.p99)};
   }
   return {letter, fmt::format("stretched by up to {:.4g} %", 100.0 * moment.moment->record.stretch.max),

@@ -19,8 +19,7 @@ std::string FileVertices::why_missing(std::size_t number) const {
   }
   return fmt::format(
       "vertex {} of the file belongs to no face, or only to faces that were removed because they have no "
-      "area "
-      "or repeat others",
+      "area or repeat others",
       number);
 }
 

@@ -16,7 +16,7 @@ struct FileVertices {
 
   /// Nothing where there is none; `why_missing` says why.
   std::optional<sim::Index> find(std::size_t number) const;
-  /// "found vertex 9, expected a vertex from 0 to 7", or that it belongs to no face.
+  /// "found vertex 9, expected one of the vertices of the file, 0 to 7", or that it belongs to no face.
   std::string why_missing(std::size_t number) const;
   /// The first one that the vertex of the mesh stands for.
   std::optional<sim::Index> number_of(sim::Index vertex) const;

@@ -2,11 +2,12 @@
 _taut() {
   local program=${COMP_WORDS[0]} command=${COMP_WORDS[1]}
   local previous=${COMP_WORDS[COMP_CWORD - 1]} word=${COMP_WORDS[COMP_CWORD]}
-  local choices help
+  local choices help commands
+  commands='/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p'
   if ((COMP_CWORD == 1)); then
-    choices="--help --version $("$program" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z][a-z-]*\) .*/\1/p')"
+    choices="--help --version $("$program" --help | sed -n "$commands")"
   elif [[ $command == help ]]; then
-    choices=scene
+    choices="scene stats $("$program" --help | sed -n "$commands")"
   elif [[ $previous == --set ]]; then
     choices=$("$program" help scene | sed -n 's/^  \([a-z_.]*\) = .*/\1=/p')
     compopt -o nospace

@@ -52,7 +52,7 @@ const FrameColumn frame_columns[] = {
     {"time_s", "s", "simulated", [](const auto& r) -> Json { return r.time_s; }},
     {"max_stretch", "", "length / rest length - 1, the largest of all structural springs",
      [](const auto& r) -> Json { return r.stretch.max; }},
-    {"p99_stretch", "", "99 of 100 springs are stretched less",
+    {"p99_stretch", "", "99 of 100 springs are stretched no more",
      [](const auto& r) -> Json { return r.stretch.p99; }},
     {"mean_stretch", "", "of all structural springs", [](const auto& r) -> Json { return r.stretch.mean; }},
     {"raw_max_stretch", "", "the largest before the solver's last correction, which keeps the bound",

@@ -217,7 +217,7 @@ Judgement judge_cost(const Results& results) {
     finding.measured.push_back({"misfit of a geometric law", growth.geometric_misfit, "", 2});
   }
   return judged(std::max(judge_growth(few), judge_growth(many)),
-                "faster than in proportion to the triangles, but no setting short of a geometric law",
+                "faster than in proportion to the triangles, but not by a geometric law with both settings",
                 finding,
                 {fmt::format("Its time grows as triangles to the power {:.2f}.", bounded),
                  {{"exponent of the power", bounded, "", 3}}});

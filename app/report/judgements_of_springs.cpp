@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/counted.hpp"
 #include "app/report/judgements.hpp"
 
 namespace taut::app {
@@ -34,6 +35,9 @@ Finding garments_of_bounded(const std::vector<GarmentTrial>& trials) {
   Finding finding;
   double slowest_ms = 0.0;
   for (const GarmentTrial& trial : trials) {
+    if (!trial.refusal.empty()) {
+      continue;
+    }
     slowest_ms = std::max(slowest_ms, trial.bounded.median_ms);
     finding.measured.push_back(percent_number(trial.file, trial.bounded.largest_stretch));
   }
@@ -50,10 +54,10 @@ std::string refused_text(const std::vector<GarmentTrial>& trials) {
     if (!trial.refusal.empty()) {
       text += fmt::format(" {} was refused: {}.", trial.file, trial.refusal);
     } else if (!is_mapped(trial.mapping)) {
-      text +=
-          fmt::format(" {} has {} edges and {} structural springs, {} flexural springs, {} loose vertices.",
-                      trial.file, trial.mapping.edges, trial.mapping.structural, trial.mapping.flexural,
-                      trial.mapping.loose_vertices);
+      text += fmt::format(" {} has {} and {}, {}, {}.", trial.file, counted(trial.mapping.edges, "edge"),
+                          counted(trial.mapping.structural, "structural spring"),
+                          counted(trial.mapping.flexural, "flexural spring"),
+                          counted(trial.mapping.loose_vertices, "loose vertex", "loose vertices"));
     }
   }
   return text;
@@ -75,6 +79,9 @@ Judgement judge_garments(const Results& results) {
   Finding finding;
   for (const GarmentTrial& trial : trials) {
     formats.insert(trial.file.substr(trial.file.rfind('.') + 1));
+    if (!trial.refusal.empty()) {
+      continue;
+    }
     finding.measured.push_back(percent_number(
         fmt::format("{}: {}, {} triangles; {} structural and {} flexural springs, stretched by", trial.file,
                     trial.kind, trial.mapping.triangles, trial.mapping.structural, trial.mapping.flexural),

@@ -47,16 +47,19 @@ void check_garment(const ValueTable& file, const Source& source) {
 }
 
 // Here and not where it is read, which does not know who names it.
-void require_garment(const ValueTable& file, const Source& source, const std::filesystem::path& garment) {
-  const Value* section = find(file, "garment");
-  const Value* key = section != nullptr ? find(*section->table(), "file") : nullptr;
-  if (key == nullptr) {
-    return;
-  }
+void require_garment(const std::filesystem::path& garment, const Source& source, int line) {
   try {
     require_file(garment);
   } catch (const InputError& error) {
-    fail(source, key->line, std::string("garment.file: ") + error.what());
+    fail(source, line, std::string("garment.file: ") + error.what());
+  }
+}
+
+void require_garment(const ValueTable& file, const Source& source, const std::filesystem::path& garment) {
+  const Value* section = find(file, "garment");
+  const Value* key = section != nullptr ? find(*section->table(), "file") : nullptr;
+  if (key != nullptr) {
+    require_garment(garment, source, key->line);
   }
 }
 
@@ -64,6 +67,9 @@ void apply(std::span<const Override> overrides, const std::vector<Key<Scene>>& k
   for (const Override& changed : overrides) {
     const Source source{changed.option, true};
     KeyReader(keys, source, scene).read_value(changed.key, read_toml_value(changed.value));
+    if (changed.key == "garment.file") {
+      require_garment(scene.garment.file, source, 0);
+    }
   }
   if (!overrides.empty()) {
     check_whole(scene, {overrides.back().option, true});

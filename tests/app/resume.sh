@@ -15,6 +15,17 @@ draw --resume | grep -q 'there already: 4 of 6 frames'
 sha256sum -c --quiet whole.txt
 draw --resume | grep -q 'there already: 6 of 6 frames'
 
+# A disk that was full, a copy that was broken off.
+head -c 500 2.png > cut.png
+mv cut.png 2.png
+if draw --resume 2> error.txt; then
+  echo "resumed a picture that ends in the middle"
+  exit 1
+fi
+grep -q "cannot resume: the picture '2.png' ends in the middle; remove it, or run without --resume" error.txt
+rm 2.png
+draw --resume > said.txt
+
 # Pictures of another scene are not taken for ours, nor touched.
 if draw --resume --set wind.speed=3 2> error.txt; then
   echo "resumed another scene's pictures"

@@ -282,10 +282,27 @@ TEST(Claims, FindingsSayTheNumbersThatDecide) {
   expect_in(in_part, "real-time", "for the models of 1028 and 5280 triangles");
   expect_in(against, "real-time", "11 ms a frame with 1 step x 1 sweep and is stretched by 848 %");
   expect_in(against, "growth", "to the power 1.00");
+  expect_in(in_part, "growth", "not by a geometric law with both settings");
   expect_in(in_part, "any-garment", "1 of 2 within the bound");
-  expect_in(against, "any-garment", "1 loose vertices");
+  expect_in(against, "any-garment", "1 loose vertex.");
   expect_in(in_part, "ideal-overstretches", "with springs of 50 N/m, not with those of 100 N/m");
   expect_in(in_part, "threshold-vibrates", "with steps of 1/160 s, not with those of 1/640 s");
+}
+
+TEST(Claims, WhatWasRefusedHasNoNumbers) {
+  Results results = results_of_the_paper();
+  GarmentTrial refused;
+  refused.file = "refused.obj";
+  refused.refusal = "no reader knows this kind of file";
+  results.garments.push_back(refused);
+  const Judgement judgement = claim_of(judge_claims(results), "any-garment").judgement;
+  EXPECT_NE(judgement.finding.text.find("refused.obj was refused: no reader"), std::string::npos);
+  for (const Finding& finding : {judgement.finding, judgement.bounded}) {
+    EXPECT_EQ(finding.measured.size(), results.garments.size() - 1);
+    for (const MeasuredNumber& number : finding.measured) {
+      EXPECT_EQ(number.name.find("refused.obj"), std::string::npos) << number.name;
+    }
+  }
 }
 
 TEST(Claims, NumbersAreWrittenAsPeopleDo) {

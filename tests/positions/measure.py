@@ -10,7 +10,7 @@ ROUNDING = 1e-11
 # What is said of the stretches of a cloth's edges.
 MEASURES = {
     "max_stretch": max,
-    "p99_stretch": lambda stretches: sorted(stretches)[(len(stretches) - 1) * 99 // 100],
+    "p99_stretch": lambda stretches: sorted(stretches)[math.ceil(0.99 * len(stretches)) - 1],
     "mean_stretch": statistics.fmean,
     "max_compression": lambda stretches: max(0.0, -min(stretches)),
 }

@@ -68,7 +68,7 @@ def captions(path):
     text = pdf_text(path)
     said = [[Printed.percent("its caption", largest)]
             for largest in re.findall(r"(?:largest stretch|stretched by up to) ([-\d.]+) %", text)]
-    more = re.findall(r"mean ([-\d.]+) %, 99 of 100 springs below ([-\d.]+) %", text)
+    more = re.findall(r"mean ([-\d.]+) %, 99 of 100 springs up to ([-\d.]+) %", text)
     for printed, (mean, p99) in zip(said, more):
         printed += [Printed.percent("its second caption", mean, "mean_stretch"),
                     Printed.percent("its second caption", p99, "p99_stretch")]

@@ -185,7 +185,7 @@ std::vector<SampleGarment> make_sample_garments() {
       {"cushion", "dae", "closed, without a border", cushion()},
       {"sleeves", "dae", "three parts that are not joined", body_and_sleeves()},
       {"lining", "fbx", "two layers", skirt_and_lining()},
-      {"wings", "ply", "three sheets at one edge, no manifold", three_sheets()},
+      {"wings", "ply", "three sheets at one edge, non-manifold", three_sheets()},
       {"band", "stl", "a Möbius band, one-sided", moebius_band()},
       {"honeycomb", "obj", "hexagons", honeycomb()},
   };

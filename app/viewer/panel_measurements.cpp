@@ -99,7 +99,8 @@ void plot_stretch(ViewerState& state, float scale) {
   const auto limit = static_cast<float>(bound.value_or(0.0));
   const std::string now = in_little_room(100.0F * stretch.last(), 2);
   const std::string reading =
-      bound ? fmt::format("{} %, bound {:.4g} %", now, 100.0 * *bound) : now + " %, no bound";
+      bound ? fmt::format("{} %, {} {:.4g} %", now, bound_word(state.scene), 100.0 * *bound)
+            : now + " %, no bound";
   const float highest = rounded_up(largest(stretch.values()), std::max(1.25F * limit, 0.001F));
   const bool is_exceeded = bound && !state.newest->record.bound_kept;
   const Words words = is_exceeded ? Words{reading, bound_colour} : Words{reading};

@@ -83,6 +83,15 @@ TEST(Window, EveryControlSaysWhatItDoes) {
   }
 }
 
+// What is said beside them grows and shrinks while the pointer rests there.
+TEST(Window, ReadingsAreExplainedAllAcrossThePanel) {
+  Person person("pinned-9x9-5");
+  const auto right_of = [&](const char* name) { return person.viewer.state().places.at(name).upper_px.x; };
+  for (const char* name : {"measured.size", "measured.speed"}) {
+    EXPECT_NEAR(right_of(name), right_of("measured.stretch"), 1.0F) << name;
+  }
+}
+
 TEST(Window, ExplainsWhatThePointerRestsOn) {
   Person person("pinned-9x9-5");
   person.press(keys::space);

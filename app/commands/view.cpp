@@ -24,8 +24,9 @@ Session session_of(const ViewOptions& options) {
   Session session;
   if (!options.script.empty()) {
     session = read_session(options.script);
-  } else {
-    session.frames.resize(2);
+  }
+  if (session.frames.empty()) {
+    session.frames.resize(2);  // the panel needs one to know its size
   }
   if (!options.scene.empty()) {
     session.start.scene = options.scene;

@@ -97,6 +97,10 @@ std::optional<double> stretch_bound(const Scene& scene) {
   return keeps_bound ? std::optional(solver.max_stretch) : std::nullopt;
 }
 
+const char* bound_word(const Scene& scene) {
+  return scene.simulation.solver.kind == sim::SolverKind::bounded ? "bound" : "threshold";
+}
+
 std::array<double, 2> shown_stretch_range(const Scene& scene) {
   constexpr double most_without_bound = 0.05;
   const std::array from_zero = {0.0,

@@ -15,6 +15,9 @@ std::optional<std::string> beyond_promise(const Scene& scene);
 /// The stretch that the scene's solver means not to exceed; none where it means none.
 std::optional<double> stretch_bound(const Scene& scene);
 
+/// What to call it: a bound is kept, a threshold is what springs are pulled back to.
+const char* bound_word(const Scene& scene);
+
 /// The stretch at the two ends of the colours: as the scene says, or else from 0 to the bound, or to 5 %
 /// where there is none.
 std::array<double, 2> shown_stretch_range(const Scene& scene);

@@ -14,7 +14,7 @@ namespace taut::app {
 /// The pointer as it is in a frame of the window.
 struct Pointer {
   glm::vec2 place_px{-1.0F};
-  glm::vec2 way_px{0.0F};         ///< since the frame before
+  glm::vec2 way_px{0.0F};         ///< since the frame before, or since a button went down in this one
   std::array<bool, 3> down{};     ///< by renderer::PointerButton
   std::array<bool, 3> pressed{};  ///< went down in this frame
   float notches = 0.0F;           ///< of the wheel

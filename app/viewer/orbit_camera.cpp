@@ -20,9 +20,10 @@ constexpr float frame_margin = 0.06F;
 OrbitCamera::OrbitCamera(const renderer::Camera& camera)
     : target_(camera.target), vertical_fov_rad_(camera.vertical_fov_rad) {
   const glm::vec3 back = camera.eye - camera.target;
-  distance_m_ = std::clamp(glm::length(back), nearest_m, farthest_m);
+  const float distance_m = glm::length(back);
+  distance_m_ = std::clamp(distance_m, nearest_m, farthest_m);
   elevation_rad_ =
-      std::clamp(std::asin(std::clamp(back.y / distance_m_, -1.0F, 1.0F)), -steepest_rad, steepest_rad);
+      std::clamp(std::asin(std::clamp(back.y / distance_m, -1.0F, 1.0F)), -steepest_rad, steepest_rad);
   azimuth_rad_ = std::atan2(back.x, back.z);
 }
 

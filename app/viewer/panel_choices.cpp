@@ -75,12 +75,23 @@ std::string chosen_substeps(const ViewerState& state) {
   return chosen == 0 ? "auto" : fmt::format("auto, {}{}", chosen, is_most ? ", no more" : "");
 }
 
+// Time steps that are short enough for one solver may make another fly apart: a number of them stands for the
+// solver that the scene has it for, and any other chooses its own.
+void choose_solver(ViewerState& state, sim::SolverKind kind) {
+  sim::SolverSettings& solver = state.scene.simulation.solver;
+  const sim::SolverSettings& of_scene = state.newest->loaded->scene.simulation.solver;
+  if (kind != solver.kind) {
+    solver.kind = kind;
+    solver.substeps = kind == of_scene.kind ? of_scene.substeps : 0;
+  }
+}
+
 void lay_out_solver(ViewerState& state) {
   sim::SolverSettings& solver = state.scene.simulation.solver;
   if (begin_list("solver", sim::name_of(solver.kind))) {
     for (const sim::SolverKind kind : sim::all_solver_kinds) {
       if (ImGui::Selectable(sim::name_of(kind), kind == solver.kind)) {
-        solver.kind = kind;
+        choose_solver(state, kind);
       }
       note_place(state, (std::string("solver.") + sim::name_of(kind)).c_str());
     }

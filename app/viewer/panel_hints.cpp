@@ -20,7 +20,7 @@ constexpr std::array hints = {
     Hint{"gravity", "How fast things fall, in m/s². On Earth 9.81."},
     Hint{"measured.stretch",
          "How much longer than at rest the longest spring is, in percent, over the last frames. Red:"
-         " the bound that the solver promises."},
+         " the bound that bounded keeps, or the threshold that provot pulls back to."},
     Hint{"measured.convergence",
          "The longest way of a mass point in the last frame, |p(t) - p(t - dt)|, in"
          " millimetres."},

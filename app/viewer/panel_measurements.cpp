@@ -99,7 +99,8 @@ void plot_stretch(ViewerState& state, float scale) {
   const auto limit = static_cast<float>(bound.value_or(0.0));
   const std::string now = in_little_room(100.0F * stretch.last(), 2);
   const std::string reading =
-      bound ? fmt::format("{} %, bound {:.4g} %", now, 100.0 * *bound) : now + " %, no bound";
+      bound ? fmt::format("{} %, {} {:.4g} %", now, bound_word(state.scene), 100.0 * *bound)
+            : now + " %, no bound";
   const float highest = rounded_up(largest(stretch.values()), std::max(1.25F * limit, 0.001F));
   const bool is_exceeded = bound && !state.newest->record.bound_kept;
   const Words words = is_exceeded ? Words{reading, bound_colour} : Words{reading};
@@ -173,6 +174,17 @@ std::string speed_text(const ViewerState& state) {
   return fmt::format("{:.2f} x real time{}", *factor, reason_text(reason));
 }
 
+// As wide as the panel: a line whose end comes and goes would take its explanation from under the pointer.
+void reading_line(ViewerState& state, const char* name, const std::string& text) {
+  ImGui::BeginGroup();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::TextDisabled("%s", text.c_str());
+  ImGui::SameLine(0.0F, 0.0F);
+  ImGui::Dummy({std::max(width - ImGui::CalcTextSize(text.c_str()).x, 0.0F), 0.0F});
+  ImGui::EndGroup();
+  note_place(state, name);
+}
+
 }  // namespace
 
 void lay_out_measurements(ViewerState& state, float scale) {
@@ -180,10 +192,8 @@ void lay_out_measurements(ViewerState& state, float scale) {
   plot_stretch(state, scale);
   plot_convergence(state, scale);
   plot_times(state, scale);
-  ImGui::TextDisabled("%s", size_text(state.newest->loaded->garment).c_str());
-  note_place(state, "measured.size");
-  ImGui::TextDisabled("%s", speed_text(state).c_str());
-  note_place(state, "measured.speed");
+  reading_line(state, "measured.size", size_text(state.newest->loaded->garment));
+  reading_line(state, "measured.speed", speed_text(state));
 }
 
 }  // namespace taut::app

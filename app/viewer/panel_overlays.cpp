@@ -178,7 +178,8 @@ void legend_of_stretch(const ViewerState& state, float scale) {
     }
   }
   if (bound && *bound >= low && *bound <= high) {
-    mark(*bound, fmt::format("{:.4g} % bound", 100.0 * *bound), IM_COL32(192, 57, 43, 255));
+    mark(*bound, fmt::format("{:.4g} % {}", 100.0 * *bound, bound_word(state.scene)),
+         IM_COL32(192, 57, 43, 255));
   }
   ImGui::Dummy({size.x + ImGui::CalcTextSize("00.00 % and more").x + 12.0F * scale, size.y + 6.0F * scale});
 }

@@ -205,7 +205,7 @@ void UserInterface::begin_frame(int width_px, int height_px, double elapsed_s) {
   ImGui::NewFrame();
 }
 
-const renderer::OverlayView& UserInterface::end_frame() {
+void UserInterface::end_frame() {
   ImGui::Render();
   const ImDrawData& drawn = *ImGui::GetDrawData();
   vertices_.resize(static_cast<std::size_t>(drawn.TotalVtxCount));
@@ -234,7 +234,6 @@ const renderer::OverlayView& UserInterface::end_frame() {
   }
   overlay_.vertices = picture_overlay_.vertices = vertices_;
   overlay_.indices = picture_overlay_.indices = indices_;
-  return overlay_;
 }
 
 bool UserInterface::wants_pointer() const {

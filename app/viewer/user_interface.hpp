@@ -27,9 +27,10 @@ class UserInterface {
   /// Between two frames, at most one change of each button and key.
   void feed(const renderer::WindowEvent& event);
   void begin_frame(int width_px, int height_px, double elapsed_s);
-  /// What was laid out since; valid until the next begin_frame.
-  const renderer::OverlayView& end_frame();
+  void end_frame();
 
+  /// What was laid out in the last frame, valid until the next one ends; nothing before the first.
+  const renderer::OverlayView& overlay() const { return overlay_; }
   /// The part of it that belongs into a picture of the scene: the windows of this name.
   const renderer::OverlayView& picture_overlay() const { return picture_overlay_; }
   static constexpr const char* in_pictures = "legends";

@@ -43,11 +43,10 @@ SessionFrame Viewer::update(SessionFrame frame) {
   elapsed_s_ = frame.elapsed_s;
   pointer_.pressed = {};
   pointer_.notches = 0.0F;
-  const glm::vec2 place_before = pointer_.place_px;
+  pointer_.way_px = {0.0F, 0.0F};
   for (const SessionEvent& event : frame.events) {
     take(event);
   }
-  pointer_.way_px = pointer_.place_px - place_before;
 
   const std::uint64_t advances_before = state_.newest->advances;
   note_snapshot(simulation_.begin_frame(frame.elapsed_s, frame.pace));
@@ -60,7 +59,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
   load_asked();
   collect_settings();
   const std::uint64_t advances = simulation_.post(std::exchange(commands_, {}));
-  overlay_ = &interface_.end_frame();
+  interface_.end_frame();
   frame.pace = Pace{advances, state_.newest->serial};
   note_changes(frame);
   return frame;
@@ -83,10 +82,15 @@ void Viewer::take(const SessionEvent& event) {
 void Viewer::take(const renderer::WindowEvent& event) {
   interface_.feed(event);
   if (const auto* moved = std::get_if<renderer::PointerMoved>(&event)) {
-    pointer_.place_px = {moved->x_px, moved->y_px};
+    const glm::vec2 place{moved->x_px, moved->y_px};
+    pointer_.way_px += place - pointer_.place_px;
+    pointer_.place_px = place;
   } else if (const auto* button = std::get_if<renderer::ButtonChanged>(&event)) {
     const auto index = static_cast<std::size_t>(button->button);
-    pointer_.pressed[index] = pointer_.pressed[index] || (button->down && !pointer_.down[index]);
+    if (button->down && !pointer_.down[index]) {
+      pointer_.pressed[index] = true;
+      pointer_.way_px = {0.0F, 0.0F};  // the way to what is dragged is no drag
+    }
     pointer_.down[index] = button->down;
   } else if (const auto* wheel = std::get_if<renderer::WheelTurned>(&event)) {
     pointer_.notches += static_cast<float>(wheel->y);
@@ -195,19 +199,21 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
 
 void Viewer::note_speed(std::uint64_t advances_before) {
   RealTime& real_time = state_.measurements.real_time;
+  const double busy_s = std::exchange(busy_s_, 0.0);
   const bool goes_on = !state_.newest->paused && !state_.newest->stopped;
   if (!goes_on) {
     real_time.forget();
     return;
   }
   const auto advances = static_cast<double>(state_.newest->advances - advances_before);
-  real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, std::exchange(busy_s_, 0.0));
+  real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, busy_s);
 }
 
 void Viewer::warn() {
   state_.warning = state_.newest->stopped && !state_.past_frame
                        ? "the simulation has stopped: R, any other setting or another scene starts again"
-                       : lost_cloth(state_.shown->positions(), state_.camera, scene_area(layout()));
+                       : lost_cloth(state_.shown->positions(), state_.shown->loaded->garment.mesh.triangles,
+                                    state_.camera, scene_area(layout()));
 }
 
 void Viewer::collect_settings() {

@@ -34,7 +34,7 @@ class Viewer {
 
   // Of the last frame.
   const ViewerState& state() const { return state_; }
-  const renderer::OverlayView& overlay() const { return *overlay_; }
+  const renderer::OverlayView& overlay() const { return interface_.overlay(); }
   /// What of the overlay belongs into a picture of the scene.
   const renderer::OverlayView& picture_overlay() const { return interface_.picture_overlay(); }
   UserInterface::Letters letters() const { return interface_.letters(); }
@@ -98,7 +98,6 @@ class Viewer {
   Pointer pointer_;
   std::set<int> keys_down_;
   std::vector<Action> key_actions_;
-  const renderer::OverlayView* overlay_ = nullptr;
   std::vector<SimulationCommand> commands_;
   // As the simulation was told.
   sim::SimulationSettings told_simulation_;

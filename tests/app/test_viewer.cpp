@@ -27,11 +27,12 @@ struct Person {
       viewer.update({});
     }
   }
-  void act(const SessionEvent& event) {
+  void act(const std::vector<SessionEvent>& events) {
     SessionFrame frame;
-    frame.events = {event};
+    frame.events = events;
     viewer.update(frame);
   }
+  void act(const SessionEvent& event) { act(std::vector{event}); }
   void press(int key) {
     act(renderer::WindowEvent(renderer::KeyChanged{key, true}));
     act(renderer::WindowEvent(renderer::KeyChanged{key, false}));
@@ -82,6 +83,15 @@ TEST(Window, EveryControlSaysWhatItDoes) {
   }
 }
 
+// What is said beside them grows and shrinks while the pointer rests there.
+TEST(Window, ReadingsAreExplainedAllAcrossThePanel) {
+  Person person("pinned-9x9-5");
+  const auto right_of = [&](const char* name) { return person.viewer.state().places.at(name).upper_px.x; };
+  for (const char* name : {"measured.size", "measured.speed"}) {
+    EXPECT_NEAR(right_of(name), right_of("measured.stretch"), 1.0F) << name;
+  }
+}
+
 TEST(Window, ExplainsWhatThePointerRestsOn) {
   Person person("pinned-9x9-5");
   person.press(keys::space);
@@ -120,6 +130,54 @@ TEST(Window, TheWheelZoomsToThePointer) {
   }
 }
 
+// A press often comes in the same frame as the way to where it is: that way is no drag.
+TEST(Window, ADragBeginsWhereTheButtonGoesDown) {
+  const auto at = [](double x, double y) { return renderer::WindowEvent(renderer::PointerMoved{x, y}); };
+  for (const PointerButton button : {PointerButton::left, PointerButton::right}) {
+    Person person("pinned-9x9-5");
+    person.press(keys::space);
+    person.act(at(900.0, 600.0));
+    const OrbitCamera before = person.viewer.state().camera;
+    const OrbitCamera& camera = person.viewer.state().camera;
+    person.act({at(30.0, 50.0), renderer::WindowEvent(renderer::ButtonChanged{button, true})});
+    EXPECT_TRUE(camera == before);
+    person.act(at(90.0, 70.0));
+    EXPECT_FALSE(camera == before);
+    if (button == PointerButton::right) {
+      const ViewArea area = scene_area(person.viewer.layout());
+      EXPECT_NEAR(camera.pixel_of(before.camera().target, area)->x, 0.5 * area.width_px + 60.0, 0.01);
+    }
+  }
+}
+
+// Scenes of grids have a number of time steps for their own solver.
+TEST(Window, AnySolverOfTheListTakesItsOwnTimeSteps) {
+  Person person("pinned-9x9-5");
+  ASSERT_EQ(person.viewer.state().scene.simulation.solver.substeps, 1);
+  for (const char* solver : {"ideal", "provot", "bounded"}) {
+    person.click("solver");
+    person.click(std::string("solver.") + solver);
+    person.press('R');
+    person.wait(150);
+    EXPECT_FALSE(person.viewer.state().newest->stopped) << solver;
+    EXPECT_LT(person.viewer.state().newest->record.stretch.max, 2.0) << solver;
+  }
+  person.click("solver");
+  person.click("solver.strong");
+  EXPECT_EQ(person.viewer.state().scene.simulation.solver.substeps, 1);
+}
+
+TEST(Window, WorkOfAPauseSlowsNothingLater) {
+  Person person("pinned-9x9-5");
+  person.press(keys::space);
+  person.viewer.note_times(1.0, 1.0, 1.0, 10.0);
+  person.wait(2);
+  person.press(keys::space);
+  person.wait(60);
+  EXPECT_GT(*person.viewer.state().measurements.real_time.factor(), 0.9);
+  EXPECT_EQ(person.viewer.state().measurements.real_time.busy_share(), 0.0);
+}
+
 // As a person meets it: springs fly apart, the window says so, and another solver is chosen from the list.
 TEST(Window, AnySolverOfTheListGoesOnAfterADivergence) {
   for (const sim::SolverKind solver : sim::all_solver_kinds) {
@@ -153,6 +211,11 @@ TEST(Window, ClothThatHasLeftIsSaidAndWhatToDo) {
   person.press('R');
   person.wait(1);
   EXPECT_EQ(person.viewer.state().newest->record.frame, 0);
+}
+
+TEST(Window, CanBeDrawnBeforeItsFirstFrame) {
+  HeadlessViewer window(find_scene("pinned-9x9-5", {}), {}, ".", "auto");
+  EXPECT_EQ(window.draw().width_px, 1280);
 }
 
 // What F12 and F10 take: the scene and its legends.

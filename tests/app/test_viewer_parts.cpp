@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/errors.hpp"
+#include "app/scene/promise.hpp"
 #include "app/viewer/grip.hpp"
 #include "app/viewer/keeping.hpp"
 #include "app/viewer/lost_cloth.hpp"
@@ -37,6 +38,15 @@ TEST(OrbitCamera, IsTheCameraItWasMadeOf) {
   EXPECT_LT(glm::distance(again.eye, camera.eye), 1e-5F);
   EXPECT_EQ(again.target, camera.target);
   EXPECT_EQ(again.vertical_fov_rad, camera.vertical_fov_rad);
+}
+
+TEST(OrbitCamera, LooksFromTheSameSideWhereItComesFromTooFarOrTooNear) {
+  for (const float times : {1e-3F, 1e3F}) {
+    renderer::Camera camera;
+    camera.eye = times * glm::vec3(3.0F, 4.0F, 0.0F);
+    const glm::vec3 side = glm::normalize(OrbitCamera(camera).camera().eye);
+    EXPECT_LT(glm::distance(side, glm::vec3(0.6F, 0.8F, 0.0F)), 1e-5F) << times;
+  }
 }
 
 TEST(OrbitCamera, TurnsAboutItsTargetAndNeverOverThePole) {
@@ -106,8 +116,9 @@ TEST(LostCloth, IsSaidWhereNothingOfItCanBeSeen) {
   const OrbitCamera camera = from_the_front();
   constexpr double inf = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<sim::Triangle> points = {{0, 0, 0}, {1, 1, 1}};
   const auto said = [&](const sim::Vec3& one, const sim::Vec3& other) {
-    return lost_cloth(std::vector<sim::Vec3>{one, other}, camera, area);
+    return lost_cloth(std::vector<sim::Vec3>{one, other}, points, camera, area);
   };
   EXPECT_EQ(said({0.0, 1.0, 0.0}, {0.0, -70.0, 0.0}), "") << "a part of it is seen";
   for (const double far : {-70.0, 70.0}) {
@@ -118,6 +129,25 @@ TEST(LostCloth, IsSaidWhereNothingOfItCanBeSeen) {
   for (const double far : {1e4, 1e30, inf, nan}) {
     EXPECT_NE(said({0.0, -far, 0.0}, {far, far, far}).find("left the world"), std::string::npos) << far;
   }
+}
+
+TEST(LostCloth, IsNotWhatFillsThePicture) {
+  const std::vector<sim::Triangle> triangles = {{0, 1, 2}};
+  const auto said = [&](double depth) {
+    const std::vector<sim::Vec3> corners = {{-9.0, -9.0, depth}, {9.0, -9.0, depth}, {0.0, 30.0, depth}};
+    return lost_cloth(corners, triangles, from_the_front(), area);
+  };
+  EXPECT_EQ(said(0.0), "");
+  EXPECT_NE(said(3.99), "") << "nearer than anything that is drawn";
+  EXPECT_NE(said(5.0), "") << "behind the eye";
+}
+
+TEST(BoundWord, PromisesOnlyWhatIsKept) {
+  Scene scene;
+  scene.simulation.solver.kind = sim::SolverKind::bounded;
+  EXPECT_STREQ(bound_word(scene), "bound");
+  scene.simulation.solver.kind = sim::SolverKind::provot;
+  EXPECT_STREQ(bound_word(scene), "threshold");
 }
 
 TEST(RealTime, IsWhatWentByLately) {

@@ -15,7 +15,7 @@ namespace taut::sim {
 /// further from where it was before them than the speed would take it in that time. Cloth that trembles about
 /// where it is rests; cloth that swings or still sinks does not.
 struct RestSettings {
-  double speed_m_per_s = 1e-4;  ///< root mean square; higher sleeps earlier, and further from equilibrium
+  double speed_m_per_s = 3e-4;  ///< root mean square; higher sleeps earlier, and further from equilibrium
   int frames = 30;
 
   bool operator==(const RestSettings&) const = default;

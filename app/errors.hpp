@@ -7,7 +7,8 @@ namespace taut::app {
 /// How the program ends, so that a scheduler can tell what to try again. 0: done.
 inline constexpr int exit_bad_input = 1;
 inline constexpr int exit_wrong_usage = 2;
-inline constexpr int exit_promise_broken = 3;  ///< a frame exceeds what its solver promised, or a run diverged
+inline constexpr int exit_promise_broken =
+    3;  ///< a frame exceeds what its solver promised, or a run diverged
 
 /// A file or a scene is not as it has to be.
 struct InputError : std::runtime_error {

@@ -205,8 +205,7 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
   }
 }
 
-// The shape that keeps the bound is where the next frame begins. The position a time step ago is moved alike,
-// so that the correction adds no velocity.
+// The shape that keeps the bound is where the next frame begins.
 void BoundedSolver::write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const {
   const Cloth& cloth = *cloth_;
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
@@ -221,6 +220,7 @@ void BoundedSolver::write_shape(const Surroundings& surroundings, double frame_t
   }
 }
 
+// Positions of a time step ago go with the shape, so that its last correction adds no velocity.
 void BoundedSolver::end_frame(double frame_time_s, int substeps, State& state) const {
   const Cloth& cloth = *cloth_;
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "renderer/backdrop_pass.hpp"
+#include "scene_support.hpp"
 
 namespace taut::renderer {
 namespace {
@@ -31,13 +32,7 @@ struct Grid {
       }
     }
   }
-  SurfaceView view() const {
-    SurfaceView surface;
-    surface.positions = positions;
-    surface.normals = normals;
-    surface.triangles = triangles;
-    return surface;
-  }
+  SurfaceView view() const { return surface_of(positions, normals, triangles); }
 };
 
 // A small sheet above a large one, lit from straight above.

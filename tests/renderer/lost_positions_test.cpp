@@ -35,13 +35,7 @@ struct Runaway {
                            glm::vec3{0.5F, 1, -1}};
     for (std::size_t i = 0; i < lost; ++i) positions[i] = place * turns[i];
   }
-  SurfaceView view() const {
-    SurfaceView surface;
-    surface.positions = positions;
-    surface.normals = normals;
-    surface.triangles = triangles;
-    return surface;
-  }
+  SurfaceView view() const { return surface_of(positions, normals, triangles); }
 };
 
 void for_each_runaway(const std::function<void(const Runaway&)>& look) {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <span>
 
 #include "renderer/scene_renderer.hpp"
 
@@ -26,16 +28,23 @@ inline Camera front_camera() {
   return camera;
 }
 
+// The arrays have to outlive what is returned.
+inline SurfaceView surface_of(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                              std::span<const std::uint32_t> triangles) {
+  SurfaceView surface;
+  surface.positions = positions;
+  surface.normals = normals;
+  surface.triangles = triangles;
+  return surface;
+}
+
 inline constexpr std::array<glm::vec3, 3> triangle_positions{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}};
 inline constexpr std::array<glm::vec3, 3> up_normals{{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}};
 inline constexpr std::array<std::uint32_t, 3> triangle_indices{0, 1, 2};
 
 inline FrameView triangle_frame() {
   FrameView frame;
-  SurfaceView surface;
-  surface.positions = triangle_positions;
-  surface.normals = up_normals;
-  surface.triangles = triangle_indices;
+  SurfaceView surface = surface_of(triangle_positions, up_normals, triangle_indices);
   surface.style.outside_colour = rgb(0x2E8B57);
   surface.style.inside_colour = rgb(0xC05020);
   surface.style.sheen = 0.0F;

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "scene_support.hpp"
+
 namespace taut::renderer {
 namespace {
 
@@ -18,13 +20,7 @@ struct Sheet {
                    {0.5F, height_m, 0.5F},
                    {0.5F, height_m, -0.5F},
                    {-0.5F, height_m, -0.5F}}} {}
-  SurfaceView view() const {
-    SurfaceView surface;
-    surface.positions = positions;
-    surface.normals = normals;
-    surface.triangles = triangles;
-    return surface;
-  }
+  SurfaceView view() const { return surface_of(positions, normals, triangles); }
 };
 
 // The light at one point that faces up.

@@ -4,13 +4,13 @@
 #include <charconv>
 #include <memory>
 
+#include "app/base/errors.hpp"
+#include "app/base/version.hpp"
 #include "app/command_line_bench.hpp"
 #include "app/command_line_help.hpp"
-#include "app/errors.hpp"
 #include "app/figures/figures.hpp"
-#include "app/frame_range.hpp"
-#include "app/garment/placement.hpp"
-#include "app/version.hpp"
+#include "app/models/placement.hpp"
+#include "app/output/frame_range.hpp"
 #include "renderer/context/context.hpp"
 
 namespace taut::app {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/errors.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/suggest.hpp"
 #include "app/output/run_report.hpp"
 #include "app/scene/scene_file.hpp"
-#include "app/scene/suggest.hpp"
 
 namespace taut::app {
 namespace {

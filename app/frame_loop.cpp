@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "app/base/interruption.hpp"
+#include "app/base/stopwatch.hpp"
 #include "app/frame_pipeline.hpp"
-#include "app/interruption.hpp"
-#include "app/stopwatch.hpp"
 
 namespace taut::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/output/frame_record.hpp"
-#include "renderer/image.hpp"
+#include "renderer/page/image.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/output/frame_record.hpp"
-#include "renderer/image.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::app {
 

@@ -4,9 +4,9 @@
 #include <system_error>
 #include <variant>
 
+#include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
 #include "app/command_line.hpp"
-#include "app/errors.hpp"
-#include "app/interruption.hpp"
 #include "sim/simulation.hpp"
 
 // A command reads a scene (scene_lookup, scene_file), loads its garment (garment_loading), and hands a

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/camera.hpp"
-#include "renderer/colour.hpp"
+#include "renderer/page/colour.hpp"
 
 namespace taut::renderer {
 

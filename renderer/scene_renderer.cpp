@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <future>
 
-#include "renderer/backdrop_pass.hpp"
-#include "renderer/bindings.hpp"
-#include "renderer/drawn_area.hpp"
-#include "renderer/frame_block.hpp"
 #include "renderer/frame_check.hpp"
-#include "renderer/layer_target.hpp"
-#include "renderer/mark_pass.hpp"
-#include "renderer/merged_spheres.hpp"
-#include "renderer/picture_target.hpp"
-#include "renderer/resolve_pass.hpp"
-#include "renderer/studio_light.hpp"
-#include "renderer/surface_pass.hpp"
+#include "renderer/gl/bindings.hpp"
+#include "renderer/gl/frame_block.hpp"
+#include "renderer/gl/layer_target.hpp"
+#include "renderer/gl/picture_target.hpp"
+#include "renderer/light/studio_light.hpp"
+#include "renderer/passes/backdrop_pass.hpp"
+#include "renderer/passes/drawn_area.hpp"
+#include "renderer/passes/mark_pass.hpp"
+#include "renderer/passes/merged_spheres.hpp"
+#include "renderer/passes/resolve_pass.hpp"
+#include "renderer/passes/surface_pass.hpp"
 #include "renderer/trial_frame.hpp"
 
 namespace taut::renderer {

@@ -4,7 +4,7 @@
 
 #include "renderer/context/context.hpp"
 #include "renderer/frame_view.hpp"
-#include "renderer/image.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::renderer {
 

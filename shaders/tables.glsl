@@ -1,4 +1,4 @@
-// All surfaces of a frame; filled by renderer/surface_tables.cpp.
+// All surfaces of a frame; filled by renderer/light/surface_tables.cpp.
 uniform samplerBuffer vertex_table;     // three texels a vertex: position (m), normal and sky light outside,
                                         // material coordinate (m) or in x the scalar, and sky light inside
 uniform usamplerBuffer triangle_table;  // three vertices, and four times the surface plus its key light: 0 in the

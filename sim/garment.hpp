@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "sim/adjacency.hpp"
-#include "sim/mesh.hpp"
+#include "sim/mesh/adjacency.hpp"
+#include "sim/mesh/mesh.hpp"
 #include "sim/springs.hpp"
 
 namespace taut::sim {

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "sim/garment.hpp"
-#include "sim/types.hpp"
+#include "sim/mesh/types.hpp"
 
 namespace taut::sim {
 

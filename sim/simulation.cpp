@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "sim/within_bound.hpp"
+#include "sim/solvers/bounded/within_bound.hpp"
 
 namespace taut::sim {
 namespace {

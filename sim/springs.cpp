@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/elementary.hpp"
+#include "sim/mesh/elementary.hpp"
 
 namespace taut::sim {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/adjacency.hpp"
-#include "sim/mesh.hpp"
+#include "sim/mesh/adjacency.hpp"
+#include "sim/mesh/mesh.hpp"
 
 namespace taut::sim {
 

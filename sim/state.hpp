@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/garment.hpp"
-#include "sim/types.hpp"
+#include "sim/mesh/types.hpp"
 
 namespace taut::sim {
 

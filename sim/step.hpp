@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/self_collision.hpp"
 #include "sim/garment.hpp"
-#include "sim/self_collision.hpp"
 #include "sim/state.hpp"
 #include "sim/surroundings.hpp"
 

@@ -3,8 +3,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "sim/mesh/types.hpp"
 #include "sim/springs.hpp"
-#include "sim/types.hpp"
 
 namespace taut::sim {
 

@@ -1,6 +1,6 @@
 #include "sim/surroundings.hpp"
 
-#include "sim/elementary.hpp"
+#include "sim/mesh/elementary.hpp"
 
 namespace taut::sim {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "sim/types.hpp"
+#include "sim/mesh/types.hpp"
 
 namespace taut::sim {
 

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "sim/garment.hpp"
+#include "sim/mesh/types.hpp"
 #include "sim/state.hpp"
-#include "sim/types.hpp"
 
 namespace taut::sim {
 

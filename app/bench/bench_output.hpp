@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/bench/findings.hpp"
-#include "app/figures/drawing.hpp"
+#include "app/drawing/drawing.hpp"
 #include "app/report/machine.hpp"
 
 namespace taut::app {

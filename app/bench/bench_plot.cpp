@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "app/bench/bench_output.hpp"
-#include "app/figures/plot.hpp"
+#include "app/drawing/plots/plot.hpp"
 
 namespace taut::app {
 namespace {

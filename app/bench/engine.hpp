@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/types.hpp"
+#include "sim/mesh/types.hpp"
 
 namespace taut::app {
 

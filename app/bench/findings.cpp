@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "app/figures/power_law.hpp"
+#include "app/figures/experiments/power_law.hpp"
 
 namespace taut::app {
 namespace {

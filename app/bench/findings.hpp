@@ -9,7 +9,7 @@
 #include "app/bench/arithmetic/arithmetic.hpp"
 #include "app/bench/cases.hpp"
 #include "app/bench/race.hpp"
-#include "app/figures/plot.hpp"
+#include "app/drawing/plots/plot.hpp"
 
 namespace taut::app {
 

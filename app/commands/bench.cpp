@@ -5,15 +5,15 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/interruption.hpp"
+#include "app/base/progress.hpp"
+#include "app/base/version.hpp"
 #include "app/bench/bench_output.hpp"
 #include "app/commands/options.hpp"
-#include "app/errors.hpp"
-#include "app/garment/garment_loading.hpp"
-#include "app/garment/obj_export.hpp"
-#include "app/interruption.hpp"
-#include "app/output/files.hpp"
-#include "app/output/progress.hpp"
-#include "app/version.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/output/obj_export.hpp"
 
 namespace taut::app {
 namespace {

@@ -7,12 +7,12 @@
 #include <set>
 #include <thread>
 
+#include "app/base/files.hpp"
+#include "app/base/interruption.hpp"
+#include "app/base/job_runner.hpp"
+#include "app/base/version.hpp"
 #include "app/commands/options.hpp"
-#include "app/figures/job_runner.hpp"
-#include "app/interruption.hpp"
-#include "app/output/files.hpp"
 #include "app/report/report.hpp"
-#include "app/version.hpp"
 
 namespace taut::app {
 namespace {

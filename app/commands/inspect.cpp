@@ -1,11 +1,11 @@
 #include <fmt/core.h>
 
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/progress.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/errors.hpp"
-#include "app/garment/inspection.hpp"
-#include "app/output/files.hpp"
-#include "app/output/progress.hpp"
+#include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"
 
 namespace taut::app {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/garment/import_process.hpp"
+#include "app/models/import_process.hpp"
 #include "app/scene/scene_file.hpp"
 #include "renderer/context/window_event.hpp"
 

@@ -6,25 +6,25 @@
 #include <memory>
 #include <numeric>
 
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/progress.hpp"
+#include "app/base/version.hpp"
 #include "app/commands/options.hpp"
-#include "app/counted.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/studio.hpp"
-#include "app/errors.hpp"
 #include "app/frame_loop.hpp"
-#include "app/frame_range.hpp"
-#include "app/garment/garment_loading.hpp"
-#include "app/garment/garment_remarks.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/models/garment_remarks.hpp"
 #include "app/output/bound_verdict.hpp"
-#include "app/output/files.hpp"
+#include "app/output/frame_range.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/picture_record.hpp"
-#include "app/output/progress.hpp"
 #include "app/output/run_report.hpp"
 #include "app/output/video_writer.hpp"
 #include "app/scene/scene_lookup.hpp"
 #include "app/scene/scene_text.hpp"
-#include "app/version.hpp"
 
 namespace taut::app {
 namespace {

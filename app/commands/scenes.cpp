@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "app/base/errors.hpp"
 #include "app/commands/options.hpp"
-#include "app/errors.hpp"
 #include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {

@@ -4,17 +4,17 @@
 #include <cstdio>
 #include <numeric>
 
+#include "app/base/counted.hpp"
+#include "app/base/files.hpp"
+#include "app/base/progress.hpp"
 #include "app/commands/options.hpp"
-#include "app/counted.hpp"
 #include "app/frame_loop.hpp"
-#include "app/frame_range.hpp"
-#include "app/garment/garment_loading.hpp"
-#include "app/garment/garment_remarks.hpp"
-#include "app/garment/obj_export.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/models/garment_remarks.hpp"
 #include "app/output/bound_verdict.hpp"
-#include "app/output/files.hpp"
+#include "app/output/frame_range.hpp"
+#include "app/output/obj_export.hpp"
 #include "app/output/output_pattern.hpp"
-#include "app/output/progress.hpp"
 #include "app/output/run_report.hpp"
 #include "app/scene/scene_lookup.hpp"
 

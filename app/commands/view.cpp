@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
 #include "app/commands/options.hpp"
-#include "app/errors.hpp"
-#include "app/output/files.hpp"
 #include "app/scene/scene_lookup.hpp"
 #include "app/viewer/view_session.hpp"
 

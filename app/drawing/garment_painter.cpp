@@ -5,8 +5,8 @@
 
 #include "app/drawing/framing.hpp"
 #include "app/scene/promise.hpp"
-#include "renderer/canvas.hpp"
 #include "renderer/mesh_normals.hpp"
+#include "renderer/page/canvas.hpp"
 #include "sim/measures.hpp"
 
 namespace taut::app {

@@ -6,8 +6,8 @@
 
 #include "app/scene/scene.hpp"
 #include "renderer/frame_view.hpp"
-#include "renderer/image.hpp"
-#include "renderer/legend.hpp"
+#include "renderer/page/image.hpp"
+#include "renderer/page/legend.hpp"
 #include "renderer/primitives.hpp"
 #include "renderer/scene_renderer.hpp"
 #include "sim/garment.hpp"

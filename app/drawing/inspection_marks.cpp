@@ -6,8 +6,8 @@
 #include <array>
 #include <tuple>
 
-#include "app/viewer/spring_colours.hpp"
-#include "sim/topology.hpp"
+#include "app/drawing/spring_colours.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/garment/garment_loading.hpp"
-#include "renderer/colour.hpp"
+#include "app/models/garment_loading.hpp"
+#include "renderer/page/colour.hpp"
 
 namespace taut::app {
 

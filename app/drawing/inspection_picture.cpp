@@ -8,13 +8,13 @@
 #include <glm/geometric.hpp>
 #include <span>
 
-#include "app/counted.hpp"
+#include "app/base/counted.hpp"
+#include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/inspection_marks.hpp"
 #include "app/drawing/inspection_views.hpp"
 #include "app/drawing/studio.hpp"
-#include "app/figures/drawing.hpp"
 
 namespace taut::app {
 namespace {

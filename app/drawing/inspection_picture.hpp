@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "app/garment/garment_loading.hpp"
-#include "app/garment/inspection.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/models/inspection.hpp"
 #include "app/scene/scene.hpp"
-#include "renderer/image.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::app {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "app/garment/garment_loading.hpp"
+#include "app/models/garment_loading.hpp"
 #include "app/scene/scene.hpp"
 
 namespace taut::app {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/errors.hpp"
-#include "app/output/files.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
 
 namespace taut::app {
 namespace {

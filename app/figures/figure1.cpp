@@ -4,8 +4,8 @@
 #include <array>
 #include <glm/common.hpp>
 
+#include "app/drawing/plots/strokes.hpp"
 #include "app/figures/figures.hpp"
-#include "app/figures/strokes.hpp"
 
 namespace taut::app {
 namespace {

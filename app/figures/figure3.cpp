@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "app/drawing/plots/plot.hpp"
 #include "app/figures/csv.hpp"
+#include "app/figures/experiments/moments.hpp"
 #include "app/figures/figures.hpp"
-#include "app/figures/moments.hpp"
-#include "app/figures/plot.hpp"
-#include "app/garment/garment_loading.hpp"
+#include "app/models/garment_loading.hpp"
 #include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "app/drawing/plots/plot.hpp"
 #include "app/figures/csv.hpp"
 #include "app/figures/figures.hpp"
-#include "app/figures/plot.hpp"
 
 namespace taut::app {
 namespace {

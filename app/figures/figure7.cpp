@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/drawing/plots/plot.hpp"
 #include "app/figures/csv.hpp"
 #include "app/figures/figures.hpp"
-#include "app/figures/plot.hpp"
 
 namespace taut::app {
 namespace {

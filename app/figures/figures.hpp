@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/drawing.hpp"
-#include "app/figures/experiments.hpp"
+#include "app/drawing/drawing.hpp"
+#include "app/figures/experiments/experiments.hpp"
 #include "app/figures/studio_door.hpp"
 
 namespace taut::app {

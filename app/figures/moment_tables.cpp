@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/errors.hpp"
+#include "app/base/errors.hpp"
 #include "app/figures/csv.hpp"
-#include "app/garment/garment_loading.hpp"
+#include "app/models/garment_loading.hpp"
 #include "app/scene/scene_lookup.hpp"
 #include "sim/measures.hpp"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "app/figures/recording.hpp"
+#include "app/figures/experiments/recording.hpp"
 
 namespace taut::app {
 

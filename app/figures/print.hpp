@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/drawing.hpp"
-#include "app/figures/recording.hpp"
+#include "app/drawing/drawing.hpp"
+#include "app/figures/experiments/recording.hpp"
 #include "app/figures/studio_door.hpp"
-#include "renderer/image.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::app {
 

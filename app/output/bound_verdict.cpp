@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <string>
 
-#include "app/counted.hpp"
-#include "app/errors.hpp"
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
 
 namespace taut::app {
 

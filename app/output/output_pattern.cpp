@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "app/errors.hpp"
+#include "app/base/errors.hpp"
 
 namespace taut::app {
 namespace {

@@ -8,12 +8,12 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/errors.hpp"
-#include "app/output/files.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/version.hpp"
 #include "app/scene/scene_keys.hpp"
 #include "app/scene/scene_text.hpp"
 #include "app/scene/toml_reader.hpp"
-#include "app/version.hpp"
 
 namespace taut::app {
 namespace {

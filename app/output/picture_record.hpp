@@ -9,7 +9,7 @@
 #include "app/output/frame_record.hpp"
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
-#include "renderer/image.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::app {
 

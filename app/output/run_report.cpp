@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/errors.hpp"
-#include "app/output/files.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/version.hpp"
 #include "app/scene/scene_file.hpp"
-#include "app/version.hpp"
 
 namespace taut::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/garment/inspection.hpp"
+#include "app/models/inspection.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/garment.hpp"

@@ -17,9 +17,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/counted.hpp"
-#include "app/errors.hpp"
-#include "app/interruption.hpp"
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
 
 namespace taut::app {
 namespace {

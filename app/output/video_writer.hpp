@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "renderer/image.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::app {
 

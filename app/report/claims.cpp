@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "app/figures/moments.hpp"
+#include "app/figures/experiments/moments.hpp"
 
 namespace taut::app {
 namespace {

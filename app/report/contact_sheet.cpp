@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/figures/drawing.hpp"
+#include "app/drawing/drawing.hpp"
 #include "app/report/report.hpp"
 
 namespace taut::app {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/experiments.hpp"
+#include "app/figures/experiments/experiments.hpp"
 #include "app/report/measured_number.hpp"
 #include "app/report/verdicts.hpp"
 

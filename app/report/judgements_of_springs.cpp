@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/counted.hpp"
+#include "app/base/counted.hpp"
 #include "app/report/judgements.hpp"
 
 namespace taut::app {

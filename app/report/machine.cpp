@@ -6,7 +6,7 @@
 #include <fstream>
 #include <thread>
 
-#include "app/version.hpp"
+#include "app/base/version.hpp"
 
 namespace taut::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/figures/axis.hpp"
+#include "app/drawing/plots/axis.hpp"
 
 namespace taut::app {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/experiments.hpp"
+#include "app/figures/experiments/experiments.hpp"
 #include "app/report/claims.hpp"
-#include "renderer/image.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::app {
 

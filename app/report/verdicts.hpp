@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "app/figures/experiments.hpp"
+#include "app/figures/experiments/experiments.hpp"
 
 namespace taut::app {
 

@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "app/garment/model_arrays.hpp"
+#include "app/models/model_arrays.hpp"
 #include "renderer/camera.hpp"
 #include "renderer/frame_view.hpp"
 #include "sim/garment.hpp"
-#include "sim/grid.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "sim/surroundings.hpp"
 

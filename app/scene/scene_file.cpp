@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include "app/errors.hpp"
-#include "app/output/files.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
 #include "app/scene/promise.hpp"
 #include "app/scene/scene_keys.hpp"
 #include "app/scene/toml_reader.hpp"

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/base/suggest.hpp"
 #include "app/scene/scene_value.hpp"
-#include "app/scene/suggest.hpp"
 
 namespace taut::app {
 

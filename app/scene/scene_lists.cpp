@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "app/garment/layers.hpp"
-#include "app/garment/placement.hpp"
+#include "app/models/layers.hpp"
+#include "app/models/placement.hpp"
 #include "app/scene/scene_keys.hpp"
 
 namespace taut::app {

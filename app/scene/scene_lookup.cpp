@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "app/errors.hpp"
-#include "app/garment/layers.hpp"
-#include "app/scene/suggest.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/suggest.hpp"
+#include "app/models/layers.hpp"
 
 namespace taut::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "app/errors.hpp"
+#include "app/base/errors.hpp"
 
 namespace taut::app {
 namespace {

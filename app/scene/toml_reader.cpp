@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "app/output/files.hpp"
+#include "app/base/files.hpp"
 
 namespace taut::app {
 namespace {

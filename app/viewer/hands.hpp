@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/viewer/picking.hpp"
-#include "app/viewer/simulation_command.hpp"
-#include "app/viewer/viewer_state.hpp"
+#include "app/viewer/simulation/simulation_command.hpp"
+#include "app/viewer/state/picking.hpp"
+#include "app/viewer/state/viewer_state.hpp"
 #include "renderer/context/window_event.hpp"
 
 namespace taut::app {

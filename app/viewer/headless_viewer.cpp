@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/errors.hpp"
-#include "app/interruption.hpp"
-#include "app/viewer/stepped_simulation.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
+#include "app/viewer/simulation/stepped_simulation.hpp"
 #include "app/viewer/view_session.hpp"
 
 namespace taut::app {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 
-#include "app/counted.hpp"
-#include "app/errors.hpp"
-#include "app/output/files.hpp"
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
 
 namespace taut::app {
 namespace {

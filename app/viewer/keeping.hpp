@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/output/video_writer.hpp"
-#include "app/viewer/viewer_state.hpp"
-#include "renderer/image.hpp"
+#include "app/viewer/state/viewer_state.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::app {
 

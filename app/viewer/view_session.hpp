@@ -3,10 +3,10 @@
 #include <functional>
 #include <memory>
 
-#include "app/viewer/simulation_host.hpp"
+#include "app/viewer/picture/viewer_picture.hpp"
+#include "app/viewer/simulation/simulation_host.hpp"
 #include "app/viewer/viewer.hpp"
-#include "app/viewer/viewer_picture.hpp"
-#include "renderer/colour_target.hpp"
+#include "renderer/gl/colour_target.hpp"
 
 namespace taut::app {
 

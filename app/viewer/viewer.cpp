@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/base/errors.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/errors.hpp"
 #include "app/scene/scene_lookup.hpp"
-#include "app/viewer/choices.hpp"
-#include "app/viewer/key_bindings.hpp"
-#include "app/viewer/lost_cloth.hpp"
-#include "sim/within_bound.hpp"
+#include "app/viewer/state/choices.hpp"
+#include "app/viewer/state/key_bindings.hpp"
+#include "app/viewer/state/lost_cloth.hpp"
+#include "sim/solvers/bounded/within_bound.hpp"
 
 namespace taut::app {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "app/viewer/hands.hpp"
 #include "app/viewer/keeping.hpp"
-#include "app/viewer/panel.hpp"
-#include "app/viewer/session.hpp"
-#include "app/viewer/simulation_host.hpp"
-#include "app/viewer/user_interface.hpp"
-#include "app/viewer/viewer_state.hpp"
+#include "app/viewer/panel/panel.hpp"
+#include "app/viewer/panel/user_interface.hpp"
+#include "app/viewer/session/session.hpp"
+#include "app/viewer/simulation/simulation_host.hpp"
+#include "app/viewer/state/viewer_state.hpp"
 
 namespace taut::app {
 

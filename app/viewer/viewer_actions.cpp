@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/errors.hpp"
-#include "app/output/files.hpp"
 #include "app/scene/scene_lookup.hpp"
 #include "app/scene/scene_text.hpp"
 #include "app/viewer/viewer.hpp"

@@ -6,11 +6,11 @@
 #include <thread>
 #include <utility>
 
-#include "app/errors.hpp"
-#include "app/interruption.hpp"
-#include "app/stopwatch.hpp"
-#include "app/viewer/input_queue.hpp"
-#include "app/viewer/simulation_thread.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
+#include "app/base/stopwatch.hpp"
+#include "app/viewer/session/input_queue.hpp"
+#include "app/viewer/simulation/simulation_thread.hpp"
 #include "app/viewer/view_session.hpp"
 #include "renderer/context/window.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/colliders.hpp"
+#include "sim/contact/colliders.hpp"
 
 namespace taut::tailor {
 

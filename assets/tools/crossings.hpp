@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "sim/adjacency.hpp"
-#include "sim/mesh.hpp"
+#include "sim/mesh/adjacency.hpp"
+#include "sim/mesh/mesh.hpp"
 
 namespace taut::tailor {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shirt.hpp"
-#include "sim/mesh.hpp"
+#include "sim/mesh/mesh.hpp"
 
 namespace taut::tailor {
 

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "sim/mesh.hpp"
-#include "sim/topology.hpp"
+#include "sim/mesh/mesh.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::tailor {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planar.hpp"
-#include "sim/types.hpp"
+#include "sim/mesh/types.hpp"
 
 namespace taut::tailor {
 

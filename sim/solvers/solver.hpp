@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "sim/garment.hpp"
+#include "sim/solvers/bounded/kernels/vector_unit.hpp"
 #include "sim/solvers/ideal.hpp"
 #include "sim/state.hpp"
 #include "sim/strong_constraint.hpp"
 #include "sim/surroundings.hpp"
-#include "sim/vector_unit.hpp"
 
 namespace taut::sim {
 

@@ -2,12 +2,12 @@
 
 #include <csignal>
 
-#include "app/errors.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
 #include "app/frame_loop.hpp"
-#include "app/frame_range.hpp"
-#include "app/interruption.hpp"
 #include "app/output/bound_verdict.hpp"
-#include "sim/grid.hpp"
+#include "app/output/frame_range.hpp"
+#include "sim/mesh/grid.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

@@ -9,7 +9,7 @@
 
 #include "app/frame_loop.hpp"
 #include "app/frame_pipeline.hpp"
-#include "sim/grid.hpp"
+#include "sim/mesh/grid.hpp"
 
 namespace taut::app {
 namespace {

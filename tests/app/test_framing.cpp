@@ -2,7 +2,7 @@
 
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "sim/grid.hpp"
+#include "sim/mesh/grid.hpp"
 
 namespace taut::app {
 namespace {

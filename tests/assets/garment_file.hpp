@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/mesh.hpp"
+#include "sim/mesh/mesh.hpp"
 
 namespace taut::test {
 

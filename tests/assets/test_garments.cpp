@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include "garment_file.hpp"
-#include "sim/adjacency.hpp"
-#include "sim/topology.hpp"
+#include "sim/mesh/adjacency.hpp"
+#include "sim/mesh/topology.hpp"
 #include "tailor/pieces.hpp"
 #include "tailor/quality.hpp"
 

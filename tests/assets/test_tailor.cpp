@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "sim/adjacency.hpp"
+#include "sim/mesh/adjacency.hpp"
 #include "tailor/crossings.hpp"
 #include "tailor/flat_lengths.hpp"
 #include "tailor/lift.hpp"

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/garment/model_arrays.hpp"
+#include "app/models/model_arrays.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "sim/measures.hpp"
-#include "sim/mesh.hpp"
-#include "sim/polygons.hpp"
+#include "sim/mesh/mesh.hpp"
+#include "sim/mesh/polygons.hpp"
 #include "sim/simulation.hpp"
 
 namespace {

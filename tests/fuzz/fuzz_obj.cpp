@@ -6,9 +6,9 @@
 #include <numeric>
 #include <string_view>
 
-#include "app/errors.hpp"
-#include "app/garment/obj_reading.hpp"
-#include "app/garment/unit_of_3mf.hpp"
+#include "app/base/errors.hpp"
+#include "app/models/obj_reading.hpp"
+#include "app/models/unit_of_3mf.hpp"
 
 using namespace taut::app;
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "app/errors.hpp"
+#include "app/base/errors.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_text.hpp"
 

@@ -14,7 +14,7 @@
 #include <random>
 
 #include "app/scene/scene_lookup.hpp"
-#include "app/viewer/key_bindings.hpp"
+#include "app/viewer/state/key_bindings.hpp"
 #include "app/viewer/view_session.hpp"
 
 namespace {

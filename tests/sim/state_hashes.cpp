@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "sim/grid.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 
 using namespace taut::sim;

@@ -9,14 +9,14 @@
 #include <numeric>
 #include <random>
 
-#include "sim/grid.hpp"
 #include "sim/measures.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "sim/solvers/bounded/bending.hpp"
 #include "sim/solvers/bounded/certificate.hpp"
 #include "sim/solvers/bounded/flexural.hpp"
 #include "sim/solvers/bounded/held_forces.hpp"
-#include "sim/solvers/bounded/kernels.hpp"
+#include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/tethers.hpp"
 

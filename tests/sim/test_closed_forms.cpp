@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "sim/grid.hpp"
 #include "sim/measures.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "sim/verlet.hpp"
 

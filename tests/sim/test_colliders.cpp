@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/colliders.hpp"
-#include "sim/grid.hpp"
+#include "sim/contact/colliders.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::sim {

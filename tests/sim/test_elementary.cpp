@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/elementary.hpp"
+#include "sim/mesh/elementary.hpp"
 
 namespace taut::sim {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/geodesics.hpp"
-#include "sim/grid.hpp"
+#include "sim/mesh/geodesics.hpp"
+#include "sim/mesh/grid.hpp"
 
 namespace taut::sim {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/adjacency.hpp"
 #include "sim/garment.hpp"
-#include "sim/grid.hpp"
+#include "sim/mesh/adjacency.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/springs.hpp"
 
 namespace taut::sim {

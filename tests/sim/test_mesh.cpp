@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "sim/grid.hpp"
-#include "sim/mesh.hpp"
-#include "sim/welding.hpp"
+#include "sim/mesh/grid.hpp"
+#include "sim/mesh/mesh.hpp"
+#include "sim/mesh/welding.hpp"
 
 namespace taut::sim {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/mesh.hpp"
-#include "sim/polygons.hpp"
+#include "sim/mesh/mesh.hpp"
+#include "sim/mesh/polygons.hpp"
 
 namespace taut::sim {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/grid.hpp"
 #include "sim/measures.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "sim/solvers/provot.hpp"
 

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "sim/grid.hpp"
-#include "sim/self_collision.hpp"
+#include "sim/contact/self_collision.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::sim {

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "sim/grid.hpp"
 #include "sim/measures.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::sim {

@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/grid.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "sim/solvers/stable_step.hpp"
 

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/garment.hpp"
-#include "sim/grid.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/strong_constraint.hpp"
 
 namespace taut::sim {

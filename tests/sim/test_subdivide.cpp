@@ -3,9 +3,9 @@
 #include <glm/geometric.hpp>
 
 #include "sim/garment.hpp"
-#include "sim/grid.hpp"
-#include "sim/subdivide.hpp"
-#include "sim/topology.hpp"
+#include "sim/mesh/grid.hpp"
+#include "sim/mesh/subdivide.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::sim {
 namespace {

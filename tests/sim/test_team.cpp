@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/solvers/bounded/team.hpp"
+#include "sim/solvers/bounded/kernels/team.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
 
 namespace taut::sim::bounded {

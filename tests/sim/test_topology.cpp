@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "sim/grid.hpp"
-#include "sim/topology.hpp"
+#include "sim/mesh/grid.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces.hpp"
-#include "sim/grid.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/wind.hpp"
 
 namespace taut::sim {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/image.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::tests {
 

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "sim/garment.hpp"
-#include "sim/solvers/bounded/kernels.hpp"
+#include "sim/solvers/bounded/kernels/kernels.hpp"
+#include "sim/solvers/bounded/kernels/loops.hpp"
 #include "sim/solvers/bounded/layout.hpp"
-#include "sim/solvers/bounded/loops.hpp"
 
 namespace taut::sim::bounded {
 

@@ -7,12 +7,12 @@
 #include "sim/solvers/bounded/certificate.hpp"
 #include "sim/solvers/bounded/contacts.hpp"
 #include "sim/solvers/bounded/held_forces.hpp"
+#include "sim/solvers/bounded/kernels/loops.hpp"
 #include "sim/solvers/bounded/layout.hpp"
-#include "sim/solvers/bounded/loops.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
 #include "sim/solvers/bounded/tethers.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
-#include "sim/within_bound.hpp"
+#include "sim/solvers/bounded/within_bound.hpp"
 
 namespace taut::sim {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/solvers/bounded/kernels/loops.hpp"
 #include "sim/solvers/bounded/layout.hpp"
-#include "sim/solvers/bounded/loops.hpp"
 
 namespace taut::sim::bounded {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/self_collision.hpp"
+#include "sim/contact/self_collision.hpp"
 #include "sim/solvers/bounded/held_forces.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/surroundings.hpp"

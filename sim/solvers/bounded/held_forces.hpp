@@ -2,8 +2,8 @@
 
 #include "sim/forces.hpp"
 #include "sim/solvers/bounded/bending.hpp"
+#include "sim/solvers/bounded/kernels/loops.hpp"
 #include "sim/solvers/bounded/layout.hpp"
-#include "sim/solvers/bounded/loops.hpp"
 
 namespace taut::sim::bounded {
 

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "sim/elementary.hpp"
-#include "sim/geodesics.hpp"
+#include "sim/mesh/elementary.hpp"
+#include "sim/mesh/geodesics.hpp"
 
 namespace taut::sim::bounded {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/garment.hpp"
-#include "sim/solvers/bounded/rows.hpp"
+#include "sim/solvers/bounded/kernels/rows.hpp"
 
 namespace taut::sim::bounded {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/garment.hpp"
-#include "sim/solvers/bounded/kernels.hpp"
+#include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 
 namespace taut::sim::bounded {

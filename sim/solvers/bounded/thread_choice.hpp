@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/solvers/bounded/team.hpp"
+#include "sim/solvers/bounded/kernels/team.hpp"
 
 namespace taut::sim::bounded {
 

@@ -1,0 +1,135 @@
+#include "app/base/files.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <system_error>
+
+#include "app/base/errors.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason_of(int error_number) {
+  return std::generic_category().message(error_number);
+}
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+fs::path temporary_name(const fs::path& path) {
+  fs::path name = path;
+  name += ".part" + std::to_string(::getpid());
+  return name;
+}
+
+/// Such as /dev/stdout and named pipes: a rename would put a file in their place. Where the standard output
+/// is a regular file, it still is one to be written on and not to be replaced.
+bool is_written_straight(const fs::path& path) {
+  std::error_code error;
+  const fs::path link = fs::read_symlink(path, error);
+  if (link.string().starts_with("/proc/") || path.string().starts_with("/proc/")) {
+    return true;
+  }
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// Returns the reason where it fails, and nothing where it does not.
+std::optional<std::string> try_to_write(const fs::path& path, const std::string& text,
+                                        std::ios::openmode mode) {
+  std::ofstream file(path, std::ios::binary | mode);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  return file ? std::nullopt : std::optional(reason_of(errno));
+}
+
+[[noreturn]] void fail_to_write(const fs::path& path, const std::string& reason) {
+  throw InputError("cannot write '" + path.string() + "': " + reason);
+}
+
+}  // namespace
+
+void require_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) {
+    throw InputError("there is no file '" + path.string() + "'");
+  }
+  if (error) {
+    throw InputError("cannot read '" + path.string() + "': " + error.message());
+  }
+  if (fs::is_directory(status)) {
+    throw InputError("'" + path.string() + "' is a folder, not a file");
+  }
+  if (::access(path.c_str(), R_OK) != 0) {
+    throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
+  }
+  if (fs::is_regular_file(status) && fs::file_size(path, error) == 0) {
+    throw InputError("the file '" + path.string() + "' is empty");
+  }
+}
+
+std::string read_text_file(const fs::path& path) {
+  require_file(path);
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) {
+    throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
+  }
+  return text.str();
+}
+
+void prepare_folder_of(const fs::path& file) {
+  const fs::path folder = folder_of(file);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw InputError("cannot make the output folder '" + folder.string() + "': " + error.message());
+  }
+  if (fs::is_directory(file, error)) {
+    throw InputError("cannot write '" + file.string() + "': there is a folder of this name");
+  }
+  if (is_written_straight(file)) {
+    return;
+  }
+  // Asking for permissions is not enough: a read-only file system, a full quota.
+  const fs::path probe = temporary_name(folder / ".taut");
+  const int descriptor = ::open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+  if (descriptor < 0) {
+    throw InputError("cannot write to the output folder '" + folder.string() + "': " + reason_of(errno));
+  }
+  ::close(descriptor);
+  ::unlink(probe.c_str());
+}
+
+void write_text_file(const fs::path& path, const std::string& text) {
+  if (is_written_straight(path)) {
+    if (const auto reason = try_to_write(path, text, std::ios::app)) {
+      fail_to_write(path, *reason);
+    }
+    return;
+  }
+  const fs::path temporary = temporary_name(path);
+  std::optional<std::string> reason = try_to_write(temporary, text, std::ios::trunc);
+  std::error_code error;
+  if (!reason) {
+    fs::rename(temporary, path, error);
+    reason = error ? std::optional(error.message()) : std::nullopt;
+  }
+  if (reason) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    fail_to_write(path, *reason);
+  }
+}
+
+}  // namespace taut::app

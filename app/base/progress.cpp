@@ -1,0 +1,87 @@
+#include "app/base/progress.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace taut::app {
+namespace {
+
+// What is done sooner would only flicker.
+constexpr std::chrono::milliseconds soon{300};
+// From here on it is said how long.
+constexpr std::chrono::seconds long_time{2};
+
+}  // namespace
+
+Progress::Progress(std::string what)
+    : what_(std::move(what)), on_terminal_(::isatty(STDERR_FILENO) != 0), began_(Clock::now()) {
+  if (on_terminal_) {
+    ticker_ = std::thread([this] { keep_drawing(); });
+  }
+}
+
+Progress::~Progress() {
+  if (!on_terminal_) {
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    is_ended_ = true;
+    clear();
+  }
+  ended_.notify_all();
+  ticker_.join();
+}
+
+void Progress::begin(std::string stage) {
+  const std::lock_guard lock(mutex_);
+  stage_ = std::move(stage);
+  began_ = Clock::now();
+}
+
+void Progress::show_frame(int done, int last, double max_stretch) {
+  const std::lock_guard lock(mutex_);
+  stage_ = fmt::format("frame {} of {}, stretch {:.2f} %", done, last, 100.0 * max_stretch);
+  began_ = Clock::now();
+  if (on_terminal_) {
+    draw();
+  }
+}
+
+void Progress::hide() {
+  const std::lock_guard lock(mutex_);
+  stage_.clear();
+  clear();
+}
+
+void Progress::draw() {
+  const auto since = Clock::now() - began_;
+  fmt::print(stderr, "\r\033[K{}: {}", what_, stage_);
+  if (since >= long_time) {
+    fmt::print(stderr, " ({} s)", std::chrono::duration_cast<std::chrono::seconds>(since).count());
+  }
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+void Progress::clear() {
+  if (shown_) {
+    std::fputs("\r\033[K", stderr);
+    std::fflush(stderr);
+    shown_ = false;
+  }
+}
+
+void Progress::keep_drawing() {
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_for(lock, soon, [this] { return is_ended_; })) {
+    if (!stage_.empty() && Clock::now() - began_ >= soon) {
+      draw();
+    }
+  }
+}
+
+}  // namespace taut::app

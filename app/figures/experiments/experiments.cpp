@@ -1,0 +1,215 @@
+#include "app/figures/experiments/experiments.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "app/figures/experiments/moments.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/models/pins.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "sim/measures.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+namespace {
+
+void map_models(Results& results) {
+  results.grid_patch = whole_patch(sim::make_garment(sim::make_grid({.columns = 5, .rows = 5}), {}, {}));
+  const sim::Garment shirt = load_garment(shirt_scene("tshirt-gravity", model_sizes.front())).garment;
+  // The middle of the chest: flat, and away from every seam.
+  const sim::Vec3 chest_m(0.06, 1.25, 0.11);
+  results.shirt_patch = patch_around(shirt, nearest_vertex(shirt.mesh.positions, chest_m).vertex, 2);
+}
+
+StepRecording record_fall(const Checkpoint& checkpoint) {
+  Scene scene = find_scene(fall_scene, {});
+  scene.simulation.rest.speed_m_per_s = fall_rest_m / fall_rest_s;
+  scene.simulation.rest.frames = static_cast<int>(std::lround(fall_rest_s * scene.simulation.frame_rate_hz));
+  return record_steps(scene, fall_frames, followed_vertex(scene), checkpoint);
+}
+
+void run_methods(Results& results, const Checkpoint& checkpoint) {
+  for (const double rate_hz : method_rates_hz) {
+    for (const sim::SolverKind kind : compared_methods) {
+      results.methods.push_back(run_method(kind, rate_hz, methods_duration_s));
+      checkpoint(static_cast<double>(results.methods.size()) / 6.0);
+    }
+  }
+}
+
+void run_stiffnesses(Results& results, const Checkpoint& checkpoint) {
+  for (const double factor : stiffness_factors) {
+    results.ideal_stiffnesses.push_back(
+        run_method(sim::SolverKind::ideal, method_rates_hz[0], methods_duration_s, factor));
+    checkpoint(static_cast<double>(results.ideal_stiffnesses.size()) / stiffness_factors.size());
+  }
+}
+
+// The scene asks for everything but what is varied.
+StrongRun run_strong(const std::string& garment, Scene scene, bool is_rigid, int frames,
+                     const Checkpoint& checkpoint) {
+  sim::SolverSettings& solver = scene.simulation.solver;
+  if (is_rigid) {
+    solver.rigidity = {};
+  }
+  StrongRun run = {garment, is_rigid, solver.substeps, solver.iterations, {INFINITY, INFINITY}};
+  try {
+    const Recording recording = record_frames(scene, std::array{frames}, checkpoint);
+    run.stretch = {recording.last().record.stretch.max, recording.largest_stretch};
+  } catch (const sim::Diverged&) {
+    // Infinite stretch says so.
+  }
+  return run;
+}
+
+void run_strong_shirts(Results& results, const Checkpoint& checkpoint) {
+  constexpr int frames = 45;
+  constexpr std::array<std::array<int, 2>, 4> settings = {{{1, 10}, {1, 50}, {1, 200}, {100, 1}}};
+  const Scene cloth = find_scene(pinned_scenes[0], {});
+  results.strong_runs.push_back(run_strong("9x9 cloth", cloth, true, cloth.frames, checkpoint));
+  for (const bool is_rigid : {false, true}) {
+    for (const auto& [substeps, sweeps] : settings) {
+      Scene scene = strong_shirt_scene(model_sizes.back());
+      scene.simulation.solver.substeps = substeps;
+      scene.simulation.solver.iterations = sweeps;
+      const auto before = static_cast<double>(results.strong_runs.size() - 1);
+      results.strong_runs.push_back(run_strong("shirt", scene, is_rigid, frames, [&](double fraction) {
+        checkpoint((before + fraction) / (2.0 * settings.size()));
+      }));
+    }
+  }
+}
+
+Job recording_job(const std::string& scene_name, double cost, std::optional<Recording>& place,
+                  int most_frames = std::numeric_limits<int>::max()) {
+  return {scene_name, cost, [scene_name, most_frames, &place](const Checkpoint& checkpoint) {
+            const Scene scene = find_scene(scene_name, {});
+            place = record_frames(scene, std::array{std::min(scene.frames, most_frames)}, checkpoint);
+          }};
+}
+
+}  // namespace
+
+Job job_of(Experiment experiment, Results& results) {
+  switch (experiment) {
+    case Experiment::mapping:
+      return {"mapping", 0.1, [&results](const Checkpoint&) { map_models(results); }};
+    case Experiment::fall:
+      return {fall_scene, 10.0,
+              [&results](const Checkpoint& checkpoint) { results.fall = record_fall(checkpoint); }};
+    case Experiment::pinned_5:
+      return recording_job(pinned_scenes[0], 0.1, results.pinned[0]);
+    case Experiment::pinned_20:
+      return recording_job(pinned_scenes[1], 0.1, results.pinned[1]);
+    case Experiment::shirt_still:
+      return recording_job(shirt_scenes[0], 16.0, results.shirts[0]);
+    case Experiment::shirt_wind_1:
+      return recording_job(shirt_scenes[1], 16.0, results.shirts[1]);
+    case Experiment::shirt_wind_10:
+      return recording_job(shirt_scenes[2], 26.0, results.shirts[2], strong_wind_frames);
+    case Experiment::methods:
+      return {"methods", 0.3, [&results](const Checkpoint& checkpoint) { run_methods(results, checkpoint); }};
+    case Experiment::stiffnesses:
+      return {"stiffnesses", 0.2,
+              [&results](const Checkpoint& checkpoint) { run_stiffnesses(results, checkpoint); }};
+    case Experiment::strong_runs:
+      return {"shirts by the paper's method", 14.0,
+              [&results](const Checkpoint& checkpoint) { run_strong_shirts(results, checkpoint); }};
+    case Experiment::garments:
+      return {"garments of many kinds", 14.0,
+              [&results](const Checkpoint& checkpoint) { results.garments = try_garments(checkpoint); }};
+    case Experiment::restart:
+      return {"restart", 0.05, [&results](const Checkpoint&) {
+                results.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60);
+              }};
+  }
+  return {};
+}
+
+sim::Index followed_vertex(const Scene& scene) {
+  const sim::GridSettings& grid = scene.garment.grid;
+  return (grid.rows - 1) * grid.columns + grid.columns / 2;
+}
+
+Scene shirt_scene(const std::string& name, int triangles) {
+  Scene scene = find_scene(name, {});
+  scene.garment.file = scene.garment.file.parent_path() / fmt::format("tshirt_{}.obj", triangles);
+  return scene;
+}
+
+Scene strong_shirt_scene(int triangles) {
+  Scene scene = shirt_scene("tshirt-gravity", triangles);
+  scene.simulation.solver.kind = sim::SolverKind::strong;
+  // Rigid against compression too, triangles lock and the shirt does not fall into folds.
+  scene.simulation.solver.rigidity = {0.1, 0.01};
+  return scene;
+}
+
+MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s, double stiffness_factor) {
+  Scene scene = find_scene("pinned-9x9-methods", {});
+  scene.simulation.solver.kind = kind;
+  scene.simulation.frame_rate_hz = steps_per_s;
+  scene.simulation.solver.stiffness.structural_n_per_m *= stiffness_factor;
+  scene.simulation.solver.stiffness.shear_n_per_m *= stiffness_factor;
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
+  MethodRun run;
+  run.kind = kind;
+  run.time_step_s = simulation.frame_time_s();
+  run.stiffness_n_per_m = scene.simulation.solver.stiffness.structural_n_per_m;
+  const auto steps = static_cast<int>(std::lround(duration_s * steps_per_s));
+  try {
+    for (int step = 0; step < steps; ++step) {
+      simulation.advance_frame();
+      const sim::ShapeChange change = simulation.change();
+      run.max_stretch.push_back(sim::measure_stretch(simulation.garment().springs, change.now).max);
+      run.moved_rms_m.push_back(sim::measure_convergence(change).rms_m);
+    }
+  } catch (const sim::Diverged&) {
+    run.diverged_at_s = run.time_step_s * static_cast<double>(run.max_stretch.size() + 1);
+  }
+  return run;
+}
+
+std::optional<Unrest> measure_unrest(const MethodRun& run) {
+  if (run.diverged_at_s || run.moved_rms_m.empty()) {
+    return std::nullopt;
+  }
+  const std::size_t begin = run.moved_rms_m.size() - (run.moved_rms_m.size() + 3) / 4;
+  double squares = 0.0;
+  for (std::size_t i = begin; i < run.moved_rms_m.size(); ++i) {
+    squares += run.moved_rms_m[i] * run.moved_rms_m[i];
+  }
+  const auto [low, high] = std::minmax_element(run.max_stretch.begin() + static_cast<std::ptrdiff_t>(begin),
+                                               run.max_stretch.end());
+  const auto count = static_cast<double>(run.moved_rms_m.size() - begin);
+  return Unrest{std::sqrt(squares / count) / run.time_step_s, *low, *high};
+}
+
+RestartRun run_restart(const Scene& scene, int steps_before, int steps_after) {
+  const Scene stepped = with_steps_as_frames(scene);
+  const sim::Garment garment = load_garment(stepped).garment;
+  const double time_step_s = 1.0 / stepped.simulation.frame_rate_hz;
+  const auto go_on = [&](sim::State& state, int steps) {
+    const auto solver = sim::make_solver(stepped.simulation.solver);
+    for (int step = 0; step < steps; ++step) {
+      solver->advance_frame(garment, stepped.surroundings, time_step_s, state);
+    }
+  };
+  sim::State state = sim::make_state(garment);
+  go_on(state, steps_before);
+  // Nothing but positions goes over, and the length of the step that lies between them.
+  sim::State restarted = sim::make_state(garment);
+  restarted.previous = state.previous;
+  restarted.current = state.current;
+  restarted.time_step_s = state.time_step_s;
+  go_on(state, steps_after);
+  go_on(restarted, steps_after);
+  return {sim::hash(state), sim::hash(restarted), steps_before, steps_after};
+}
+
+}  // namespace taut::app

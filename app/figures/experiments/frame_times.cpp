@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/base/stopwatch.hpp"
+#include "app/figures/experiments/experiments.hpp"
+#include "app/models/garment_loading.hpp"
+#include "sim/measures.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+namespace {
+
+struct StepSettings {
+  int substeps;
+  int sweeps;
+};
+
+// One long step with a few sweeps, and many short ones, which stretch far less.
+constexpr std::array<StepSettings, 2> measured_settings = {{{1, 10}, {100, 1}}};
+
+struct TimedRun {
+  sim::Simulation simulation;
+  FrameTimes times;
+};
+
+TimedRun make_timed_run(int triangles, Scene scene) {
+  // The method alone: layers are another matter, and their distance depends on the model.
+  scene.surroundings.layer_distance_m = 0.0;
+  const bool is_strong = scene.simulation.solver.kind == sim::SolverKind::strong;
+  FrameTimes times;
+  times.triangles = triangles;
+  times.substeps = is_strong ? scene.simulation.solver.substeps : 0;
+  times.sweeps = is_strong ? scene.simulation.solver.iterations : 0;
+  return {make_simulation(scene, load_garment(scene)), times};
+}
+
+std::vector<TimedRun> make_timed_runs() {
+  std::vector<TimedRun> runs;
+  for (const StepSettings& settings : measured_settings) {
+    for (const int triangles : model_sizes) {
+      Scene scene = strong_shirt_scene(triangles);
+      scene.simulation.solver.substeps = settings.substeps;
+      scene.simulation.solver.iterations = settings.sweeps;
+      runs.push_back(make_timed_run(triangles, std::move(scene)));
+    }
+  }
+  for (const int triangles : model_sizes) {
+    runs.push_back(make_timed_run(triangles, shirt_scene(shirt_scenes[0], triangles)));
+  }
+  return runs;
+}
+
+void time_frame(TimedRun& run) {
+  const Stopwatch stopwatch;
+  run.simulation.advance_frame();
+  run.times.frame_ms.push_back(stopwatch.elapsed_ms());
+  const double stretch =
+      sim::measure_stretch(run.simulation.garment().springs, run.simulation.state().current).max;
+  run.times.largest_stretch = std::max(run.times.largest_stretch, stretch);
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+double FrameTimes::median_ms() const {
+  return median(frame_ms);
+}
+
+double FrameTimes::shortest_ms() const {
+  return *std::min_element(frame_ms.begin(), frame_ms.end());
+}
+
+double FrameTimes::longest_ms() const {
+  return *std::max_element(frame_ms.begin(), frame_ms.end());
+}
+
+void measure_frame_times(int repeats, const Checkpoint& checkpoint, Results& results) {
+  std::vector<TimedRun> runs = make_timed_runs();
+  for (TimedRun& run : runs) {
+    // The first frame fills the caches.
+    run.simulation.advance_frame();
+  }
+  // In turn: what else the machine does meanwhile meets all of them alike.
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    for (TimedRun& run : runs) {
+      time_frame(run);
+    }
+    checkpoint(static_cast<double>(repeat + 1) / repeats);
+  }
+  for (TimedRun& run : runs) {
+    (run.times.substeps > 0 ? results.frame_times : results.bounded_times).push_back(std::move(run.times));
+  }
+}
+
+PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps) {
+  std::vector<std::array<double, 2>> points;
+  for (const FrameTimes& time : times) {
+    if (time.substeps == substeps) {
+      points.push_back({static_cast<double>(time.triangles), time.shortest_ms()});
+    }
+  }
+  return fit_power_law(points);
+}
+
+TimeGrowth measure_growth(const std::vector<FrameTimes>& times, int substeps) {
+  std::vector<std::array<double, 2>> points;
+  for (const FrameTimes& time : times) {
+    if (time.substeps == substeps) {
+      // In thousands of triangles: squares of more would cost digits.
+      points.push_back({1e-3 * time.triangles, std::log(time.shortest_ms())});
+    }
+  }
+  const PowerLaw power = fit_power_law(times, substeps);
+  return {power.exponent, power.misfit, fit_line(points).misfit};
+}
+
+}  // namespace taut::app

@@ -1,0 +1,85 @@
+#include "app/figures/experiments/recording.hpp"
+
+#include <algorithm>
+
+#include "app/frame_loop.hpp"
+#include "app/models/garment_loading.hpp"
+#include "sim/measures.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+namespace {
+
+Recording begin_recording(const Scene& scene, const sim::Simulation& simulation) {
+  Recording recording;
+  recording.scene = scene;
+  recording.garment = std::make_shared<const sim::Garment>(simulation.garment());
+  return recording;
+}
+
+void keep(const sim::Simulation& simulation, int frame, Recording& recording) {
+  recording.moments.push_back({measure_frame(simulation, frame), simulation.state().current});
+}
+
+}  // namespace
+
+Recording record_frames(const Scene& scene, std::span<const int> frames, const Checkpoint& checkpoint) {
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
+  Recording recording = begin_recording(scene, simulation);
+  if (frames.front() == 0) {
+    keep(simulation, 0, recording);
+  }
+  FrameOutputs outputs;
+  outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
+    if (std::binary_search(frames.begin(), frames.end(), frame)) {
+      keep(moment, frame, recording);
+    }
+  };
+  outputs.report = [&](const FrameRecord& record) {
+    recording.largest_stretch = std::max(recording.largest_stretch, record.stretch.max);
+    checkpoint(static_cast<double>(record.frame) / frames.back());
+  };
+  run_frames(simulation, frames.back(), outputs);
+  return recording;
+}
+
+Scene with_steps_as_frames(Scene scene) {
+  sim::SimulationSettings& settings = scene.simulation;
+  const int substeps = sim::equal_substeps(settings.solver);
+  settings.frame_rate_hz *= substeps;
+  settings.solver.substeps = 1;
+  settings.rest.frames *= substeps;
+  scene.frames *= substeps;
+  return scene;
+}
+
+StepRecording record_steps(const Scene& scene, std::span<const int> frames, sim::Index vertex,
+                           const Checkpoint& checkpoint) {
+  const int steps_in_frame = sim::equal_substeps(scene.simulation.solver);
+  const Scene stepped = with_steps_as_frames(scene);
+  sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
+  StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};
+  if (frames.front() == 0) {
+    keep(simulation, 0, recording.frames);
+  }
+  for (int frame = 1; frame <= frames.back() && !recording.came_to_rest; ++frame) {
+    for (int step = 0; step < steps_in_frame && !recording.came_to_rest; ++step) {
+      simulation.advance_frame();
+      recording.came_to_rest = simulation.state().asleep;
+      // Cloth that is put to sleep is stopped; until then it moved.
+      if (!recording.came_to_rest) {
+        recording.moved_m.push_back(sim::convergence_of(simulation.change(), vertex));
+      }
+    }
+    const sim::Stretch stretch =
+        sim::measure_stretch(simulation.garment().springs, simulation.state().current);
+    recording.frames.largest_stretch = std::max(recording.frames.largest_stretch, stretch.max);
+    if (recording.came_to_rest || std::binary_search(frames.begin(), frames.end(), frame)) {
+      keep(simulation, frame, recording.frames);
+    }
+    checkpoint(static_cast<double>(frame) / frames.back());
+  }
+  return recording;
+}
+
+}  // namespace taut::app

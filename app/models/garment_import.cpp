@@ -1,0 +1,69 @@
+#include "app/models/garment_import.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "sim/mesh/polygons.hpp"
+
+namespace taut::app {
+namespace {
+
+void count_faces(const ModelArrays& arrays, ImportedModel& model) {
+  for (const std::uint32_t corners : arrays.corner_counts) {
+    ++(corners == 3 ? model.file_triangles : corners == 4 ? model.file_quads : model.file_polygons);
+  }
+}
+
+bool is_counting_up(const std::vector<sim::Index>& corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i] != i) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void require_size(const ModelArrays& arrays) {
+  if (arrays.corner_counts.empty()) {
+    throw std::invalid_argument("it has no faces");
+  }
+  const std::size_t triangles = arrays.corners.size() - 2 * arrays.corner_counts.size();
+  if (triangles > most_triangles) {
+    throw std::invalid_argument(fmt::format("it has {} triangles, more than the {} that can be simulated",
+                                            triangles, most_triangles));
+  }
+}
+
+}  // namespace
+
+ImportedModel import_garment(const std::filesystem::path& path, const ImportLimits& limits) {
+  require_file(path);
+  try {
+    ModelArrays arrays = read_model_in_process(path, limits);
+    require_size(arrays);
+    ImportedModel model;
+    count_faces(arrays, model);
+    model.triangles = sim::cut_into_triangles({arrays.positions, arrays.corner_counts, arrays.corners});
+    model.positions = std::move(arrays.positions);
+    model.position_of_vertex = std::move(arrays.position_of_vertex);
+    model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);
+    model.format = std::move(arrays.format);
+    model.meshes = arrays.meshes;
+    model.ignored_lines = arrays.ignored_lines;
+    model.ignored_points = arrays.ignored_points;
+    model.metres_per_unit = arrays.metres_per_unit;
+    model.up = arrays.up;
+    return model;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError("cannot read a garment from '" + path.string() + "': " + error.what() +
+                     "; expected a 3D model with faces, such as OBJ, PLY, STL, glTF, FBX or Collada");
+  }
+}
+
+}  // namespace taut::app

@@ -1,0 +1,167 @@
+#include "app/models/garment_loading.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "app/base/errors.hpp"
+#include "app/models/layers.hpp"
+#include "app/models/pins.hpp"
+#include "sim/mesh/subdivide.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::app {
+namespace {
+
+// A garment has edges of a thousandth of its size. Of edges a thousand times shorter than this part of it,
+// double precision leaves nothing to measure stretch with.
+constexpr double shortest_half_of_edges = 1e-9;
+
+// Smaller or larger, nothing on it can be told in double precision from its place.
+constexpr double smallest_size_m = 1e-4;
+constexpr double largest_size_m = 1e4;
+
+// One damaged coordinate can be 1e38 times as far away as all others.
+void require_one_size(const sim::Mesh& mesh) {
+  sim::Vec3 lower = mesh.positions.front(), upper = lower;
+  for (const sim::Vec3& position : mesh.positions) {
+    lower = glm::min(lower, position);
+    upper = glm::max(upper, position);
+  }
+  std::vector<double> lengths;
+  lengths.reserve(mesh.triangles.size());
+  for (const sim::Triangle& t : mesh.triangles) {
+    lengths.push_back(glm::distance(mesh.positions[t[0]], mesh.positions[t[1]]));
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double size = glm::distance(lower, upper);
+  if (*middle < shortest_half_of_edges * size) {
+    throw std::invalid_argument(fmt::format(
+        "it reaches over {:.3g} of its units, but half of its edges are shorter than {:.3g}; expected all "
+        "vertices in one place, so one of them may be damaged",
+        size, *middle));
+  }
+}
+
+// Only a unit that was asked for can make a garment of any size.
+void require_size(const GarmentSource& source, const Placement& placement) {
+  const double size_m = placement.scale * placement.extent;
+  const bool has_size = std::isfinite(placement.extent) && placement.extent > 0.0;
+  if (source.scale > 0.0 && has_size && !(size_m >= smallest_size_m && size_m <= largest_size_m)) {
+    throw InputError(
+        fmt::format("cannot use the garment '{}': with the unit asked for it is {:.3g} m large; "
+                    "expected {:g} m to {:g} m",
+                    source.file.string(), size_m, smallest_size_m, largest_size_m));
+  }
+}
+
+void tell(const StageReport& begin, const std::string& stage) {
+  if (begin) {
+    begin(stage);
+  }
+}
+
+FileVertices vertices_of_file(const ImportedModel& model, std::vector<sim::Index>& kept) {
+  FileVertices vertices{model.position_of_vertex, !model.shares_vertices && model.position_of_vertex.empty()};
+  for (sim::Index& vertex : vertices.mesh_vertex) {
+    vertex = kept[vertex];
+  }
+  if (vertices.mesh_vertex.empty()) {
+    vertices.mesh_vertex = std::move(kept);
+  }
+  return vertices;
+}
+
+sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const StageReport& begin) {
+  tell(begin, "reading " + source.file.filename().string());
+  ImportedModel& model = loaded.model.emplace(import_garment(source.file));
+  sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
+  const std::optional<double> scale = source.scale > 0.0 ? std::optional(source.scale) : std::nullopt;
+  loaded.placement = place_model(soup, {scale, source.up, model.metres_per_unit, model.up});
+  require_size(source, *loaded.placement);
+  tell(begin, "joining its vertices");
+  try {
+    std::vector<sim::Index> kept;
+    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m / loaded.placement->scale}, kept);
+    loaded.repairs = valid.report;
+    loaded.file_vertices = vertices_of_file(model, kept);
+    require_one_size(valid.mesh);
+    model.positions = std::move(soup.positions);
+    for (sim::Vec3& position : valid.mesh.positions) {
+      position = (*loaded.placement)(position);
+    }
+    return std::move(valid.mesh);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("cannot use the garment '" + source.file.string() + "': " + error.what());
+  }
+}
+
+void require_count(const char* key, double triangles) {
+  if (triangles > static_cast<double>(most_triangles)) {
+    throw InputError(fmt::format("{}: it would have {:.0f} triangles, more than the {} that can be simulated",
+                                 key, triangles, most_triangles));
+  }
+}
+
+sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
+  require_count("garment.subdivisions",
+                static_cast<double>(pinned.mesh.triangles.size()) * std::pow(4.0, times));
+  for (int i = 0; i < times; ++i) {
+    if (!pinned.mesh.quads.empty()) {
+      throw InputError("garment.subdivisions is for models; give a grid more columns and rows instead");
+    }
+    pinned = sim::subdivide(pinned);
+  }
+  return pinned;
+}
+
+std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, LoadedGarment& loaded) {
+  const bool is_grid = scene.garment.file.empty();
+  if (!is_grid && !scene.pins) {
+    loaded.hanging = hang(mesh, sim::make_adjacency(mesh));
+    return loaded.hanging->pins;
+  }
+  return select_pins(scene.pins,
+                     {mesh, loaded.landmarks, loaded.file_vertices, is_grid ? &scene.garment.grid : nullptr});
+}
+
+}  // namespace
+
+LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
+  LoadedGarment loaded;
+  const bool is_grid = scene.garment.file.empty();
+  if (is_grid) {
+    require_count("garment.grid", 2.0 * (scene.garment.grid.columns - 1.0) * (scene.garment.grid.rows - 1.0));
+  }
+  sim::Mesh mesh = is_grid ? sim::make_grid(scene.garment.grid) : read_mesh(scene.garment, loaded, begin);
+  tell(begin, "mapping it to springs");
+  if (is_grid) {
+    loaded.file_vertices.mesh_vertex.resize(mesh.positions.size());
+    std::iota(loaded.file_vertices.mesh_vertex.begin(), loaded.file_vertices.mesh_vertex.end(), 0U);
+  } else {
+    loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh, loaded.file_vertices);
+  }
+  // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
+  std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded);
+  sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
+  loaded.garment = sim::make_garment(std::move(pinned.mesh), scene.mapping, std::move(pinned.pins));
+  return loaded;
+}
+
+sim::Simulation make_simulation(const Scene& scene, LoadedGarment loaded) {
+  return make_simulation(scene, std::move(loaded.garment), loaded.file_vertices);
+}
+
+sim::Simulation make_simulation(const Scene& scene, sim::Garment garment, const FileVertices& file_vertices) {
+  sim::Surroundings surroundings = settled(scene.surroundings, garment, file_vertices);
+  return {std::move(garment), scene.simulation, std::move(surroundings)};
+}
+
+}  // namespace taut::app

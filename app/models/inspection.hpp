@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/models/garment_loading.hpp"
+#include "app/scene/scene.hpp"
+#include "sim/mesh/topology.hpp"
+
+namespace taut::app {
+
+struct LandmarkSize {
+  std::string name;
+  std::size_t vertices = 0;
+};
+
+/// What is in a model and how it maps to springs.
+struct Inspection {
+  std::string file;
+  ImportedModel model;  ///< its arrays are left empty
+  sim::MeshReport repairs;
+  Placement placement;
+  std::vector<HungPart> parts;
+  std::vector<std::string> hanging;  ///< how the parts are held, for people
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  sim::Vec3 lower_m = {0.0, 0.0, 0.0};
+  sim::Vec3 upper_m = {0.0, 0.0, 0.0};
+  double area_m2 = 0.0;
+  double shortest_edge_m = 0.0;
+  double mean_edge_m = 0.0;
+  double longest_edge_m = 0.0;
+  double smallest_angle_rad = 0.0;
+  sim::Topology topology;
+  std::size_t structural_springs = 0;
+  std::size_t shear_springs = 0;
+  std::size_t flexural_springs = 0;
+  std::vector<LandmarkSize> landmarks;
+  std::string vertex_numbers;        ///< what the numbers in pins.at count
+  std::vector<std::string> remarks;  ///< what a user should look at
+};
+
+/// Of a garment that was read from a file.
+Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded);
+
+/// For people.
+std::string describe(const Inspection& inspection);
+
+}  // namespace taut::app

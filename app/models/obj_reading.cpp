@@ -1,0 +1,206 @@
+#include "app/models/obj_reading.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "app/base/errors.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr std::string_view blanks = " \t\v\f";
+constexpr std::string_view line_ends = "\r\n";
+
+/// The next word of a line, which loses it; empty at the end of the line and where a comment begins.
+std::string_view take_word(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  const std::string_view word = line.substr(0, line.find_first_of(blanks));
+  line.remove_prefix(word.size());
+  return word.starts_with('#') ? std::string_view{} : word;
+}
+
+class ObjReader {
+ public:
+  explicit ObjReader(std::string_view text) : text_(text) {}
+
+  std::optional<ModelArrays> read();
+
+ private:
+  std::string_view take_line();
+  void read_line(std::string_view line);
+  void read_face(std::string_view line);
+  double coordinate(std::string_view word) const;
+  sim::Index vertex(std::string_view word) const;
+  void require_vertices() const;
+  [[noreturn]] void reject(std::string_view found, const std::string& expected) const;
+
+  std::string_view text_;
+  std::string joined_;  ///< lines that a backslash continues
+  std::size_t line_ = 0;
+  std::size_t lines_taken_ = 0;
+  bool group_begins_ = true;
+  std::vector<sim::Index> face_;
+  sim::Index highest_ = 0;
+  std::size_t line_of_highest_ = 0;
+  ModelArrays model_;
+};
+
+void ObjReader::reject(std::string_view found, const std::string& expected) const {
+  constexpr std::size_t longest = 40;
+  throw InputError(
+      fmt::format("line {}: found '{}', expected {}", line_, found.substr(0, longest), expected));
+}
+
+std::string_view ObjReader::take_line() {
+  const auto take = [&] {
+    const std::string_view line = text_.substr(0, text_.find_first_of(line_ends));
+    text_.remove_prefix(line.size());
+    text_.remove_prefix(text_.starts_with("\r\n") ? 2 : text_.empty() ? 0 : 1);
+    ++lines_taken_;
+    return line;
+  };
+  line_ = lines_taken_ + 1;
+  std::string_view line = take();
+  if (!line.ends_with('\\')) {
+    return line;
+  }
+  joined_.clear();
+  while (line.ends_with('\\') && !text_.empty()) {
+    joined_ += line.substr(0, line.size() - 1);
+    joined_ += ' ';
+    line = take();
+  }
+  joined_ += line;
+  return joined_;
+}
+
+double ObjReader::coordinate(std::string_view word) const {
+  double value = 0.0;
+  const char* const end = word.data() + word.size();
+  const char* const begin = word.data() + (word.starts_with('+') ? 1 : 0);
+  const auto [stopped, error] = std::from_chars(begin, end, value);
+  if (error == std::errc::result_out_of_range && stopped == end) {
+    // Next to nothing is nothing; what is too large is said to be not finite where all models are judged.
+    return std::strtod(std::string(word).c_str(), nullptr);
+  }
+  if (error != std::errc() || stopped != end) {
+    reject(word, "a coordinate of a vertex");
+  }
+  return value;
+}
+
+// "7", "7/1", "7//3" or "7/1/3": counted from 1, or backwards from the last one so far.
+sim::Index ObjReader::vertex(std::string_view word) const {
+  long long number = 0;
+  const char* const end = word.data() + word.size();
+  const auto [stopped, error] = std::from_chars(word.data(), end, number);
+  const auto so_far = static_cast<long long>(model_.positions.size());
+  if (error != std::errc() || (stopped != end && *stopped != '/') || number == 0 || number < -so_far ||
+      number > static_cast<long long>(std::numeric_limits<sim::Index>::max())) {
+    reject(word, "the number of a vertex");
+  }
+  return static_cast<sim::Index>(number > 0 ? number - 1 : so_far + number);
+}
+
+void ObjReader::read_face(std::string_view line) {
+  face_.clear();
+  for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+    face_.push_back(vertex(word));
+    if (face_.back() >= highest_) {
+      highest_ = face_.back();
+      line_of_highest_ = line_;
+    }
+  }
+  if (face_.size() < 3) {
+    model_.ignored_points += face_.size() == 1 ? 1 : 0;
+    model_.ignored_lines += face_.size() == 2 ? 1 : 0;
+    return;
+  }
+  model_.meshes += std::exchange(group_begins_, false) ? 1 : 0;
+  model_.corner_counts.push_back(static_cast<std::uint32_t>(face_.size()));
+  model_.corners.insert(model_.corners.end(), face_.begin(), face_.end());
+}
+
+std::size_t count_words(std::string_view line) {
+  std::size_t count = 0;
+  while (!take_word(line).empty()) {
+    ++count;
+  }
+  return count;
+}
+
+void ObjReader::read_line(std::string_view line) {
+  const std::string_view kind = take_word(line);
+  if (kind == "v") {
+    const double x = coordinate(take_word(line));
+    const double y = coordinate(take_word(line));
+    model_.positions.emplace_back(x, y, coordinate(take_word(line)));
+  } else if (kind == "f" || kind == "fo") {
+    read_face(line);
+  } else if (kind == "l") {
+    model_.ignored_lines += std::max<std::size_t>(count_words(line), 1) - 1;
+  } else if (kind == "p") {
+    model_.ignored_points += count_words(line);
+  } else if (kind == "o" || kind == "g" || kind == "usemtl") {
+    group_begins_ = true;
+  }
+}
+
+// Only at the end: a face may come before its vertices.
+void ObjReader::require_vertices() const {
+  if (!model_.corners.empty() && highest_ >= model_.positions.size()) {
+    throw InputError(fmt::format("line {}: a face uses vertex {} of a model that has {}", line_of_highest_,
+                                 std::size_t{highest_} + 1, model_.positions.size()));
+  }
+}
+
+void number_by_first_use(ModelArrays& model) {
+  constexpr sim::Index unused = std::numeric_limits<sim::Index>::max();
+  std::vector<sim::Index> number_of(model.positions.size(), unused);
+  std::vector<sim::Vec3> positions;
+  positions.reserve(model.positions.size());
+  const auto number = [&](sim::Index old) {
+    if (number_of[old] == unused) {
+      number_of[old] = static_cast<sim::Index>(positions.size());
+      positions.push_back(model.positions[old]);
+    }
+    return number_of[old];
+  };
+  for (sim::Index& corner : model.corners) {
+    corner = number(corner);
+  }
+  for (sim::Index old = 0; old < number_of.size(); ++old) {
+    number(old);
+  }
+  model.positions = std::move(positions);
+  model.position_of_vertex = std::move(number_of);
+}
+
+std::optional<ModelArrays> ObjReader::read() {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  text_.remove_prefix(text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+  while (!text_.empty()) {
+    read_line(take_line());
+  }
+  if (model_.positions.empty()) {
+    return std::nullopt;
+  }
+  require_vertices();
+  number_by_first_use(model_);
+  model_.format = "Wavefront OBJ";
+  return std::move(model_);
+}
+
+}  // namespace
+
+std::optional<ModelArrays> read_obj(std::string_view text) {
+  return ObjReader(text).read();
+}
+
+}  // namespace taut::app

@@ -1,0 +1,139 @@
+#include "app/models/placement.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace taut::app {
+namespace {
+
+constexpr double smallest_garment_m = 0.2;
+constexpr double largest_garment_m = 2.5;
+constexpr double smallest_believed_m = 0.02;
+constexpr double largest_believed_m = 20.0;
+/// How many times longer along z than along y a model has to be for z to be up: skirts can be wide.
+constexpr double clearly_longer = 2.0;
+/// Of its size; from there on single precision is worse than a tenth of a millimetre on a garment.
+constexpr double far_away = 1000.0;
+
+struct Box {
+  sim::Vec3 lower = sim::Vec3(std::numeric_limits<double>::infinity());
+  sim::Vec3 upper = -lower;
+};
+
+Box box_of(const sim::Mesh& mesh) {
+  Box box;
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (const sim::Index v : t) {
+      box.lower = glm::min(box.lower, mesh.positions[v]);
+      box.upper = glm::max(box.upper, mesh.positions[v]);
+    }
+  }
+  return box;
+}
+
+bool is_between(double value, double lowest, double highest) {
+  return value >= lowest && value <= highest;
+}
+
+std::string unit_name(double metres) {
+  for (const Unit& unit : units) {
+    // Files give their factor in single precision.
+    if (std::abs(unit.metres - metres) < 1e-6 * metres) {
+      return unit.name;
+    }
+  }
+  return fmt::format("{:.6g} m", metres);
+}
+
+void choose_unit(double size, const PlacementHints& hints, Placement& placement) {
+  if (hints.asked_scale) {
+    placement.scale = *hints.asked_scale;
+    placement.unit_text = unit_name(placement.scale) + ", as asked for";
+    return;
+  }
+  std::string why = "guessed from its size";
+  if (hints.metres_per_unit) {
+    const double size_m = size * *hints.metres_per_unit;
+    if (is_between(size_m, smallest_believed_m, largest_believed_m)) {
+      placement.scale = *hints.metres_per_unit;
+      placement.unit_text = unit_name(placement.scale) + ", as the file says";
+      return;
+    }
+    why = fmt::format("guessed, since the file's own, {}, would make it {:.3g} m large",
+                      unit_name(*hints.metres_per_unit), size_m);
+  }
+  for (const Unit& unit : std::span(units).first(4)) {
+    if (is_between(size * unit.metres, smallest_garment_m, largest_garment_m)) {
+      placement.scale = unit.metres;
+      placement.guessed = unit.metres != 1.0;
+      placement.unit_text = unit_name(unit.metres) + ", " + why;
+      return;
+    }
+  }
+  placement.scale = 1.0 / size;
+  placement.guessed = true;
+  placement.unit_text =
+      fmt::format("{:.4g} m, so that it is 1 m large; {} ({:.4g} units)", placement.scale, why, size);
+}
+
+void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& placement) {
+  const auto name = [](ModelAxis axis) { return std::string(axis_names[static_cast<std::size_t>(axis)]); };
+  if (hints.asked_up || hints.up) {
+    placement.up = hints.asked_up ? *hints.asked_up : *hints.up;
+    placement.up_text = name(placement.up) + (hints.asked_up ? ", as asked for" : ", as the file says");
+    return;
+  }
+  if (size.z > clearly_longer * size.y) {
+    placement.up = ModelAxis::z;
+    placement.guessed = true;
+    placement.up_text = fmt::format("z, guessed: it measures {:.3g} along z, {:.3g} along y",
+                                    size.z * placement.scale, size.y * placement.scale);
+    return;
+  }
+  placement.up_text = "y, as in most files";
+}
+
+sim::Vec3 turned(const sim::Vec3& p, ModelAxis up) {
+  switch (up) {
+    case ModelAxis::x:
+      return {-p.y, p.x, p.z};
+    case ModelAxis::minus_x:
+      return {p.y, -p.x, p.z};
+    case ModelAxis::y:
+      return p;
+    case ModelAxis::minus_y:
+      return {p.x, -p.y, -p.z};
+    case ModelAxis::z:
+      return {p.x, p.z, -p.y};
+    case ModelAxis::minus_z:
+      return {p.x, -p.z, p.y};
+  }
+  return p;
+}
+
+}  // namespace
+
+sim::Vec3 Placement::operator()(const sim::Vec3& in_file) const {
+  return turned(in_file * scale, up) + moved_m;
+}
+
+Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints) {
+  const Box box = box_of(mesh);
+  const sim::Vec3 size = box.upper - box.lower;
+  const double largest = std::max({size.x, size.y, size.z});
+  Placement placement;
+  placement.extent = largest;
+  choose_unit(largest, hints, placement);
+  choose_up(size, hints, placement);
+  const sim::Vec3 middle = box.lower + 0.5 * size;
+  if (glm::length(middle / largest) > far_away) {
+    placement.moved_m = -turned(middle * placement.scale, placement.up);
+  }
+  return placement;
+}
+
+}  // namespace taut::app

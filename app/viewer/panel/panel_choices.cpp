@@ -1,0 +1,193 @@
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/scene/promise.hpp"
+#include "app/viewer/panel/panel_parts.hpp"
+
+namespace taut::app {
+namespace {
+
+void lay_out_presets(ViewerState& state) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Figures");
+  for (const Choice& scene : state.scenes) {
+    if (scene.label.empty()) {
+      continue;
+    }
+    const float width = ImGui::CalcTextSize(scene.label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
+    if (end < ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) {
+      ImGui::SameLine();
+    }
+    if (ImGui::Button(scene.label.c_str())) {
+      state.scene_asked = scene.name;
+    }
+    note_place(state, ("preset." + scene.name).c_str());
+  }
+}
+
+void lay_out_scene_list(ViewerState& state) {
+  if (begin_list("scene", state.scene.name.c_str())) {
+    for (const Choice& scene : state.scenes) {
+      if (ImGui::Selectable(scene.name.c_str(), scene.name == state.scene.name)) {
+        state.scene_asked = scene.name;
+      }
+      note_place(state, ("scene." + scene.name).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  note_place(state, "scene");
+}
+
+void lay_out_garment_list(ViewerState& state) {
+  const std::filesystem::path& file = state.scene.garment.file;
+  const std::string name = file.empty() ? "grid" : file.stem().string();
+  if (begin_list("garment", name.c_str())) {
+    for (const Choice& garment : state.garments) {
+      if (ImGui::Selectable(garment.name.c_str(), garment.name == name)) {
+        state.garment_asked = garment.file;
+      }
+      note_place(state, ("garment." + garment.name).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  note_place(state, "garment");
+}
+
+// Colours that ended at the bound go on ending there; others have to show where it is.
+void keep_range_to_bound(PictureStyle& picture, double before, double bound) {
+  if (!picture.stretch_range) {
+    return;
+  }
+  auto& [lowest, highest] = *picture.stretch_range;
+  if (highest == before || highest < bound) {
+    highest = std::max(bound, lowest + 1e-4);
+  }
+}
+
+// What the solver has chosen by itself.
+std::string chosen_substeps(const ViewerState& state) {
+  const int chosen = state.newest->record.substeps;
+  const bool is_most = chosen >= state.scene.simulation.solver.max_substeps;
+  return chosen == 0 ? "auto" : fmt::format("auto, {}{}", chosen, is_most ? ", no more" : "");
+}
+
+// Time steps that are short enough for one solver may make another fly apart: a number of them stands for the
+// solver that the scene has it for, and any other chooses its own.
+void choose_solver(ViewerState& state, sim::SolverKind kind) {
+  sim::SolverSettings& solver = state.scene.simulation.solver;
+  const sim::SolverSettings& of_scene = state.newest->loaded->scene.simulation.solver;
+  if (kind != solver.kind) {
+    solver.kind = kind;
+    solver.substeps = kind == of_scene.kind ? of_scene.substeps : 0;
+  }
+}
+
+void lay_out_solver(ViewerState& state) {
+  sim::SolverSettings& solver = state.scene.simulation.solver;
+  if (begin_list("solver", sim::name_of(solver.kind))) {
+    for (const sim::SolverKind kind : sim::all_solver_kinds) {
+      if (ImGui::Selectable(sim::name_of(kind), kind == solver.kind)) {
+        choose_solver(state, kind);
+      }
+      note_place(state, (std::string("solver.") + sim::name_of(kind)).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  note_place(state, "solver");
+  whole_slider(state, "substeps", "solver.substeps", solver.substeps, 0, 400,
+               solver.substeps == 0 ? chosen_substeps(state).c_str() : "%d");
+  const bool sweeps = solver.kind == sim::SolverKind::strong;
+  const bool hooke = solver.kind == sim::SolverKind::ideal || solver.kind == sim::SolverKind::provot;
+  if (sweeps) {
+    whole_slider(state, "iterations", "solver.iterations", solver.iterations, 1, 200);
+    number_slider(state, "flexural", "solver.flexural", solver.rigidity.flexural, 0.0, 1.0, "%.3f");
+  }
+  if (stretch_bound(state.scene)) {
+    double percent = 100.0 * solver.max_stretch;
+    if (number_slider(state, "max stretch", "solver.max_stretch", percent, 0.1, 30.0, "%.2f %%", true)) {
+      const double before = std::exchange(solver.max_stretch, percent / 100.0);
+      keep_range_to_bound(state.scene.picture, before, solver.max_stretch);
+    }
+  }
+  if (solver.kind == sim::SolverKind::bounded) {
+    sim::Fabric& fabric = solver.fabric;
+    double bending_un_m = 1e6 * fabric.bending_rigidity_n_m;
+    if (number_slider(state, "flexural", "fabric.bending", bending_un_m, 0.0, 100.0, "%.1f µN m", true)) {
+      fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
+    }
+    number_slider(state, "crumpling", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 200.0,
+                  "%.0f N/m");
+  }
+  if (hooke) {
+    number_slider(state, "flexural", "solver.stiffness.flexural", solver.stiffness.flexural_n_per_m, 0.0,
+                  100.0, "%.1f N/m", true);
+    number_slider(state, "damping", "solver.stiffness.damping", solver.stiffness.damping_n_s_per_m, 0.0, 0.2,
+                  "%.3f N s/m");
+  }
+  number_slider(state, "air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0,
+                "%.2f /s");
+}
+
+}  // namespace
+
+void lay_out_choices(ViewerState& state) {
+  ImGui::Separator();
+  lay_out_presets(state);
+  lay_out_scene_list(state);
+  lay_out_garment_list(state);
+  lay_out_solver(state);
+}
+
+void lay_out_looks(ViewerState& state) {
+  PictureStyle& picture = state.scene.picture;
+  ImGui::Separator();
+  const auto radio = [&](const char* label, SurfaceLook look, const char* name) {
+    if (ImGui::RadioButton(label, picture.surface == look)) {
+      picture.surface = look;
+    }
+    note_place(state, name);
+  };
+  const auto check = [&](const char* label, bool& value, const char* name) {
+    ImGui::Checkbox(label, &value);
+    note_place(state, name);
+  };
+  const float third = ImGui::GetContentRegionAvail().x / 3.0F;
+  const float start = ImGui::GetCursorPosX();
+  radio("shaded", SurfaceLook::shaded, "look.shaded");
+  ImGui::SameLine(start + third);
+  radio("stretch", SurfaceLook::stretch, "look.stretch");
+  ImGui::SameLine(start + 2.0F * third);
+  radio("wireframe", SurfaceLook::wireframe, "look.wireframe");
+  check("shadows", picture.settings.shadows, "look.shadows");
+  ImGui::SameLine(start + third);
+  check("springs", state.show_springs, "look.springs");
+  ImGui::SameLine(start + 2.0F * third);
+  check("normals", state.show_normals, "look.normals");
+}
+
+void lay_out_keeping(ViewerState& state) {
+  ImGui::Separator();
+  const float width = (ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
+  action_button(state, "Picture F12", Action::screenshot, "keep.screenshot", width);
+  ImGui::SameLine();
+  action_button(state, "Scene S", Action::save_scene, "keep.scene", width);
+  ImGui::SameLine();
+  action_button(state, "Camera C", Action::copy_camera, "keep.camera", width);
+  action_button(state, state.is_recording ? "Stop F10" : "Record F10", Action::record, "keep.record", width);
+  ImGui::SameLine();
+  if (ImGui::RadioButton("video", state.recording_kind == RecordingKind::video)) {
+    state.recording_kind = RecordingKind::video;
+  }
+  note_place(state, "keep.video");
+  ImGui::SameLine();
+  if (ImGui::RadioButton("PNG frames", state.recording_kind == RecordingKind::pictures)) {
+    state.recording_kind = RecordingKind::pictures;
+  }
+  note_place(state, "keep.pictures");
+}
+
+}  // namespace taut::app

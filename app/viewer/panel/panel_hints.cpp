@@ -1,0 +1,97 @@
+#include "app/viewer/panel/panel_hints.hpp"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace taut::app {
+namespace {
+
+using Hint = std::pair<std::string_view, std::string_view>;
+
+constexpr std::array hints = {
+    Hint{"wind.speed",
+         "Speed of the wind in m/s, the paper's wind value. It holds on to 1.0 and 10.0, those of figure 5."
+         " Keys: up, down."},
+    Hint{"wind.direction", "Where the wind goes, seen from above: up is away from you. Keys: left, right."},
+    Hint{"wind.gust_amplitude",
+         "How much gusts change the wind's speed, as a share of it. 0: a steady wind."},
+    Hint{"wind.gust_period", "Mean time from one gust to the next, in seconds."},
+    Hint{"gravity", "How fast things fall, in m/s². On Earth 9.81."},
+    Hint{"measured.stretch",
+         "How much longer than at rest the longest spring is, in percent, over the last frames. Red:"
+         " the bound that bounded keeps, or the threshold that provot pulls back to."},
+    Hint{"measured.convergence",
+         "The longest way of a mass point in the last frame, |p(t) - p(t - dt)|, in"
+         " millimetres."},
+    Hint{"measured.times",
+         "Milliseconds of the clock for the last frame: to simulate it, to draw the window, to lay out"
+         " this panel."},
+    Hint{"measured.size", "Triangles and vertices of the garment that is simulated."},
+    Hint{"measured.speed",
+         "Simulated seconds in a second of the clock, over the last second, and what keeps it from being"
+         " as fast as asked."},
+    Hint{"look.shaded", "Show the cloth as cloth."},
+    Hint{"look.stretch", "Show the stretch as colours, in percent of the length at rest."},
+    Hint{"look.wireframe", "Show the edges of the mesh alone."},
+    Hint{"look.shadows", "Shadows of the key light on cloth and floor. Without, drawing is faster."},
+    Hint{"look.springs", "Show the springs, coloured by their kind."},
+    Hint{"look.normals", "Show which way the vertices' outsides face."},
+    Hint{"scene",
+         "Load a scene that comes with the program. Drop a scene's file on the window to load another."},
+    Hint{"garment",
+         "Put another garment into this scene. Drop a model's file on the window to load another."},
+    Hint{"solver",
+         "How springs answer. bounded: ours, keeps its bound on stretch. strong: the paper's. ideal: Hooke's"
+         " springs. provot: Hooke's springs, pulled back beyond a threshold."},
+    Hint{"solver.ideal", "Hooke's springs alone: cloth stretches under its weight, and vibrates."},
+    Hint{"solver.provot", "Hooke's springs, pulled back where they exceed the threshold (Provot 1995)."},
+    Hint{"solver.strong", "The paper's strong constraint: sweeps over all springs in their order."},
+    Hint{"solver.bounded",
+         "The paper's equations, organised so that the bound on stretch is kept in every frame."},
+    Hint{"solver.substeps",
+         "Time steps in a frame. 0: as many as the solver needs, up to the scene's"
+         " solver.max_substeps. More stretch less and take longer."},
+    Hint{"solver.iterations", "Sweeps over all springs in a time step. More stretch less and take longer."},
+    Hint{"solver.flexural",
+         "How much of its error a flexural spring corrects, 0 to 1. Less bends more easily."},
+    Hint{"solver.max_stretch",
+         "In percent of the length at rest. bounded: no spring is ever shown longer. provot: above,"
+         " springs are pulled back."},
+    Hint{"fabric.bending",
+         "Bending rigidity of the cloth, in millionths of a newton metre. Jersey 5, denim about 50."},
+    Hint{"fabric.compression",
+         "Stiffness of springs that are shorter than at rest, in N/m. Less crumples sooner."},
+    Hint{"solver.stiffness.flexural", "Stiffness of flexural springs, in N/m. Less bends more easily."},
+    Hint{"solver.stiffness.damping",
+         "Damping of every spring, in N s/m. More vibrates less, and needs shorter time"
+         " steps."},
+    Hint{"air.drag",
+         "Share of its speed that the air takes from the cloth, per second. More comes to rest sooner."},
+    Hint{"keep.screenshot", "Write what the scene shows as a PNG picture, without this panel."},
+    Hint{"keep.scene", "Write all settings as a scene file, which taut render draws as the window does."},
+    Hint{"keep.camera", "Copy the camera as lines of a scene file to the clipboard."},
+    Hint{"keep.record",
+         "Record what the scene shows, 30 pictures a second, without this panel; once more ends it."},
+    Hint{"keep.video", "Record to a video, an MP4 file. Needs ffmpeg."},
+    Hint{"keep.pictures", "Record to a folder of PNG pictures."},
+    Hint{"time.pause", "Stop and go on. Key: space."},
+    Hint{"time.step", "One frame, 1/60 s as scenes have it. Key: full stop."},
+    Hint{"time.reset", "Start again, with the scene's pins and the present settings. Key: R."},
+    Hint{"speed", "Simulated seconds in a second of the clock: 1 x is real time, less is slow motion."},
+    Hint{"timeline", "The last seconds of the simulation: drag back to see them, Space goes on from there."},
+};
+
+}  // namespace
+
+std::string hint_for(const std::string& name) {
+  for (const auto& [own, text] : hints) {
+    if (own == name) {
+      return std::string(text);
+    }
+  }
+  constexpr std::string_view preset = "preset.";
+  return name.starts_with(preset) ? "Load the scene " + name.substr(preset.size()) + " of this figure." : "";
+}
+
+}  // namespace taut::app

@@ -1,0 +1,225 @@
+#include "app/viewer/simulation/live_simulation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "app/base/stopwatch.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/models/layers.hpp"
+
+namespace taut::app {
+namespace {
+
+std::shared_ptr<const LoadedScene> load(const Scene& scene, std::uint64_t generation) {
+  LoadedGarment loaded = load_garment(scene);
+  return std::make_shared<const LoadedScene>(
+      LoadedScene{scene, std::move(loaded.garment), std::move(loaded.file_vertices), generation});
+}
+
+// The outer third on one side of what the pins extend over, across.
+std::vector<sim::Index> without_side(const sim::Garment& garment, bool right) {
+  double lowest = INFINITY;
+  double highest = -INFINITY;
+  for (const sim::Index pin : garment.pins) {
+    lowest = std::min(lowest, garment.mesh.positions[pin].x);
+    highest = std::max(highest, garment.mesh.positions[pin].x);
+  }
+  const double third = (highest - lowest) / 3.0;
+  std::vector<sim::Index> kept;
+  for (const sim::Index pin : garment.pins) {
+    const double x = garment.mesh.positions[pin].x;
+    if (right ? x < highest - third : x > lowest + third) {
+      kept.push_back(pin);
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+LiveSimulation::LiveSimulation(const Scene& scene) {
+  start(load(scene, 1));
+}
+
+// Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
+void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
+  const Scene& scene = loaded->scene;
+  sim::Simulation simulation = make_simulation(scene, loaded->garment, loaded->file_vertices);
+  record_ = measure_frame(simulation, 0);
+  simulation_.emplace(std::move(simulation));
+  loaded_ = std::move(loaded);
+  surroundings_ = simulation_->surroundings();
+  pins_ = std::make_shared<const std::vector<sim::Index>>(loaded_->garment.pins);
+  note_shape();
+  grip_.reset();
+  frame_ = 0;
+  steps_left_ = 0;
+  stopped_ = false;
+  pristine_ = true;
+}
+
+void LiveSimulation::note_shape() {
+  sim::State state = simulation_->state();
+  state.predicted = {};
+  state_ = std::make_shared<const sim::State>(std::move(state));
+}
+
+void LiveSimulation::apply(const SimulationCommand& command) {
+  try {
+    std::visit([this](const auto& asked) { perform(asked); }, command);
+  } catch (const std::exception& error) {
+    tell(error.what(), true);
+  }
+}
+
+void LiveSimulation::perform(const LoadScene& asked) {
+  start(load(*asked.scene, loaded_->generation + 1));
+  tell("loaded " + asked.scene->name, false);
+}
+
+void LiveSimulation::perform(const ChangeSettings& change) {
+  if (stopped_) {
+    start(loaded_);  // there is nothing left to go on from
+  }
+  pristine_ = pristine_ && frame_ == 0;
+  if (change.simulation != simulation_->settings()) {
+    simulation_->set_settings(change.simulation);
+    // Another bound may move the cloth before another frame.
+    note_shape();
+    record_.stretch = sim::measure_stretch(simulation_->garment().springs, state_->current);
+  }
+  surroundings_ = settled(change.surroundings, loaded_->garment, loaded_->file_vertices);
+  simulation_->set_surroundings(surroundings_);
+}
+
+void LiveSimulation::perform(const TogglePin& toggle) {
+  if (toggle.vertex >= loaded_->garment.mesh.positions.size()) {
+    return;  // aimed at a garment that has been replaced since
+  }
+  std::vector<sim::Index> pins = *pins_;
+  const auto place = std::lower_bound(pins.begin(), pins.end(), toggle.vertex);
+  if (place != pins.end() && *place == toggle.vertex) {
+    pins.erase(place);
+  } else {
+    pins.insert(place, toggle.vertex);
+  }
+  set_pins(std::move(pins));
+}
+
+void LiveSimulation::perform(const ReleasePins& release) {
+  if (!pins_->empty()) {
+    set_pins(without_side(simulation_->garment(), release.right));
+  }
+}
+
+void LiveSimulation::set_pins(std::vector<sim::Index> pins) {
+  simulation_->set_pins(pins);
+  pins_ = std::make_shared<const std::vector<sim::Index>>(std::move(pins));
+  pristine_ = pristine_ && frame_ == 0;
+}
+
+void LiveSimulation::perform(const TakeHold& hold) {
+  for (const GripVertex& held : hold.grip.vertices) {
+    if (held.vertex >= loaded_->garment.mesh.positions.size()) {
+      return;  // aimed at a garment that has been replaced since
+    }
+  }
+  if (!grip_ && !hold.grip.vertices.empty()) {
+    hand_m_ = simulation_->state().current[hold.grip.vertices.front().vertex];
+  }
+  grip_ = hold.grip;
+}
+
+void LiveSimulation::perform(const LetGo&) {
+  grip_.reset();
+  simulation_->set_surroundings(surroundings_);
+}
+
+void LiveSimulation::perform(const Reset&) {
+  const sim::SimulationSettings settings = simulation_->settings();
+  const sim::Surroundings surroundings = surroundings_;
+  start(loaded_);
+  simulation_->set_settings(settings);
+  surroundings_ = surroundings;
+  simulation_->set_surroundings(surroundings);
+}
+
+void LiveSimulation::perform(const GoBack& back) {
+  const Snapshot& past = *back.to;
+  if (past.loaded != loaded_) {
+    return;  // of a garment that has been replaced since
+  }
+  perform(LetGo{});
+  set_pins(*past.pins);
+  simulation_->go_back_to(*past.state);
+  record_ = past.record;
+  frame_ = past.record.frame;
+  note_shape();
+  record_.stretch = sim::measure_stretch(simulation_->garment().springs, state_->current);
+  steps_left_ = 0;
+  stopped_ = false;
+  pristine_ = frame_ == 0;
+}
+
+void LiveSimulation::perform(const SetPaused& pause) {
+  paused_ = pause.paused;
+  steps_left_ = 0;
+}
+
+void LiveSimulation::pull() {
+  sim::Surroundings pulled = surroundings_;
+  hand_m_ = moved_hand(hand_m_, grip_->target_m, frame_time_s());
+  pulled.forces.held_vertices = held_vertices(*grip_, hand_m_, simulation_->garment());
+  simulation_->set_surroundings(pulled);
+  pristine_ = false;
+}
+
+void LiveSimulation::advance() {
+  ++advances_;
+  steps_left_ = std::max(0, steps_left_ - 1);
+  if (stopped_) {
+    return;
+  }
+  try {
+    if (grip_) {
+      pull();
+    }
+    Stopwatch simulating;
+    simulation_->advance_frame();
+    const double sim_ms = simulating.elapsed_ms();
+    record_ = measure_frame(*simulation_, ++frame_);
+    record_.sim_ms = sim_ms;
+    note_shape();
+  } catch (const std::exception& error) {
+    stopped_ = true;
+    tell(std::string(error.what()) + "; R or any other setting starts again", true);
+  }
+}
+
+SnapshotPtr LiveSimulation::take_snapshot() {
+  Snapshot snapshot;
+  snapshot.serial = ++serial_;
+  snapshot.advances = advances_;
+  snapshot.loaded = loaded_;
+  snapshot.pins = pins_;
+  snapshot.state = state_;
+  snapshot.record = record_;
+  snapshot.notices = notices_;
+  snapshot.paused = paused_;
+  snapshot.stopped = stopped_;
+  snapshot.pristine = pristine_;
+  return std::make_shared<const Snapshot>(std::move(snapshot));
+}
+
+void LiveSimulation::tell(const std::string& text, bool is_error) {
+  constexpr std::size_t most = 8;
+  std::vector<Notice> notices = *notices_;
+  notices.push_back({text, is_error, notices.empty() ? 1 : notices.back().number + 1});
+  if (notices.size() > most) {
+    notices.erase(notices.begin());
+  }
+  notices_ = std::make_shared<const std::vector<Notice>>(std::move(notices));
+}
+
+}  // namespace taut::app

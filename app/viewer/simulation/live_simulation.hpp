@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+
+#include "app/viewer/simulation/simulation_command.hpp"
+#include "app/viewer/simulation/snapshot.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+
+/// A simulation that takes commands between its frames and goes on whatever comes: what a command or a frame
+/// cannot do becomes a notice. Its states depend on the order of commands and advances alone, never on a
+/// clock.
+class LiveSimulation {
+ public:
+  /// Throws InputError where the garment cannot be loaded.
+  explicit LiveSimulation(const Scene& scene);
+
+  void apply(const SimulationCommand& command);
+
+  /// Whether a frame is wanted: not paused, or a single step asked for.
+  bool wants_to_advance() const { return !stopped_ && (!paused_ || steps_left_ > 0); }
+  double speed() const { return speed_; }
+  double frame_time_s() const { return simulation_->frame_time_s(); }
+  std::uint64_t advances() const { return advances_; }
+
+  /// One frame, or nothing after it has diverged.
+  void advance();
+
+  /// Where things are now. Serials rise by 1 with every call.
+  SnapshotPtr take_snapshot();
+
+  std::uint64_t state_hash() const { return sim::hash(simulation_->state()); }
+
+ private:
+  void perform(const LoadScene& load);
+  void perform(const ChangeSettings& change);
+  void perform(const TogglePin& toggle);
+  void perform(const ReleasePins& release);
+  void perform(const TakeHold& hold);
+  void perform(const LetGo&);
+  void perform(const Reset&);
+  void perform(const GoBack& back);
+  void perform(const SetPaused& pause);
+  void perform(const StepOnce&) { steps_left_ += paused_ ? 1 : 0; }
+  void perform(const SetSpeed& speed) { speed_ = speed.factor; }
+
+  void start(std::shared_ptr<const LoadedScene> loaded);
+  void set_pins(std::vector<sim::Index> pins);
+  void note_shape();
+  void tell(const std::string& text, bool is_error);
+  void pull();
+
+  std::shared_ptr<const LoadedScene> loaded_;
+  std::optional<sim::Simulation> simulation_;
+  sim::Surroundings surroundings_;  ///< without the hand
+  std::optional<Grip> grip_;
+  sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};  ///< on its way to the grip's target
+  std::shared_ptr<const std::vector<sim::Index>> pins_;
+  std::shared_ptr<const sim::State> state_;
+  FrameRecord record_;
+  std::shared_ptr<const std::vector<Notice>> notices_ = std::make_shared<const std::vector<Notice>>();
+  std::uint64_t serial_ = 0;
+  std::uint64_t advances_ = 0;
+  int frame_ = 0;
+  int steps_left_ = 0;
+  double speed_ = 1.0;
+  bool paused_ = false;
+  bool stopped_ = false;
+  bool pristine_ = true;
+};
+
+}  // namespace taut::app

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "app/scene/scene.hpp"
+#include "app/viewer/simulation/grip.hpp"
+#include "app/viewer/simulation/snapshot.hpp"
+#include "sim/surroundings.hpp"
+
+namespace taut::app {
+
+// What the window asks of the simulation; done between two simulated frames, in the order it was asked.
+
+struct LoadScene {
+  std::shared_ptr<const Scene> scene;
+};
+/// All that can change while a garment moves. Artificial forces are the scene's own; a hand's come on top.
+struct ChangeSettings {
+  sim::SimulationSettings simulation;
+  sim::Surroundings surroundings;
+};
+/// Holds the vertex where it is, or lets it go.
+struct TogglePin {
+  sim::Index vertex = 0;
+};
+/// Lets go the pins of one side: those in the outer third of the pins' extent across.
+struct ReleasePins {
+  bool right = false;
+};
+struct TakeHold {
+  Grip grip;
+};
+struct LetGo {};
+/// Back to the garment as modelled, with the scene's pins and the present settings.
+struct Reset {};
+/// Back to a frame, with the pins of then and the present settings; what came after it is forgotten.
+struct GoBack {
+  SnapshotPtr to;
+};
+struct SetPaused {
+  bool paused = false;
+};
+/// One frame while paused.
+struct StepOnce {};
+/// Simulated seconds in a second of the clock.
+struct SetSpeed {
+  double factor = 1.0;
+};
+
+using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, ReleasePins, TakeHold, LetGo,
+                                       Reset, GoBack, SetPaused, StepOnce, SetSpeed>;
+
+}  // namespace taut::app

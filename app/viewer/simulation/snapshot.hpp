@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/models/file_vertices.hpp"
+#include "app/output/frame_record.hpp"
+#include "app/scene/scene.hpp"
+#include "sim/garment.hpp"
+#include "sim/state.hpp"
+
+namespace taut::app {
+
+/// A scene with its garment, as it was loaded.
+struct LoadedScene {
+  Scene scene;
+  sim::Garment garment;
+  FileVertices file_vertices;
+  std::uint64_t generation = 0;  ///< another number for every load
+};
+
+/// What a person is told.
+struct Notice {
+  std::string text;
+  bool is_error = false;
+  std::uint64_t number = 0;  ///< rises with every notice; 0: none yet
+};
+
+/// Everything the window may know of the simulation at one moment. Never changes once made, so both threads
+/// read it freely.
+struct Snapshot {
+  std::uint64_t serial = 0;    ///< rises by 1 from snapshot to snapshot
+  std::uint64_t advances = 0;  ///< simulated frames since the session began
+  std::shared_ptr<const LoadedScene> loaded;
+  std::shared_ptr<const std::vector<sim::Index>> pins;
+  std::shared_ptr<const sim::State> state;  ///< without `predicted`
+  FrameRecord record;
+  /// The latest, oldest first; never null. A window that missed a snapshot must not miss what it said.
+  std::shared_ptr<const std::vector<Notice>> notices;
+  bool paused = false;
+  bool stopped = false;   ///< diverged: nothing moves before a reset
+  bool pristine = false;  ///< since the start or the last reset no setting changed and nobody pulled
+
+  /// To be drawn; metres, one for each vertex.
+  const std::vector<sim::Vec3>& positions() const { return state->current; }
+};
+
+using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+}  // namespace taut::app

@@ -1,0 +1,51 @@
+#include "app/viewer/state/choices.hpp"
+
+#include <algorithm>
+
+#include "app/base/errors.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_text.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "Figure 5, right: the T-shirt" is labelled "5, right".
+std::string figure_label(const std::string& title) {
+  const std::string figure = "Figure ";
+  const std::size_t colon = title.find(':');
+  return title.starts_with(figure) && colon != std::string::npos
+             ? title.substr(figure.size(), colon - figure.size())
+             : "";
+}
+
+}  // namespace
+
+std::vector<Choice> scene_choices() {
+  std::vector<Choice> choices;
+  for (const BuiltInScene& scene : built_in_scenes()) {
+    try {
+      choices.push_back({scene.name, figure_label(read_scene_file(scene.file).title), scene.file});
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  std::stable_sort(choices.begin(), choices.end(),
+                   [](const Choice& a, const Choice& b) { return a.label < b.label; });
+  return choices;
+}
+
+std::vector<Choice> garment_choices() {
+  std::vector<Choice> choices;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(assets_folder() / "garments", error)) {
+    if (entry.path().extension() == ".obj") {
+      choices.push_back({entry.path().stem().string(), "", entry.path()});
+    }
+  }
+  std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.name < b.name; });
+  return choices;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,56 @@
+#include "app/viewer/state/measurements.hpp"
+
+#include <cmath>
+
+namespace taut::app {
+
+void RecentValues::add(float value) {
+  if (values_.size() == most) {
+    values_.erase(values_.begin());
+  }
+  values_.push_back(value);
+}
+
+void RealTime::add(double elapsed_s, double simulated_s, double busy_s) {
+  constexpr double memory_s = 1.0;
+  const double kept = std::exp(-elapsed_s / memory_s);
+  elapsed_s_ = kept * elapsed_s_ + elapsed_s;
+  simulated_s_ = kept * simulated_s_ + simulated_s;
+  busy_s_ = kept * busy_s_ + busy_s;
+}
+
+std::optional<double> RealTime::factor() const {
+  constexpr double first_moments_s = 0.5;
+  return elapsed_s_ > first_moments_s ? std::optional(simulated_s_ / elapsed_s_) : std::nullopt;
+}
+
+double RealTime::busy_share() const {
+  return elapsed_s_ > 0.0 ? busy_s_ / elapsed_s_ : 0.0;
+}
+
+SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share) {
+  constexpr double as_good_as_asked = 0.95;
+  constexpr double most_of_it = 0.75;
+  if (factor >= as_good_as_asked * asked) {
+    return SlowedBy::nothing;
+  }
+  if (simulate_ms >= as_good_as_asked * frame_ms) {
+    return SlowedBy::simulation;
+  }
+  return busy_share >= most_of_it ? SlowedBy::drawing : SlowedBy::other_programs;
+}
+
+void Measurements::add(const FrameRecord& record) {
+  constexpr double mm_per_m = 1000.0;
+  max_stretch.add(static_cast<float>(record.stretch.max));
+  convergence_mm.add(static_cast<float>(record.convergence_m * mm_per_m));
+  simulate_ms.add(static_cast<float>(record.sim_ms));
+}
+
+void Measurements::forget() {
+  for (RecentValues* values : {&max_stretch, &convergence_mm, &simulate_ms}) {
+    values->clear();
+  }
+}
+
+}  // namespace taut::app

@@ -1,0 +1,104 @@
+#include "app/viewer/state/orbit_camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
+#include <numbers>
+
+namespace taut::app {
+namespace {
+
+constexpr float steepest_rad = glm::radians(89.0F);
+constexpr float nearest_m = 0.01F;
+constexpr float closer_by_notch = 0.88F;
+constexpr float frame_margin = 0.06F;
+
+}  // namespace
+
+OrbitCamera::OrbitCamera(const renderer::Camera& camera)
+    : target_(camera.target), vertical_fov_rad_(camera.vertical_fov_rad) {
+  const glm::vec3 back = camera.eye - camera.target;
+  const float distance_m = glm::length(back);
+  distance_m_ = std::clamp(distance_m, nearest_m, farthest_m);
+  elevation_rad_ =
+      std::clamp(std::asin(std::clamp(back.y / distance_m, -1.0F, 1.0F)), -steepest_rad, steepest_rad);
+  azimuth_rad_ = std::atan2(back.x, back.z);
+}
+
+void OrbitCamera::orbit(const glm::vec2& way_px, const ViewArea& area) {
+  const float rad_per_px = std::numbers::pi_v<float> / static_cast<float>(std::max(area.height_px, 100));
+  azimuth_rad_ = std::remainder(azimuth_rad_ - way_px.x * rad_per_px, 2.0F * std::numbers::pi_v<float>);
+  elevation_rad_ = std::clamp(elevation_rad_ + way_px.y * rad_per_px, -steepest_rad, steepest_rad);
+}
+
+void OrbitCamera::pan(const glm::vec2& way_px, const ViewArea& area) {
+  const renderer::Camera seen = camera();
+  const glm::vec3 forward = glm::normalize(seen.target - seen.eye);
+  const glm::vec3 right = glm::normalize(glm::cross(forward, seen.up));
+  const glm::vec3 up = glm::cross(right, forward);
+  const float m_per_px = 2.0F * distance_m_ * std::tan(0.5F * vertical_fov_rad_) /
+                         static_cast<float>(std::max(area.height_px, 1));
+  move_target(target_ + m_per_px * (up * way_px.y - right * way_px.x));
+}
+
+void OrbitCamera::move_target(const glm::vec3& target) {
+  target_ = glm::clamp(target, glm::vec3(-farthest_m), glm::vec3(farthest_m));
+}
+
+// All that is on the ray through the pixel stays on it when the eye moves along it.
+void OrbitCamera::zoom(float notches, const glm::vec2& point_px, const ViewArea& area) {
+  const float before_m = distance_m_;
+  const Ray ray = ray_through(point_px, area);
+  distance_m_ = std::clamp(distance_m_ * std::pow(closer_by_notch, std::clamp(notches, -50.0F, 50.0F)),
+                           nearest_m, farthest_m);
+  const glm::vec3 forward = glm::normalize(target_ - ray.origin);
+  const glm::vec3 under = ray.origin + ray.direction * (before_m / glm::dot(ray.direction, forward));
+  move_target(under + (distance_m_ / before_m) * (target_ - under));
+}
+
+void OrbitCamera::frame(const renderer::Box& box, const ViewArea& area) {
+  const renderer::Camera framed = renderer::frame_box(
+      box, {azimuth_rad_, elevation_rad_, vertical_fov_rad_, frame_margin}, area.aspect());
+  move_target(framed.target);
+  distance_m_ = std::clamp(glm::distance(framed.eye, framed.target), nearest_m, farthest_m);
+}
+
+renderer::Camera OrbitCamera::camera() const {
+  const float flat = std::cos(elevation_rad_);
+  const glm::vec3 back{flat * std::sin(azimuth_rad_), std::sin(elevation_rad_),
+                       flat * std::cos(azimuth_rad_)};
+  renderer::Camera camera;
+  camera.target = target_;
+  camera.eye = target_ + distance_m_ * back;
+  camera.vertical_fov_rad = vertical_fov_rad_;
+  // As of a scene that names its camera's eye, so that a saved scene gives the same picture.
+  const float distance_m = glm::distance(camera.eye, camera.target);
+  camera.near_m = 0.02F * distance_m;
+  camera.far_m = 20.0F * distance_m;
+  return camera;
+}
+
+Ray OrbitCamera::ray_through(const glm::vec2& point_px, const ViewArea& area) const {
+  const renderer::Camera seen = camera();
+  const glm::vec3 forward = glm::normalize(seen.target - seen.eye);
+  const glm::vec3 right = glm::normalize(glm::cross(forward, seen.up));
+  const glm::vec3 up = glm::cross(right, forward);
+  const float tangent = std::tan(0.5F * vertical_fov_rad_);
+  const float x = (2.0F * point_px.x / static_cast<float>(area.width_px) - 1.0F) * tangent * area.aspect();
+  const float y = (1.0F - 2.0F * point_px.y / static_cast<float>(area.height_px)) * tangent;
+  return {seen.eye, glm::normalize(forward + x * right + y * up)};
+}
+
+std::optional<glm::vec2> OrbitCamera::pixel_of(const glm::vec3& point, const ViewArea& area) const {
+  const renderer::Camera seen = camera();
+  const glm::vec4 clip = seen.projection(area.aspect()) * seen.view() * glm::vec4(point, 1.0F);
+  if (!(clip.w > 0.0F)) {
+    return std::nullopt;
+  }
+  return glm::vec2{(0.5F + 0.5F * clip.x / clip.w) * static_cast<float>(area.width_px),
+                   (0.5F - 0.5F * clip.y / clip.w) * static_cast<float>(area.height_px)};
+}
+
+}  // namespace taut::app

@@ -1,0 +1,22 @@
+#include "app/viewer/state/viewer_state.hpp"
+
+#include <algorithm>
+
+namespace taut::app {
+namespace {
+
+constexpr double short_message_s = 4.0;
+constexpr double error_message_s = 12.0;
+constexpr std::size_t most_messages = 4;
+
+}  // namespace
+
+void tell(ViewerState& state, const std::string& text, bool is_error) {
+  std::erase_if(state.messages, [&](const Message& old) { return old.text == text; });
+  if (state.messages.size() >= most_messages) {
+    state.messages.erase(state.messages.begin());
+  }
+  state.messages.push_back({text, is_error, is_error ? error_message_s : short_message_s});
+}
+
+}  // namespace taut::app

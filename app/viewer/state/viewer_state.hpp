@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene/scene.hpp"
+#include "app/viewer/simulation/snapshot.hpp"
+#include "app/viewer/simulation/timeline.hpp"
+#include "app/viewer/state/measurements.hpp"
+#include "app/viewer/state/orbit_camera.hpp"
+
+namespace taut::app {
+
+/// What keys and buttons can ask for.
+enum class Action {
+  pause,
+  step,
+  reset,
+  more_wind,
+  less_wind,
+  turn_wind_left,
+  turn_wind_right,
+  toggle_pin,
+  release_left,
+  release_right,
+  frame_garment,
+  screenshot,
+  record,
+  save_scene,
+  copy_camera,
+  show_keys,
+  close_keys,
+  show_panel,
+  quit,
+};
+
+/// A rectangle in pixels of the window.
+struct ItemPlace {
+  glm::vec2 lower_px{0.0F};
+  glm::vec2 upper_px{0.0F};
+};
+
+/// A built-in scene or a garment that can be chosen.
+struct Choice {
+  std::string name;
+  std::string label;  ///< of a figure of the paper: "5, left"; otherwise empty
+  std::filesystem::path file;
+};
+
+/// The thing of the panel that the pointer rests on.
+struct Hovered {
+  std::string name;
+  double for_s = 0.0;
+};
+
+/// A line of text that goes away by itself.
+struct Message {
+  std::string text;
+  bool is_error = false;
+  double left_s = 0.0;
+};
+
+enum class RecordingKind { video, pictures };
+
+/// What the panel shows and changes. `scene` is how things shall be from now on.
+struct ViewerState {
+  Scene scene;
+  OrbitCamera camera;
+  bool show_springs = false;  ///< coloured by their kind
+  bool show_normals = false;
+  bool show_panel = true;
+  bool show_keys = false;
+  bool paused = false;
+  double speed = 1.0;             ///< simulated seconds in a second; below 1 is slow motion
+  std::optional<int> past_frame;  ///< gone back to; none: the newest
+  RecordingKind recording_kind = RecordingKind::video;
+
+  // To be shown.
+  SnapshotPtr newest;
+  SnapshotPtr shown;  ///< what is drawn: the newest or a past one
+  Measurements measurements;
+  std::vector<Choice> scenes;
+  std::vector<Choice> garments;
+  std::vector<Message> messages;
+  std::string warning;  ///< said as long as it is true; empty: nothing
+  bool is_recording = false;
+
+  // What was asked for in this frame.
+  std::vector<Action> asked;
+  std::optional<std::string> scene_asked;  ///< a name or a file
+  std::optional<std::filesystem::path> garment_asked;
+
+  std::optional<Hovered> hovered;
+
+  /// Where named things of the panel are: for sessions written by hand and for tests.
+  std::map<std::string, ItemPlace> places;
+};
+
+/// Shows a message for some seconds.
+void tell(ViewerState& state, const std::string& text, bool is_error = false);
+
+}  // namespace taut::app

@@ -1,0 +1,42 @@
+#include "renderer/gl/colour_map_texture.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace taut::renderer {
+
+namespace {
+
+constexpr int width = 256;
+constexpr std::array rows{ColourMap::viridis, ColourMap::cividis, ColourMap::blue_orange};
+
+std::vector<std::uint8_t> texels() {
+  std::vector<std::uint8_t> bytes(3 * width * rows.size());
+  for (const ColourMap map : rows) {
+    auto byte = bytes.begin() + static_cast<std::ptrdiff_t>(3 * width * ColourMapTexture::row_of(map));
+    for (int i = 0; i < width; ++i) {
+      const Colour colour = colour_at(map, static_cast<float>(i) / static_cast<float>(width - 1));
+      for (int k = 0; k < 3; ++k) *byte++ = static_cast<std::uint8_t>(colour[k] * 255.0F + 0.5F);
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
+const Texture& ColourMapTexture::texture() {
+  if (made) return *made;
+  made.emplace(*gl);
+  gl->BindTexture(GL_TEXTURE_2D, made->name());
+  gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl->TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, width, static_cast<GLsizei>(rows.size()), 0, GL_RGB,
+                 GL_UNSIGNED_BYTE, texels().data());
+  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return *made;
+}
+
+}  // namespace taut::renderer

@@ -1,0 +1,260 @@
+#include "renderer/page/canvas.hpp"
+
+#include <cairo-pdf.h>
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "renderer/page/atomic_file.hpp"
+#include "renderer/page/canvas_surface.hpp"
+
+namespace taut::renderer {
+
+namespace {
+
+using PenHandle = std::unique_ptr<cairo_t, void (*)(cairo_t*)>;
+
+cairo_status_t append_bytes(void* target, const unsigned char* bytes, unsigned count) {
+  auto& out = *static_cast<std::vector<std::uint8_t>*>(target);
+  out.insert(out.end(), bytes, bytes + count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+// The same glyphs on every machine: not what its font settings say about screens.
+void set_font_options(cairo_t* pen) {
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  cairo_set_font_options(pen, options);
+  cairo_font_options_destroy(options);
+}
+
+void select_font(cairo_t* pen, const TextStyle& style) {
+  cairo_select_font_face(pen, style.family.c_str(),
+                         style.italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
+                         style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(pen, static_cast<double>(style.size_px));
+}
+
+void set_colour(cairo_t* pen, Colour colour, float opacity = 1.0F) {
+  cairo_set_source_rgba(pen, static_cast<double>(colour.r), static_cast<double>(colour.g),
+                        static_cast<double>(colour.b), static_cast<double>(opacity));
+}
+
+float horizontal_shift(HorizontalAlign align, const TextSize& size) {
+  switch (align) {
+    case HorizontalAlign::left:
+      return 0.0F;
+    case HorizontalAlign::centre:
+      return -0.5F * size.width_px;
+    case HorizontalAlign::right:
+      return -size.width_px;
+  }
+  return 0.0F;
+}
+
+float vertical_shift(VerticalAlign align, const TextSize& size) {
+  switch (align) {
+    case VerticalAlign::top:
+      return size.ascent_px;
+    case VerticalAlign::middle:
+      // The middle of lower-case letters with ascenders is what the eye takes for the middle of a line.
+      return 0.36F * (size.ascent_px + size.descent_px) * 0.86F;
+    case VerticalAlign::baseline:
+      return 0.0F;
+    case VerticalAlign::bottom:
+      return -size.descent_px;
+  }
+  return 0.0F;
+}
+
+}  // namespace
+
+struct Canvas::Surface {
+  // Declared first, so that it outlives the surface that streams into it.
+  std::vector<std::uint8_t> pdf_bytes;
+  std::filesystem::path pdf_path;  // empty for an image
+  int width_px = 0;
+  int height_px = 0;
+  float scale = 1.0F;  // pixels of the image, or points of the page, for one of the canvas
+  SurfaceHandle surface{nullptr, cairo_surface_destroy};
+  PenHandle pen{nullptr, cairo_destroy};
+
+  void start() {
+    pen = PenHandle(cairo_create(surface.get()), cairo_destroy);
+    set_font_options(pen.get());
+    cairo_scale(pen.get(), static_cast<double>(scale), static_cast<double>(scale));
+  }
+  void start_image(Colour background) {
+    const auto pixels = [this](int length) {
+      return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
+    };
+    surface = checked(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width_px), pixels(height_px)));
+    start();
+    set_colour(pen.get(), background);
+    cairo_paint(pen.get());
+  }
+  // A page has no pixels of its own: there they are taken as those of the canvas.
+  float pixels_in_one() const { return pdf_path.empty() ? scale : 1.0F; }
+  // A baseline between two rows of pixels blurs every letter's foot.
+  float on_whole_pixel(float y_px) const { return std::round(y_px * pixels_in_one()) / pixels_in_one(); }
+  bool has_as_many_pixels(float length_px, int pixels) const {
+    return std::abs(length_px * pixels_in_one() - static_cast<float>(pixels)) < 1.0F;
+  }
+};
+
+Canvas::Canvas(std::unique_ptr<Surface> made) : surface(std::move(made)) {}
+Canvas::~Canvas() = default;
+Canvas::Canvas(Canvas&&) noexcept = default;
+Canvas& Canvas::operator=(Canvas&&) noexcept = default;
+
+Canvas::Canvas(int width_px, int height_px, Colour background) : surface(std::make_unique<Surface>()) {
+  surface->width_px = width_px;
+  surface->height_px = height_px;
+  surface->start_image(background);
+}
+
+Canvas::Canvas(const Image& image) : Canvas(image.width_px, image.height_px) {
+  this->image(0.0F, 0.0F, image);
+}
+
+Canvas Canvas::scaled(int width_px, int height_px, float scale) {
+  auto made = std::make_unique<Surface>();
+  made->width_px = width_px;
+  made->height_px = height_px;
+  made->scale = scale;
+  made->start_image(Colour{1.0F});
+  return Canvas(std::move(made));
+}
+
+Canvas Canvas::pdf(const std::filesystem::path& path, int width_px, int height_px, float pixels_per_inch) {
+  auto made = std::make_unique<Surface>();
+  made->pdf_path = path;
+  made->width_px = width_px;
+  made->height_px = height_px;
+  const double points_per_px = 72.0 / static_cast<double>(pixels_per_inch);
+  made->scale = static_cast<float>(points_per_px);
+  made->surface = checked(cairo_pdf_surface_create_for_stream(
+      append_bytes, &made->pdf_bytes, width_px * points_per_px, height_px * points_per_px));
+  // Otherwise the time of day gets into the file, and no two are alike.
+  cairo_pdf_surface_set_metadata(made->surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+  made->start();
+  return Canvas(std::move(made));
+}
+
+int Canvas::width_px() const {
+  return surface->width_px;
+}
+int Canvas::height_px() const {
+  return surface->height_px;
+}
+
+TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
+  cairo_t* pen = surface->pen.get();
+  select_font(pen, style);
+  cairo_text_extents_t extents;
+  cairo_text_extents(pen, std::string(text).c_str(), &extents);
+  cairo_font_extents_t font;
+  cairo_font_extents(pen, &font);
+  return {static_cast<float>(extents.x_advance), static_cast<float>(font.ascent),
+          static_cast<float>(font.descent)};
+}
+
+void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle& style) {
+  const TextSize size = measure(text, style);
+  cairo_t* pen = surface->pen.get();
+  set_colour(pen, style.colour);
+  const float baseline = surface->on_whole_pixel(y_px + vertical_shift(style.vertical, size));
+  cairo_move_to(pen, static_cast<double>(x_px + horizontal_shift(style.horizontal, size)),
+                static_cast<double>(baseline));
+  cairo_show_text(pen, std::string(text).c_str());
+  // The end of a text is a point that an arc would be joined to, which some PDF viewers show as a hairline.
+  cairo_new_path(pen);
+}
+
+void Canvas::line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px) {
+  dashed_line(x0_px, y0_px, x1_px, y1_px, colour, thickness_px, 0.0F);
+}
+
+void Canvas::dashed_line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour,
+                         float thickness_px, float dash_px) {
+  cairo_t* pen = surface->pen.get();
+  set_colour(pen, colour);
+  cairo_set_line_width(pen, static_cast<double>(thickness_px));
+  const auto dash = static_cast<double>(dash_px);
+  cairo_set_dash(pen, &dash, dash_px > 0.0F ? 1 : 0, 0.0);
+  cairo_move_to(pen, static_cast<double>(x0_px), static_cast<double>(y0_px));
+  cairo_line_to(pen, static_cast<double>(x1_px), static_cast<double>(y1_px));
+  cairo_stroke(pen);
+  cairo_set_dash(pen, nullptr, 0, 0.0);
+}
+
+void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
+                       float thickness_px) {
+  cairo_t* pen = surface->pen.get();
+  set_colour(pen, colour);
+  cairo_set_line_width(pen, static_cast<double>(thickness_px));
+  cairo_rectangle(pen, static_cast<double>(x_px), static_cast<double>(y_px), static_cast<double>(width_px),
+                  static_cast<double>(height_px));
+  cairo_stroke(pen);
+}
+
+void Canvas::fill_rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
+                            float opacity) {
+  cairo_t* pen = surface->pen.get();
+  set_colour(pen, colour, opacity);
+  cairo_rectangle(pen, static_cast<double>(x_px), static_cast<double>(y_px), static_cast<double>(width_px),
+                  static_cast<double>(height_px));
+  cairo_fill(pen);
+}
+
+void Canvas::circle(float x_px, float y_px, float radius_px, Colour colour, float opacity) {
+  cairo_t* pen = surface->pen.get();
+  set_colour(pen, colour, opacity);
+  cairo_arc(pen, static_cast<double>(x_px), static_cast<double>(y_px), static_cast<double>(radius_px), 0.0,
+            2.0 * std::numbers::pi);
+  cairo_fill(pen);
+}
+
+void Canvas::image(float x_px, float y_px, const Image& image) {
+  this->image(x_px, y_px, static_cast<float>(image.width_px), static_cast<float>(image.height_px), image);
+}
+
+void Canvas::image(float x_px, float y_px, float width_px, float height_px, const Image& image) {
+  const SurfaceHandle source = to_cairo(image);
+  cairo_t* pen = surface->pen.get();
+  cairo_save(pen);
+  cairo_translate(pen, static_cast<double>(x_px), static_cast<double>(y_px));
+  const bool as_is = surface->has_as_many_pixels(width_px, image.width_px) &&
+                     surface->has_as_many_pixels(height_px, image.height_px);
+  cairo_scale(pen, static_cast<double>(width_px) / image.width_px,
+              static_cast<double>(height_px) / image.height_px);
+  cairo_set_source_surface(pen, source.get(), 0.0, 0.0);
+  cairo_pattern_set_filter(cairo_get_source(pen), as_is ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_BEST);
+  cairo_rectangle(pen, 0.0, 0.0, image.width_px, image.height_px);
+  cairo_fill(pen);
+  cairo_restore(pen);
+}
+
+Image Canvas::to_image() const {
+  if (!surface->pdf_path.empty()) throw std::logic_error("a PDF has no pixels");
+  return from_cairo(surface->surface.get());
+}
+
+void Canvas::finish() {
+  if (surface->pdf_path.empty()) return;
+  cairo_surface_finish(surface->surface.get());
+  const cairo_status_t status = cairo_surface_status(surface->surface.get());
+  if (status != CAIRO_STATUS_SUCCESS) {
+    throw std::runtime_error("cannot write '" + surface->pdf_path.string() +
+                             "': " + cairo_status_to_string(status));
+  }
+  write_file_atomically(surface->pdf_path, surface->pdf_bytes);
+}
+
+}  // namespace taut::renderer

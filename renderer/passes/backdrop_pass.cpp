@@ -1,0 +1,177 @@
+#include "renderer/passes/backdrop_pass.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+#include <stdexcept>
+
+#include "renderer/gl/bindings.hpp"
+#include "renderer/page/whole_number.hpp"
+
+namespace taut::renderer {
+
+namespace {
+
+// Drawn pixels for a cell of the grid: larger blurs the floor's light where it is seen at a slant, smaller
+// costs time.
+int cell_px(int tile_height_px, BackdropGrid fineness) {
+  switch (fineness) {
+    case BackdropGrid::fine:
+      return std::clamp(tile_height_px / 60, 4, 12);
+    case BackdropGrid::coarse:
+      return std::clamp(tile_height_px / 20, 4, 36);
+    case BackdropGrid::coarsest:
+      return std::clamp(tile_height_px / 11 / 16 * 16, 16, 64);
+  }
+  throw std::invalid_argument("not a grid of the backdrop");
+}
+
+// Drawn pixels for a texel of the floor's shadow.
+int shadow_texel_px(int tile_height_px) {
+  return std::clamp(tile_height_px / 360, 1, 2);
+}
+
+constexpr std::array<std::string_view, 1> with_floor{"FLOOR"};
+constexpr std::array<std::string_view, 1> with_shadow{"SHADED"};
+
+}  // namespace
+
+PixelRect shaded_floor(const FrameBlock& block) {
+  const glm::vec2 size{block.viewport};
+  const PixelRect all{0, 0, static_cast<int>(size.x), static_cast<int>(size.y)};
+  if (block.shadow.w <= 0.0F) return {};
+  const glm::vec3 ray = -glm::vec3{block.towards_key};
+  if (ray.y > -1e-3F) return all;
+  const glm::mat4 map_to_world = glm::inverse(block.world_to_shadow);
+  const glm::vec2 soft{block.shadow_blur.x * block.shadow.y};
+  const glm::vec2 corners[] = {glm::vec2{block.shadow_bounds} - soft,
+                               glm::vec2{block.shadow_bounds.z, block.shadow_bounds.w} + soft};
+  glm::vec2 lower{size};
+  glm::vec2 upper{0.0F};
+  for (int i = 0; i < 4; ++i) {
+    const glm::vec3 from{map_to_world * glm::vec4{corners[i % 2].x, corners[i / 2].y, 0.0F, 1.0F}};
+    const glm::vec3 on_floor = from + ray * ((block.ground.y - from.y) / ray.y);
+    const glm::vec4 clip = block.world_to_clip * glm::vec4{on_floor, 1.0F};
+    if (clip.w < 1e-3F) return all;  // behind the eye: no rectangle of the picture holds it
+    const glm::vec2 pixel = (0.5F + 0.5F * glm::vec2{clip} / clip.w) * size;
+    lower = glm::min(lower, pixel);
+    upper = glm::max(upper, pixel);
+  }
+  // A few pixels more: the floor's shader lifts its points before it looks them up.
+  const int left = whole_within(std::floor(lower.x - 4.0F), 0, all.width_px);
+  const int bottom = whole_within(std::floor(lower.y - 4.0F), 0, all.height_px);
+  const int right = whole_within(std::ceil(upper.x + 4.0F), left, all.width_px);
+  const int top = whole_within(std::ceil(upper.y + 4.0F), bottom, all.height_px);
+  return {left, bottom, right - left, top - bottom};
+}
+
+std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& size_px) {
+  const int right_px = part.x_px + part.width_px;
+  const int top_px = part.y_px + part.height_px;
+  return {{{0, 0, size_px.x, part.y_px},
+           {0, part.y_px, part.x_px, part.height_px},
+           {right_px, part.y_px, size_px.x - right_px, part.height_px},
+           {0, top_px, size_px.x, size_px.y - top_px}}};
+}
+
+BackdropPass::CoarseMap::CoarseMap(const GladGLContext& context) : texture(context) {}
+
+BackdropPass::BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files)
+    : gl(&context),
+      lit(context, files, "backdrop_grid.vert", "backdrop.frag"),
+      floor_shadow(context, files, "fullscreen.vert", "floor_shadow.frag", with_floor),
+      shaded(context, files, "backdrop_grid.vert", "backdrop.frag", with_shadow),
+      floor_depth(context, files, "ground.vert", "depth.frag"),
+      shadow_map(context),
+      shadow_framebuffer(context),
+      no_arrays(context) {}
+
+// To be called with the framebuffer bound that it is to be attached to.
+void BackdropPass::allocate(CoarseMap& map, const glm::ivec2& size_px, GLint format,
+                            GLenum attachment) const {
+  if (size_px == map.size_px) return;
+  map.size_px = size_px;
+  gl->ActiveTexture(GL_TEXTURE0 + floor_shadow_unit);
+  gl->BindTexture(GL_TEXTURE_2D, map.texture.name());
+  gl->TexImage2D(GL_TEXTURE_2D, 0, format, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+    gl->TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
+  }
+  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, map.texture.name(), 0);
+}
+
+void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bool floor,
+                             BackdropGrid fineness) const {
+  const glm::ivec2 size_px{block.viewport};
+  const int cell = cell_px(size_px.y, fineness);
+  const glm::ivec2 cells = (size_px + cell - 1) / cell;
+  // The coarsest grid keeps to a software rasteriser's squares, which it fills faster as a whole.
+  const glm::vec2 across =
+      fineness == BackdropGrid::coarsest ? glm::vec2{size_px} / static_cast<float>(cell) : glm::vec2{cells};
+  program.set("grid", glm::vec4{across, floor ? 1.0F : 0.0F, 0.0F});
+  gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (cells.x + 1), cells.y);
+}
+
+void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& part) {
+  const int texel = shadow_texel_px(static_cast<int>(block.viewport.y));
+  const glm::ivec2 size_px = (glm::ivec2{part.width_px, part.height_px} + texel - 1) / texel;
+  gl->BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer.name());
+  // Its size changes with every step of a garment: it only grows.
+  const glm::ivec2 roomy_px = glm::max(size_px, shadow_map.size_px);
+  if (roomy_px != shadow_map.size_px) {
+    allocate(shadow_map, roomy_px, GL_R8, GL_COLOR_ATTACHMENT0);
+    check_framebuffer(*gl, "floor's shadow");
+  }
+  gl->Viewport(0, 0, size_px.x, size_px.y);
+  floor_shadow.use().set("coarse", glm::vec4{static_cast<float>(part.x_px), static_cast<float>(part.y_px),
+                                             static_cast<float>(texel), 0.0F});
+  gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void BackdropPass::draw_shaded(const FrameBlock& block, const PixelRect& part, BackdropGrid fineness) {
+  const auto texel = static_cast<float>(shadow_texel_px(static_cast<int>(block.viewport.y)));
+  const glm::vec2 scale = 1.0F / (texel * glm::vec2{shadow_map.size_px});
+  bind_texture(*gl, floor_shadow_unit, GL_TEXTURE_2D, shadow_map.texture);
+  gl->Scissor(part.x_px, part.y_px, part.width_px, part.height_px);
+  const Program& program = shaded.use();
+  program.set("shaded_part", glm::vec4{scale, -scale * glm::vec2{part.x_px, part.y_px}});
+  draw_grid(program, block, true, fineness);
+}
+
+void BackdropPass::draw_floor_depth() {
+  // Behind cloth that lies on it.
+  gl->Enable(GL_POLYGON_OFFSET_FILL);
+  gl->PolygonOffset(2.0F, 8.0F);
+  gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  floor_depth.use();
+  gl->BindVertexArray(no_arrays.name());
+  gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl->Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor, BackdropGrid fineness) {
+  gl->Disable(GL_DEPTH_TEST);
+  gl->BindVertexArray(no_arrays.name());
+  const PixelRect part = floor ? shaded_floor(block) : PixelRect{};
+  const bool any_shadow = part.width_px > 0 && part.height_px > 0;
+  if (any_shadow) draw_floor_shadow(block, part);
+  gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const glm::ivec2 size_px{block.viewport};
+  gl->Viewport(0, 0, size_px.x, size_px.y);
+  gl->Enable(GL_SCISSOR_TEST);
+  const Program& program = lit.use();
+  for (const PixelRect& band : bands_around(any_shadow ? part : PixelRect{}, size_px)) {
+    gl->Scissor(band.x_px, band.y_px, band.width_px, band.height_px);
+    if (band.width_px > 0 && band.height_px > 0) draw_grid(program, block, floor, fineness);
+  }
+  if (any_shadow) draw_shaded(block, part, fineness);
+  gl->Disable(GL_SCISSOR_TEST);
+  gl->Enable(GL_DEPTH_TEST);
+}
+
+}  // namespace taut::renderer

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/mesh/mesh.hpp"
+
+namespace taut::sim {
+
+enum class GridPlane {
+  vertical,    ///< in the xy plane, facing +z, row 0 at the top
+  horizontal,  ///< in the xz plane, facing +y, row 0 at the back (the smallest z)
+};
+
+/// A regular m x n mass-spring cloth (the paper's Figure 1).
+struct GridSettings {
+  Index columns = 9;  ///< mass points across, at least 2
+  Index rows = 9;     ///< mass points down, at least 2
+  double width_m = 1.0;
+  double height_m = 1.0;
+  GridPlane plane = GridPlane::vertical;
+  Vec3 top_centre_m = {0.0, 0.0, 0.0};  ///< the middle of row 0
+};
+
+/// Vertex of row r and column c is r * columns + c; column 0 has the smallest x.
+/// Throws std::invalid_argument on fewer than two rows or columns or a size that is not positive.
+Mesh make_grid(const GridSettings& settings);
+
+}  // namespace taut::sim

@@ -1,0 +1,171 @@
+#include "sim/mesh/mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+#include <unordered_set>
+
+#include "sim/mesh/orientation.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::sim {
+namespace {
+
+void require_well_formed(const Mesh& mesh) {
+  if (!mesh.quads.empty()) {
+    throw std::invalid_argument("a mesh with grid cells cannot be welded");
+  }
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Vec3& p = mesh.positions[v];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      throw std::invalid_argument("vertex " + std::to_string(v) + " has a coordinate that is not finite");
+    }
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const Index v : mesh.triangles[t]) {
+      if (v >= mesh.positions.size()) {
+        throw std::invalid_argument("triangle " + std::to_string(t) + " uses vertex " + std::to_string(v) +
+                                    ", but there are only " + std::to_string(mesh.positions.size()) +
+                                    " vertices");
+      }
+    }
+  }
+}
+
+bool is_degenerate(const std::vector<Vec3>& positions, const Triangle& t) {
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+    return true;
+  }
+  const Vec3 area = doubled_area_vector(positions, t);
+  return !(glm::dot(area, area) > 0.0);
+}
+
+Triangle sorted(Triangle t) {
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+struct TriangleHash {
+  std::size_t operator()(const Triangle& t) const {
+    std::size_t hash = 0;
+    for (const Index v : t) {
+      hash = (hash ^ v) * 0x9E3779B97F4A7C15ULL;
+      hash ^= hash >> 32;
+    }
+    return hash;
+  }
+};
+
+/// Keeps the triangles that have an area and are no repetition, told by `vertices`, which stand for the
+/// triangles' own.
+void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& report) {
+  std::unordered_set<Triangle, TriangleHash> seen;
+  seen.reserve(mesh.triangles.size());
+  std::size_t kept = 0;
+  for (const Triangle& raw : mesh.triangles) {
+    const Triangle t = {vertices[raw[0]], vertices[raw[1]], vertices[raw[2]]};
+    if (is_degenerate(mesh.positions, t)) {
+      ++report.degenerate_triangles;
+    } else if (!seen.insert(sorted(t)).second) {
+      ++report.duplicate_triangles;
+    } else {
+      mesh.triangles[kept++] = raw;
+    }
+  }
+  mesh.triangles.resize(kept);
+}
+
+/// How many more vertices than places the triangles use.
+std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places,
+                         const std::vector<Index>& welded) {
+  std::vector<char> used_place(places.size(), 0), used_vertex(places.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t) {
+      used_place[places[v]] = used_vertex[welded[v]] = 1;
+    }
+  }
+  return static_cast<std::size_t>(std::count(used_vertex.begin(), used_vertex.end(), 1) -
+                                  std::count(used_place.begin(), used_place.end(), 1));
+}
+
+/// Drops the vertices no triangle uses and numbers the rest anew. Returns the new numbers, `no_vertex` of
+/// those that were dropped.
+std::vector<Index> compact_vertices(Mesh& mesh) {
+  const std::vector<char> used = used_vertices(mesh);
+  std::vector<Index> renumbered(mesh.positions.size(), no_vertex);
+  Index kept = 0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (used[v]) {
+      renumbered[v] = kept;
+      mesh.positions[kept++] = mesh.positions[v];
+    }
+  }
+  mesh.positions.resize(kept);
+  for (Triangle& t : mesh.triangles) {
+    for (Index& v : t) {
+      v = renumbered[v];
+    }
+  }
+  return renumbered;
+}
+
+}  // namespace
+
+Vec3 doubled_area_vector(const std::vector<Vec3>& positions, const Triangle& t) {
+  return glm::cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
+}
+
+double surface_area(const Mesh& mesh) {
+  double doubled = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    doubled += glm::length(doubled_area_vector(mesh.positions, t));
+  }
+  return doubled / 2.0;
+}
+
+ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings) {
+  std::vector<Index> kept;
+  return weld_and_validate(input, settings, kept);
+}
+
+ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings, std::vector<Index>& kept) {
+  require_well_formed(input);
+  ValidatedMesh out{{input.positions, input.triangles, {}}, {}};
+  Mesh& mesh = out.mesh;
+  MeshReport& report = out.report;
+  report.input_vertices = input.positions.size();
+  report.input_triangles = input.triangles.size();
+
+  const std::vector<Index> places = first_at_same_position(mesh.positions);
+  drop_unsound(places, mesh, report);
+  std::vector<Index> welded = weld_at_places(mesh, places);
+  for (std::size_t v = 0; v < welded.size(); ++v) {
+    report.welded_vertices += welded[v] != v;
+  }
+  report.parted_vertices = count_parted(mesh, places, welded);
+  if (settings.weld_distance_m > 0.0) {
+    report.near_vertices = weld_near_borders(settings.weld_distance_m, mesh, welded);
+    drop_unsound(welded, mesh, report);
+  }
+  if (mesh.triangles.empty()) {
+    throw std::invalid_argument("no triangle with an area remains of " +
+                                std::to_string(input.triangles.size()) + " triangles");
+  }
+  for (Triangle& t : mesh.triangles) {
+    t = {welded[t[0]], welded[t[1]], welded[t[2]]};
+  }
+  report.turned_triangles = orient_consistently(mesh);
+  const std::vector<Index> renumbered = compact_vertices(mesh);
+  const std::size_t dropped = input.positions.size() - mesh.positions.size();
+  report.unused_vertices = dropped - report.welded_vertices - report.near_vertices;
+  const std::vector<char> used = used_vertices(input);
+  kept.assign(used.size(), no_vertex);
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    // A vertex that nothing uses is no vertex of the mesh, though one at its place be.
+    kept[v] = used[v] ? renumbered[welded[v]] : no_vertex;
+  }
+  return out;
+}
+
+}  // namespace taut::sim

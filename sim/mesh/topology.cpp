@@ -1,0 +1,90 @@
+#include "sim/mesh/topology.hpp"
+
+#include <vector>
+
+#include "sim/mesh/groups.hpp"
+
+namespace taut::sim {
+namespace {
+
+/// Vertices whose triangles are not all connected through edges at the vertex.
+std::size_t count_split_fans(const Mesh& mesh, const Adjacency& adjacency) {
+  // Corner 3t + k is vertex k of triangle t; the corners of a fan are joined through the edges they share.
+  Groups corners(mesh.triangles.size() * 3);
+  const auto corner = [&](Index t, Index v) {
+    const Triangle& tri = mesh.triangles[t];
+    return static_cast<Index>(3 * t + (tri[1] == v ? 1 : tri[2] == v ? 2 : 0));
+  };
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    const auto triangles = adjacency.edge_triangles[e];
+    for (std::size_t k = 1; k < triangles.size(); ++k) {
+      for (const Index v : adjacency.edges[e]) {
+        corners.join(corner(triangles[0], v), corner(triangles[k], v));
+      }
+    }
+  }
+  std::vector<Index> fans(mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (Index k = 0; k < 3; ++k) {
+      const auto c = static_cast<Index>(3 * t + k);
+      fans[mesh.triangles[t][k]] += corners.find(c) == c;
+    }
+  }
+  std::size_t split = 0;
+  for (const Index count : fans) {
+    split += count > 1;
+  }
+  return split;
+}
+
+template <class Selects>
+std::size_t count_groups(std::size_t vertex_count, const Adjacency& adjacency, Selects selects) {
+  Groups groups(vertex_count);
+  std::vector<char> touched(vertex_count, 0);
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    if (selects(e)) {
+      const auto [a, b] = adjacency.edges[e];
+      groups.join(a, b);
+      touched[a] = touched[b] = 1;
+    }
+  }
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    count += touched[v] && groups.find(static_cast<Index>(v)) == v;
+  }
+  return count;
+}
+
+}  // namespace
+
+bool runs_along(const Triangle& t, const Edge& edge) {
+  for (int k = 0; k < 3; ++k) {
+    if (t[k] == edge[0] && t[(k + 1) % 3] == edge[1]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency) {
+  Topology topology;
+  const std::size_t vertex_count = mesh.positions.size();
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    const auto triangles = adjacency.edge_triangles[e];
+    topology.boundary_edges += triangles.size() == 1;
+    topology.non_manifold_edges += triangles.size() > 2;
+    topology.misoriented_edges +=
+        triangles.size() == 2 && runs_along(mesh.triangles[triangles[0]], adjacency.edges[e]) ==
+                                     runs_along(mesh.triangles[triangles[1]], adjacency.edges[e]);
+  }
+  topology.components = count_groups(vertex_count, adjacency, [](std::size_t) { return true; });
+  topology.boundary_loops = count_groups(
+      vertex_count, adjacency, [&](std::size_t e) { return adjacency.edge_triangles[e].size() == 1; });
+  topology.non_manifold_vertices = count_split_fans(mesh, adjacency);
+  topology.euler_characteristic = static_cast<long>(vertex_count) -
+                                  static_cast<long>(adjacency.edges.size()) +
+                                  static_cast<long>(mesh.triangles.size());
+  return topology;
+}
+
+}  // namespace taut::sim

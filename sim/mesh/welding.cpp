@@ -1,0 +1,195 @@
+#include "sim/mesh/welding.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <unordered_map>
+
+#include "sim/mesh/adjacency.hpp"
+#include "sim/mesh/groups.hpp"
+
+namespace taut::sim {
+namespace {
+
+constexpr Index none = no_vertex;
+
+std::size_t mixed(std::size_t hash, std::uint64_t value) {
+  hash = (hash ^ value) * 0x9E3779B97F4A7C15ULL;
+  return hash ^ (hash >> 32);
+}
+
+struct PositionHash {
+  std::size_t operator()(const Vec3& p) const {
+    std::size_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      // Adding zero turns -0 into +0, which compares equal and so has to hash equal.
+      hash = mixed(hash, std::bit_cast<std::uint64_t>(p[axis] + 0.0));
+    }
+    return hash;
+  }
+};
+
+Mesh renumbered(const Mesh& mesh, const std::vector<Index>& vertices) {
+  Mesh result{mesh.positions, mesh.triangles, {}};
+  for (Triangle& t : result.triangles) {
+    for (Index& v : t) {
+      v = vertices[v];
+    }
+  }
+  return result;
+}
+
+/// Whether an edge with a single triangle ends at the vertex.
+std::vector<char> border_vertices(const Mesh& mesh, const Adjacency& adjacency) {
+  std::vector<char> at_border(mesh.positions.size(), 0);
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    if (adjacency.edge_triangles[e].size() == 1) {
+      at_border[adjacency.edges[e][0]] = at_border[adjacency.edges[e][1]] = 1;
+    }
+  }
+  return at_border;
+}
+
+/// First guess: a vertex whose triangles close around it stays for itself, others at a place become one.
+std::vector<Index> join_open_vertices(const Mesh& mesh, const std::vector<Index>& places) {
+  const std::vector<char> open = border_vertices(mesh, make_adjacency(mesh));
+  const std::vector<char> used = used_vertices(mesh);
+  std::vector<Index> first_open(mesh.positions.size(), none);
+  std::vector<Index> joined(places.size());
+  for (Index v = 0; v < places.size(); ++v) {
+    Index& first = first_open[places[v]];
+    const bool closed = used[v] && !open[v];
+    first = first == none && !closed ? v : first;
+    joined[v] = closed ? v : first;
+  }
+  return joined;
+}
+
+/// The corners of a mesh, joined into the fans they form around their vertices. Corner 3t + k is corner k of
+/// triangle t.
+struct Fans {
+  Fans(const Mesh& source, const Mesh& joined)
+      : groups(3 * source.triangles.size()), is_open(3 * source.triangles.size(), 0) {
+    const Adjacency adjacency = make_adjacency(joined);
+    const auto corner = [&](Index t, Index v) {
+      const Triangle& tri = joined.triangles[t];
+      return static_cast<Index>(3 * t + (tri[1] == v ? 1 : tri[2] == v ? 2 : 0));
+    };
+    for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+      const auto triangles = adjacency.edge_triangles[e];
+      for (const Index v : adjacency.edges[e]) {
+        for (const Index t : triangles) {
+          groups.join(corner(triangles[0], v), corner(t, v));
+          if (triangles.size() == 1) {
+            is_open[corner(t, v)] = 1;
+          }
+        }
+      }
+    }
+    join_corners_of_one_vertex(source);
+    for (Index c = 0; c < is_open.size(); ++c) {
+      if (is_open[c]) {
+        is_open[groups.find(c)] = 1;
+      }
+    }
+  }
+
+  Groups groups;
+  std::vector<char> is_open;  ///< by corner; of a group's first corner: of the group
+
+ private:
+  // What the file itself joins is not torn apart.
+  void join_corners_of_one_vertex(const Mesh& source) {
+    std::vector<Index> first(source.positions.size(), none);
+    for (Index c = 0; c < 3 * source.triangles.size(); ++c) {
+      Index& other = first[source.triangles[c / 3][c % 3]];
+      other = other == none ? c : other;
+      groups.join(other, c);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<char> used_vertices(const Mesh& mesh) {
+  std::vector<char> used(mesh.positions.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t) {
+      used[v] = 1;
+    }
+  }
+  return used;
+}
+
+std::vector<Index> first_at_same_position(const std::vector<Vec3>& positions) {
+  std::unordered_map<Vec3, Index, PositionHash> first;
+  first.reserve(positions.size());
+  std::vector<Index> result(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    result[v] = first.emplace(positions[v], static_cast<Index>(v)).first->second;
+  }
+  return result;
+}
+
+std::vector<Index> weld_at_places(const Mesh& mesh, const std::vector<Index>& places) {
+  std::vector<Index> joined = join_open_vertices(mesh, places);
+  const Mesh guess = renumbered(mesh, joined);
+  Fans fans(mesh, guess);
+  // Closed fans of different vertices at one place become vertices of their own, the open ones stay together.
+  Groups together(mesh.positions.size());
+  std::vector<Index> open_at(mesh.positions.size(), none);
+  std::vector<Index> vertex_of_fan(fans.is_open.size(), none);
+  for (Index c = 0; c < fans.is_open.size(); ++c) {
+    const Index vertex = mesh.triangles[c / 3][c % 3];
+    const Index fan = fans.groups.find(c);
+    Index& same = fans.is_open[fan] ? open_at[joined[vertex]] : vertex_of_fan[fan];
+    same = same == none ? vertex : same;
+    together.join(same, vertex);
+  }
+  const std::vector<char> used = used_vertices(mesh);
+  for (Index v = 0; v < joined.size(); ++v) {
+    joined[v] = used[v] ? together.find(v) : places[v] == v ? v : joined[places[v]];
+  }
+  return joined;
+}
+
+std::size_t weld_near_borders(double distance_m, const Mesh& mesh, std::vector<Index>& welded) {
+  const Mesh joined = renumbered(mesh, welded);
+  const std::vector<char> at_border = border_vertices(joined, make_adjacency(joined));
+  const auto cell = [&](const Vec3& p, int axis) { return std::floor(p[axis] / distance_m); };
+  const auto hash = [](double x, double y, double z) {
+    return mixed(
+        mixed(mixed(0, std::bit_cast<std::uint64_t>(x + 0.0)), std::bit_cast<std::uint64_t>(y + 0.0)),
+        std::bit_cast<std::uint64_t>(z + 0.0));
+  };
+  std::unordered_multimap<std::size_t, Index> cells;
+  Groups groups(mesh.positions.size());
+  std::size_t count = 0;
+  for (Index v = 0; v < at_border.size(); ++v) {
+    if (!at_border[v]) {
+      continue;
+    }
+    const Vec3& p = mesh.positions[v];
+    for (int k = 0; k < 27; ++k) {
+      const auto [begin, end] =
+          cells.equal_range(hash(cell(p, 0) + k % 3 - 1, cell(p, 1) + k / 3 % 3 - 1, cell(p, 2) + k / 9 - 1));
+      for (auto near = begin; near != end; ++near) {
+        if (glm::distance(mesh.positions[near->second], p) < distance_m &&
+            groups.find(near->second) != groups.find(v)) {
+          groups.join(near->second, v);
+          ++count;
+        }
+      }
+    }
+    cells.emplace(hash(cell(p, 0), cell(p, 1), cell(p, 2)), v);
+  }
+  for (Index& v : welded) {
+    v = groups.find(v);
+  }
+  return count;
+}
+
+}  // namespace taut::sim

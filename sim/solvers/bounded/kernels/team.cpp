@@ -1,0 +1,131 @@
+#include "sim/solvers/bounded/kernels/team.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace taut::sim::bounded {
+namespace {
+
+constexpr int looks_before_sleep = 4000;
+constexpr int looks_before_yield = 4000;
+constexpr std::size_t chunks_per_thread = 3;
+constexpr std::uint64_t one_loop = std::uint64_t{1} << 32U;
+constexpr std::uint64_t closed = one_loop - 1;
+constexpr std::size_t triangles_worth_threads = 20000;
+constexpr int most_threads_unasked = 4;
+
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
+
+Team::Team(int threads) {
+  for (int member = 1; member < threads; ++member) {
+    workers_.emplace_back([this] { work(); });
+  }
+}
+
+Team::~Team() {
+  is_over_.store(true, std::memory_order_relaxed);
+  claim_.fetch_add(one_loop, std::memory_order_release);
+  claim_.notify_all();
+  for (std::thread& worker : workers_) {
+    worker.join();
+  }
+}
+
+void Team::run(Call call, const void* context, std::size_t begin, std::size_t end, std::size_t least) {
+  const std::size_t chunks = std::min((end - begin) / least, chunks_per_thread * (workers_.size() + 1));
+  const std::uint64_t loop = claim_.load(std::memory_order_relaxed) / one_loop;
+  claim_.store(loop * one_loop + closed, std::memory_order_relaxed);
+  call_.store(call, std::memory_order_release);
+  context_.store(context, std::memory_order_release);
+  begin_.store(begin, std::memory_order_release);
+  end_.store(end, std::memory_order_release);
+  chunk_count_.store(chunks, std::memory_order_release);
+  done_.store(0, std::memory_order_relaxed);
+  claim_.store((loop + 1) * one_loop, std::memory_order_release);
+  claim_.notify_all();
+  std::size_t own_chunks = 0;
+  while (do_chunk()) {
+    ++own_chunks;
+  }
+  work_.own_chunks += own_chunks;
+  work_.others_chunks += chunks - own_chunks;
+  if (done_.load(std::memory_order_acquire) != chunks) {
+    wait_for(chunks);
+  }
+}
+
+void Team::wait_for(std::size_t chunks) {
+  const auto began = std::chrono::steady_clock::now();
+  for (int looks = 0; done_.load(std::memory_order_acquire) != chunks; ++looks) {
+    if (looks < looks_before_yield) {
+      pause();
+    } else {
+      std::this_thread::yield();
+    }
+  }
+  work_.waited_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+void Team::work() {
+  for (;;) {
+    const std::uint64_t before = claim_.load(std::memory_order_acquire);
+    while (do_chunk()) {
+    }
+    if (is_over_.load(std::memory_order_relaxed)) {
+      return;
+    }
+    const auto is_same_loop = [&] {
+      return claim_.load(std::memory_order_acquire) / one_loop == before / one_loop;
+    };
+    int looks = 0;
+    while (looks < looks_before_sleep && is_same_loop()) {
+      pause();
+      ++looks;
+    }
+    if (const std::uint64_t now = claim_.load(std::memory_order_acquire);
+        now / one_loop == before / one_loop) {
+      claim_.wait(now, std::memory_order_acquire);
+    }
+  }
+}
+
+/// False where no chunk is left to take.
+bool Team::do_chunk() {
+  std::uint64_t claim = claim_.load(std::memory_order_acquire);
+  for (;;) {
+    const Call call = call_.load(std::memory_order_acquire);
+    const void* context = context_.load(std::memory_order_acquire);
+    const std::size_t begin = begin_.load(std::memory_order_acquire);
+    const std::size_t end = end_.load(std::memory_order_acquire);
+    const std::size_t chunks = chunk_count_.load(std::memory_order_acquire);
+    const std::size_t chunk = claim % one_loop;
+    if (chunk >= chunks) {
+      return false;
+    }
+    // Before any of these is written for the next loop, the claims of this one are closed: where this
+    // succeeds, all of them are of this loop.
+    if (claim_.compare_exchange_weak(claim, claim + 1, std::memory_order_acq_rel,
+                                     std::memory_order_acquire)) {
+      const std::size_t count = end - begin;
+      call(context, begin + count * chunk / chunks, begin + count * (chunk + 1) / chunks);
+      done_.fetch_add(1, std::memory_order_release);
+      return true;
+    }
+  }
+}
+
+int thread_count(int asked, std::size_t triangles) {
+  if (asked > 0) {
+    return asked;
+  }
+  const int processors = static_cast<int>(std::thread::hardware_concurrency());
+  return triangles < triangles_worth_threads ? 1 : std::clamp(processors, 1, most_threads_unasked);
+}
+
+}  // namespace taut::sim::bounded

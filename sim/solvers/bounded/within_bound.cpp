@@ -1,0 +1,82 @@
+#include "sim/solvers/bounded/within_bound.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "sim/solvers/bounded/certificate.hpp"
+#include "sim/solvers/bounded/kernels/loops.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+
+namespace taut::sim {
+namespace {
+
+/// In sweeps over all springs: this is done once, and not sixty times a second.
+constexpr double largest_cost = 1000.0;
+
+/// Shortened by this part of the bound more than is asked, so that neighbours settle.
+constexpr double aimed_part = 0.97;
+constexpr int most_sweeps = 500;
+constexpr double smallest_told_apart_m = 1e-6;
+
+/// By how much the spring that is too long by most is so, in metres; 0 where none is.
+double largest_excess_m(const Springs& springs, std::span<const Vec3> positions, double max_stretch) {
+  double largest_m = 0.0;
+  for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
+    const double length_m = glm::distance(positions[springs.ends[s][0]], positions[springs.ends[s][1]]);
+    const double excess_m = length_m - (1.0 + max_stretch) * springs.rest_lengths_m[s];
+    // Written so that a length that is not a number is not passed over.
+    largest_m = excess_m <= largest_m ? largest_m : excess_m;
+  }
+  return largest_m;
+}
+
+/// One sweep of eqs. (2)-(3) over the springs that are too long.
+void shorten(const Garment& garment, double max_stretch, std::span<Vec3> positions) {
+  const Springs& springs = garment.springs;
+  for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
+    const auto [i, j] = springs.ends[s];
+    const Vec3 spring = positions[i] - positions[j];
+    const double length_m = glm::length(spring);
+    const double w_i = garment.inverse_masses_per_kg[i];
+    const double w_j = garment.inverse_masses_per_kg[j];
+    if (length_m > (1.0 + max_stretch) * springs.rest_lengths_m[s] && w_i + w_j > 0.0) {
+      const double aim_m = (1.0 + aimed_part * max_stretch) * springs.rest_lengths_m[s];
+      const Vec3 correction = spring * ((length_m - aim_m) / length_m / (w_i + w_j));
+      positions[i] -= w_i * correction;
+      positions[j] += w_j * correction;
+    }
+  }
+}
+
+}  // namespace
+
+void move_within_bound(const Garment& garment, const SolverSettings& settings, State& state) {
+  if (settings.kind != SolverKind::bounded ||
+      largest_excess_m(garment.springs, state.current, settings.max_stretch) == 0.0) {
+    return;
+  }
+  bounded::Layout layout = bounded::make_layout(garment);
+  bounded::Loops loops(bounded::kernels_for(settings.vector_unit), 1);
+  bounded::StartRows start;
+  bounded::set_start(layout, state.current, start);
+  loops.start_springs(start, layout.springs);
+  bounded::Certifier certifier(layout);
+  certifier.certify(layout, bounded::Rows(layout.row_count()), settings.max_stretch, largest_cost, loops);
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    const Vec3 moved = bounded::vector_of(certifier.corrected()[row]);
+    state.current[layout.vertex_of_row[row]] += moved;
+    state.previous[layout.vertex_of_row[row]] += moved;
+  }
+}
+
+bool keeps_bound_in_double(const Garment& garment, double max_stretch, std::span<Vec3> positions) {
+  double excess_m = largest_excess_m(garment.springs, positions, max_stretch);
+  for (int sweep = 0; sweep < most_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m; ++sweep) {
+    shorten(garment, max_stretch, positions);
+    excess_m = largest_excess_m(garment.springs, positions, max_stretch);
+  }
+  return excess_m == 0.0;
+}
+
+}  // namespace taut::sim

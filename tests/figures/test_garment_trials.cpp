@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <set>
+
+#include "app/base/errors.hpp"
+#include "app/figures/experiments/experiments.hpp"
+#include "app/figures/experiments/samples/model_writing.hpp"
+#include "app/figures/experiments/samples/sample_garments.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+using test::TemporaryFolder;
+
+// What a reader of the triangles finds, without the program's own topology.
+struct Shape {
+  std::size_t border_edges = 0;
+  std::size_t borders = 0;        ///< closed lines of them
+  std::size_t crowded_edges = 0;  ///< with more than two triangles
+  std::size_t edges = 0;
+  int euler_characteristic = 0;
+};
+
+std::size_t count_lines(const std::vector<std::array<sim::Index, 2>>& edges) {
+  std::map<sim::Index, sim::Index> onwards;
+  const auto end_of = [&](sim::Index vertex) {
+    while (onwards.contains(vertex)) {
+      vertex = onwards[vertex];
+    }
+    return vertex;
+  };
+  std::set<sim::Index> ends;
+  for (const auto& [a, b] : edges) {
+    if (end_of(a) != end_of(b)) {
+      onwards[end_of(a)] = end_of(b);
+    }
+  }
+  for (const auto& [a, b] : edges) {
+    ends.insert(end_of(a));
+  }
+  return ends.size();
+}
+
+Shape shape_of(const sim::Mesh& mesh) {
+  std::map<std::array<sim::Index, 2>, int> uses;
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      ++uses[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
+    }
+  }
+  Shape shape;
+  shape.edges = uses.size();
+  std::vector<std::array<sim::Index, 2>> border;
+  for (const auto& [edge, count] : uses) {
+    if (count == 1) {
+      border.push_back(edge);
+    }
+    shape.crowded_edges += count > 2 ? 1 : 0;
+  }
+  shape.border_edges = border.size();
+  shape.borders = count_lines(border);
+  shape.euler_characteristic = static_cast<int>(mesh.positions.size()) - static_cast<int>(shape.edges) +
+                               static_cast<int>(mesh.triangles.size());
+  return shape;
+}
+
+TEST(SampleGarments, AreWhatTheySayOnceTheyAreReadBack) {
+  const TemporaryFolder folder;
+  std::map<std::string, Shape> shapes;
+  std::set<std::string> formats;
+  for (const SampleGarment& sample : make_sample_garments()) {
+    const auto file =
+        folder.write(sample.name + '.' + sample.format, model_text(sample.model, sample.format));
+    const LoadedGarment loaded = load_garment(find_scene(file.string(), {}));
+    shapes[sample.name] = shape_of(loaded.garment.mesh);
+    formats.insert(sample.format);
+    EXPECT_EQ(loaded.placement->scale, sample.format == "fbx" ? 0.01 : 1.0) << sample.name;
+    EXPECT_EQ(loaded.garment.springs.count(sim::SpringKind::structural), shapes[sample.name].edges)
+        << sample.name;
+    if (sample.name == "turned") {
+      EXPECT_GT(loaded.repairs->turned_triangles, 50U);
+    } else if (sample.name == "honeycomb") {
+      EXPECT_EQ(loaded.model->file_polygons, 100U);
+    } else if (sample.name == "sheet") {
+      EXPECT_EQ(loaded.model->file_quads, 13U * 17U);
+    }
+  }
+  EXPECT_EQ(formats.size(), 6U);
+  EXPECT_EQ(shapes["skirt"].borders, 2U);
+  EXPECT_EQ(shapes["cushion"].border_edges, 0U);
+  EXPECT_EQ(shapes["cushion"].euler_characteristic, 2) << "a closed ball";
+  EXPECT_EQ(shapes["band"].borders, 1U);
+  EXPECT_EQ(shapes["band"].euler_characteristic, 0);
+  EXPECT_EQ(shapes["wings"].crowded_edges, 13U);
+  EXPECT_EQ(shapes["sleeves"].borders, 6U) << "three tubes";
+  EXPECT_EQ(shapes["lining"].borders, 4U) << "two tubes";
+}
+
+TEST(GarmentTrials, CountWhatASolverReached) {
+  const TemporaryFolder folder;
+  const SampleGarment sample = make_sample_garments().front();
+  const auto file = folder.write("sheet.obj", model_text(sample.model, "obj"));
+  double done = 0.0;
+  const GarmentTrial trial =
+      try_garment(file.string(), sample.kind, [&](double fraction) { done = fraction; });
+  EXPECT_EQ(trial.refusal, "");
+  EXPECT_EQ(trial.file, "sheet.obj");
+  EXPECT_EQ(trial.mapping.vertices, 14U * 18U);
+  EXPECT_EQ(trial.mapping.structural, trial.mapping.edges);
+  EXPECT_GT(trial.mapping.flexural, 100U);
+  EXPECT_EQ(trial.mapping.loose_vertices, 0U);
+  EXPECT_GT(trial.strong.largest_stretch, 0.0);
+  EXPECT_GT(trial.bounded.largest_stretch, 0.0);
+  EXPECT_LE(trial.bounded.largest_stretch, trial_bound);
+  EXPECT_GT(trial.bounded.median_ms, 0.0);
+  EXPECT_EQ(done, 1.0);
+}
+
+TEST(GarmentTrials, SayWhyAModelIsRefused) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
+  const GarmentTrial trial = try_garment(file.string(), "a line", [](double) {});
+  EXPECT_NE(trial.refusal.find("it has no faces"), std::string::npos) << trial.refusal;
+  EXPECT_EQ(trial.mapping.edges, 0U);
+}
+
+}  // namespace
+}  // namespace taut::app

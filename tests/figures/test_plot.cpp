@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/drawing/drawing.hpp"
+#include "app/drawing/plots/plot.hpp"
+#include "app/figures/csv.hpp"
+
+namespace taut::app {
+namespace {
+
+std::vector<std::string> labels_of(const Axis& axis) {
+  std::vector<std::string> labels;
+  for (const Tick& tick : ticks_of(axis)) {
+    if (!tick.label.empty()) {
+      labels.push_back(tick.label);
+    }
+  }
+  return labels;
+}
+
+using Labels = std::vector<std::string>;
+
+TEST(Axis, LinearTicksAreRoundAndWithin) {
+  EXPECT_EQ(labels_of({"", 0.0, 10.0}), (Labels{"0", "2", "4", "6", "8", "10"}));
+  EXPECT_EQ(labels_of({"", -0.013, 0.031}), (Labels{"-0.01", "0.00", "0.01", "0.02", "0.03"}));
+  EXPECT_EQ(labels_of({"", 0.0, 20.0, false, " %"}), (Labels{"0 %", "5 %", "10 %", "15 %", "20 %"}));
+}
+
+TEST(Axis, LogarithmicTicksAreDecadesWithSmallOnesBetween) {
+  const Axis axis{"", 1e-3, 1.0, true};
+  EXPECT_EQ(labels_of(axis), (Labels{"10⁻³", "10⁻²", "10⁻¹", "10⁰"}));
+  const std::vector<Tick> ticks = ticks_of(axis);
+  EXPECT_EQ(ticks.size(), 28U);
+  EXPECT_TRUE(std::is_sorted(ticks.begin(), ticks.end(), [](auto& a, auto& b) { return a.value < b.value; }));
+  EXPECT_NEAR(ticks[1].value, 2e-3, 1e-12);
+}
+
+TEST(Axis, SmallDecadesAreWrittenInFullAndManyThinnedOut) {
+  EXPECT_EQ(labels_of({"", 0.1, 100.0, true}), (Labels{"0.1", "1", "10", "100"}));
+  EXPECT_EQ(labels_of({"", 1.0, 20.0, true}), (Labels{"1", "2", "5", "10", "20"}));
+  EXPECT_LE(labels_of({"", 1e-18, 1.0, true}).size(), 8U);
+  EXPECT_EQ(labels_of({"", 1.0, 9.0, true, "", {3.0, 7.0}}), (Labels{"3", "7"}));
+}
+
+TEST(Axis, PlacesValuesInProportionOrByTheirLogarithm) {
+  EXPECT_NEAR(position_on({"", 2.0, 6.0}, 3.0), 0.25, 1e-12);
+  EXPECT_NEAR(position_on({"", 0.01, 100.0, true}, 1.0), 0.5, 1e-12);
+  EXPECT_GT(position_on({"", 0.01, 100.0, true}, 1e4), 1.0);
+  EXPECT_FALSE(std::isfinite(position_on({"", 0.01, 100.0, true}, 0.0)));
+}
+
+TEST(Axis, WidensToWholeDecades) {
+  const Axis axis = decades_around("m", {0.0, 3e-4, 0.2, -1.0});
+  EXPECT_NEAR(axis.minimum, 1e-4, 1e-12);
+  EXPECT_NEAR(axis.maximum, 1.0, 1e-12);
+  EXPECT_TRUE(axis.logarithmic);
+  EXPECT_GT(decades_around("", {1.0}).maximum, 1.0);
+  EXPECT_GT(decades_around("", {}).maximum, decades_around("", {}).minimum);
+}
+
+TEST(Axis, WritesPowersAsPeopleDo) {
+  EXPECT_EQ(power_of_ten(-12), "10⁻¹²");
+  EXPECT_EQ(scientific(2.16e-8), "2.2 × 10⁻⁸");
+  EXPECT_EQ(scientific(0.0), "0");
+  EXPECT_EQ(scientific(1.868), "1.9");
+}
+
+TEST(Plot, CutsSegmentsAtTheFrame) {
+  const Area frame{0.0F, 0.0F, 10.0F, 10.0F};
+  const auto crossing = clipped({-5.0F, 5.0F}, {15.0F, 5.0F}, frame);
+  ASSERT_TRUE(crossing);
+  EXPECT_NEAR((*crossing)[0].x, 0.0F, 1e-5F);
+  EXPECT_NEAR((*crossing)[1].x, 10.0F, 1e-5F);
+  EXPECT_FALSE(clipped({-5.0F, 20.0F}, {15.0F, 20.0F}, frame));
+  const auto inside = clipped({1.0F, 2.0F}, {3.0F, 4.0F}, frame);
+  ASSERT_TRUE(inside);
+  EXPECT_EQ((*inside)[1], glm::vec2(3.0F, 4.0F));
+}
+
+TEST(Plot, DashesRunOnAroundCorners) {
+  const std::vector<glm::vec2> corner = {{0.0F, 0.0F}, {15.0F, 0.0F}, {15.0F, 15.0F}};
+  const auto pieces = cut_into_dashes(corner, {renderer::Colour{0.0F}, 1.0F, {10.0F, 2.0F}});
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(pieces[1].size(), 3U) << "the second dash turns the corner";
+  EXPECT_NEAR(pieces[1].front().x, 12.0F, 1e-4F);
+  EXPECT_NEAR(pieces[1].back().y, 7.0F, 1e-4F);
+  EXPECT_EQ(cut_into_dashes(corner, {}).size(), 1U);
+}
+
+TEST(Plot, ThinningKeepsTheExtremes) {
+  std::vector<glm::vec2> noise;
+  for (int i = 0; i < 1000; ++i) {
+    noise.emplace_back(static_cast<float>(i) / 100.0F, i == 555 ? 99.0F : static_cast<float>(i % 7));
+  }
+  const auto thin = thinned_out(noise);
+  EXPECT_LE(thin.size(), 40U);
+  EXPECT_TRUE(std::any_of(thin.begin(), thin.end(), [](auto& p) { return p.y == 99.0F; }));
+  EXPECT_EQ(thin.back(), noise.back());
+}
+
+TEST(Plot, CurveEndsAtTheFrameAndStandsWhereItsValuesSay) {
+  Plot plot;
+  plot.x = {"x", 0.0, 1.0};
+  plot.y = {"y", 1.0, 100.0, true};
+  plot.legend = LegendCorner::none;
+  plot.curves = {{"",
+                  {{0.0, 10.0}, {0.5, 10.0}, {0.6, 0.0}, {0.7, 1e9}, {0.8, 1e9}},
+                  {renderer::Colour{0.0F}, 6.0F, {}}}};
+  const Area area{0.0F, 0.0F, 600.0F, 400.0F};
+  renderer::Canvas canvas(600, 400);
+  const Area frame = frame_of(canvas, plot, area);
+  draw_plot(canvas, plot, area);
+  const renderer::Image image = canvas.to_image();
+  const auto is_dark = [&](double x, double y) {
+    return image.at(static_cast<int>(frame.x_px + x * frame.width_px),
+                    static_cast<int>(frame.y_px + (1.0 - y) * frame.height_px))[0] < 60;
+  };
+  EXPECT_TRUE(is_dark(0.25, 0.5));
+  EXPECT_FALSE(is_dark(0.75, 0.5)) << "a value with no place on the axis leaves a gap";
+  for (int x = 0; x < 600; ++x) {
+    EXPECT_GT(image.at(x, 2)[0], 200) << "nothing above the frame";
+  }
+}
+
+TEST(Csv, QuotesWhatNeedsItAndReadsBackExactly) {
+  CsvTable table({"name", "value"});
+  table.add({cell(std::string("a,\"b\"")), cell(0.1 + 0.2)});
+  EXPECT_EQ(table.text(), "name,value\n\"a,\"\"b\"\"\",0.30000000000000004\n");
+  EXPECT_THROW(table.add({"one"}), std::invalid_argument);
+  CsvTable blank({"a", "b"});
+  blank.add({cell(NAN), "2"});
+  EXPECT_EQ(blank.text(), "a,b\n,2\n");
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+
+#include "app/base/errors.hpp"
+#include "app/models/garment_import.hpp"
+#include "app/models/model_arrays.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+using test::message_of;
+using test::TemporaryFolder;
+
+/// An importer that misbehaves as a damaged model can make one misbehave.
+class ImporterInstead {
+ public:
+  ImporterInstead(const TemporaryFolder& folder, const std::string& script) {
+    const auto path = folder.write("importer", "#!/bin/sh\n" + script + "\n");
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    ::setenv("TAUT_IMPORTER", path.c_str(), 1);
+  }
+  ~ImporterInstead() { ::unsetenv("TAUT_IMPORTER"); }
+};
+
+std::string error_with(const std::string& script, const ImportLimits& limits = {}) {
+  const TemporaryFolder folder;
+  const ImporterInstead importer(folder, script);
+  const auto model = folder.write("dress.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  return message_of<InputError>([&] { import_garment(model, limits); });
+}
+
+TEST(ImportProcess, SurvivesACrash) {
+  const std::string error = error_with("kill -SEGV $$");
+  EXPECT_CONTAINS(error, "dress.obj': the library that reads models crashed on it (Segmentation fault)");
+  EXPECT_CONTAINS(error_with("kill -ABRT $$"), "crashed on it (Aborted)");
+  EXPECT_CONTAINS(error_with("exit 3"), "failed on it (exit code 3)");
+}
+
+TEST(ImportProcess, EndsWhatHangs) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_CONTAINS(error_with("exec /bin/sleep 60", {.seconds = 1}),
+                  "dress.obj': reading it takes more than 1 s");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_CONTAINS(error_with("kill -XCPU $$"), "reading it takes more than 18 s");
+}
+
+TEST(ImportProcess, DoesNotBelieveWhatItIsTold) {
+  EXPECT_CONTAINS(error_with("exit 0"), "failed on it");
+  EXPECT_CONTAINS(error_with("printf 'Anything at all, longer than a header.'"), "failed on it");
+  EXPECT_CONTAINS(error_with("printf 'A\\010\\0\\0\\0\\0\\0\\0\\0\\377\\377\\377\\377\\377\\377\\377\\377'"),
+                  "the arrays of a model are incomplete");
+  EXPECT_CONTAINS(error_with("printf 'R\\005\\0\\0\\0\\0\\0\\0\\0Moths'"), "dress.obj': Moths; expected");
+}
+
+TEST(ImportProcess, NamesAnImporterThatDoesNotStart) {
+  const TemporaryFolder folder;
+  ::setenv("TAUT_IMPORTER", (folder / "none").c_str(), 1);
+  const auto model = folder.write("dress.obj", "v 0 0 0\n");
+  EXPECT_CONTAINS(message_of<InputError>([&] { import_garment(model); }), "none' does not start");
+  ::unsetenv("TAUT_IMPORTER");
+}
+
+TEST(ImportProcess, KeepsToItsMemory) {
+  if (!memory_is_limited) {
+    GTEST_SKIP() << "no limit on memory goes with AddressSanitizer";
+  }
+  const TemporaryFolder folder;
+  std::string text;
+  for (int v = 0; v < 2'000'000; ++v) {
+    text += "v 0 0 0\n";
+  }
+  const auto model = folder.write("huge.obj", text);
+  EXPECT_CONTAINS(message_of<InputError>([&] { import_garment(model, {.memory_mib = 96}); }),
+                  "huge.obj': reading it takes more than 96 MiB of memory");
+}
+
+ModelArrays some_arrays() {
+  ModelArrays model;
+  model.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  model.corner_counts = {3};
+  model.corners = {0, 1, 2};
+  model.position_of_vertex = {2, 0, 1};
+  model.format = "any";
+  model.meshes = 7;
+  model.up = ModelAxis::minus_z;
+  model.metres_per_unit = 0.01;
+  return model;
+}
+
+TEST(ModelArrays, AreTheSameAfterwards) {
+  const ModelArrays model = some_arrays(), again = decode(encode(model));
+  EXPECT_EQ(again.positions, model.positions);
+  EXPECT_EQ(again.corner_counts, model.corner_counts);
+  EXPECT_EQ(again.corners, model.corners);
+  EXPECT_EQ(again.position_of_vertex, model.position_of_vertex);
+  EXPECT_EQ(again.format, "any");
+  EXPECT_EQ(again.meshes, 7U);
+  EXPECT_EQ(again.up, ModelAxis::minus_z);
+  EXPECT_EQ(again.metres_per_unit, 0.01);
+}
+
+TEST(ModelArrays, RefuseEveryPrefixAndAnythingBehind) {
+  const std::string bytes = encode(some_arrays());
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    EXPECT_THROW(decode(bytes.substr(0, length)), std::runtime_error) << length;
+  }
+  EXPECT_THROW(decode(bytes + '\0'), std::runtime_error);
+  std::string no_axis = bytes;
+  no_axis.back() = 6;
+  EXPECT_THROW(decode(no_axis), std::runtime_error);
+  ModelArrays beyond = some_arrays();
+  beyond.position_of_vertex.back() = 3;
+  EXPECT_THROW(decode(encode(beyond)), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -1,0 +1,43 @@
+#include <gtest/gtest.h>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+using test::message_of;
+using test::TemporaryFolder;
+
+TEST(Files, AreWrittenWholeAndLeaveNothingElse) {
+  const TemporaryFolder folder;
+  write_text_file(folder / "a.txt", "first");
+  write_text_file(folder / "a.txt", "second");
+  EXPECT_EQ(read_text_file(folder / "a.txt"), "second");
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(Files, LeaveNothingWhereTheyCannotBeWritten) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "taken/inner");
+  EXPECT_CONTAINS(message_of<InputError>([&] { write_text_file(folder / "taken", "text"); }), "cannot write");
+  EXPECT_CONTAINS(message_of<InputError>([&] { write_text_file(folder / "none/a.txt", "text"); }),
+                  "No such file");
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(Files, GetTheirFolderMadeAndTried) {
+  const TemporaryFolder folder;
+  prepare_folder_of(folder / "a/b/c.png");
+  EXPECT_TRUE(std::filesystem::is_directory(folder / "a/b"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "a/b"));
+  folder.write("file", "x");
+  EXPECT_CONTAINS(message_of<InputError>([&] { prepare_folder_of(folder / "file/c.png"); }),
+                  "cannot make the output folder");
+  EXPECT_CONTAINS(message_of<InputError>([&] { prepare_folder_of(folder / "a/b"); }),
+                  "there is a folder of this name");
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/output/picture_record.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_text.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+using test::message_of;
+using test::TemporaryFolder;
+
+renderer::Image small_picture() {
+  return renderer::make_image(4, 3);
+}
+
+std::filesystem::path write_record(const TemporaryFolder& folder, const Scene& scene) {
+  FrameRecord record;
+  record.frame = 12;
+  record.state_hash = 0xFEDCBA9876543210U;
+  const auto file = folder / "picture.png";
+  renderer::write_png(file, small_picture(),
+                      picture_texts({"taut render x", scene_text(scene), "llvmpipe"}, record));
+  return file;
+}
+
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+}
+
+TEST(PictureRecord, BuiltInScenesReadBackAsTheyWere) {
+  const TemporaryFolder folder;
+  ASSERT_FALSE(built_in_scenes().empty());
+  for (const BuiltInScene& built_in : built_in_scenes()) {
+    const Scene scene = find_scene(built_in.name, {});
+    const PictureRecord record = read_picture_record(write_record(folder, scene), {});
+    EXPECT_EQ(scene_text(record.scene), scene_text(scene));
+    EXPECT_EQ(record.scene.camera.framing.azimuth_rad, scene.camera.framing.azimuth_rad);
+    EXPECT_EQ(record.scene.simulation, scene.simulation);
+    EXPECT_EQ(record.frame, 12);
+    EXPECT_EQ(record.state_hash, 0xFEDCBA9876543210U);
+    EXPECT_EQ(record.gl_renderer, "llvmpipe");
+    EXPECT_EQ(scene_text(scene).find(assets_folder().string()), std::string::npos)
+        << "a path of this machine";
+  }
+}
+
+constexpr const char* all_kinds = R"(
+title = "quotes \" and \\, Größe, tab \t, line \n"
+[garment.grid]
+columns = 3
+rows = 3
+[pins]
+at = ["top-left", 4, { nearest = [0.1, -0.0, 1e-17] }]
+[solver]
+compression = 0.30000000000000004
+[gravity]
+acceleration = [0, -9.81, 0.1]
+[camera]
+eye = [1, 2.1, 3.7]
+target = [0, 0.1, 0]
+[picture]
+ground = "none"
+outside_colour = "#0180fe"
+stretch_range = [0.01, 0.33]
+[[forces]]
+vertex = 3
+force = [0.1, 0.2, 0.3]
+[[colliders]]
+shape = "sphere"
+radius = 0.7
+[[colliders]]
+shape = "capsule"
+start_radius = 0.1
+end_radius = 0.2
+end = [0, 1, 0]
+[[colliders]]
+shape = "plane"
+)";
+
+TEST(PictureRecord, EveryKindOfValueReadsBackBitForBit) {
+  const TemporaryFolder folder;
+  const Scene scene = read_scene_file(folder.write("scene.toml", all_kinds));
+  const std::string text = scene_text(scene);
+  EXPECT_TRUE(is_ascii(text)) << text;
+  const Scene again = read_picture_record(write_record(folder, scene), {}).scene;
+  EXPECT_EQ(scene_text(again), text);
+  EXPECT_EQ(again.title, scene.title);
+  EXPECT_EQ(again.simulation.solver.rigidity.compression, 0.30000000000000004);
+  EXPECT_EQ(*again.camera.eye, *scene.camera.eye);
+  EXPECT_EQ(again.surroundings.colliders.size(), 3U);
+  // The text is a scene file by itself.
+  EXPECT_EQ(scene_text(read_scene_file(folder.write("again.toml", text))), text);
+}
+
+TEST(PictureRecord, OverridesChangeTheRecordedScene) {
+  const TemporaryFolder folder;
+  const auto file = write_record(folder, find_scene("cloth-fall", {}));
+  const std::vector<Override> overrides = {parse_override("camera.azimuth=0")};
+  EXPECT_EQ(read_picture_record(file, overrides).scene.camera.framing.azimuth_rad, 0.0F);
+}
+
+TEST(PictureRecord, AGarmentIsFoundInTheAssetsOrBesideThePicture) {
+  const TemporaryFolder folder;
+  const Scene shirt = find_scene("tshirt-gravity", {});
+  EXPECT_CONTAINS(scene_text(shirt), "file = \"garments/tshirt_10600.obj\"");
+  EXPECT_TRUE(
+      std::filesystem::exists(read_picture_record(write_record(folder, shirt), {}).scene.garment.file));
+
+  Scene other = shirt;
+  other.garment.file = "/nowhere/any.obj";
+  const auto picture = write_record(folder, other);
+  EXPECT_EQ(read_picture_record(picture, {}).scene.garment.file, "/nowhere/any.obj");
+  const auto beside = folder.write("any.obj", "v 0 0 0\n");
+  EXPECT_EQ(read_picture_record(picture, {}).scene.garment.file, beside);
+}
+
+TEST(PictureRecord, APictureOfAnotherOriginIsNamed) {
+  const TemporaryFolder folder;
+  renderer::write_png(folder / "plain.png", small_picture());
+  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "plain.png", {}); }),
+                  "plain.png' does not say how it was made");
+  folder.write("text.png", "not a picture");
+  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "text.png", {}); }),
+                  "is no PNG picture");
+  const std::vector<renderer::PngText> texts = {{"Taut Scene", "[garment.grid\n"}};
+  renderer::write_png(folder / "bad.png", small_picture(), texts);
+  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "bad.png", {}); }),
+                  "is not TOML");
+}
+
+TEST(PictureRecord, BadNumbersAreNamed) {
+  const TemporaryFolder folder;
+  const std::string scene = scene_text(find_scene("cloth-fall", {}));
+  const std::vector<renderer::PngText> texts = {{"Taut Scene", scene}, {"Taut Frame", "-3"}};
+  renderer::write_png(folder / "bad.png", small_picture(), texts);
+  EXPECT_CONTAINS(message_of<InputError>([&] { read_picture_record(folder / "bad.png", {}); }),
+                  "'Taut Frame' of '");
+}
+
+TEST(PngTexts, EveryCutAndEveryChangedLengthIsAnErrorAndNothingWorse) {
+  const std::vector<renderer::PngText> texts = {{"Software", "taut"}, {"Other", "text"}};
+  const std::vector<std::uint8_t> png = renderer::encode_png(small_picture(), texts);
+  const auto read = read_png_texts(png, "a.png");
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[1].keyword, "Other");
+  EXPECT_EQ(read[1].text, "text");
+  for (std::size_t size = 0; size < png.size(); ++size) {
+    // Bytes of their own, so that a checked build sees every read beyond the end.
+    const std::vector<std::uint8_t> cut(png.begin(), png.begin() + static_cast<std::ptrdiff_t>(size));
+    EXPECT_THROW(read_png_texts(cut, "a.png"), InputError) << size;
+  }
+  for (std::size_t at = 8; at < png.size(); ++at) {
+    for (const std::uint8_t value : std::vector<std::uint8_t>{0x00, 0x7F, 0xFF}) {
+      std::vector<std::uint8_t> damaged = png;
+      damaged[at] = value;
+      try {
+        read_png_texts(damaged, "a.png");
+      } catch (const InputError&) {
+      }
+    }
+  }
+}
+
+TEST(CommandText, IsUnderstoodByAShell) {
+  const std::vector<std::string> plain = {"render", "cloth-fall", "--set", "wind.speed=4"};
+  EXPECT_EQ(command_text(plain), "taut render cloth-fall --set wind.speed=4");
+  const std::vector<std::string> odd = {"a b", "it's", "", "f_{frame:04}.png", "ä\\"};
+  EXPECT_EQ(command_text(odd), "taut 'a b' $'it\\x27s' '' 'f_{frame:04}.png' $'\\xc3\\xa4\\x5c'");
+}
+
+}  // namespace
+}  // namespace taut::app

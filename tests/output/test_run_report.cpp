@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/frame_loop.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/models/inspection.hpp"
+#include "app/output/run_report.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+using nlohmann::json;
+
+TEST(RunReport, HoldsWhatTheDesignPromises) {
+  Scene scene;
+  scene.name = "test";
+  scene.garment.grid = {.columns = 3, .rows = 3};
+  scene.simulation.solver.substeps = 7;
+  sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
+  const auto records = run_frames(simulation, 2, {});
+  const json report = json::parse(statistics_json({scene, simulation.garment(), "llvmpipe", records}));
+  EXPECT_EQ(report["scene"], "test");
+  EXPECT_EQ(report["garment"]["vertices"], 9);
+  EXPECT_EQ(report["garment"]["triangles"], 8);
+  EXPECT_EQ(report["garment"]["pins"], 3);
+  EXPECT_EQ(report["garment"]["springs"], (json{{"structural", 12}, {"shear", 8}, {"flexural", 6}}));
+  EXPECT_EQ(report["settings"]["solver"]["substeps"], 7);
+  EXPECT_EQ(report["settings"]["garment"]["grid"]["columns"], 3);
+  EXPECT_EQ(report["versions"]["gl_renderer"], "llvmpipe");
+  EXPECT_TRUE(report["versions"].contains("program"));
+  EXPECT_TRUE(report["versions"].contains("compiler"));
+  ASSERT_EQ(report["frames"].size(), 2U);
+  for (const char* key :
+       {"frame", "time_s", "max_stretch", "p99_stretch", "mean_stretch", "max_compression", "rms_speed",
+        "kinetic_energy", "potential_energy", "convergence", "sim_ms", "draw_ms", "encode_ms"}) {
+    EXPECT_TRUE(report["frames"][1][key].is_number()) << key;
+  }
+  EXPECT_EQ(report["frames"][1]["state_hash"].get<std::string>().size(), 16U);
+  EXPECT_EQ(report["frames"][1]["asleep"], false);
+  EXPECT_EQ(report["summary"]["frames"], 2);
+}
+
+// As a spreadsheet reads it, and the same numbers as the JSON.
+TEST(RunReport, IsATableWhereTheNameSaysCsv) {
+  Scene scene;
+  scene.garment.grid = {.columns = 3, .rows = 3};
+  sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
+  const auto records = run_frames(simulation, 3, {});
+  const test::TemporaryFolder folder;
+  const RunStatistics run = {scene, simulation.garment(), "", records};
+  write_statistics(folder / "run.csv", run);
+  write_statistics(folder / "run.json", run);
+  const json frames = json::parse(read_text_file(folder / "run.json"))["frames"];
+  std::istringstream lines(read_text_file(folder / "run.csv"));
+  const auto cells_of = [&] {
+    std::string line;
+    std::getline(lines, line);
+    std::istringstream words(line);
+    std::vector<std::string> cells;
+    for (std::string cell; std::getline(words, cell, ',');) {
+      cells.push_back(cell);
+    }
+    return cells;
+  };
+  const std::vector<std::string> names = cells_of();
+  EXPECT_EQ(names.size(), frames[0].size());
+  for (const json& frame : frames) {
+    const std::vector<std::string> row = cells_of();
+    ASSERT_EQ(row.size(), names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const json& value = frame.at(names[i]);
+      EXPECT_EQ(row[i], value.is_string() ? value.get<std::string>() : value.dump()) << names[i];
+    }
+  }
+  EXPECT_TRUE(cells_of().empty());
+}
+
+TEST(RunReport, RefusesAnEndingThatIsNeither) {
+  EXPECT_CONTAINS(test::message_of<UsageError>([] { prepare_statistics("run.xls"); }),
+                  "--stats run.xls: expected a file name that ends in .json or .csv");
+  EXPECT_NO_THROW(prepare_statistics("/dev/stdout"));
+}
+
+TEST(RunReport, ExplainsEveryColumn) {
+  const std::string header = statistics_csv({});
+  const std::string help = statistics_help();
+  std::istringstream words(header.substr(0, header.find('\n')));
+  for (std::string name; std::getline(words, name, ',');) {
+    EXPECT_CONTAINS(help, "\n  " + name + ' ');
+  }
+}
+
+TEST(RunReport, NamesNoRendererWhereNothingWasDrawn) {
+  Scene scene;
+  const LoadedGarment loaded = load_garment(scene);
+  EXPECT_FALSE(
+      json::parse(statistics_json({scene, loaded.garment, "", {}}))["versions"].contains("gl_renderer"));
+}
+
+// One triangle: all there is once.
+TEST(Inspection, CountsInPlainEnglish) {
+  const test::TemporaryFolder folder;
+  Scene scene;
+  scene.garment.file = folder.write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const LoadedGarment loaded = load_garment(scene);
+  const std::string text = describe(inspect_garment(scene, loaded));
+  EXPECT_CONTAINS(text, "Wavefront OBJ, 1 mesh: 1 triangle, 0 quads, 0 polygons; ignored 0 lines, 0 points");
+  EXPECT_CONTAINS(text, "mesh        3 vertices, 1 triangle\n");
+  EXPECT_CONTAINS(text, "1 component, 1 boundary loop (3 edges), Euler characteristic 1\n");
+  EXPECT_CONTAINS(text, "numbers     in pins.at count the vertices of the file, 0 to 2\n");
+  EXPECT_EQ(text.find("1 meshes"), std::string::npos);
+  scene.garment.file = folder.write(
+      "tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  EXPECT_CONTAINS(describe(inspect_garment(scene, load_garment(scene))), "1 component, no boundary, Euler");
+  scene.garment.file =
+      folder.write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\nf 4 5 6\n");
+  EXPECT_CONTAINS(describe(inspect_garment(scene, load_garment(scene))), "2 boundary loops (6 edges in all)");
+}
+
+TEST(Inspection, MeasuresTheTShirt) {
+  Scene scene;
+  scene.garment.file = TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj";
+  const Inspection inspection = inspect_garment(scene, load_garment(scene));
+  EXPECT_EQ(inspection.triangles, 1028U);
+  EXPECT_EQ(inspection.topology.components, 1U);
+  EXPECT_EQ(inspection.topology.boundary_loops, 4U);
+  EXPECT_LT(inspection.shortest_edge_m, inspection.mean_edge_m);
+  EXPECT_LT(inspection.mean_edge_m, inspection.longest_edge_m);
+  const json report = json::parse(inspection_json(inspection));
+  EXPECT_EQ(report["triangles"], 1028);
+  EXPECT_EQ(report["bounding_box_m"].size(), 2U);
+  EXPECT_EQ(report["springs"]["structural"], inspection.structural_springs);
+  EXPECT_GT(report["landmarks"]["hem"].get<int>(), 4);
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -1,0 +1,223 @@
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/interruption.hpp"
+#include "app/output/video_writer.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+using test::message_of;
+using test::TemporaryFolder;
+
+constexpr VideoSettings small = {.width_px = 32, .height_px = 16, .frame_rate_hz = 25.0};
+
+// A stand-in for ffmpeg; "$out" is the file it is to write. Without a script there is no ffmpeg at all.
+void use_ffmpeg(const TemporaryFolder& folder, const std::string& script) {
+  const auto bin = folder / "bin";
+  std::filesystem::create_directories(bin);
+  if (!script.empty()) {
+    std::ofstream(bin / "ffmpeg") << "#!/bin/sh\nPATH=/usr/bin:/bin\nfor out; do :; done\nout=${out#file:}\n"
+                                  << script << '\n';
+    std::filesystem::permissions(bin / "ffmpeg", std::filesystem::perms::owner_all);
+  }
+  ::setenv("PATH", bin.c_str(), 1);
+}
+
+renderer::Image grey(int width_px, int height_px, std::uint8_t value) {
+  renderer::Image image = renderer::make_image(width_px, height_px);
+  std::fill(image.pixels.begin(), image.pixels.end(), value);
+  return image;
+}
+
+void write_video(const std::filesystem::path& file, int frames) {
+  VideoWriter video(file, small);
+  for (int frame = 0; frame < frames; ++frame) {
+    video.add(grey(32, 16, static_cast<std::uint8_t>(frame)));
+  }
+  video.finish();
+}
+
+TEST(VideoWriter, HandsRawRgbToFfmpegAndNamesTheFileAtTheEnd) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "cat > \"$out\"");
+  write_video(folder / "film.mp4", 3);
+  const std::string bytes = read_text_file(folder / "film.mp4");
+  ASSERT_EQ(bytes.size(), 3U * 32U * 16U * 3U);
+  EXPECT_EQ(bytes.back(), 2);
+  EXPECT_EQ(folder.file_count(), 2U);  // the film and bin
+}
+
+TEST(VideoWriter, SaysThatThereIsNoFfmpeg) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "");
+  const std::string message = message_of<InputError>([&] { write_video(folder / "film.mp4", 1); });
+  EXPECT_CONTAINS(message, "the program ffmpeg does not start (No such file or directory); install it");
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(VideoWriter, AnFfmpegThatDiesInTheMiddleIsReportedInItsOwnWords) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "echo half > \"$out\"; head -c 5000 > /dev/null; echo 'the disk is full' >&2; exit 3");
+  const std::string message = message_of<InputError>([&] { write_video(folder / "film.mp4", 10000); });
+  EXPECT_CONTAINS(message, "ffmpeg stopped with exit code 3 after ");
+  EXPECT_CONTAINS(message, "frames: the disk is full");
+  EXPECT_EQ(folder.file_count(), 1U) << "something half-written is left";
+}
+
+TEST(VideoWriter, AKilledFfmpegIsReported) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "echo half > \"$out\"; kill -9 $$");
+  EXPECT_CONTAINS(message_of<InputError>([&] { write_video(folder / "film.gif", 10000); }), "signal 9");
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(VideoWriter, AnFfmpegThatFailsAtTheEndIsReported) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "echo half > \"$out\"; cat > /dev/null; echo 'no such encoder' >&2; exit 1");
+  const std::string message = message_of<InputError>([&] { write_video(folder / "film.mp4", 3); });
+  EXPECT_CONTAINS(message, "ffmpeg failed with exit code 1 after 3 frames: no such encoder");
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(VideoWriter, AnFfmpegThatWritesNothingIsReported) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "cat > /dev/null");
+  EXPECT_CONTAINS(message_of<InputError>([&] { write_video(folder / "film.mp4", 3); }), "cannot write");
+}
+
+TEST(VideoWriter, LeavesNothingWhenAbandoned) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "echo half > \"$out\"; cat >> \"$out\"; sleep 60");
+  {
+    VideoWriter video(folder / "film.mp4", small);
+    video.add(grey(32, 16, 0));
+  }
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(VideoWriterDeathTest, CanBeInterruptedWhileFfmpegHangs) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "exec sleep 60");
+  const auto interrupted = [&] {
+    watch_for_interruption();
+    std::raise(SIGTERM);
+    const bool stopped = !message_of<Interrupted>([&] { write_video(folder / "film.mp4", 10000); }).empty();
+    std::exit(stopped ? 42 : 1);
+  };
+  EXPECT_EXIT(interrupted(), testing::ExitedWithCode(42), "");
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(VideoWriterDeathTest, ALiveVideoIsCompletedAfterAnInterruption) {
+  const TemporaryFolder folder;
+  use_ffmpeg(folder, "sleep 0.3; cat > \"$out\"");
+  constexpr int frames = 1000;  // more than waits between the two programs
+  const auto interrupted = [&] {
+    watch_for_interruption();
+    std::raise(SIGTERM);
+    VideoSettings live = small;
+    live.is_live = true;
+    VideoWriter video(folder / "film.mp4", live);
+    for (int frame = 0; frame < frames; ++frame) {
+      video.add(grey(32, 16, 7));
+    }
+    video.finish();
+    std::exit(42);
+  };
+  EXPECT_EXIT(interrupted(), testing::ExitedWithCode(42), "");
+  EXPECT_EQ(std::filesystem::file_size(folder / "film.mp4"), 32U * 16U * 3U * frames);
+}
+
+TEST(VideoWriter, AnOddSizeIsRefusedForMp4Alone) {
+  const VideoSettings odd = {.width_px = 641, .height_px = 480};
+  EXPECT_CONTAINS(message_of<UsageError>([&] { require_video_size("film.mp4", odd); }),
+                  "needs an even width and height, found 641 x 480");
+  EXPECT_NO_THROW(require_video_size("film.gif", odd));
+}
+
+// With the real one.
+void expect_the_same_file_every_time(const std::string& extension) {
+  if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "there is no ffmpeg";
+  }
+  const TemporaryFolder folder;
+  write_video(folder / ("first" + extension), 30);
+  write_video(folder / ("second" + extension), 30);
+  const std::string bytes = read_text_file(folder / ("first" + extension));
+  EXPECT_GT(bytes.size(), 500U);
+  EXPECT_EQ(bytes, read_text_file(folder / ("second" + extension)));
+}
+
+TEST(RealFfmpeg, MakesTheSameMp4EveryTime) {
+  expect_the_same_file_every_time(".mp4");
+}
+
+// Blocks of a GIF (GIF89a, appendix A): after the screen, its colours, then one by one what begins with '!'
+// for extensions and with ',' for pictures.
+struct GifContents {
+  int pictures = 0;
+  int hundredths_of_a_second = 0;
+};
+
+GifContents read_gif(const std::string& bytes) {
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(bytes.at(at)); };
+  const auto colours = [&](std::size_t at) {
+    return (byte(at) & 0x80) != 0 ? 3U << ((byte(at) & 7U) + 1U) : 0U;
+  };
+  GifContents contents;
+  std::size_t at = 13 + colours(10);
+  while (byte(at) != ';') {
+    if (byte(at) == ',') {
+      ++contents.pictures;
+      at += 11 + colours(at + 9);
+    } else {
+      contents.hundredths_of_a_second += byte(at + 1) == 0xF9 ? byte(at + 4) + 256 * byte(at + 5) : 0;
+      at += 2;
+    }
+    while (byte(at) != 0) {
+      at += 1U + byte(at);
+    }
+    ++at;
+  }
+  return contents;
+}
+
+TEST(RealFfmpeg, AGifHasAsManyFramesAsItSays) {
+  if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "there is no ffmpeg";
+  }
+  const TemporaryFolder folder;
+  struct Case {
+    double rate_hz;
+    int pictures;
+    int frames;
+  };
+  for (const Case& c :
+       {Case{60.0, 11, 6}, Case{60.0, 12, 6}, Case{60.0, 1, 1}, Case{25.0, 7, 7}, Case{120.0, 10, 4}}) {
+    VideoSettings settings = small;
+    settings.frame_rate_hz = c.rate_hz;
+    VideoWriter video(folder / "film.gif", settings);
+    for (int i = 0; i < c.pictures; ++i) {
+      // Two of each: those that are alike are not left out for that.
+      video.add(grey(32, 16, static_cast<std::uint8_t>(20 * (i / 4))));
+    }
+    video.finish();
+    const GifContents contents = read_gif(read_text_file(folder / "film.gif"));
+    EXPECT_EQ(contents.pictures, c.frames) << c.rate_hz << " Hz, " << c.pictures << " pictures";
+    EXPECT_EQ(video.frames(), c.frames);
+    EXPECT_NEAR(contents.hundredths_of_a_second, 100.0 * c.pictures / c.rate_hz, 5.0);
+  }
+}
+
+TEST(RealFfmpeg, MakesTheSameGifEveryTime) {
+  expect_the_same_file_every_time(".gif");
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "renderer/page/canvas.hpp"
+#include "renderer/page/legend.hpp"
+
+namespace taut::renderer {
+namespace {
+
+Colour pixel(const Image& image, int x, int y) {
+  const std::uint8_t* p = image.at(x, y);
+  return rgb((static_cast<std::uint32_t>(p[0]) << 16U) | (static_cast<std::uint32_t>(p[1]) << 8U) | p[2]);
+}
+
+int dark_pixels(const Image& image, int x0, int y0, int x1, int y1) {
+  int count = 0;
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) count += image.at(x, y)[0] < 128 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Canvas, KeepsAnImageAndCoversWholePixels) {
+  Image image = make_image(8, 6);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = static_cast<std::uint8_t>(i * 3 % 251);
+  Canvas canvas(image);
+  EXPECT_EQ(canvas.to_image().pixels, image.pixels);
+  canvas.fill_rectangle(2, 1, 3, 2, rgb(0x12AB34));
+  const Image drawn = canvas.to_image();
+  for (int y = 0; y < 6; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const bool inside = x >= 2 && x < 5 && y >= 1 && y < 3;
+      EXPECT_EQ(pixel(drawn, x, y), inside ? rgb(0x12AB34) : pixel(image, x, y)) << x << "," << y;
+    }
+  }
+}
+
+TEST(Canvas, PlacesImagesSideBySide) {
+  Image red = make_image(4, 4);
+  for (std::size_t i = 0; i < red.pixels.size(); i += 3) red.pixels[i] = 255;
+  Canvas canvas(10, 4);
+  canvas.image(0, 0, red);
+  canvas.image(6, 0, red);
+  const Image drawn = canvas.to_image();
+  EXPECT_EQ(pixel(drawn, 3, 3), rgb(0xFF0000));
+  EXPECT_EQ(pixel(drawn, 4, 0), rgb(0xFFFFFF));
+  EXPECT_EQ(pixel(drawn, 6, 0), rgb(0xFF0000));
+}
+
+TEST(Canvas, TextIsWhereItWasMeasured) {
+  Canvas canvas(200, 60);
+  TextStyle style;
+  style.size_px = 20;
+  style.horizontal = HorizontalAlign::right;
+  const TextSize size = canvas.measure("Stretch", style);
+  EXPECT_GT(size.width_px, 60.0F);
+  EXPECT_LT(size.width_px, 100.0F);
+  canvas.text(180, 40, "Stretch", style);
+  const Image drawn = canvas.to_image();
+  const int left = 180 - static_cast<int>(size.width_px);
+  EXPECT_GT(dark_pixels(drawn, left, 40 - 20, 181, 42), 100);
+  EXPECT_EQ(dark_pixels(drawn, 0, 0, left - 1, 60), 0);
+  EXPECT_EQ(dark_pixels(drawn, 182, 0, 200, 60), 0);
+  EXPECT_EQ(dark_pixels(drawn, 0, 42, 200, 60), 0) << "nothing below the baseline but antialiasing";
+}
+
+TEST(Canvas, ScaledTakesAPictureOfThatManyPixelsAsItIs) {
+  Canvas canvas = Canvas::scaled(15, 11, 0.5F);
+  Image checks = make_image(5, 4);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 5; ++x) checks.at(x, y)[0] = (x + y) % 2 == 0 ? 255 : 0;
+  }
+  canvas.image(2.5F, 2.5F, 10, 8, checks);
+  const Image drawn = canvas.to_image();
+  ASSERT_EQ(drawn.width_px, 8) << "rounded";
+  ASSERT_EQ(drawn.height_px, 6);
+  for (int y = 1; y < 3; ++y) {
+    for (int x = 1; x < 4; ++x) {
+      EXPECT_EQ(drawn.at(1 + x, 1 + y)[0], checks.at(x, y)[0]) << x << ' ' << y;
+    }
+  }
+}
+
+TEST(Canvas, PdfIsCompleteAndTheSameEveryTime) {
+  const std::filesystem::path path = std::filesystem::path(TAUT_TEST_FOLDER) / "canvas.pdf";
+  std::string first;
+  for (int i = 0; i < 2; ++i) {
+    std::filesystem::remove(path);
+    Canvas canvas = Canvas::pdf(path, 600, 300);
+    canvas.text(20, 40, "Figure 1");
+    EXPECT_FALSE(std::filesystem::exists(path)) << "nothing before finish";
+    EXPECT_THROW(static_cast<void>(canvas.to_image()), std::logic_error);
+    canvas.finish();
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    EXPECT_EQ(bytes.substr(0, 5), "%PDF-");
+    EXPECT_NE(bytes.find("%%EOF"), std::string::npos);
+    EXPECT_NE(bytes.find("/CreationDate (20000101"), std::string::npos) << "the time of day must stay out";
+    if (i == 0) first = bytes;
+    EXPECT_EQ(bytes, first);
+  }
+  EXPECT_THROW(Canvas::pdf("/not-there/a.pdf", 10, 10).finish(), std::runtime_error);
+}
+
+TEST(Legend, BarRunsFromTheMinimumBelowToTheMaximumAbove) {
+  Canvas canvas(200, 320);
+  Legend legend{"stretch", 0.0F, 0.02F, ColourMap::viridis, 100.0F, " %", 0.01F, "bound", false};
+  LegendPlace place;
+  draw_legend(canvas, legend, place);
+  const Image drawn = canvas.to_image();
+  const int x = static_cast<int>(place.x_px + 0.5F * place.bar_width_px);
+  const int top = static_cast<int>(place.y_px) + 1;
+  const int bottom = static_cast<int>(place.y_px + place.bar_height_px) - 2;
+  EXPECT_NEAR(pixel(drawn, x, top).g, rgb(0xFDE725).g, 0.02F);
+  EXPECT_NEAR(pixel(drawn, x, bottom).b, rgb(0x440154).b, 0.02F);
+  const int middle = static_cast<int>(place.y_px + 0.5F * place.bar_height_px);
+  EXPECT_LT(pixel(drawn, x, middle).g, 0.15F) << "the bound is marked";
+  EXPECT_GT(dark_pixels(drawn, x + 12, middle - 8, 190, middle + 8), 40) << "and labelled";
+}
+
+// Half a pixel off in both directions every row has two soft edges.
+TEST(Legend, BarKeepsItsColoursBetweenPixels) {
+  Canvas canvas(200, 320, rgb(0xFFFFFF));
+  Legend legend{"stretch", 0.0F, 0.02F, ColourMap::viridis, 100.0F, " %", {}, "", true};
+  LegendPlace place;
+  place.x_px = 24.5F;
+  place.y_px = 48.5F;
+  draw_legend(canvas, legend, place);
+  const Image drawn = canvas.to_image();
+  for (int y = 50; y < 287; ++y) {
+    const Colour expected =
+        colour_at(legend.map, 1.0F - (static_cast<float>(y) - 48.0F) / place.bar_height_px);
+    for (const int x : {26, 32, 39}) {
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(pixel(drawn, x, y)[k], expected[k], 0.02F) << x << "," << y;
+    }
+  }
+  for (int y = 40; y < 45; ++y) EXPECT_LT(pixel(drawn, 32, y).b, 0.2F) << "the arrow, " << y;
+}
+
+}  // namespace
+}  // namespace taut::renderer

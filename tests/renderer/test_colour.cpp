@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer/page/colour.hpp"
+
+namespace taut::renderer {
+namespace {
+
+TEST(Srgb, KnownValues) {
+  // IEC 61966-2-1: 18 % grey and one value on the straight part near black.
+  EXPECT_NEAR(linear_to_srgb(0.18F), 0.46136F, 1e-4F);
+  EXPECT_NEAR(linear_to_srgb(0.001F), 0.01292F, 1e-6F);
+  EXPECT_NEAR(srgb_to_linear(0.5F), 0.21404F, 1e-4F);
+  EXPECT_EQ(linear_to_srgb(2.0F), linear_to_srgb(1.0F));
+}
+
+TEST(Srgb, BothWaysGiveTheByteBack) {
+  for (int byte = 0; byte < 256; ++byte) {
+    const float encoded = static_cast<float>(byte) / 255.0F;
+    EXPECT_EQ(std::lround(linear_to_srgb(srgb_to_linear(encoded)) * 255.0F), byte);
+  }
+}
+
+float lightness(const Colour& colour) {
+  return 0.2126F * srgb_to_linear(colour.r) + 0.7152F * srgb_to_linear(colour.g) +
+         0.0722F * srgb_to_linear(colour.b);
+}
+
+TEST(ColourMap, SequentialMapsGetLighterAllTheWay) {
+  for (const ColourMap map : {ColourMap::viridis, ColourMap::cividis}) {
+    for (int i = 1; i <= 100; ++i) {
+      const auto t = static_cast<float>(i);
+      EXPECT_GT(lightness(colour_at(map, t / 100.0F)), lightness(colour_at(map, (t - 1.0F) / 100.0F))) << i;
+    }
+  }
+}
+
+TEST(ColourMap, DivergingMapIsLightestInTheMiddle) {
+  for (int i = 1; i <= 50; ++i) {
+    const float near = static_cast<float>(i - 1) / 100.0F;
+    const float far = static_cast<float>(i) / 100.0F;
+    EXPECT_LT(lightness(colour_at(ColourMap::blue_orange, 0.5F + far)),
+              lightness(colour_at(ColourMap::blue_orange, 0.5F + near)));
+    EXPECT_LT(lightness(colour_at(ColourMap::blue_orange, 0.5F - far)),
+              lightness(colour_at(ColourMap::blue_orange, 0.5F - near)));
+  }
+}
+
+TEST(ColourMap, OutsideIsClampedAndNotANumberIsGrey) {
+  EXPECT_EQ(colour_at(ColourMap::viridis, -3.0F), rgb(0x440154));
+  EXPECT_EQ(colour_at(ColourMap::viridis, 7.0F), rgb(0xFDE725));
+  EXPECT_EQ(colour_at(ColourMap::viridis, NAN), Colour{0.5F});
+}
+
+TEST(ColourMap, Names) {
+  EXPECT_EQ(colour_map_named("cividis"), ColourMap::cividis);
+  EXPECT_EQ(colour_map_named("blue-orange"), ColourMap::blue_orange);
+  EXPECT_FALSE(colour_map_named("jet"));
+}
+
+}  // namespace
+}  // namespace taut::renderer

@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "renderer/light/key_decision.hpp"
+#include "renderer/passes/backdrop_pass.hpp"
+#include "scene_support.hpp"
+
+namespace taut::renderer {
+namespace {
+
+// A level square grid around the y axis.
+struct Grid {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<std::uint32_t> triangles;
+
+  Grid(int cells, float side_m, float height_m) {
+    for (int z = 0; z <= cells; ++z) {
+      for (int x = 0; x <= cells; ++x) {
+        const glm::vec2 place = glm::vec2(x, z) / static_cast<float>(cells) - 0.5F;
+        positions.emplace_back(side_m * place.x, height_m, side_m * place.y);
+        normals.emplace_back(0, 1, 0);
+      }
+    }
+    const auto row = static_cast<std::uint32_t>(cells + 1);
+    for (std::uint32_t z = 0; z + 1 < row; ++z) {
+      for (std::uint32_t x = 0; x + 1 < row; ++x) {
+        const std::uint32_t i = z * row + x;
+        triangles.insert(triangles.end(), {i, i + row, i + 1, i + 1, i + row, i + row + 1});
+      }
+    }
+  }
+  SurfaceView view() const { return surface_of(positions, normals, triangles); }
+};
+
+// A small sheet above a large one, lit from straight above.
+struct TwoSheets {
+  Grid low;
+  Grid high;
+  FrameView frame;
+  FrameBlock block;
+
+  explicit TwoSheets(int cells, float gap_m = 0.3F) : low(cells, 1.0F, 0.0F), high(8, 0.4F, gap_m) {
+    frame.surfaces = {low.view(), high.view()};
+    frame.lighting.towards_key = {0, 1, 0};
+    frame.ground_height_m = -0.2F;
+    frame.camera.eye = {0, 2, 3};
+    const Box box = united(bounding_box(low.positions), bounding_box(high.positions));
+    block = make_frame_block(frame, PictureSettings{}, box);
+  }
+  std::vector<KeyLight> decided() {
+    const std::array casters{&frame.surfaces[0], &frame.surfaces[1]};
+    DepthMap map;
+    map.resize(1024);
+    for (const SurfaceView* caster : casters) {
+      map.draw(block.world_to_shadow, caster->positions, caster->triangles);
+    }
+    KeyDecision decision;
+    decision.look(map, block);
+    std::vector<KeyLight> triangles;
+    decision.decide(frame.surfaces[0], triangles);
+    return triangles;
+  }
+  // Of a triangle of the large sheet: how far its nearest and its farthest corner are from the middle, as
+  // squares around it are.
+  glm::vec2 reach_m(std::size_t triangle) const {
+    glm::vec2 reach{1e9F, 0.0F};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3 p = low.positions[low.triangles[3 * triangle + k]];
+      const float own = std::max(std::abs(p.x), std::abs(p.z));
+      reach = {std::min(reach.x, own), std::max(reach.y, own)};
+    }
+    return reach;
+  }
+};
+
+TEST(KeyDecision, FineMeshKnowsLightShadowAndTheirEdge) {
+  TwoSheets scene(50);
+  const std::vector<KeyLight> decided = scene.decided();
+  for (std::size_t i = 0; i < decided.size(); ++i) {
+    const glm::vec2 reach_m = scene.reach_m(i);
+    if (reach_m.y < 0.16F) {
+      EXPECT_EQ(decided[i], KeyLight::shadow) << reach_m.y;
+    }
+    if (reach_m.x > 0.24F) {
+      EXPECT_EQ(decided[i], KeyLight::light) << reach_m.x;
+    }
+    // The edge is at 0.2; the penumbra reaches as far as the widest blur.
+    if (reach_m.x < 0.2F && reach_m.y > 0.2F) {
+      EXPECT_EQ(decided[i], KeyLight::open) << reach_m.x;
+    }
+  }
+  EXPECT_GT(std::count(decided.begin(), decided.end(), KeyLight::shadow), 300);
+  EXPECT_LT(std::count(decided.begin(), decided.end(), KeyLight::open), 700);
+}
+
+// The mesh is finer than the penumbra is wide.
+TEST(KeyDecision, PenumbraSpreadsOverSeveralTriangles) {
+  TwoSheets scene(200);
+  const std::vector<KeyLight> decided = scene.decided();
+  const float blur_m = scene.block.shadow_blur.x * scene.block.shadow.x;
+  ASSERT_GT(blur_m, 0.011F);
+  for (std::size_t i = 0; i < decided.size(); ++i) {
+    const glm::vec2 reach_m = scene.reach_m(i);
+    if (std::abs(reach_m.x - 0.2F) < 0.8F * blur_m) {
+      EXPECT_EQ(decided[i], KeyLight::open) << reach_m.x;
+    }
+  }
+}
+
+// What is close above throws a sharp shadow, which reaches less far.
+TEST(KeyDecision, FewerTrianglesAreOpenWhereTheShadowIsSharp) {
+  const auto open_among = [](const std::vector<KeyLight>& decided) {
+    return std::count(decided.begin(), decided.end(), KeyLight::open);
+  };
+  TwoSheets close(100, 0.02F);
+  TwoSheets apart(100, 0.3F);
+  const auto sharp = open_among(close.decided());
+  EXPECT_GT(sharp, 200);
+  EXPECT_LT(sharp, 0.8 * static_cast<double>(open_among(apart.decided())));
+}
+
+// The shadow lies between the vertices, where they cannot see it.
+TEST(KeyDecision, CoarseMeshLeavesItToThePixels) {
+  TwoSheets scene(1);
+  for (const KeyLight triangle : scene.decided()) EXPECT_EQ(triangle, KeyLight::open);
+}
+
+// Its sides rise in front of its bottom's plane, but nothing is between them and the light.
+TEST(KeyDecision, AValleyIsWhollyInTheLight) {
+  TwoSheets scene(50);
+  for (glm::vec3& p : scene.low.positions) p.y = 2.0F * p.x * p.x - 0.3F;
+  for (glm::vec3& p : scene.high.positions) p += glm::vec3{2.0F, -0.3F, 0.0F};
+  const Box box = united(bounding_box(scene.low.positions), bounding_box(scene.high.positions));
+  scene.block = make_frame_block(scene.frame, PictureSettings{}, box);
+  for (const KeyLight triangle : scene.decided()) EXPECT_EQ(triangle, KeyLight::light);
+}
+
+TEST(KeyDecision, WithoutCastersEverythingIsInTheLight) {
+  TwoSheets scene(4);
+  KeyDecision decision;
+  const DepthMap nothing;
+  decision.look(nothing, scene.block);
+  std::vector<KeyLight> decided;
+  decision.decide(scene.frame.surfaces[0], decided);
+  EXPECT_EQ(decided.size(), 32U);
+  for (const KeyLight triangle : decided) EXPECT_EQ(triangle, KeyLight::light);
+}
+
+TEST(ShadedFloor, HoldsTheShadowAndLittleElse) {
+  TwoSheets scene(4);
+  const std::array casters{&scene.frame.surfaces[0], &scene.frame.surfaces[1]};
+  set_shadow_bounds(scene.block, casters);
+  const PictureSettings settings;
+  set_tile(scene.block, scene.frame.camera, settings, {0, 0, settings.width_px, settings.height_px});
+  const PixelRect part = shaded_floor(scene.block);
+  for (const float x : {-0.5F, 0.5F}) {
+    for (const float z : {-0.5F, 0.5F}) {
+      const glm::vec4 clip = scene.block.world_to_clip * glm::vec4{x, -0.2F, z, 1.0F};
+      const glm::vec2 pixel = (0.5F + 0.5F * glm::vec2{clip} / clip.w) * glm::vec2{1280.0F, 720.0F};
+      EXPECT_GT(pixel.x, static_cast<float>(part.x_px));
+      EXPECT_LT(pixel.x, static_cast<float>(part.x_px + part.width_px));
+      EXPECT_GT(pixel.y, static_cast<float>(part.y_px));
+      EXPECT_LT(pixel.y, static_cast<float>(part.y_px + part.height_px));
+    }
+  }
+  EXPECT_LT(part.width_px, 1000);
+  EXPECT_LT(part.height_px, 600);
+}
+
+TEST(BandsAround, CoverEveryPixelButThePartsOnce) {
+  for (const PixelRect& part :
+       {PixelRect{}, PixelRect{3, 2, 4, 5}, PixelRect{0, 0, 12, 9}, PixelRect{5, 0, 7, 9}}) {
+    std::array<int, 12 * 9> times{};
+    const auto count = [&](const PixelRect& rect) {
+      for (int y = rect.y_px; y < rect.y_px + rect.height_px; ++y) {
+        for (int x = rect.x_px; x < rect.x_px + rect.width_px; ++x) {
+          ++times[static_cast<std::size_t>(12 * y + x)];
+        }
+      }
+    };
+    count(part);
+    for (const PixelRect& band : bands_around(part, {12, 9})) count(band);
+    for (const int number : times) EXPECT_EQ(number, 1);
+  }
+}
+
+}  // namespace
+}  // namespace taut::renderer

@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "renderer/light/depth_map.hpp"
+#include "renderer/light/key_decision.hpp"
+#include "renderer/light/sky_light.hpp"
+#include "renderer/light/triangle_spans.hpp"
+#include "renderer/mesh_normals.hpp"
+#include "renderer/passes/backdrop_pass.hpp"
+#include "renderer/passes/covered_squares.hpp"
+#include "renderer/passes/drawn_area.hpp"
+#include "renderer/passes/merged_spheres.hpp"
+#include "scene_support.hpp"
+
+// Cloth that flew apart: every part of the renderer that looks at positions is handed some that are anywhere
+// or nowhere. What comes out may show nothing, but nothing is read or written outside of what there is.
+
+namespace taut::renderer {
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float largest = std::numeric_limits<float>::max();
+
+// Two triangles; `lost` of the first vertices are where a runaway cloth may be.
+struct Runaway {
+  std::vector<glm::vec3> positions{{-0.5F, 0, 0.5F}, {0.5F, 0, 0.5F}, {0.5F, 0, -0.5F}, {-0.5F, 0, -0.5F}};
+  std::vector<glm::vec3> normals = std::vector<glm::vec3>(4, {0, 1, 0});
+  std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3};
+
+  Runaway(const glm::vec3& place, std::size_t lost) {
+    // Not all in one place, or every triangle would be without area.
+    const std::array turns{glm::vec3{1, 1, 1}, glm::vec3{-1, 1, 1}, glm::vec3{1, -1, 0.5F},
+                           glm::vec3{0.5F, 1, -1}};
+    for (std::size_t i = 0; i < lost; ++i) positions[i] = place * turns[i];
+  }
+  SurfaceView view() const { return surface_of(positions, normals, triangles); }
+};
+
+void for_each_runaway(const std::function<void(const Runaway&)>& look) {
+  for (const float far : {1e5F, 1e9F, 3e9F, 1e12F, 1e19F, 1e30F, largest, inf, nan}) {
+    for (const glm::vec3& place : {glm::vec3{far, far, far}, glm::vec3{far, 0.3F, 0.2F},
+                                   glm::vec3{0.1F, -far, 0.2F}, glm::vec3{0.1F, 0.3F, far}}) {
+      for (const std::size_t lost : {1U, 2U, 4U}) look(Runaway(place, lost));
+    }
+  }
+}
+
+TEST(LostPositions, NoSpanLeavesTheSquare) {
+  constexpr int side_px = 16;
+  for_each_runaway([&](const Runaway& cloth) {
+    for (const float scale : {1.0F, 16.0F}) {
+      const auto at = [&](std::size_t i) { return scale * glm::vec3{cloth.positions[i]}; };
+      triangle_spans(at(0), at(1), at(2), side_px, [&](const TriangleSpan& span) {
+        EXPECT_TRUE(span.row >= 0 && span.row < side_px) << span.row;
+        EXPECT_TRUE(span.first >= 0 && span.last < side_px) << span.first << " to " << span.last;
+      });
+    }
+  });
+}
+
+TEST(LostPositions, ADepthMapIsClearWhereItSaysSo) {
+  for_each_runaway([](const Runaway& cloth) {
+    DepthMap map;
+    map.resize(32);
+    map.draw(glm::mat4{1.0F}, cloth.positions, cloth.triangles);
+    const MapArea& drawn = map.drawn();
+    EXPECT_TRUE(drawn.lower.x >= 0 && drawn.lower.x <= drawn.upper.x && drawn.upper.x <= 32);
+    EXPECT_TRUE(drawn.lower.y >= 0 && drawn.lower.y <= drawn.upper.y && drawn.upper.y <= 32);
+    map.clear();
+    for (const float depth : map.depths()) EXPECT_EQ(depth, 1.0F);
+    for (const glm::vec3& position : cloth.positions) EXPECT_EQ(map.depth_at(glm::vec2{position}), 1.0F);
+  });
+}
+
+// With the box of what is lost, and with that of what is near.
+TEST(LostPositions, TheSkyIsLookedAtFromAnywhere) {
+  for_each_runaway([](const Runaway& cloth) {
+    const SurfaceView view = cloth.view();
+    const std::array casters{&view};
+    for (const Box& box : {bounding_box(cloth.positions), Box{glm::vec3{-1.0F}, glm::vec3{1.0F}}}) {
+      SkyLight sky;
+      sky.look(casters, box, 6);
+      std::vector<glm::vec2> light;
+      sky.gather(view, light);
+      EXPECT_EQ(light.size(), cloth.positions.size());
+      std::vector<float> floor;
+      sky.gather_floor({-2.0F, -2.0F, 0.25F, 0.25F}, -1.0F, floor);
+      sky.gather_floor({cloth.positions[0].x, cloth.positions[0].z, 0.25F, 0.25F}, cloth.positions[0].y,
+                       floor);
+      EXPECT_EQ(floor.size(), static_cast<std::size_t>(SkyLight::floor_px) * SkyLight::floor_px);
+    }
+  });
+}
+
+TEST(LostPositions, TheKeyLightDecides) {
+  for_each_runaway([](const Runaway& cloth) {
+    const SurfaceView view = cloth.view();
+    const std::array casters{&view};
+    FrameView frame;
+    frame.ground_height_m = cloth.positions[0].y;
+    for (const Box& box : {bounding_box(cloth.positions), Box{glm::vec3{-1.0F}, glm::vec3{1.0F}}}) {
+      FrameBlock block = make_frame_block(frame, PictureSettings{}, box);
+      set_shadow_bounds(block, casters);
+      set_tile(block, frame.camera, PictureSettings{}, {0, 0, 1280, 720});
+      DepthMap map;
+      map.resize(64);
+      map.draw(block.world_to_shadow, cloth.positions, cloth.triangles);
+      KeyDecision decision;
+      decision.look(map, block);
+      std::vector<KeyLight> decided;
+      decision.decide(view, decided);
+      EXPECT_EQ(decided.size(), 2U);
+      const PixelRect floor = shaded_floor(block);
+      EXPECT_TRUE(floor.x_px >= 0 && floor.width_px >= 0 && floor.x_px + floor.width_px <= 1280);
+      EXPECT_TRUE(floor.y_px >= 0 && floor.height_px >= 0 && floor.y_px + floor.height_px <= 720);
+    }
+  });
+}
+
+TEST(LostPositions, TheDrawnAreaIsOfThePicture) {
+  const Camera camera = front_camera();
+  const glm::mat4 to_clip = camera.projection(1.5F) * camera.view();
+  for_each_runaway([&](const Runaway& cloth) {
+    FrameView frame;
+    frame.lines.push_back({.points = cloth.positions, .colours = {}});
+    frame.points.push_back({.centres = cloth.positions, .colours = {}});
+    const std::array surfaces{cloth.view()};
+    const Tile area = drawn_area(frame, surfaces, to_clip, small_picture());
+    EXPECT_TRUE(area.x_px >= 0 && area.width_px >= 0 && area.x_px + area.width_px <= 96);
+    EXPECT_TRUE(area.y_px >= 0 && area.height_px >= 0 && area.y_px + area.height_px <= 64);
+    static_cast<void>(reaches_below(0.0F, frame, surfaces));
+  });
+}
+
+TEST(LostPositions, NormalsStayOfUnitLength) {
+  for_each_runaway([](const Runaway& cloth) {
+    for (const NormalWeight weight : {NormalWeight::area, NormalWeight::angle}) {
+      std::vector<glm::vec3> normals(cloth.positions.size());
+      vertex_normals(cloth.positions, cloth.triangles, normals, weight);
+      for (const glm::vec3& normal : normals) EXPECT_NEAR(glm::length(normal), 1.0F, 1e-4F);
+    }
+  });
+}
+
+TEST(LostPositions, ACameraIsFoundOrTheBoxIsRefused) {
+  for_each_runaway([](const Runaway& cloth) {
+    const Box box = bounding_box(cloth.positions);
+    const auto see = [&](const std::function<Camera()>& framed) {
+      try {
+        const Camera camera = framed();
+        EXPECT_TRUE(std::isfinite(glm::length(camera.eye)) && std::isfinite(camera.far_m));
+      } catch (const std::invalid_argument&) {
+        EXPECT_FALSE(is_near(box));
+      }
+    };
+    see([&] { return frame_box(box, {}, 1.5F); });
+    see([&] { return frame_points(cloth.positions, {}, 1.5F); });
+  });
+}
+
+struct LostPictures : SceneRendererTest {
+  SurfaceTables tables{context->gl()};
+};
+
+TEST_F(LostPictures, SquaresThatAreCoveredAreOfTheTile) {
+  const Camera camera = front_camera();
+  const glm::mat4 to_clip = camera.projection(1.5F) * camera.view();
+  CoveredSquares squares;
+  for_each_runaway([&](const Runaway& cloth) {
+    tables.clear();
+    tables.add(cloth.view(), {{KeyLight::light, KeyLight::open}, std::vector<glm::vec2>(4)}, -1);
+    for (const glm::mat4& matrix : {to_clip, glm::mat4{1.0F}}) {
+      squares.find(tables, matrix, {96, 64});
+      for (const bool open : {false, true}) {
+        for (const glm::vec2& corner : squares.corners(open)) {
+          EXPECT_TRUE(std::abs(corner.x) <= 1.0F && std::abs(corner.y) <= 1.0F);
+        }
+      }
+    }
+  });
+}
+
+// Whole pictures, with all that may be in one. What is not finite is refused by name; what is far is drawn,
+// and what is near beside it is seen.
+TEST_F(LostPictures, AreDrawnOrRefused) {
+  for (const float far : {1e5F, 1e9F, 1e12F, 1e30F, largest, inf, nan}) {
+    const Runaway cloth({far, -far, far}, 2);
+    FrameView frame = triangle_frame();
+    frame.backdrop.plain = false;
+    frame.ground_height_m = -1.2F;
+    frame.surfaces.push_back(cloth.view());
+    constexpr std::array<std::uint32_t, 4> edges{0, 1, 2, 3};
+    frame.surfaces.back().wireframe = Wireframe{.edges = edges};
+    frame.spheres.push_back({.centres = cloth.positions});
+    const std::array colour{rgb(0x1A1A1A)};
+    frame.lines.push_back({.points = cloth.positions, .colours = colour});
+    frame.points.push_back({.centres = cloth.positions, .colours = colour});
+    PictureSettings settings = small_picture();
+    settings.sky_directions = 6;
+    for (const int samples : {1, 4}) {
+      settings.samples = samples;
+      if (std::isfinite(far)) {
+        const Image image = renderer.draw(frame, settings);
+        EXPECT_EQ(image.width_px, 96);
+      } else {
+        EXPECT_THROW(renderer.draw(frame, settings), std::invalid_argument);
+      }
+    }
+  }
+}
+
+TEST_F(LostPictures, ACameraThatIsTooFarIsRefused) {
+  for (const float far : {1e10F, 1e30F, inf, nan}) {
+    FrameView frame = triangle_frame();
+    frame.camera.eye.x = far;
+    EXPECT_THROW(renderer.draw(frame, small_picture()), std::invalid_argument);
+    frame = triangle_frame();
+    frame.camera.target = glm::vec3{far};
+    EXPECT_THROW(renderer.draw(frame, small_picture()), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace taut::renderer

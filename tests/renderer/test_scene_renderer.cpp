@@ -1,0 +1,361 @@
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include "renderer/gl/colour_target.hpp"
+#include "renderer/primitives.hpp"
+#include "scene_support.hpp"
+
+namespace taut::renderer {
+namespace {
+
+TEST_F(SceneRendererTest, TriangleHasItsColourAndStandsUpright) {
+  const Image image = renderer.draw(triangle_frame(), small_picture());
+  ASSERT_EQ(image.width_px, 96);
+  ASSERT_EQ(image.channels, 3);
+  expect_colour(image, 48, 40, rgb(0x2E8B57), 1.0F);
+  expect_colour(image, 26, 60, rgb(0x2E8B57), 1.0F);
+  expect_colour(image, 26, 4, rgb(0xFFFFFF), 0.0F);
+  expect_colour(image, 2, 60, rgb(0xFFFFFF), 0.0F);
+}
+
+TEST_F(SceneRendererTest, AKeptPictureIsShownAgainAndStretched) {
+  const Image drawn = renderer.draw(triangle_frame(), small_picture());
+  ColourTarget target(*context);
+  renderer.draw_kept(triangle_frame(), small_picture());
+  for (const int factor : {1, 2, 1}) {
+    const unsigned framebuffer = target.framebuffer(factor * drawn.width_px, factor * drawn.height_px);
+    clear_framebuffer(*context, framebuffer, factor * drawn.width_px, factor * drawn.height_px, 0.0F);
+    renderer.show_kept(framebuffer, factor * drawn.width_px, factor * drawn.height_px);
+    const Image shown =
+        read_framebuffer(*context, framebuffer, factor * drawn.width_px, factor * drawn.height_px);
+    expect_colour(shown, factor * 48, factor * 40, rgb(0x2E8B57), 1.0F);
+    expect_colour(shown, factor * 26, factor * 4, rgb(0xFFFFFF), 0.0F);
+    if (factor == 1) {
+      EXPECT_EQ(shown.pixels, drawn.pixels);
+    }
+  }
+}
+
+TEST_F(SceneRendererTest, DrawingStraightToATargetLeavesTheRestOfItAndGivesTheSameBytes) {
+  constexpr int border_px = 8;
+  FrameView frame = triangle_frame();
+  const std::array<std::uint32_t, 2> edge{0, 1};
+  ColourTarget target(*context);
+  for (const bool plain : {true, false}) {
+    frame.backdrop.plain = plain;
+    frame.ground_height_m = -1.2F;
+    for (const int kind : {0, 1, 2}) {
+      PictureSettings settings = small_picture();
+      settings.samples = kind == 1 ? 4 : 1;
+      frame.surfaces[0].wireframe.reset();
+      if (kind == 2) frame.surfaces[0].wireframe = Wireframe{.edges = edge};
+      const Image expected = renderer.draw(frame, settings);
+      const int width_px = expected.width_px + border_px;
+      const int height_px = expected.height_px + border_px;
+      const unsigned framebuffer = target.framebuffer(width_px, height_px);
+      clear_framebuffer(*context, framebuffer, width_px, height_px, 0.2F);
+      EXPECT_EQ(renderer.draw_to(framebuffer, frame, settings), kind != 0);
+      const Image shown = read_framebuffer(*context, framebuffer, width_px, height_px);
+      for (int y = 0; y < height_px; ++y) {
+        for (int x = 0; x < width_px; ++x) {
+          const bool inside = x < expected.width_px && y >= border_px;
+          const int wanted = inside ? expected.at(x, y - border_px)[1] : 51;
+          ASSERT_EQ(shown.at(x, y)[1], wanted) << x << "," << y << " kind " << kind;
+        }
+      }
+    }
+  }
+}
+
+// Near a silhouette the near side is the steeper one.
+TEST_F(SceneRendererTest, NothingOfTheFarSideShowsAlongASilhouette) {
+  const TriangleMesh ball = make_sphere({0.0F, 0.0F, 0.0F}, 0.9F, 40);
+  FrameView frame = triangle_frame();
+  SurfaceView& surface = frame.surfaces[0];
+  surface.positions = ball.positions;
+  surface.normals = ball.normals;
+  surface.triangles = ball.triangles;
+  surface.style.outside_colour = rgb(0x00FF00);
+  surface.style.inside_colour = rgb(0xFF0000);
+  PictureSettings settings = small_picture();
+  settings.samples = 1;
+  settings.width_px = 480;
+  settings.height_px = 320;
+  const Image image = renderer.draw(frame, settings);
+  int red = 0;
+  int green = 0;
+  for (int y = 0; y < image.height_px; ++y) {
+    for (int x = 0; x < image.width_px; ++x) {
+      const std::uint8_t* pixel = image.at(x, y);
+      red += pixel[0] > 100 && pixel[1] < 100 ? 1 : 0;
+      green += pixel[1] > 100 && pixel[0] < 100 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(green, 50000);
+  EXPECT_EQ(red, 0);
+}
+
+TEST_F(SceneRendererTest, TheOtherSideHasTheInsideColour) {
+  FrameView frame = triangle_frame();
+  frame.camera.eye.z = -4.0F;
+  const Image image = renderer.draw(frame, small_picture());
+  // Seen from inside, the normal points down, to the studio's floor: 0.25 + 0.75 * 0.5 of the light.
+  const Colour inside = rgb(0xC05020);
+  Colour expected;
+  for (int i = 0; i < 3; ++i) expected[i] = linear_to_srgb(0.625F * srgb_to_linear(inside[i]));
+  expect_colour(image, 48, 40, expected, 2.0F);
+}
+
+TEST_F(SceneRendererTest, EveryGreyComesOutAsItWentIn) {
+  for (int byte = 0; byte < 256; byte += 5) {
+    FrameView frame;
+    frame.camera = front_camera();
+    frame.backdrop.plain = true;
+    frame.backdrop.lower_colour = Colour{static_cast<float>(byte) / 255.0F};
+    const Image image = renderer.draw(frame, small_picture());
+    EXPECT_EQ(image.at(50, 30)[1], byte);
+  }
+}
+
+TEST_F(SceneRendererTest, SamplesAndSupersamplingAverageInLinearLight) {
+  for (const auto& [samples, supersampling] : {std::pair{4, 1}, std::pair{1, 4}}) {
+    PictureSettings settings = small_picture();
+    settings.samples = samples;
+    settings.supersampling = supersampling;
+    FrameView frame = triangle_frame();
+    frame.surfaces[0].style.outside_colour = Colour{0.0F};
+    const Image image = renderer.draw(frame, settings);
+    // Where the slanted edge passes, coverage has in-between steps, whose light is a multiple of a quarter.
+    int between = 0;
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 96; ++x) {
+        const float light = srgb_to_linear(static_cast<float>(image.at(x, y)[0]) / 255.0F);
+        const bool edge = light > 0.02F && light < 0.98F;
+        between += edge ? 1 : 0;
+        const float steps = light * (samples == 4 ? 4.0F : 16.0F);
+        if (edge) {
+          EXPECT_NEAR(steps, std::round(steps), 0.1F) << x << "," << y;
+        }
+      }
+    }
+    EXPECT_GT(between, 60);
+  }
+}
+
+// A square sheet above a floor, seen from above at a slant.
+struct Sheet {
+  std::array<glm::vec3, 4> positions{
+      {{-0.5F, 0.6F, 0.5F}, {0.5F, 0.6F, 0.5F}, {0.5F, 0.6F, -0.5F}, {-0.5F, 0.6F, -0.5F}}};
+  std::array<glm::vec3, 4> normals{{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}}};
+  std::array<std::uint32_t, 6> triangles{0, 1, 2, 0, 2, 3};
+
+  FrameView frame() const {
+    FrameView view;
+    SurfaceView surface;
+    surface.positions = positions;
+    surface.normals = normals;
+    surface.triangles = triangles;
+    view.surfaces.push_back(surface);
+    view.ground_height_m = 0.0F;
+    view.camera.eye = {0.0F, 3.0F, 3.0F};
+    view.camera.target = {0.0F, 0.3F, 0.0F};
+    view.camera.vertical_fov_rad = 0.9F;
+    view.lighting.towards_key = {-1.0F, 1.0F, 0.0F};
+    return view;
+  }
+};
+
+// The pixel that shows a point of the world.
+glm::ivec2 pixel_of(const glm::vec3& point, const Camera& camera, const PictureSettings& settings) {
+  const float aspect = static_cast<float>(settings.width_px) / static_cast<float>(settings.height_px);
+  const glm::vec4 clip = camera.projection(aspect) * camera.view() * glm::vec4{point, 1.0F};
+  return {static_cast<int>((0.5F + 0.5F * clip.x / clip.w) * static_cast<float>(settings.width_px)),
+          static_cast<int>((0.5F - 0.5F * clip.y / clip.w) * static_cast<float>(settings.height_px))};
+}
+
+TEST_F(SceneRendererTest, ShadowFallsAwayFromTheKeyLight) {
+  const Sheet sheet;
+  const FrameView frame = sheet.frame();
+  PictureSettings settings = small_picture();
+  settings.shadow_map_px = 512;
+  // The light is at 45 degrees on the left: the shadow's middle is as far to the right as the sheet is high.
+  const glm::ivec2 in_shadow = pixel_of({0.7F, 0.0F, 0.2F}, frame.camera, settings);
+  const glm::ivec2 in_light = pixel_of({-0.8F, 0.0F, 0.2F}, frame.camera, settings);
+  const Image with = renderer.draw(frame, settings);
+  settings.shadows = false;
+  const Image without = renderer.draw(frame, settings);
+  EXPECT_LT(with.at(in_shadow.x, in_shadow.y)[1], without.at(in_shadow.x, in_shadow.y)[1] - 30);
+  EXPECT_GT(with.at(in_shadow.x, in_shadow.y)[1], 60) << "shadows are not black";
+  EXPECT_EQ(with.at(in_light.x, in_light.y)[1], without.at(in_light.x, in_light.y)[1]);
+}
+
+TEST_F(SceneRendererTest, FloorHidesWhatIsBelowIt) {
+  Sheet sheet;
+  for (glm::vec3& position : sheet.positions) position.y = 2.0F * position.z;  // half of it under the floor
+  FrameView frame = sheet.frame();
+  frame.surfaces[0].casts_shadow = false;
+  const PictureSettings settings = small_picture();
+  const Image with = renderer.draw(frame, settings);
+  const glm::ivec2 above = pixel_of({0.0F, 0.3F, 0.15F}, frame.camera, settings);
+  const glm::ivec2 below = pixel_of({0.0F, -0.3F, -0.15F}, frame.camera, settings);
+  frame.surfaces.clear();
+  const Image without = renderer.draw(frame, settings);
+  EXPECT_LT(with.at(above.x, above.y)[0], without.at(above.x, above.y)[0] - 50);
+  EXPECT_EQ(with.at(below.x, below.y)[0], without.at(below.x, below.y)[0]);
+}
+
+TEST_F(SceneRendererTest, SkyDarkensTheFloorUnderneath) {
+  const Sheet sheet;
+  FrameView frame = sheet.frame();
+  frame.lighting.towards_key = {-1.0F, 0.05F, 0.0F};  // its shadow falls far outside the picture
+  frame.surfaces[0].filled = true;
+  frame.camera.eye = {0.0F, 0.35F, 4.0F};  // looks under the sheet
+  frame.camera.target = {0.0F, 0.25F, 0.0F};
+  PictureSettings settings = small_picture();
+  const glm::ivec2 below = pixel_of({0.0F, 0.0F, 0.0F}, frame.camera, settings);
+  const Image open = renderer.draw(frame, settings);
+  settings.sky_directions = 32;
+  const Image closed = renderer.draw(frame, settings);
+  EXPECT_LT(closed.at(below.x, below.y)[1], open.at(below.x, below.y)[1] - 10);
+}
+
+TEST_F(SceneRendererTest, LitSheetHasNoAcne) {
+  const Sheet sheet;
+  FrameView frame = sheet.frame();
+  PictureSettings settings = small_picture();
+  frame.lighting.towards_key = {-1.0F, 0.3F, 0.2F};  // grazing: the hard case
+  const Image with = renderer.draw(frame, settings);
+  settings.shadows = false;
+  const Image without = renderer.draw(frame, settings);
+  for (float x = -0.45F; x <= 0.45F; x += 0.05F) {
+    for (float z = -0.45F; z <= 0.45F; z += 0.05F) {
+      const glm::ivec2 p = pixel_of({x, 0.6F, z}, frame.camera, settings);
+      EXPECT_NEAR(with.at(p.x, p.y)[2], without.at(p.x, p.y)[2], 1) << x << "," << z;
+    }
+  }
+}
+
+TEST_F(SceneRendererTest, SameBytesEveryTimeAndFromEveryRenderer) {
+  const Sheet sheet;
+  const FrameView frame = sheet.frame();
+  PictureSettings settings = small_picture();
+  settings.sky_directions = 24;
+  const Image first = renderer.draw(frame, settings);
+  EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels);
+  PictureSettings other = settings;
+  other.width_px = 50;
+  other.samples = 1;
+  other.shadow_map_px = 300;
+  renderer.draw(triangle_frame(), other);
+  EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels) << "after something different";
+  const auto second_context = create_context();
+  SceneRenderer second(*second_context);
+  EXPECT_EQ(second.draw(frame, settings).pixels, first.pixels);
+  EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels) << "with two contexts alive";
+}
+
+TEST_F(SceneRendererTest, PreparingChangesNoPicture) {
+  const Sheet sheet;
+  FrameView frame = sheet.frame();
+  const std::array<float, 4> values{0.0F, 0.3F, 0.6F, 1.0F};
+  for (const bool numbers : {false, true}) {
+    if (numbers) frame.surfaces[0].scalars = ScalarColours{values};
+    const Image expected = renderer.draw(frame, small_picture());
+    SceneRenderer other(*context);
+    other.prepare(small_picture(), numbers);
+    EXPECT_EQ(other.draw(frame, small_picture()).pixels, expected.pixels);
+  }
+}
+
+TEST_F(SceneRendererTest, TilesOfALargePictureFitTogether) {
+  const Sheet sheet;
+  const FrameView frame = sheet.frame();
+  PictureSettings settings = small_picture();
+  settings.width_px = 2100;  // two tiles across
+  settings.height_px = 150;
+  const Image tiled = renderer.draw(frame, settings);
+  settings.supersampling = 2;  // three tiles across, cut elsewhere
+  const Image differently = renderer.draw(frame, settings);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < tiled.pixels.size(); ++i) {
+    sum += std::abs(static_cast<int>(tiled.pixels[i]) - static_cast<int>(differently.pixels[i]));
+  }
+  EXPECT_LT(sum / static_cast<double>(tiled.pixels.size()), 0.3);
+}
+
+// Two sheets, one in part in the other's shadow.
+TEST_F(SceneRendererTest, ShadingTwoByTwoPixelsAsOneKeepsOutlinesAndNearlyAllColours) {
+  const Sheet sheet;
+  FrameView frame = sheet.frame();
+  const std::array<glm::vec3, 4> lower{
+      {{-0.9F, 0.3F, 0.5F}, {0.3F, 0.3F, 0.5F}, {0.3F, 0.3F, -0.5F}, {-0.9F, 0.3F, -0.5F}}};
+  frame.surfaces.push_back(frame.surfaces[0]);
+  frame.surfaces[1].positions = lower;
+  frame.surfaces[1].casts_shadow = false;
+  frame.backdrop.plain = true;
+  frame.backdrop.lower_colour = rgb(0xFF00FF);
+  const std::array<float, 4> values{0.0F, 0.3F, 0.6F, 1.0F};
+  PictureSettings settings = small_picture();
+  settings.samples = 1;
+  settings.width_px = 480;
+  settings.height_px = 320;
+  for (const bool numbers : {false, true}) {
+    if (numbers) frame.surfaces[0].scalars = ScalarColours{values};
+    settings.shading_px = 1;
+    const Image fine = renderer.draw(frame, settings);
+    settings.shading_px = 2;
+    const Image halved = renderer.draw(frame, settings);
+    int far = 0;
+    int near = 0;
+    for (int y = 0; y < fine.height_px; ++y) {
+      for (int x = 0; x < fine.width_px; ++x) {
+        const std::uint8_t* a = fine.at(x, y);
+        const std::uint8_t* b = halved.at(x, y);
+        ASSERT_EQ(a[0] == 255 && a[1] == 0 && a[2] == 255, b[0] == 255 && b[1] == 0 && b[2] == 255)
+            << x << "," << y << " numbers " << numbers;
+        const int difference = std::abs(a[1] - b[1]);
+        far += difference > 12 ? 1 : 0;
+        near += difference > 0 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(near, 100);
+    EXPECT_LT(far, 600) << "numbers " << numbers;
+  }
+}
+
+TEST_F(SceneRendererTest, TheFirstPictureOfNumbersIsAsTheSecond) {
+  FrameView frame = triangle_frame();
+  const std::array<float, 3> values{0.0F, 0.5F, 1.0F};
+  frame.surfaces[0].scalars = ScalarColours{values};
+  PictureSettings settings = small_picture();
+  settings.samples = 1;
+  const Image first = renderer.draw(frame, settings);
+  EXPECT_EQ(renderer.draw(frame, settings).pixels, first.pixels);
+}
+
+TEST_F(SceneRendererTest, ScalarsShowTheColourMap) {
+  constexpr std::array low{0.0F, 0.0F, 0.0F};
+  constexpr std::array high{5.0F, 5.0F, 5.0F};
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  constexpr std::array none{nan, nan, nan};
+  FrameView frame = triangle_frame();
+  const auto centre = [&](std::span<const float> values) {
+    frame.surfaces[0].scalars = ScalarColours{values, 1.0F, 2.0F, ColourMap::viridis};
+    const Image image = renderer.draw(frame, small_picture());
+    const std::uint8_t* p = image.at(48, 40);
+    return glm::ivec3{p[0], p[1], p[2]};
+  };
+  const glm::ivec3 dark = centre(low);
+  EXPECT_GT(dark.b, dark.g + 40);
+  const glm::ivec3 bright = centre(high);
+  EXPECT_GT(bright.r, 200);
+  EXPECT_LT(bright.b, 80);
+  const glm::ivec3 grey = centre(none);
+  EXPECT_EQ(grey.r, grey.b);
+}
+
+}  // namespace
+}  // namespace taut::renderer

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "renderer/context/context.hpp"
+#include "renderer/gl/shader.hpp"
+
+namespace taut::renderer {
+namespace {
+
+constexpr ShaderFile good_vertex{"good.vert",
+                                 "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n"};
+
+std::string error_of(std::span<const ShaderFile> files, std::string_view fragment) {
+  const auto context = create_context();
+  try {
+    const Program program(context->gl(), files, "good.vert", fragment);
+  } catch (const ShaderError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Program, ErrorNamesFileAndLine) {
+  const std::array files{
+      good_vertex,
+      ShaderFile{"bad.frag", "#version 330 core\nout vec4 c;\nvoid main() {\n  c = vec5(1);\n}\n"}};
+  const std::string message = error_of(files, "bad.frag");
+  EXPECT_NE(message.find("bad.frag:4"), std::string::npos) << message;
+}
+
+TEST(Program, ErrorInAnIncludedFileNamesThatFile) {
+  const std::array files{
+      good_vertex,
+      ShaderFile{"main.frag",
+                 "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = f(); }\n"},
+      ShaderFile{"part.glsl", "// one\n// two\nvec4 f() { return nonsense; }\n"}};
+  const std::string message = error_of(files, "main.frag");
+  EXPECT_NE(message.find("part.glsl:3"), std::string::npos) << message;
+}
+
+TEST(Program, LinesAfterAnIncludeAreCountedInTheirOwnFile) {
+  const std::array files{
+      good_vertex,
+      ShaderFile{"main.frag",
+                 "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = oops; }\n"},
+      ShaderFile{"part.glsl", "// one\n// two\n// three\n"}};
+  const std::string message = error_of(files, "main.frag");
+  EXPECT_NE(message.find("main.frag:4"), std::string::npos) << message;
+}
+
+TEST(Program, MissingFileIsNamedTogetherWithWhoWantsIt) {
+  const std::array files{good_vertex, ShaderFile{"main.frag", "#version 330 core\n#include \"gone.glsl\"\n"}};
+  const std::string message = error_of(files, "main.frag");
+  EXPECT_NE(message.find("'gone.glsl'"), std::string::npos) << message;
+  EXPECT_NE(message.find("'main.frag'"), std::string::npos) << message;
+}
+
+TEST(Context, UnknownNameIsRefusedWithTheKnownOnes) {
+  try {
+    create_context("directx");
+    FAIL();
+  } catch (const ContextError& error) {
+    EXPECT_NE(std::string(error.what()).find("directx"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("osmesa"), std::string::npos);
+  }
+}
+
+TEST(Context, SaysWhatItIs) {
+  const auto context = create_context("osmesa");
+  EXPECT_EQ(context->loader(), "osmesa");
+  EXPECT_FALSE(context->renderer().empty());
+  EXPECT_NE(context->version().find("Core Profile"), std::string::npos) << context->version();
+}
+
+}  // namespace
+}  // namespace taut::renderer

@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+
+#include "app/scene/scene_lookup.hpp"
+#include "app/viewer/simulation/live_simulation.hpp"
+#include "app/viewer/state/choices.hpp"
+
+// What a person can choose in the window's lists, in the way the window does it.
+
+namespace taut::app {
+namespace {
+
+const std::string first_scene = "tshirt";
+
+Scene scene_with(const std::string& garment) {
+  Scene scene = find_scene(first_scene, {});
+  for (const Choice& choice : garment_choices()) {
+    if (choice.name == garment) {
+      scene.garment.file = choice.file;
+    }
+  }
+  return garment == "grid" ? find_scene("cloth-fall", {}) : scene;
+}
+
+ChangeSettings with_solver(Scene& scene, sim::SolverKind kind) {
+  scene.simulation.solver.kind = kind;
+  scene.simulation.solver.substeps = 0;
+  return {scene.simulation, scene.surroundings};
+}
+
+void expect_frames(LiveSimulation& live, int frames, const std::string& what) {
+  for (int i = 0; i < frames; ++i) {
+    live.advance();
+  }
+  const SnapshotPtr after = live.take_snapshot();
+  EXPECT_FALSE(after->stopped) << what << ": "
+                               << (after->notices->empty() ? "" : after->notices->back().text);
+  EXPECT_EQ(after->record.frame, frames) << what;
+  // Springs that swing up reach any length; springs that only give do not.
+  EXPECT_LT(after->record.stretch.max, 2.0) << what;
+}
+
+struct Chosen {
+  std::string garment;
+  sim::SolverKind solver;
+};
+
+void PrintTo(const Chosen& chosen, std::ostream* out) {
+  *out << chosen.garment << ", " << sim::name_of(chosen.solver);
+}
+
+std::vector<Chosen> all_choices() {
+  std::vector<Chosen> all;
+  for (const char* garment : {"grid", "tshirt_1028", "tshirt_5280", "tshirt_10600"}) {
+    for (const sim::SolverKind solver : sim::all_solver_kinds) {
+      all.push_back({garment, solver});
+    }
+  }
+  return all;
+}
+
+class SolverChoices : public testing::TestWithParam<Chosen> {};
+
+TEST_P(SolverChoices, RunsForASecond) {
+  Scene scene = scene_with(GetParam().garment);
+  LiveSimulation live(scene);
+  live.apply(with_solver(scene, GetParam().solver));
+  expect_frames(live, 60, GetParam().garment);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SolverChoices, testing::ValuesIn(all_choices()), [](const auto& test) {
+  return test.param.garment + "_" + sim::name_of(test.param.solver);
+});
+
+TEST(SolverChoices, HoldsEveryGarmentOfTheList) {
+  for (const Choice& garment : garment_choices()) {
+    const auto all = all_choices();
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Chosen& c) {
+      return c.garment == garment.name;
+    })) << garment.name;
+  }
+}
+
+// One after the other on the same garment, from whatever shape the one before has left.
+TEST(SolverChoices, FollowOneAnother) {
+  Scene scene = scene_with("tshirt_1028");
+  LiveSimulation live(scene);
+  int frames = 0;
+  for (const sim::SolverKind to :
+       {sim::SolverKind::ideal, sim::SolverKind::strong, sim::SolverKind::provot, sim::SolverKind::bounded,
+        sim::SolverKind::ideal, sim::SolverKind::bounded}) {
+    live.apply(with_solver(scene, to));
+    for (int i = 0; i < 20; ++i) {
+      live.advance();
+    }
+    frames += 20;
+    EXPECT_FALSE(live.take_snapshot()->stopped) << sim::name_of(to);
+    EXPECT_EQ(live.take_snapshot()->record.frame, frames) << sim::name_of(to);
+  }
+}
+
+struct AfterDivergence : testing::Test {
+  Scene scene = find_scene("pinned-9x9-5", {});
+  LiveSimulation live{scene};
+
+  AfterDivergence() {
+    Scene wild = scene;
+    wild.simulation.solver.kind = sim::SolverKind::ideal;
+    wild.simulation.solver.stiffness.structural_n_per_m = 1e9;
+    live.apply(ChangeSettings{wild.simulation, wild.surroundings});
+    for (int i = 0; i < 100; ++i) {
+      live.advance();
+    }
+  }
+  void expect_anew() {
+    const SnapshotPtr shown = live.take_snapshot();
+    for (const sim::Vec3& position : shown->positions()) {
+      EXPECT_LT(std::abs(position.x) + std::abs(position.y) + std::abs(position.z), 10.0);
+    }
+    EXPECT_TRUE(live.wants_to_advance());
+    expect_frames(live, 30, "anew");
+  }
+};
+
+TEST_F(AfterDivergence, NothingThatIsLostIsShown) {
+  ASSERT_TRUE(live.take_snapshot()->stopped);
+  const SnapshotPtr shown = live.take_snapshot();
+  for (const sim::Vec3& position : shown->positions()) {
+    EXPECT_LT(std::abs(position.x) + std::abs(position.y) + std::abs(position.z), 1e10);
+  }
+}
+
+TEST_F(AfterDivergence, AnotherSolverStartsAnew) {
+  ASSERT_TRUE(live.take_snapshot()->stopped);
+  for (const sim::SolverKind solver : sim::all_solver_kinds) {
+    Scene chosen = scene;
+    live.apply(with_solver(chosen, solver));
+    expect_anew();
+    live.apply(Reset{});
+  }
+}
+
+TEST_F(AfterDivergence, AnotherSettingStartsAnew) {
+  Scene breezy = scene;
+  breezy.surroundings.forces.wind.speed_m_per_s = 1.0;
+  live.apply(ChangeSettings{breezy.simulation, breezy.surroundings});
+  expect_anew();
+}
+
+TEST_F(AfterDivergence, AnotherSceneStartsAnew) {
+  live.apply(LoadScene{std::make_shared<const Scene>(find_scene("pinned-9x9-20", {}))});
+  expect_anew();
+}
+
+}  // namespace
+}  // namespace taut::app

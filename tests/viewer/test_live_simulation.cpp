@@ -1,0 +1,336 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <glm/geometric.hpp>
+#include <random>
+#include <thread>
+
+#include "app/scene/scene_lookup.hpp"
+#include "app/viewer/simulation/simulation_thread.hpp"
+#include "app/viewer/simulation/stepped_simulation.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+Scene small_scene() {
+  return find_scene("pinned-9x9-5", {});
+}
+
+Scene diverging_scene() {
+  const std::vector<Override> overrides = {parse_override("solver.kind=\"ideal\""),
+                                           parse_override("solver.substeps=1"),
+                                           parse_override("solver.stiffness.structural=1e9")};
+  return find_scene("pinned-9x9-5", overrides);
+}
+
+ChangeSettings with_wind(const Scene& scene, double speed) {
+  ChangeSettings change{scene.simulation, scene.surroundings};
+  change.surroundings.forces.wind.speed_m_per_s = speed;
+  return change;
+}
+
+void advance(LiveSimulation& simulation, int frames) {
+  for (int i = 0; i < frames; ++i) {
+    simulation.advance();
+  }
+}
+
+TEST(LiveSimulation, IsTheSimulationThatRenderRuns) {
+  const Scene scene = small_scene();
+  LiveSimulation live(scene);
+  advance(live, 30);
+  sim::Simulation plain(live.take_snapshot()->loaded->garment, scene.simulation, scene.surroundings);
+  for (int i = 0; i < 30; ++i) {
+    plain.advance_frame();
+  }
+  EXPECT_EQ(live.state_hash(), sim::hash(plain.state()));
+  EXPECT_TRUE(live.take_snapshot()->pristine);
+}
+
+TEST(LiveSimulation, ResetStartsAgainWithTheSettingsOfNow) {
+  const Scene scene = small_scene();
+  LiveSimulation reference(scene);
+  reference.apply(with_wind(scene, 6.0));
+  advance(reference, 20);
+
+  LiveSimulation live(scene);
+  advance(live, 10);
+  live.apply(ReleasePins{});
+  advance(live, 5);
+  live.apply(with_wind(scene, 6.0));
+  EXPECT_FALSE(live.take_snapshot()->pristine);
+  live.apply(Reset{});
+  EXPECT_EQ(live.take_snapshot()->record.frame, 0);
+  advance(live, 20);
+  EXPECT_EQ(live.state_hash(), reference.state_hash());
+  EXPECT_TRUE(live.take_snapshot()->pristine);
+}
+
+TEST(LiveSimulation, GoesOnFromAFrameOfThePast) {
+  const Scene scene = small_scene();
+  LiveSimulation live(scene);
+  advance(live, 20);
+  const SnapshotPtr past = live.take_snapshot();
+  advance(live, 10);
+  const std::uint64_t then = live.state_hash();
+  live.apply(ReleasePins{});
+  live.apply(with_wind(scene, 6.0));
+  advance(live, 25);
+  live.apply(GoBack{past});
+  EXPECT_EQ(live.state_hash(), past->record.state_hash);
+  EXPECT_EQ(live.take_snapshot()->record.frame, 20);
+  EXPECT_EQ(*live.take_snapshot()->pins, *past->pins);
+  EXPECT_EQ(live.take_snapshot()->positions(), past->positions());
+  EXPECT_FALSE(live.take_snapshot()->pristine);
+  live.apply(with_wind(scene, scene.surroundings.forces.wind.speed_m_per_s));
+  advance(live, 10);
+  EXPECT_EQ(live.state_hash(), then) << "`strong` remembers nothing: the same frames come again";
+}
+
+TEST(LiveSimulation, GoesBackFromWhereItDiverged) {
+  LiveSimulation live(small_scene());
+  advance(live, 20);
+  const SnapshotPtr past = live.take_snapshot();
+  live.apply(ChangeSettings{diverging_scene().simulation, diverging_scene().surroundings});
+  advance(live, 100);
+  ASSERT_TRUE(live.take_snapshot()->stopped);
+  live.apply(ChangeSettings{small_scene().simulation, small_scene().surroundings});
+  live.apply(GoBack{past});
+  advance(live, 5);
+  EXPECT_FALSE(live.take_snapshot()->stopped);
+  EXPECT_EQ(live.take_snapshot()->record.frame, 25);
+}
+
+TEST(LiveSimulation, DoesNotGoBackToAnotherGarment) {
+  LiveSimulation live(small_scene());
+  const SnapshotPtr past = live.take_snapshot();
+  live.apply(LoadScene{std::make_shared<const Scene>(find_scene("pinned-9x9-20", {}))});
+  advance(live, 5);
+  const std::uint64_t state = live.state_hash();
+  live.apply(GoBack{past});
+  EXPECT_EQ(live.state_hash(), state);
+}
+
+// The bound is lowered, and a solver with a bound chosen, while nothing moves.
+TEST(LiveSimulation, ANewBoundHoldsBeforeTheNextFrame) {
+  const Scene scene = find_scene("pinned-9x9-20", {});
+  LiveSimulation live(scene);
+  advance(live, 60);
+  ASSERT_GT(live.take_snapshot()->record.stretch.max, 0.06);
+  const SnapshotPtr hanging = live.take_snapshot();
+  ChangeSettings change{scene.simulation, scene.surroundings};
+  change.simulation.solver.kind = sim::SolverKind::bounded;
+  for (const double bound : {0.05, 0.01}) {
+    change.simulation.solver.max_stretch = bound;
+    live.apply(change);
+    const SnapshotPtr shown = live.take_snapshot();
+    const sim::Springs& springs = shown->loaded->garment.springs;
+    EXPECT_LE(sim::measure_stretch(springs, shown->positions()).max, bound);
+    EXPECT_LE(shown->record.stretch.max, bound);
+    EXPECT_EQ(shown->positions()[shown->pins->front()], hanging->positions()[shown->pins->front()]);
+  }
+  advance(live, 1);
+  EXPECT_LE(live.take_snapshot()->record.stretch.max, 0.01);
+}
+
+TEST(LiveSimulation, AHandPullsTheHemAndLetsGo) {
+  LiveSimulation live(small_scene());
+  advance(live, 60);
+  const SnapshotPtr hanging = live.take_snapshot();
+  const sim::Index corner = 80;
+  Grip grip = take_grip(hanging->loaded->garment, hanging->positions(), corner);
+  const sim::Vec3 wanted = hanging->positions()[corner] + sim::Vec3(0.0, 0.1, 0.25);
+  grip.target_m = wanted;
+  live.apply(TakeHold{grip});
+  advance(live, 60);
+  const SnapshotPtr pulled = live.take_snapshot();
+  EXPECT_LT(glm::distance(pulled->positions()[corner], wanted), 0.02);
+  EXPECT_LT(pulled->record.stretch.max, hanging->record.stretch.max + 0.05);
+  EXPECT_FALSE(pulled->pristine);
+  live.apply(LetGo{});
+  advance(live, 120);
+  EXPECT_GT(glm::distance(live.take_snapshot()->positions()[corner], wanted), 0.1);
+}
+
+TEST(LiveSimulation, ABoundHoldsWhileAHandPulls) {
+  LiveSimulation live(find_scene("pinned-9x9-5", std::vector{parse_override("solver.kind=\"bounded\""),
+                                                             parse_override("solver.substeps=0"),
+                                                             parse_override("solver.max_stretch=0.02")}));
+  advance(live, 60);
+  const SnapshotPtr hanging = live.take_snapshot();
+  Grip grip = take_grip(hanging->loaded->garment, hanging->positions(), 80);
+  const sim::Vec3 wanted = hanging->positions()[80] + sim::Vec3(0.0, 0.1, 0.25);
+  grip.target_m = wanted;
+  live.apply(TakeHold{grip});
+  advance(live, 60);
+  EXPECT_LT(glm::distance(live.take_snapshot()->positions()[80], wanted), 0.05);
+  grip.target_m = {5.0, 2.0, 10.0};
+  live.apply(TakeHold{grip});
+  for (int frame = 0; frame < 120; ++frame) {
+    live.advance();
+    EXPECT_LE(live.take_snapshot()->record.stretch.max, 0.02 + 1e-9) << frame;
+  }
+}
+
+TEST(LiveSimulation, AHandOutOfReachDoesNotTearTheCloth) {
+  LiveSimulation live(small_scene());
+  advance(live, 10);
+  Grip grip = take_grip(live.take_snapshot()->loaded->garment, live.take_snapshot()->positions(), 80);
+  grip.target_m = {50.0, 20.0, 100.0};
+  live.apply(TakeHold{grip});
+  advance(live, 200);
+  const SnapshotPtr pulled = live.take_snapshot();
+  EXPECT_FALSE(pulled->stopped);
+  EXPECT_LT(pulled->record.stretch.max, 0.5);
+}
+
+TEST(LiveSimulation, PinsAreSetWhereTheClothIs) {
+  LiveSimulation live(small_scene());
+  advance(live, 60);
+  const sim::Vec3 place = live.take_snapshot()->positions()[72];
+  live.apply(TogglePin{72});
+  live.apply(with_wind(small_scene(), 8.0));
+  advance(live, 30);
+  EXPECT_EQ(live.take_snapshot()->positions()[72], place);
+  live.apply(TogglePin{72});
+  advance(live, 30);
+  EXPECT_NE(live.take_snapshot()->positions()[72], place);
+}
+
+TEST(LiveSimulation, LetsGoOneCornerThenTheOther) {
+  LiveSimulation live(small_scene());
+  EXPECT_EQ(live.take_snapshot()->pins->size(), 2U);
+  live.apply(ReleasePins{.right = false});
+  const auto left = *live.take_snapshot()->pins;
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_GT(live.take_snapshot()->loaded->garment.mesh.positions[left.front()].x, 0.0);
+  live.apply(ReleasePins{.right = true});
+  EXPECT_TRUE(live.take_snapshot()->pins->empty());
+  live.apply(ReleasePins{.right = true});
+  advance(live, 5);
+  EXPECT_EQ(live.take_snapshot()->notices->size(), 0U);
+}
+
+TEST(LiveSimulation, DivergesIntoANoticeAndGoesOnAfterAReset) {
+  LiveSimulation live(diverging_scene());
+  advance(live, 100);
+  const SnapshotPtr stopped = live.take_snapshot();
+  EXPECT_TRUE(stopped->stopped);
+  EXPECT_TRUE(stopped->notices->back().is_error);
+  EXPECT_NE(stopped->notices->back().text.find("diverged"), std::string::npos);
+  EXPECT_FALSE(live.wants_to_advance());
+  EXPECT_EQ(sim::first_lost(stopped->positions()), stopped->positions().size());
+  live.apply(ChangeSettings{small_scene().simulation, small_scene().surroundings});
+  live.apply(Reset{});
+  advance(live, 20);
+  EXPECT_FALSE(live.take_snapshot()->stopped);
+  EXPECT_EQ(live.take_snapshot()->record.frame, 20);
+}
+
+TEST(LiveSimulation, ABrokenGarmentLeavesTheOldOne) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("broken.obj", "v 0 0 0\nf 1 2 3\n");
+  LiveSimulation live(small_scene());
+  advance(live, 5);
+  const std::uint64_t state = live.state_hash();
+  Scene broken = small_scene();
+  broken.garment.file = file;
+  live.apply(LoadScene{std::make_shared<const Scene>(broken)});
+  EXPECT_TRUE(live.take_snapshot()->notices->back().is_error);
+  EXPECT_NE(live.take_snapshot()->notices->back().text.find("broken.obj"), std::string::npos);
+  EXPECT_EQ(live.take_snapshot()->loaded->generation, 1U);
+  EXPECT_EQ(live.state_hash(), state);
+  advance(live, 5);
+  EXPECT_EQ(live.take_snapshot()->record.frame, 10);
+}
+
+TEST(LiveSimulation, RefusesASettingWithANotice) {
+  LiveSimulation live(small_scene());
+  ChangeSettings change{small_scene().simulation, small_scene().surroundings};
+  change.simulation.solver.iterations = 0;
+  live.apply(change);
+  EXPECT_TRUE(live.take_snapshot()->notices->back().is_error);
+  advance(live, 3);
+  EXPECT_EQ(live.take_snapshot()->record.frame, 3);
+}
+
+TEST(LiveSimulation, StepsOnceWhilePaused) {
+  LiveSimulation live(small_scene());
+  live.apply(SetPaused{true});
+  EXPECT_FALSE(live.wants_to_advance());
+  live.apply(StepOnce{});
+  EXPECT_TRUE(live.wants_to_advance());
+  live.advance();
+  EXPECT_FALSE(live.wants_to_advance());
+}
+
+TEST(SteppedSimulation, FollowsTheClockInSlowMotion) {
+  SteppedSimulation simulation(small_scene());
+  simulation.post({SetSpeed{0.25}});
+  for (int frame = 0; frame < 40; ++frame) {
+    simulation.begin_frame(1.0 / 60.0, std::nullopt);
+  }
+  EXPECT_EQ(simulation.begin_frame(0.0, std::nullopt)->record.frame, 10);
+}
+
+// Frames of a window that draws at an uneven rate, with commands at odd moments.
+std::vector<SimulationCommand> commands_at(int frame, const Scene& scene, const Snapshot& newest,
+                                           const SnapshotPtr& past) {
+  switch (frame) {
+    case 3:
+      return {with_wind(scene, 7.0)};
+    case 9:
+      return {ReleasePins{.right = true}};
+    case 14:
+      return {TakeHold{take_grip(newest.loaded->garment, newest.positions(), 40)}};
+    case 15:
+      return {with_wind(scene, 3.0)};
+    case 22:
+      return {LetGo{}, SetSpeed{0.5}};
+    case 26:
+      return {Reset{}};
+    case 30:
+      return {TogglePin{44}, SetSpeed{4.0}};
+    case 34:
+    case 36:
+      return {GoBack{past}};
+    default:
+      return {};
+  }
+}
+
+TEST(SimulationThread, AReplayOfItsPaceEndsInTheSameState) {
+  const Scene scene = small_scene();
+  std::vector<Pace> paces;
+  std::mt19937 random(5);
+  SimulationThread live(scene);
+  for (int frame = 0; frame < 40; ++frame) {
+    const SnapshotPtr newest = live.begin_frame(0.0, std::nullopt);
+    const SnapshotPtr past = live.past_frame(newest, newest->record.frame - 3);
+    const std::uint64_t advances = live.post(commands_at(frame, scene, *newest, past));
+    paces.push_back({advances, newest->serial});
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 40));
+  }
+  live.end();
+  paces.push_back({live.advances(), paces.back().shown});
+
+  SteppedSimulation replay(scene);
+  for (std::size_t frame = 0; frame < paces.size(); ++frame) {
+    const SnapshotPtr shown = replay.begin_frame(0.0, paces[frame]);
+    EXPECT_EQ(shown->serial, paces[frame].shown);
+    const SnapshotPtr past = replay.past_frame(shown, shown->record.frame - 3);
+    replay.post(commands_at(static_cast<int>(frame), scene, *shown, past));
+  }
+  EXPECT_GT(live.advances(), 20U);
+  EXPECT_EQ(replay.state_hash(), live.state_hash());
+}
+
+TEST(SteppedSimulation, RefusesAPaceThatGoesBack) {
+  SteppedSimulation simulation(small_scene());
+  simulation.begin_frame(0.0, Pace{5, 6});
+  EXPECT_THROW(simulation.begin_frame(0.0, Pace{4, 6}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace taut::app

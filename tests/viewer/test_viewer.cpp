@@ -1,0 +1,261 @@
+#include <gtest/gtest.h>
+
+#include "app/scene/scene_lookup.hpp"
+#include "app/viewer/panel/panel_hints.hpp"
+#include "app/viewer/simulation/stepped_simulation.hpp"
+#include "app/viewer/view_session.hpp"
+#include "app/viewer/viewer.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace keys = renderer::keys;
+using renderer::PointerButton;
+
+// A person at the window, frame by frame.
+struct Person {
+  SteppedSimulation simulation;
+  Viewer viewer;
+
+  explicit Person(const std::string& scene, const std::vector<Override>& overrides = {})
+      : simulation(find_scene(scene, overrides)), viewer(simulation, {{1280, 720}, 1.0, ".", false}) {
+    wait(2);
+  }
+  void wait(int frames) {
+    for (int i = 0; i < frames; ++i) {
+      viewer.update({});
+    }
+  }
+  void act(const std::vector<SessionEvent>& events) {
+    SessionFrame frame;
+    frame.events = events;
+    viewer.update(frame);
+  }
+  void act(const SessionEvent& event) { act(std::vector{event}); }
+  void press(int key) {
+    act(renderer::WindowEvent(renderer::KeyChanged{key, true}));
+    act(renderer::WindowEvent(renderer::KeyChanged{key, false}));
+  }
+  void point_at(const std::string& item) { act(PointAt{item}); }
+  void click(const std::string& item) {
+    point_at(item);
+    act(renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, true}));
+    act(renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, false}));
+    wait(2);
+  }
+  bool shows(const std::string& item) const { return viewer.state().places.contains(item); }
+};
+
+TEST(Window, EscapeClosesAnOpenListAndTheSheetOfKeys) {
+  Person person("pinned-9x9-5");
+  for (const auto& [list, entry] :
+       {std::pair("solver", "solver.ideal"), std::pair("scene", "scene.tshirt"),
+        std::pair("garment", "garment.tshirt_1028"), std::pair("speed", "speed.1/4")}) {
+    person.click(list);
+    EXPECT_TRUE(person.shows(entry)) << list;
+    person.press(keys::escape);
+    person.wait(2);
+    EXPECT_FALSE(person.shows(entry)) << list;
+  }
+  EXPECT_EQ(person.viewer.state().scene.name, "pinned-9x9-5");
+  person.press('H');
+  EXPECT_TRUE(person.viewer.state().show_keys);
+  person.press(keys::escape);
+  person.wait(1);
+  EXPECT_FALSE(person.viewer.state().show_keys);
+  EXPECT_FALSE(person.viewer.is_ended());
+}
+
+TEST(Window, EveryControlSaysWhatItDoes) {
+  Person person("tshirt",
+                {parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")});
+  for (const sim::SolverKind solver : sim::all_solver_kinds) {
+    person.click("solver");
+    person.click(std::string("solver.") + sim::name_of(solver));
+    person.click("solver");
+    for (const auto& [name, place] : person.viewer.state().places) {
+      EXPECT_FALSE(hint_for(name).empty()) << name;
+    }
+    EXPECT_TRUE(person.shows("measured.speed"));
+    person.press(keys::escape);
+    person.wait(2);
+  }
+}
+
+// What is said beside them grows and shrinks while the pointer rests there.
+TEST(Window, ReadingsAreExplainedAllAcrossThePanel) {
+  Person person("pinned-9x9-5");
+  const auto right_of = [&](const char* name) { return person.viewer.state().places.at(name).upper_px.x; };
+  for (const char* name : {"measured.size", "measured.speed"}) {
+    EXPECT_NEAR(right_of(name), right_of("measured.stretch"), 1.0F) << name;
+  }
+}
+
+TEST(Window, ExplainsWhatThePointerRestsOn) {
+  Person person("pinned-9x9-5");
+  person.press(keys::space);
+  person.point_at("solver.substeps");
+  person.wait(5);
+  EXPECT_FALSE(person.viewer.is_still()) << "the explanation is yet to come";
+  const std::size_t before = person.viewer.overlay().vertices.size();
+  person.wait(40);
+  const std::size_t explained = person.viewer.overlay().vertices.size();
+  EXPECT_GT(explained, before + 200) << "four vertices for each letter";
+  EXPECT_TRUE(person.viewer.is_still());
+  person.act(renderer::WindowEvent(renderer::PointerMoved{300.0, 300.0}));
+  person.wait(3);
+  EXPECT_LT(person.viewer.overlay().vertices.size(), explained - 200);
+  EXPECT_FALSE(person.viewer.state().hovered);
+}
+
+TEST(Window, TheWheelZoomsToThePointer) {
+  Person person("pinned-9x9-5");
+  const ViewArea area = scene_area(person.viewer.layout());
+  const glm::vec2 place{700.0F, 150.0F};
+  const OrbitCamera& camera = person.viewer.state().camera;
+  const Ray ray = camera.ray_through(place, area);
+  const glm::vec3 near = ray.origin + 0.5F * ray.direction;
+  const glm::vec3 far = ray.origin + 4.0F * ray.direction;
+  const float distance_m = glm::length(camera.camera().eye - far);
+  person.act(renderer::WindowEvent(renderer::PointerMoved{place.x, place.y}));
+  person.act(renderer::WindowEvent(renderer::WheelTurned{0.0, 3.0}));
+  EXPECT_LT(glm::length(camera.camera().eye - far), 0.95F * distance_m);
+  person.act(renderer::WindowEvent(renderer::WheelTurned{0.0, -5.0}));
+  for (const glm::vec3& point : {near, far}) {
+    const auto seen = camera.pixel_of(point, area);
+    ASSERT_TRUE(seen);
+    EXPECT_NEAR(seen->x, place.x, 0.2F);
+    EXPECT_NEAR(seen->y, place.y, 0.2F);
+  }
+}
+
+// A press often comes in the same frame as the way to where it is: that way is no drag.
+TEST(Window, ADragBeginsWhereTheButtonGoesDown) {
+  const auto at = [](double x, double y) { return renderer::WindowEvent(renderer::PointerMoved{x, y}); };
+  for (const PointerButton button : {PointerButton::left, PointerButton::right}) {
+    Person person("pinned-9x9-5");
+    person.press(keys::space);
+    person.act(at(900.0, 600.0));
+    const OrbitCamera before = person.viewer.state().camera;
+    const OrbitCamera& camera = person.viewer.state().camera;
+    person.act({at(30.0, 50.0), renderer::WindowEvent(renderer::ButtonChanged{button, true})});
+    EXPECT_TRUE(camera == before);
+    person.act(at(90.0, 70.0));
+    EXPECT_FALSE(camera == before);
+    if (button == PointerButton::right) {
+      const ViewArea area = scene_area(person.viewer.layout());
+      EXPECT_NEAR(camera.pixel_of(before.camera().target, area)->x, 0.5 * area.width_px + 60.0, 0.01);
+    }
+  }
+}
+
+// Scenes of grids have a number of time steps for their own solver.
+TEST(Window, AnySolverOfTheListTakesItsOwnTimeSteps) {
+  Person person("pinned-9x9-5");
+  ASSERT_EQ(person.viewer.state().scene.simulation.solver.substeps, 1);
+  for (const char* solver : {"ideal", "provot", "bounded"}) {
+    person.click("solver");
+    person.click(std::string("solver.") + solver);
+    person.press('R');
+    person.wait(150);
+    EXPECT_FALSE(person.viewer.state().newest->stopped) << solver;
+    EXPECT_LT(person.viewer.state().newest->record.stretch.max, 2.0) << solver;
+  }
+  person.click("solver");
+  person.click("solver.strong");
+  EXPECT_EQ(person.viewer.state().scene.simulation.solver.substeps, 1);
+}
+
+TEST(Window, WorkOfAPauseSlowsNothingLater) {
+  Person person("pinned-9x9-5");
+  person.press(keys::space);
+  person.viewer.note_times(1.0, 1.0, 1.0, 10.0);
+  person.wait(2);
+  person.press(keys::space);
+  person.wait(60);
+  EXPECT_GT(*person.viewer.state().measurements.real_time.factor(), 0.9);
+  EXPECT_EQ(person.viewer.state().measurements.real_time.busy_share(), 0.0);
+}
+
+// As a person meets it: springs fly apart, the window says so, and another solver is chosen from the list.
+TEST(Window, AnySolverOfTheListGoesOnAfterADivergence) {
+  for (const sim::SolverKind solver : sim::all_solver_kinds) {
+    Person person("pinned-9x9-5",
+                  {parse_override("solver.kind=\"ideal\""), parse_override("solver.substeps=1"),
+                   parse_override("solver.stiffness.structural=1e9")});
+    person.wait(100);
+    ASSERT_TRUE(person.viewer.state().newest->stopped);
+    EXPECT_NE(person.viewer.state().warning.find("stopped"), std::string::npos);
+    person.click("solver");
+    person.click(std::string("solver.") +
+                 sim::name_of(solver == sim::SolverKind::ideal ? sim::SolverKind::bounded : solver));
+    person.wait(20);
+    EXPECT_FALSE(person.viewer.state().newest->stopped && solver != sim::SolverKind::provot)
+        << sim::name_of(solver);
+    EXPECT_LT(person.viewer.state().newest->record.frame, 30) << "from the start";
+  }
+}
+
+TEST(Window, ClothThatHasLeftIsSaidAndWhatToDo) {
+  Person person("pinned-9x9-5", {parse_override("gravity.acceleration=[0, -500, 0]")});
+  EXPECT_EQ(person.viewer.state().warning, "");
+  person.press('1');
+  person.press('2');
+  person.wait(20);
+  EXPECT_NE(person.viewer.state().warning.find("F looks at it"), std::string::npos);
+  person.press(keys::space);
+  person.press('F');
+  person.wait(1);
+  EXPECT_EQ(person.viewer.state().warning, "");
+  person.press('R');
+  person.wait(1);
+  EXPECT_EQ(person.viewer.state().newest->record.frame, 0);
+}
+
+TEST(Window, CanBeDrawnBeforeItsFirstFrame) {
+  HeadlessViewer window(find_scene("pinned-9x9-5", {}), {}, ".", "auto");
+  EXPECT_EQ(window.draw().width_px, 1280);
+}
+
+// What F12 and F10 take: the scene and its legends.
+TEST(Window, APictureHasNothingOfTheWindow) {
+  SessionStart start;
+  start.size = {900, 600};
+  const test::TemporaryFolder folder;
+  HeadlessViewer window(find_scene("pinned-9x9-5", {}), start, folder / "", "auto");
+  const auto play = [&](std::vector<SessionEvent> events) {
+    SessionFrame frame;
+    frame.events = std::move(events);
+    frame.pace = Pace{0, window.viewer().state().newest->serial};
+    window.play(frame);
+  };
+  const auto key = [](int code, bool down) {
+    return renderer::WindowEvent(renderer::KeyChanged{code, down});
+  };
+  play({});
+  play({});
+  const renderer::Image plain = window.draw_scene();
+  EXPECT_EQ(plain.width_px, 900 - 320);
+  EXPECT_EQ(plain.height_px, 600);
+  window.viewer().tell("a message over the scene", true);
+  play({key('H', true)});
+  play({PointAt{"time.pause"}});
+  for (int i = 0; i < 60; ++i) play({});
+  const renderer::Image with_panel = window.draw();
+  play({key(keys::f12, true)});
+  EXPECT_EQ(window.draw_scene().pixels, plain.pixels);
+  EXPECT_EQ(renderer::read_png(folder / "pinned-9x9-5-1.png").pixels, plain.pixels);
+  EXPECT_NE(window.draw().pixels, plain.pixels);
+  EXPECT_EQ(with_panel.width_px, 900);
+  play({PointAt{"look.stretch"}});
+  play({renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, true})});
+  play({renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, false})});
+  for (int i = 0; i < 3; ++i) play({});
+  const renderer::Image coloured = window.draw_scene();
+  EXPECT_FALSE(std::equal(coloured.at(0, 120), coloured.at(100, 120), plain.at(0, 120)))
+      << "the legend is there";
+}
+
+}  // namespace
+}  // namespace taut::app

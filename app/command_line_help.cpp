@@ -8,8 +8,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/output/run_report.hpp"
-#include "app/scene/scene_file.hpp"
 
 namespace taut::app {
 namespace {

@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "app/scene/scene_file.hpp"
-#include "app/scene/scene_lookup.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 
 namespace taut::app {
 
@@ -56,7 +55,7 @@ Scene with_settings(Scene scene, const std::vector<Setting>& settings) {
   for (const auto& [key, value] : settings) {
     overrides.push_back({key, value, fmt::format("{}={}", key, value)});
   }
-  apply_overrides(overrides, scene);
+  apply_overrides(simulation_format(), overrides, scene);
   return scene;
 }
 

@@ -11,7 +11,7 @@
 namespace taut::app {
 
 int run(const InspectOptions& options) {
-  Scene scene;
+  DrawnScene scene;
   scene.garment.file = options.garment;
   apply_overrides(options.overrides, scene);
   if (!options.picture.empty()) {

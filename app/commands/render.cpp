@@ -12,6 +12,7 @@
 #include "app/base/progress.hpp"
 #include "app/base/version.hpp"
 #include "app/commands/options.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/studio.hpp"
 #include "app/frame_loop.hpp"
@@ -23,15 +24,13 @@
 #include "app/output/picture_record.hpp"
 #include "app/output/run_report.hpp"
 #include "app/output/video_writer.hpp"
-#include "app/scene/scene_lookup.hpp"
-#include "app/scene/scene_text.hpp"
 
 namespace taut::app {
 namespace {
 
 // What is to be drawn, whether it is a scene that was given or a picture.
 struct Job {
-  Scene scene;
+  DrawnScene scene;
   std::vector<int> frames;
   std::string output;
   std::optional<PictureRecord> again;  ///< the picture that is made again

@@ -4,7 +4,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/commands/options.hpp"
-#include "app/scene/scene_lookup.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 
 namespace taut::app {
 

@@ -8,6 +8,7 @@
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/commands/options.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
@@ -16,7 +17,6 @@
 #include "app/output/obj_export.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/run_report.hpp"
-#include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {
 namespace {
@@ -84,7 +84,7 @@ class ShapeOutput {
 
 /// The simulation of the scene's garment, with what was guessed and repaired said on `remarks`, where there
 /// is one.
-sim::Simulation prepare(const Scene& scene, Progress& progress, std::FILE* remarks) {
+sim::Simulation prepare(const DrawnScene& scene, Progress& progress, std::FILE* remarks) {
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   progress.hide();
   if (remarks != nullptr) {
@@ -113,7 +113,7 @@ void hand_over(const SimulateOptions& options, const RunStatistics& statistics, 
 }  // namespace
 
 int run(const SimulateOptions& options) {
-  const Scene scene = find_scene(options.scene, options.overrides);
+  const DrawnScene scene = find_scene(options.scene, options.overrides);
   const FrameRange range =
       options.frames.empty() ? FrameRange{1, scene.frames} : frame_range(options.frames, scene.frames);
   std::optional<ShapeOutput> shapes;

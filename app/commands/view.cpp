@@ -3,7 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/commands/options.hpp"
-#include "app/scene/scene_lookup.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/viewer/view_session.hpp"
 
 namespace taut::app {
@@ -54,7 +54,7 @@ void play(const Session& session, HeadlessViewer& viewer, std::optional<SessionR
   }
 }
 
-void view_headless(const ViewOptions& options, const Session& session, const Scene& scene) {
+void view_headless(const ViewOptions& options, const Session& session, const DrawnScene& scene) {
   HeadlessViewer viewer(scene, session.start, options.keep_folder, options.backend);
   std::optional<SessionRecorder> recorder;
   if (!options.record.empty()) {
@@ -92,7 +92,7 @@ int run(const ViewOptions& options) {
     throw UsageError("--script, --screenshot and --layout are for --headless: a window has a person instead");
   }
   const Session session = session_of(options);
-  const Scene scene = find_scene(session.start.scene, session.start.overrides);
+  const DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
   if (options.headless) {
     view_headless(options, session, scene);
   } else {

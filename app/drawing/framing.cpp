@@ -35,7 +35,7 @@ double distance_to_nearest_pin(const sim::Garment& garment, const sim::Vec3& poi
   return nearest_m;
 }
 
-std::optional<float> level_plane(const Scene& scene) {
+std::optional<float> level_plane(const DrawnScene& scene) {
   for (const sim::Collider& collider : scene.surroundings.colliders) {
     const auto* plane = std::get_if<sim::Plane>(&collider.shape);
     if (plane != nullptr && plane->normal.y > 0.999) {
@@ -68,7 +68,7 @@ std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   return nearest;
 }
 
-renderer::Box expected_reach(const Scene& scene, const sim::Garment& garment) {
+renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment) {
   renderer::Box reach = renderer::bounding_box(to_float(garment.mesh.positions));
   for (const sim::Vec3& position : garment.pins.empty() ? std::vector<sim::Vec3>{} : garment.mesh.positions) {
     sim::Vec3 pin(0.0);
@@ -87,7 +87,7 @@ renderer::Box expected_reach(const Scene& scene, const sim::Garment& garment) {
   return {reach.lower - swing, reach.upper + swing};
 }
 
-renderer::Camera scene_camera(const Scene& scene, const renderer::Box& reach, float aspect) {
+renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect) {
   renderer::Camera camera =
       renderer::frame_box(scene.camera.box.value_or(reach), scene.camera.framing, aspect);
   if (scene.camera.eye) {
@@ -101,7 +101,7 @@ renderer::Camera scene_camera(const Scene& scene, const renderer::Box& reach, fl
   return camera;
 }
 
-std::optional<float> ground_height(const Scene& scene, const renderer::Box& reach) {
+std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach) {
   switch (scene.picture.ground.kind) {
     case GroundKind::none:
       return std::nullopt;

@@ -76,7 +76,7 @@ float pin_radius_m(const renderer::Box& reach) {
   return 0.008F * glm::distance(reach.lower, reach.upper);
 }
 
-GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const Scene& scene,
+GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene,
                                const sim::Garment& garment)
     : renderer_(renderer),
       style_(scene.picture),
@@ -98,7 +98,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const Scene& s
   make_fixed_parts(scene, garment);
 }
 
-void GarmentPainter::make_fixed_parts(const Scene& scene, const sim::Garment& garment) {
+void GarmentPainter::make_fixed_parts(const DrawnScene& scene, const sim::Garment& garment) {
   for (const sim::Collider& collider : scene.surroundings.colliders) {
     std::visit(ObstacleMaker{obstacles_}, collider.shape);
   }
@@ -178,7 +178,7 @@ renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions) {
   return canvas.to_image();
 }
 
-renderer::Legend stretch_legend(const Scene& scene) {
+renderer::Legend stretch_legend(const DrawnScene& scene) {
   const auto [lowest, highest] = shown_stretch_range(scene);
   renderer::Legend legend;
   legend.title = "stretch";

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "app/scene/scene.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"
 #include "renderer/page/legend.hpp"
@@ -21,7 +21,7 @@ float pin_radius_m(const renderer::Box& reach);
 class GarmentPainter {
  public:
   /// `renderer` has to outlive the painter.
-  GarmentPainter(renderer::SceneRenderer& renderer, const Scene& scene, const sim::Garment& garment);
+  GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment);
 
   /// The picture, with the legend the scene asks for.
   renderer::Image draw(const std::vector<sim::Vec3>& positions);
@@ -30,7 +30,7 @@ class GarmentPainter {
   const renderer::FrameView& view(const std::vector<sim::Vec3>& positions);
 
  private:
-  void make_fixed_parts(const Scene& scene, const sim::Garment& garment);
+  void make_fixed_parts(const DrawnScene& scene, const sim::Garment& garment);
   renderer::SurfaceView garment_view() const;
 
   renderer::SceneRenderer& renderer_;
@@ -54,6 +54,6 @@ class GarmentPainter {
 };
 
 /// The colour bar of pictures that show the stretch, with the bound marked that the solver means to keep.
-renderer::Legend stretch_legend(const Scene& scene);
+renderer::Legend stretch_legend(const DrawnScene& scene);
 
 }  // namespace taut::app

@@ -32,7 +32,7 @@ const renderer::Colour outside_colour = renderer::rgb(0xE8EDF2);
 const renderer::Colour inside_colour = renderer::rgb(0xF3DFC0);
 const renderer::Colour pin_colour = renderer::rgb(0xC0392B);
 
-renderer::Image draw_side(Studio& studio, Scene& scene, const sim::Garment& garment,
+renderer::Image draw_side(Studio& studio, DrawnScene& scene, const sim::Garment& garment,
                           const std::vector<InspectionMarks>& all) {
   scene.picture.cloth.outside_colour = outside_colour;
   scene.picture.cloth.inside_colour = inside_colour;
@@ -193,8 +193,8 @@ MarkWidths mark_widths(const Inspection& inspection, float px_per_m) {
 
 }  // namespace
 
-renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded, const Scene& scene,
-                                const std::string& backend) {
+renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded,
+                                const DrawnScene& scene, const std::string& backend) {
   Studio studio(backend);
   InspectionViews views = inspection_views(scene, loaded.garment);
   const std::vector<InspectionMarks> all = inspection_marks(loaded, mark_widths(inspection, views.px_per_m));

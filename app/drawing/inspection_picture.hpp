@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/inspection.hpp"
-#include "app/scene/scene.hpp"
 #include "renderer/page/image.hpp"
 
 namespace taut::app {
@@ -13,7 +13,7 @@ namespace taut::app {
 /// holds it, its borders, edges where more than two triangles meet or neighbours disagree about the outside,
 /// and places where vertices of the file were joined; with a legend, its counts and a bar of known length.
 /// `backend` as in renderer::create_context. Throws renderer::ContextError.
-renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded, const Scene& scene,
-                                const std::string& backend);
+renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded,
+                                const DrawnScene& scene, const std::string& backend);
 
 }  // namespace taut::app

@@ -67,8 +67,8 @@ int panel_height_px(std::span<const glm::vec3> points) {
   return static_cast<int>(std::lround(inspection_panel_px * std::clamp(wanted, lowest_panel, highest_panel)));
 }
 
-Scene scene_of_side(const Scene& asked, int height_px) {
-  Scene scene = asked;
+DrawnScene scene_of_side(const DrawnScene& asked, int height_px) {
+  DrawnScene scene = asked;
   scene.camera = {};
   scene.camera.framing.vertical_fov_rad = field_of_view_rad;
   scene.picture = {};
@@ -87,7 +87,7 @@ Scene scene_of_side(const Scene& asked, int height_px) {
 
 }  // namespace
 
-InspectionViews inspection_views(const Scene& asked, const sim::Garment& garment) {
+InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment) {
   const std::vector<glm::vec3> points =
       points_to_be_seen(garment, pin_radius_m(expected_reach(asked, garment)));
   InspectionViews views{.sides = {{{"from the front", {}}, {"from behind", {}}}},
@@ -102,7 +102,7 @@ InspectionViews inspection_views(const Scene& asked, const sim::Garment& garment
   // All from as far as the side that needs it.
   for (std::size_t k = 0; k < cameras.size(); ++k) {
     const glm::vec3 backwards = glm::normalize(cameras[k].eye - cameras[k].target);
-    Scene& scene = views.sides[k].scene;
+    DrawnScene& scene = views.sides[k].scene;
     scene = scene_of_side(asked, views.height_px);
     scene.camera.target = cameras[k].target;
     scene.camera.eye = cameras[k].target + distance_m * backwards;

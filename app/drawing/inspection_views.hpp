@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/scene/scene.hpp"
 
 namespace taut::app {
 
@@ -13,13 +13,13 @@ constexpr int inspection_panel_px = 1000;  ///< the width of one side's picture
 struct InspectionViews {
   struct Side {
     const char* name;
-    Scene scene;
+    DrawnScene scene;
   };
   std::array<Side, 2> sides;
   float px_per_m = 0.0F;  ///< at the middle of the garment
   int height_px = 0;      ///< of each picture: as low as the garment allows
 };
 
-InspectionViews inspection_views(const Scene& asked, const sim::Garment& garment);
+InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment);
 
 }  // namespace taut::app

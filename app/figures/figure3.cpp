@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/plots/plot.hpp"
 #include "app/figures/csv.hpp"
 #include "app/figures/experiments/moments.hpp"
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/base/errors.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/csv.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/scene/scene_lookup.hpp"
 #include "sim/measures.hpp"
 
 namespace taut::app {

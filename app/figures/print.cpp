@@ -16,8 +16,8 @@ namespace {
 // Of the picture's width and height, left free around everything.
 constexpr float print_margin = 0.045F;
 
-Scene scene_for_print(const PrintedMoment& moment, const PictureSize& size) {
-  Scene scene = moment.recording->scene;
+DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size) {
+  DrawnScene scene = moment.recording->scene;
   renderer::PictureSettings& settings = scene.picture.settings;
   settings.width_px = size.width_px;
   settings.height_px = size.height_px;
@@ -85,7 +85,7 @@ renderer::Camera fitted(renderer::Camera camera, std::span<const glm::vec3> poin
 }
 
 renderer::Camera camera_for(std::span<const PrintedMoment> moments, const PictureSize& size) {
-  const Scene scene = scene_for_print(moments.front(), size);
+  const DrawnScene scene = scene_for_print(moments.front(), size);
   const renderer::Box reach = expected_reach(scene, *moments.front().recording->garment);
   const auto aspect = static_cast<float>(size.width_px) / static_cast<float>(size.height_px);
   const renderer::Camera first = scene_camera(scene, reach, aspect);
@@ -118,7 +118,7 @@ Prints print_moments(StudioDoor& studio, std::span<const PrintedMoment> moments,
   Prints prints;
   prints.size = size;
   for (const PrintedMoment& moment : moments) {
-    Scene scene = scene_for_print(moment, {scaled(size.width_px), scaled(size.height_px)});
+    DrawnScene scene = scene_for_print(moment, {scaled(size.width_px), scaled(size.height_px)});
     scene.camera.eye = camera.eye;
     scene.camera.target = camera.target;
     GarmentPainter painter(studio.open().renderer(), scene, *moment.recording->garment);

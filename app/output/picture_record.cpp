@@ -11,8 +11,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
-#include "app/scene/scene_keys.hpp"
-#include "app/scene/scene_text.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/scene/toml_reader.hpp"
 
 namespace taut::app {
@@ -77,11 +76,12 @@ std::filesystem::path recorded_garment(const Value& scene) {
   return {};
 }
 
-Scene read_scene(const std::string& text, const std::filesystem::path& file) {
+DrawnScene read_scene(const std::string& text, const std::filesystem::path& file) {
   const Source source{"the scene in '" + file.string() + '\'', false};
   const Value value = read_toml_text(text, source.name);
-  Scene scene;
-  KeyReader(scene_keys(), source, scene).read(*value.table());
+  DrawnScene scene;
+  const SceneFormat<DrawnScene> format = drawn_scene_format();
+  KeyReader(format.keys, source, scene).read(*value.table());
   const std::filesystem::path garment = recorded_garment(value);
   if (!garment.empty()) {
     scene.garment.file = find_garment(garment, file.parent_path());

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/output/frame_record.hpp"
-#include "app/scene/scene.hpp"
-#include "app/scene/scene_file.hpp"
 #include "renderer/page/image.hpp"
 
 namespace taut::app {
@@ -26,7 +25,7 @@ std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const 
 
 /// What a picture says about itself.
 struct PictureRecord {
-  Scene scene;
+  DrawnScene scene;
   int frame = 0;
   std::uint64_t state_hash = 0;
   std::string program;

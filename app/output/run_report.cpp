@@ -9,7 +9,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
-#include "app/scene/scene_file.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 
 namespace taut::app {
 namespace {

@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/frame_record.hpp"
-#include "app/scene/scene.hpp"
 #include "sim/garment.hpp"
 
 namespace taut::app {
 
 /// What the statistics of a run are made of.
 struct RunStatistics {
-  const Scene& scene;
+  const DrawnScene& scene;
   const sim::Garment& garment;
   std::string gl_renderer;  ///< empty where nothing was drawn
   const std::vector<FrameRecord>& records;

@@ -12,7 +12,6 @@ namespace {
 
 // Measured on the cloth that is hardest to keep: a square that hangs by two corners, as far apart as it is
 // wide, so that nothing of it may give. T-shirts keep tighter bounds in stronger winds.
-constexpr double smallest_bound = 1e-4;
 constexpr double measured_bound = 1e-3;
 /// At the measured bound, for ten seconds; half as wide a bound was kept in a quarter of the wind.
 constexpr double strongest_wind_m_per_s = 200.0;
@@ -99,13 +98,6 @@ std::optional<double> stretch_bound(const Scene& scene) {
 
 const char* bound_word(const Scene& scene) {
   return scene.simulation.solver.kind == sim::SolverKind::bounded ? "bound" : "threshold";
-}
-
-std::array<double, 2> shown_stretch_range(const Scene& scene) {
-  constexpr double most_without_bound = 0.05;
-  const std::array from_zero = {0.0,
-                                std::max(stretch_bound(scene).value_or(most_without_bound), smallest_bound)};
-  return scene.picture.stretch_range.value_or(from_zero);
 }
 
 }  // namespace taut::app

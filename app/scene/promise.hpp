@@ -1,12 +1,14 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
 #include "app/scene/scene.hpp"
 
 namespace taut::app {
+
+/// Cloth that may give less than this cannot be kept in every pose.
+inline constexpr double smallest_bound = 1e-4;
 
 /// Why the bounded solver's bound is not promised for this scene; nothing where it is, where no bound is
 /// asked for and where the scene allows that it is exceeded.
@@ -17,9 +19,5 @@ std::optional<double> stretch_bound(const Scene& scene);
 
 /// What to call it: a bound is kept, a threshold is what springs are pulled back to.
 const char* bound_word(const Scene& scene);
-
-/// The stretch at the two ends of the colours: as the scene says, or else from 0 to the bound, or to 5 %
-/// where there is none.
-std::array<double, 2> shown_stretch_range(const Scene& scene);
 
 }  // namespace taut::app

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
-#include <vector>
 
-#include "app/scene/scene.hpp"
 #include "app/scene/scene_value.hpp"
 
 namespace taut::app {
@@ -20,22 +17,16 @@ struct Override {
 /// "KEY=VALUE". Throws UsageError without "=".
 Override parse_override(const std::string& text);
 
-/// Reads a scene. Throws InputError naming the file, the line, the key, what was found and what is expected;
-/// UsageError for an override.
-Scene read_scene_file(const std::filesystem::path& path, std::span<const Override> overrides = {});
+/// Throws by `fail` unless the file names one garment: a model or a grid.
+void require_one_garment(const ValueTable& file, const Source& source);
 
-/// The same of a text that was read before. `name` is its file's: relative garment files are looked for
-/// beside it.
-Scene read_scene_text(const std::string& text, const std::string& name,
-                      std::span<const Override> overrides = {});
+/// Throws by `fail` where `garment`, which the file names, is not there.
+void require_garment_of(const ValueTable& file, const Source& source, const std::filesystem::path& garment);
 
-/// Changes keys of a scene made otherwise. Throws UsageError.
-void apply_overrides(std::span<const Override> overrides, Scene& scene);
+/// The same of a garment named on `line`; 0: nowhere.
+void require_garment(const std::filesystem::path& garment, const Source& source, int line);
 
-/// Every key with its value, nested as in a file.
-Value scene_settings(const Scene& scene);
-
-/// All keys with unit, default, range and meaning, for people.
-std::string scene_help();
+/// Puts a value where a key with its sections ("solver.substeps") belongs.
+void insert(ValueTable& table, const std::string& name, const Value& value);
 
 }  // namespace taut::app

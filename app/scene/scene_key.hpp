@@ -53,6 +53,12 @@ Value list_of(const std::array<double, 3>& numbers);
 std::optional<std::array<float, 3>> colour_value(const Value& value);
 Value colour_text(const std::array<float, 3>& colour);
 
+/// `access` of a key: the member, in a const T or not.
+#define MEMBER(path)     \
+  [](auto& s) -> auto& { \
+    return s.path;       \
+  }
+
 // Makers of keys. `access` returns a reference to the member of the T it is given, const or not. A number is
 // stored times `factor`: degrees in files, radians in code.
 

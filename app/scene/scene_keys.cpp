@@ -2,13 +2,9 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "app/scene/promise.hpp"
+#include "app/scene/scene_format.hpp"
 #include "app/scene/scene_lists.hpp"
-
-// `access` of a key: the member, in a const Scene or not.
-#define MEMBER(path)     \
-  [](auto& s) -> auto& { \
-    return s.path;       \
-  }
 
 namespace taut::app {
 namespace {
@@ -16,7 +12,6 @@ namespace {
 using SceneKeys = std::vector<Key<Scene>>;
 
 constexpr double degree = 0.017453292519943295;
-constexpr Range acute = {.lowest = -89.0, .highest = 89.0};
 // Smaller or larger, nothing on it can be told in double precision from its place.
 constexpr Range side = {.lowest = 1e-4, .highest = 1e4};
 constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
@@ -151,49 +146,6 @@ void add_forces(SceneKeys& keys) {
   keys.push_back(layer_distance_key());
 }
 
-void add_camera(SceneKeys& keys) {
-  keys.push_back(number("camera.azimuth", "degrees", {-360.0, 360.0}, MEMBER(camera.framing.azimuth_rad),
-                        "0: from the front (+z), 90: from +x", degree));
-  keys.push_back(number("camera.elevation", "degrees", acute, MEMBER(camera.framing.elevation_rad),
-                        "above the horizon", degree));
-  keys.push_back(number("camera.margin", "", {0.0, 0.45}, MEMBER(camera.framing.margin),
-                        "free border, as a fraction of the picture"));
-  keys.push_back(number("camera.field_of_view", "degrees", {1.0, 120.0},
-                        MEMBER(camera.framing.vertical_fov_rad),
-                        "from the lower to the upper edge of the picture", degree));
-  keys.push_back(camera_box_key());
-  keys.push_back(camera_eye_key());
-  keys.push_back(camera_target_key());
-}
-
-void add_picture(SceneKeys& keys) {
-  keys.push_back(whole("picture.width", 16, 16384, MEMBER(picture.settings.width_px), "in pixels"));
-  keys.push_back(whole("picture.height", 16, 16384, MEMBER(picture.settings.height_px), "in pixels"));
-  keys.push_back(whole("picture.samples", 1, 16, MEMBER(picture.settings.samples),
-                       "in a pixel; lowered to what OpenGL offers"));
-  keys.push_back(whole("picture.supersampling", 1, 8, MEMBER(picture.settings.supersampling),
-                       "drawn so many times as wide and high, then averaged"));
-  keys.push_back(switch_key<Scene>("picture.shadows", MEMBER(picture.settings.shadows), "of the key light"));
-  keys.push_back(ground_key());
-  keys.push_back(choice_key<Scene, SurfaceLook>("picture.surface",
-                                                {{"shaded", SurfaceLook::shaded},
-                                                 {"stretch", SurfaceLook::stretch},
-                                                 {"wireframe", SurfaceLook::wireframe}},
-                                                MEMBER(picture.surface), "what the cloth shows"));
-  keys.push_back(switch_key<Scene>("picture.wireframe", MEMBER(picture.wireframe),
-                                   "draws the structural springs over the surface"));
-  keys.push_back(stretch_range_key());
-  keys.push_back(colour_key<Scene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour),
-                                   "of the cloth's outside"));
-  keys.push_back(colour_key<Scene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour),
-                                   "of the cloth's inside"));
-  keys.push_back(switch_key<Scene>("picture.rest_outline", MEMBER(picture.rest_outline),
-                                   "draws the garment's borders where they were modelled"));
-  keys.push_back(switch_key<Scene>("picture.show_pins", MEMBER(picture.show_pins), "as red balls"));
-  keys.push_back(switch_key<Scene>("picture.legend", MEMBER(picture.legend),
-                                   "a colour bar where the cloth shows its stretch"));
-}
-
 }  // namespace
 
 std::vector<Key<Scene>> scene_keys() {
@@ -202,9 +154,34 @@ std::vector<Key<Scene>> scene_keys() {
   add_pins(keys);
   add_run(keys);
   add_forces(keys);
-  add_camera(keys);
-  add_picture(keys);
   return keys;
+}
+
+SceneFormat<Scene> simulation_format() {
+  const auto check = [](const Scene& scene, const Source& source) {
+    if (const std::optional<std::string> reason = beyond_promise(scene)) {
+      fail(source, 0, *reason);
+    }
+  };
+  return {scene_keys(), check};
+}
+
+std::string list_entries_help() {
+  std::string text = "\nEach [[forces]]:\n";
+  for (const auto& key : force_keys()) {
+    text += describe_key(key, sim::PointForce{});
+  }
+  for (const sim::Shape& shape :
+       {sim::Shape(sim::Plane{}), sim::Shape(sim::Sphere{}), sim::Shape(sim::Capsule{})}) {
+    constexpr std::array names = {"plane", "sphere", "capsule"};
+    text += std::string("\nEach [[colliders]] with shape = \"") + names[shape.index()] + "\":\n";
+    for (const auto& key : collider_keys(names[shape.index()])) {
+      if (key.name != "shape") {
+        text += describe_key(key, sim::Collider{.shape = shape});
+      }
+    }
+  }
+  return text;
 }
 
 std::vector<Key<sim::Collider>> collider_keys(const std::string& shape) {

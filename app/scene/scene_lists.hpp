@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,12 +16,7 @@ Key<Scene> up_key();
 Key<Scene> pins_key();
 Key<Scene> forces_key();
 Key<Scene> colliders_key();
-Key<Scene> camera_box_key();
-Key<Scene> camera_eye_key();
-Key<Scene> camera_target_key();
-Key<Scene> ground_key();
 Key<Scene> layer_distance_key();
-Key<Scene> stretch_range_key();
 
 std::vector<std::pair<std::string, sim::SolverKind>> solver_choices();
 std::vector<std::pair<std::string, sim::VectorUnit>> vector_unit_choices();

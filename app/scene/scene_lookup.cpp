@@ -39,16 +39,6 @@ std::vector<BuiltInScene> scenes_in(const fs::path& folder) {
   return scenes;
 }
 
-Scene scene_of_garment(const fs::path& file, std::span<const Override> overrides) {
-  Scene scene;
-  scene.title = file.filename().string();
-  scene.garment.file = file;
-  scene.frames = 240;
-  scene.surroundings.layer_distance_m = layer_distance_from_mesh;
-  apply_overrides(overrides, scene);
-  return scene;
-}
-
 [[noreturn]] void fail_unknown(const std::string& name) {
   const bool looks_like_file = name.find('/') != std::string::npos || fs::path(name).has_extension();
   if (looks_like_file) {
@@ -74,25 +64,33 @@ std::vector<BuiltInScene> built_in_scenes() {
   return {};
 }
 
-Scene find_scene(const std::string& name, std::span<const Override> overrides) {
-  const fs::path path = name;
-  std::error_code error;
-  const auto finish = [](Scene scene, const std::string& short_name) {
-    scene.name = short_name;
-    return scene;
-  };
+std::filesystem::path assets_folder() {
+  const std::vector<BuiltInScene> scenes = built_in_scenes();
+  return scenes.empty()
+             ? std::filesystem::path()
+             : std::filesystem::absolute(scenes.front().file.parent_path().parent_path()).lexically_normal();
+}
+
+void set_garment(const std::filesystem::path& file, Scene& scene) {
+  scene.title = file.filename().string();
+  scene.garment.file = file;
+  scene.frames = 240;
+  scene.surroundings.layer_distance_m = layer_distance_from_mesh;
+}
+
+FoundScene locate_scene(const std::string& name) {
   const auto scenes = built_in_scenes();
   const auto built_in = std::find_if(scenes.begin(), scenes.end(),
                                      [&](const BuiltInScene& scene) { return scene.name == name; });
   if (built_in != scenes.end()) {
-    return finish(read_scene_file(built_in->file, overrides), name);
+    return {name, built_in->file, false};
   }
+  const fs::path path = name;
+  std::error_code error;
   if (!fs::exists(path, error)) {
     fail_unknown(name);
   }
-  const bool is_scene = path.extension() == ".toml";
-  return finish(is_scene ? read_scene_file(path, overrides) : scene_of_garment(path, overrides),
-                path.stem().string());
+  return {path.stem().string(), path, path.extension() != ".toml"};
 }
 
 }  // namespace taut::app

@@ -105,23 +105,17 @@ std::filesystem::path garment_name(const std::filesystem::path& garment, Garment
 
 }  // namespace
 
-std::filesystem::path assets_folder() {
-  const std::vector<BuiltInScene> scenes = built_in_scenes();
-  return scenes.empty()
-             ? std::filesystem::path()
-             : std::filesystem::absolute(scenes.front().file.parent_path().parent_path()).lexically_normal();
-}
-
-std::string scene_text(const Scene& scene, GarmentNaming naming) {
-  Scene named = scene;
+std::string text_of(ValueTable settings, const Scene& scene, GarmentNaming naming) {
   const bool has_file = !scene.garment.file.empty();
-  if (has_file) {
-    named.garment.file = garment_name(scene.garment.file, naming);
-  }
-  ValueTable settings = *scene_settings(named).table();
   for (auto& [key, value] : settings) {
     if (key == "garment" && has_file) {
-      std::erase_if(std::get<ValueTable>(value.data), [](const auto& entry) { return entry.key == "grid"; });
+      ValueTable& garment = std::get<ValueTable>(value.data);
+      std::erase_if(garment, [](const auto& entry) { return entry.key == "grid"; });
+      for (auto& entry : garment) {
+        if (entry.key == "file") {
+          entry.value = {garment_name(scene.garment.file, naming).string()};
+        }
+      }
     }
   }
   std::string text;

@@ -24,7 +24,7 @@ void DrawingPlace::renew() {
   picture_ = std::make_unique<ViewerPicture>(*context_);
 }
 
-HeadlessViewer::HeadlessViewer(const Scene& scene, const SessionStart& start,
+HeadlessViewer::HeadlessViewer(const DrawnScene& scene, const SessionStart& start,
                                const std::filesystem::path& keep_folder, const std::string& backend)
     : simulation_(std::make_unique<SteppedSimulation>(scene)),
       viewer_(*simulation_, {start.size, start.scale, keep_folder, false}),

@@ -56,9 +56,9 @@ fs::path free_name(const fs::path& folder, const std::string& stem, const std::s
   }
 }
 
-Scene kept_scene(const ViewerState& state, const ViewArea& area) {
+DrawnScene kept_scene(const ViewerState& state, const ViewArea& area) {
   constexpr int smallest_side_px = 16;
-  Scene scene = state.scene;
+  DrawnScene scene = state.scene;
   const std::vector<sim::Index>& pins = *state.newest->pins;
   if (pins != state.newest->loaded->garment.pins) {
     scene.pins = numbered_in_file(pins, state.newest->loaded->file_vertices);

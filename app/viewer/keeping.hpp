@@ -16,7 +16,7 @@ std::filesystem::path free_name(const std::filesystem::path& folder, const std::
 
 /// The scene as it is set now: settings, pins, camera and looks, with as many frames as have been simulated.
 /// `taut render` of it draws what the window shows after a reset and as many frames.
-Scene kept_scene(const ViewerState& state, const ViewArea& area);
+DrawnScene kept_scene(const ViewerState& state, const ViewArea& area);
 
 /// The camera as a section of a scene file.
 std::string camera_text(const renderer::Camera& camera);

@@ -34,14 +34,14 @@ class DrawingPlace {
 /// Opens a window and lets a person play until it is closed. `record_to` may be empty.
 /// Throws renderer::ContextError without a display or OpenGL, InputError where a file cannot be written,
 /// Interrupted.
-void view_in_window(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
-                    const std::filesystem::path& record_to);
+void view_in_window(const DrawnScene& scene, const SessionStart& start,
+                    const std::filesystem::path& keep_folder, const std::filesystem::path& record_to);
 
 /// A window that is not there: plays sessions and draws what the window would show.
 class HeadlessViewer {
  public:
   /// Throws InputError where the garment cannot be loaded, renderer::ContextError.
-  HeadlessViewer(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+  HeadlessViewer(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                  const std::string& backend);
 
   /// One frame of the window; drawn where a picture is wanted. Throws InputError where the state is not what

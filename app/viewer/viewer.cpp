@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/base/errors.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/scene/scene_lookup.hpp"
 #include "app/viewer/state/choices.hpp"
 #include "app/viewer/state/key_bindings.hpp"
 #include "app/viewer/state/lost_cloth.hpp"
@@ -217,7 +217,7 @@ void Viewer::warn() {
 }
 
 void Viewer::collect_settings() {
-  const Scene& scene = state_.scene;
+  const DrawnScene& scene = state_.scene;
   if (scene.simulation != told_simulation_ || scene.surroundings != told_surroundings_) {
     told_simulation_ = scene.simulation;
     told_surroundings_ = scene.surroundings;

@@ -7,9 +7,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/scene/scene_lookup.hpp"
-#include "app/scene/scene_text.hpp"
 #include "app/viewer/viewer.hpp"
 
 // What keys and buttons of the viewer do.
@@ -141,7 +140,7 @@ void Viewer::frame_garment() {
 
 void Viewer::save_scene() {
   const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".toml");
-  const Scene scene = kept_scene(state_, scene_area(layout()));
+  const DrawnScene scene = kept_scene(state_, scene_area(layout()));
   write_text_file(file, scene_text(scene, GarmentNaming::full_path));
   const char* hint = state_.newest->pristine
                          ? "taut render of it draws this frame"
@@ -208,7 +207,7 @@ void Viewer::load_asked() {
     if (name) {
       load(find_scene(*name, {}));
     } else if (garment) {
-      Scene scene = state_.scene;
+      DrawnScene scene = state_.scene;
       // Another cut of the same garment has the same seams to hang from; another garment has not.
       const bool is_kin = scene.garment.file.parent_path() == garment->parent_path();
       if (!is_kin) {
@@ -224,9 +223,9 @@ void Viewer::load_asked() {
   }
 }
 
-void Viewer::load(Scene scene) {
+void Viewer::load(DrawnScene scene) {
   tell("loading " + scene.name, false);
-  commands_.emplace_back(LoadScene{std::make_shared<const Scene>(std::move(scene))});
+  commands_.emplace_back(LoadScene{std::make_shared<const DrawnScene>(std::move(scene))});
 }
 
 }  // namespace taut::app

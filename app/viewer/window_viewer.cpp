@@ -28,7 +28,7 @@ constexpr double losses_forgotten_after_s = 10.0;
 
 class WindowSession {
  public:
-  WindowSession(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+  WindowSession(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                 const std::filesystem::path& record_to)
       : simulation_(scene),
         title_(title_of(scene)),
@@ -86,7 +86,7 @@ class WindowSession {
     return window;
   }
 
-  static std::string title_of(const Scene& scene) { return "Taut - " + scene.name; }
+  static std::string title_of(const DrawnScene& scene) { return "Taut - " + scene.name; }
 
   void name_window() {
     std::string title = title_of(viewer_.state().newest->loaded->scene);
@@ -214,8 +214,8 @@ class WindowSession {
 
 }  // namespace
 
-void view_in_window(const Scene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
-                    const std::filesystem::path& record_to) {
+void view_in_window(const DrawnScene& scene, const SessionStart& start,
+                    const std::filesystem::path& keep_folder, const std::filesystem::path& record_to) {
   WindowSession session(scene, start, keep_folder, record_to);
   session.run();
 }

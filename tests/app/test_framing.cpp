@@ -7,18 +7,18 @@
 namespace taut::app {
 namespace {
 
-Scene horizontal_cloth() {
-  Scene scene;
+DrawnScene horizontal_cloth() {
+  DrawnScene scene;
   scene.garment.grid = {.columns = 3, .rows = 3, .plane = sim::GridPlane::horizontal};
   return scene;
 }
 
-sim::Garment garment_of(const Scene& scene, std::vector<sim::Index> pins) {
+sim::Garment garment_of(const DrawnScene& scene, std::vector<sim::Index> pins) {
   return sim::make_garment(sim::make_grid(scene.garment.grid), scene.mapping, std::move(pins));
 }
 
 TEST(Framing, ExpectsClothToHangBelowItsPins) {
-  const Scene scene = horizontal_cloth();
+  const DrawnScene scene = horizontal_cloth();
   const renderer::Box reach = expected_reach(scene, garment_of(scene, {0, 2}));
   EXPECT_NEAR(reach.lower.y, -std::sqrt(1.25), 1e-6);
   EXPECT_EQ(reach.upper.y, 0.0F);
@@ -26,7 +26,7 @@ TEST(Framing, ExpectsClothToHangBelowItsPins) {
 }
 
 TEST(Framing, SeesWhatClothFallsOnto) {
-  Scene scene = horizontal_cloth();
+  DrawnScene scene = horizontal_cloth();
   scene.surroundings.colliders = {{sim::Sphere{sim::Vec3(0, -2, 0), 0.5}}, {sim::Plane{sim::Vec3(0, -3, 0)}}};
   const renderer::Box reach = expected_reach(scene, garment_of(scene, {}));
   EXPECT_EQ(reach.lower.y, -3.0F);
@@ -34,7 +34,7 @@ TEST(Framing, SeesWhatClothFallsOnto) {
 }
 
 TEST(Framing, PutsTheGroundBelowEverything) {
-  Scene scene;
+  DrawnScene scene;
   const renderer::Box reach{{-1, -1, -1}, {1, 1, 1}};
   EXPECT_LT(*ground_height(scene, reach), -1.0F);
   scene.picture.ground = {GroundKind::fixed, 0.5};
@@ -44,7 +44,7 @@ TEST(Framing, PutsTheGroundBelowEverything) {
 }
 
 TEST(Framing, TakesTheEyeAsGiven) {
-  Scene scene;
+  DrawnScene scene;
   scene.camera.eye = glm::vec3(1, 2, 3);
   scene.camera.target = glm::vec3(0, 1, 0);
   const renderer::Camera camera = scene_camera(scene, {{-1, -1, -1}, {1, 1, 1}}, 1.5F);
@@ -53,7 +53,7 @@ TEST(Framing, TakesTheEyeAsGiven) {
 }
 
 TEST(StretchLegend, EndsAtTheBoundWhereTheSceneSaysNothingElse) {
-  Scene scene;
+  DrawnScene scene;
   scene.simulation.solver.kind = sim::SolverKind::bounded;
   scene.simulation.solver.max_stretch = 0.013;
   renderer::Legend legend = stretch_legend(scene);
@@ -68,7 +68,7 @@ TEST(StretchLegend, EndsAtTheBoundWhereTheSceneSaysNothingElse) {
 }
 
 TEST(StretchLegend, HasNoBoundWhereTheSolverMeansNone) {
-  Scene scene;
+  DrawnScene scene;
   scene.simulation.solver.kind = sim::SolverKind::strong;
   const renderer::Legend legend = stretch_legend(scene);
   EXPECT_EQ(legend.maximum, 0.05F);

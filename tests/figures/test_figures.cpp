@@ -7,9 +7,9 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/figures.hpp"
 #include "app/figures/moment_tables.hpp"
-#include "app/scene/scene_lookup.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -45,7 +45,7 @@ TEST(SpringPatch, OfAWholeGridHasTheMappingsCounts) {
 }
 
 TEST(Jobs, ResultsDoNotDependOnTheNumberOfThreads) {
-  const Scene scene = find_scene("pinned-9x9-5", {});
+  const DrawnScene scene = find_scene("pinned-9x9-5", {});
   std::vector<std::uint64_t> hashes[2];
   for (const unsigned threads : {1U, 3U}) {
     std::vector<Recording> recordings(4);
@@ -100,7 +100,7 @@ TEST(Jobs, FirstErrorStopsTheOthersAndIsThrownOn) {
 }
 
 TEST(Recording, StepsAreTheStepsOfTheFrames) {
-  Scene scene = find_scene("pinned-9x9-5", {});
+  DrawnScene scene = find_scene("pinned-9x9-5", {});
   scene.simulation.solver.substeps = 4;
   const std::array frames = {0, 3, 10};
   const StepRecording stepped = record_steps(scene, frames, 76, [](double) {});
@@ -113,7 +113,7 @@ TEST(Recording, StepsAreTheStepsOfTheFrames) {
 }
 
 TEST(Recording, EndsWhereTheClothIsAtRest) {
-  Scene scene = find_scene("pinned-9x9-5", {});
+  DrawnScene scene = find_scene("pinned-9x9-5", {});
   scene.simulation.rest.speed_m_per_s = 1e-3;
   const StepRecording fall = record_steps(scene, std::array{0, 400}, 76, [](double) {});
   EXPECT_TRUE(fall.came_to_rest);

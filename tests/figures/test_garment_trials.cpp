@@ -5,11 +5,11 @@
 #include <set>
 
 #include "app/base/errors.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/figures/experiments/samples/model_writing.hpp"
 #include "app/figures/experiments/samples/sample_garments.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/scene/scene_lookup.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

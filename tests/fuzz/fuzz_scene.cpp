@@ -6,14 +6,13 @@
 #include <string>
 
 #include "app/base/errors.hpp"
-#include "app/scene/scene_file.hpp"
-#include "app/scene/scene_text.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 
 using namespace taut::app;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    Scene scene = read_scene_text({reinterpret_cast<const char*>(data), size}, "fuzzed.toml");
+    DrawnScene scene = read_scene_text({reinterpret_cast<const char*>(data), size}, "fuzzed.toml");
     // A record names its garment by its place in the assets, which is not where a scene file looks for it.
     if (scene.garment.file.empty()) {
       const std::string text = scene_text(scene);

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <random>
 
-#include "app/scene/scene_lookup.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/viewer/state/key_bindings.hpp"
 #include "app/viewer/view_session.hpp"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/models/layers.hpp"
-#include "app/scene/scene_lookup.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

@@ -2,9 +2,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/output/picture_record.hpp"
-#include "app/scene/scene_lookup.hpp"
-#include "app/scene/scene_text.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -17,7 +16,7 @@ renderer::Image small_picture() {
   return renderer::make_image(4, 3);
 }
 
-std::filesystem::path write_record(const TemporaryFolder& folder, const Scene& scene) {
+std::filesystem::path write_record(const TemporaryFolder& folder, const DrawnScene& scene) {
   FrameRecord record;
   record.frame = 12;
   record.state_hash = 0xFEDCBA9876543210U;
@@ -35,7 +34,7 @@ TEST(PictureRecord, BuiltInScenesReadBackAsTheyWere) {
   const TemporaryFolder folder;
   ASSERT_FALSE(built_in_scenes().empty());
   for (const BuiltInScene& built_in : built_in_scenes()) {
-    const Scene scene = find_scene(built_in.name, {});
+    const DrawnScene scene = find_scene(built_in.name, {});
     const PictureRecord record = read_picture_record(write_record(folder, scene), {});
     EXPECT_EQ(scene_text(record.scene), scene_text(scene));
     EXPECT_EQ(record.scene.camera.framing.azimuth_rad, scene.camera.framing.azimuth_rad);
@@ -83,10 +82,10 @@ shape = "plane"
 
 TEST(PictureRecord, EveryKindOfValueReadsBackBitForBit) {
   const TemporaryFolder folder;
-  const Scene scene = read_scene_file(folder.write("scene.toml", all_kinds));
+  const DrawnScene scene = read_scene_file(folder.write("scene.toml", all_kinds));
   const std::string text = scene_text(scene);
   EXPECT_TRUE(is_ascii(text)) << text;
-  const Scene again = read_picture_record(write_record(folder, scene), {}).scene;
+  const DrawnScene again = read_picture_record(write_record(folder, scene), {}).scene;
   EXPECT_EQ(scene_text(again), text);
   EXPECT_EQ(again.title, scene.title);
   EXPECT_EQ(again.simulation.solver.rigidity.compression, 0.30000000000000004);
@@ -105,12 +104,12 @@ TEST(PictureRecord, OverridesChangeTheRecordedScene) {
 
 TEST(PictureRecord, AGarmentIsFoundInTheAssetsOrBesideThePicture) {
   const TemporaryFolder folder;
-  const Scene shirt = find_scene("tshirt-gravity", {});
+  const DrawnScene shirt = find_scene("tshirt-gravity", {});
   EXPECT_CONTAINS(scene_text(shirt), "file = \"garments/tshirt_10600.obj\"");
   EXPECT_TRUE(
       std::filesystem::exists(read_picture_record(write_record(folder, shirt), {}).scene.garment.file));
 
-  Scene other = shirt;
+  DrawnScene other = shirt;
   other.garment.file = "/nowhere/any.obj";
   const auto picture = write_record(folder, other);
   EXPECT_EQ(read_picture_record(picture, {}).scene.garment.file, "/nowhere/any.obj");

@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 TEST(RunReport, HoldsWhatTheDesignPromises) {
-  Scene scene;
+  DrawnScene scene;
   scene.name = "test";
   scene.garment.grid = {.columns = 3, .rows = 3};
   scene.simulation.solver.substeps = 7;
@@ -47,7 +47,7 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
 
 // As a spreadsheet reads it, and the same numbers as the JSON.
 TEST(RunReport, IsATableWhereTheNameSaysCsv) {
-  Scene scene;
+  DrawnScene scene;
   scene.garment.grid = {.columns = 3, .rows = 3};
   sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
   const auto records = run_frames(simulation, 3, {});
@@ -96,7 +96,7 @@ TEST(RunReport, ExplainsEveryColumn) {
 }
 
 TEST(RunReport, NamesNoRendererWhereNothingWasDrawn) {
-  Scene scene;
+  DrawnScene scene;
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_FALSE(
       json::parse(statistics_json({scene, loaded.garment, "", {}}))["versions"].contains("gl_renderer"));
@@ -105,7 +105,7 @@ TEST(RunReport, NamesNoRendererWhereNothingWasDrawn) {
 // One triangle: all there is once.
 TEST(Inspection, CountsInPlainEnglish) {
   const test::TemporaryFolder folder;
-  Scene scene;
+  DrawnScene scene;
   scene.garment.file = folder.write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const LoadedGarment loaded = load_garment(scene);
   const std::string text = describe(inspect_garment(scene, loaded));
@@ -123,7 +123,7 @@ TEST(Inspection, CountsInPlainEnglish) {
 }
 
 TEST(Inspection, MeasuresTheTShirt) {
-  Scene scene;
+  DrawnScene scene;
   scene.garment.file = TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj";
   const Inspection inspection = inspect_garment(scene, load_garment(scene));
   EXPECT_EQ(inspection.triangles, 1028U);

@@ -3,9 +3,8 @@
 #include <numbers>
 
 #include "app/base/errors.hpp"
-#include "app/scene/scene_file.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/scene/scene_keys.hpp"
-#include "app/scene/scene_lookup.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -22,7 +21,7 @@ std::string file_error(const TemporaryFolder& folder, const std::string& text) {
 }
 
 std::string set_error(const std::string& text) {
-  Scene scene;
+  DrawnScene scene;
   return message_of<UsageError>([&] { apply_overrides(std::vector{parse_override(text)}, scene); });
 }
 
@@ -58,7 +57,7 @@ outside_colour = "#ff8000"
 stretch_range = [-0.1, 0.2]
 shadows = false
 )");
-  const Scene scene = read_scene_file(path);
+  const DrawnScene scene = read_scene_file(path);
   EXPECT_EQ(scene.title, "A test");
   EXPECT_EQ(scene.garment.grid.rows, 7U);
   EXPECT_EQ(scene.garment.grid.plane, sim::GridPlane::horizontal);
@@ -183,7 +182,7 @@ TEST(SceneFile, SaysWhatIsNoToml) {
 }
 
 TEST(Overrides, ReplaceAnyKey) {
-  Scene scene;
+  DrawnScene scene;
   const std::vector<Override> overrides = {
       parse_override("solver.kind=ideal"), parse_override("wind.speed=4"),
       parse_override("camera.eye=[0,0,1]"), parse_override("camera.target=[0,0,0]"),
@@ -207,8 +206,8 @@ TEST(Overrides, AreCheckedLikeFiles) {
 // A default that its own key refuses would be a lie in the help.
 TEST(SceneKeys, AcceptTheirOwnDefaults) {
   const Source source{"defaults", true};
-  for (const Key<Scene>& key : scene_keys()) {
-    Scene scene;
+  for (const Key<DrawnScene>& key : drawn_scene_format().keys) {
+    DrawnScene scene;
     const Value value = key.write(scene);
     if (!std::holds_alternative<std::monostate>(value.data)) {
       EXPECT_TRUE(key.read(value, source, scene)) << key.name;
@@ -220,7 +219,7 @@ TEST(SceneKeys, AcceptTheirOwnDefaults) {
 
 TEST(SceneKeys, StandInTheHelp) {
   const std::string help = scene_help();
-  for (const Key<Scene>& key : scene_keys()) {
+  for (const Key<DrawnScene>& key : drawn_scene_format().keys) {
     EXPECT_CONTAINS(help, "  " + key.name + " = ");
   }
   EXPECT_CONTAINS(help, "start_radius");

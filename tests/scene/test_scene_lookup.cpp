@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/base/errors.hpp"
-#include "app/scene/scene_lookup.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -29,7 +29,7 @@ TEST(SceneLookup, ReadsEveryBuiltInScene) {
   ASSERT_FALSE(built_in_scenes().empty());
   for (const BuiltInScene& scene : built_in_scenes()) {
     EXPECT_NO_THROW({
-      const Scene found = find_scene(scene.name, {});
+      const DrawnScene found = find_scene(scene.name, {});
       EXPECT_EQ(found.name, scene.name);
       EXPECT_FALSE(found.title.empty());
     }) << scene.name;
@@ -42,7 +42,7 @@ TEST(SceneLookup, PrefersTheFolderInTheEnvironment) {
   folder.write("scenes/mine.toml", "[garment.grid]\nrows = 5\n");
   ::setenv("TAUT_ASSETS", (folder / "").c_str(), 1);
   const auto scenes = built_in_scenes();
-  const Scene scene = find_scene("mine", {});
+  const DrawnScene scene = find_scene("mine", {});
   ::unsetenv("TAUT_ASSETS");
   ASSERT_EQ(scenes.size(), 1U);
   EXPECT_EQ(scene.garment.grid.rows, 5U);
@@ -51,7 +51,7 @@ TEST(SceneLookup, PrefersTheFolderInTheEnvironment) {
 TEST(SceneLookup, MakesASceneOfAGarment) {
   const TemporaryFolder folder;
   const auto path = folder.write("shirt.obj", triangle);
-  const Scene scene = find_scene(path.string(), std::vector{parse_override("wind.speed=3")});
+  const DrawnScene scene = find_scene(path.string(), std::vector{parse_override("wind.speed=3")});
   EXPECT_EQ(scene.name, "shirt");
   EXPECT_EQ(scene.garment.file, path);
   EXPECT_FALSE(scene.pins.has_value());

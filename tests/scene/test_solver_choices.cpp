@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/scene/scene_lookup.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"
 #include "app/viewer/state/choices.hpp"
 
@@ -11,8 +11,8 @@ namespace {
 
 const std::string first_scene = "tshirt";
 
-Scene scene_with(const std::string& garment) {
-  Scene scene = find_scene(first_scene, {});
+DrawnScene scene_with(const std::string& garment) {
+  DrawnScene scene = find_scene(first_scene, {});
   for (const Choice& choice : garment_choices()) {
     if (choice.name == garment) {
       scene.garment.file = choice.file;
@@ -21,7 +21,7 @@ Scene scene_with(const std::string& garment) {
   return garment == "grid" ? find_scene("cloth-fall", {}) : scene;
 }
 
-ChangeSettings with_solver(Scene& scene, sim::SolverKind kind) {
+ChangeSettings with_solver(DrawnScene& scene, sim::SolverKind kind) {
   scene.simulation.solver.kind = kind;
   scene.simulation.solver.substeps = 0;
   return {scene.simulation, scene.surroundings};
@@ -61,7 +61,7 @@ std::vector<Chosen> all_choices() {
 class SolverChoices : public testing::TestWithParam<Chosen> {};
 
 TEST_P(SolverChoices, RunsForASecond) {
-  Scene scene = scene_with(GetParam().garment);
+  DrawnScene scene = scene_with(GetParam().garment);
   LiveSimulation live(scene);
   live.apply(with_solver(scene, GetParam().solver));
   expect_frames(live, 60, GetParam().garment);
@@ -82,7 +82,7 @@ TEST(SolverChoices, HoldsEveryGarmentOfTheList) {
 
 // One after the other on the same garment, from whatever shape the one before has left.
 TEST(SolverChoices, FollowOneAnother) {
-  Scene scene = scene_with("tshirt_1028");
+  DrawnScene scene = scene_with("tshirt_1028");
   LiveSimulation live(scene);
   int frames = 0;
   for (const sim::SolverKind to :
@@ -99,11 +99,11 @@ TEST(SolverChoices, FollowOneAnother) {
 }
 
 struct AfterDivergence : testing::Test {
-  Scene scene = find_scene("pinned-9x9-5", {});
+  DrawnScene scene = find_scene("pinned-9x9-5", {});
   LiveSimulation live{scene};
 
   AfterDivergence() {
-    Scene wild = scene;
+    DrawnScene wild = scene;
     wild.simulation.solver.kind = sim::SolverKind::ideal;
     wild.simulation.solver.stiffness.structural_n_per_m = 1e9;
     live.apply(ChangeSettings{wild.simulation, wild.surroundings});
@@ -132,7 +132,7 @@ TEST_F(AfterDivergence, NothingThatIsLostIsShown) {
 TEST_F(AfterDivergence, AnotherSolverStartsAnew) {
   ASSERT_TRUE(live.take_snapshot()->stopped);
   for (const sim::SolverKind solver : sim::all_solver_kinds) {
-    Scene chosen = scene;
+    DrawnScene chosen = scene;
     live.apply(with_solver(chosen, solver));
     expect_anew();
     live.apply(Reset{});
@@ -140,14 +140,14 @@ TEST_F(AfterDivergence, AnotherSolverStartsAnew) {
 }
 
 TEST_F(AfterDivergence, AnotherSettingStartsAnew) {
-  Scene breezy = scene;
+  DrawnScene breezy = scene;
   breezy.surroundings.forces.wind.speed_m_per_s = 1.0;
   live.apply(ChangeSettings{breezy.simulation, breezy.surroundings});
   expect_anew();
 }
 
 TEST_F(AfterDivergence, AnotherSceneStartsAnew) {
-  live.apply(LoadScene{std::make_shared<const Scene>(find_scene("pinned-9x9-20", {}))});
+  live.apply(LoadScene{std::make_shared<const DrawnScene>(find_scene("pinned-9x9-20", {}))});
   expect_anew();
 }
 

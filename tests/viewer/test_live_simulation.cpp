@@ -5,7 +5,7 @@
 #include <random>
 #include <thread>
 
-#include "app/scene/scene_lookup.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/viewer/simulation/simulation_thread.hpp"
 #include "app/viewer/simulation/stepped_simulation.hpp"
 #include "temporary_folder.hpp"
@@ -13,18 +13,18 @@
 namespace taut::app {
 namespace {
 
-Scene small_scene() {
+DrawnScene small_scene() {
   return find_scene("pinned-9x9-5", {});
 }
 
-Scene diverging_scene() {
+DrawnScene diverging_scene() {
   const std::vector<Override> overrides = {parse_override("solver.kind=\"ideal\""),
                                            parse_override("solver.substeps=1"),
                                            parse_override("solver.stiffness.structural=1e9")};
   return find_scene("pinned-9x9-5", overrides);
 }
 
-ChangeSettings with_wind(const Scene& scene, double speed) {
+ChangeSettings with_wind(const DrawnScene& scene, double speed) {
   ChangeSettings change{scene.simulation, scene.surroundings};
   change.surroundings.forces.wind.speed_m_per_s = speed;
   return change;
@@ -37,7 +37,7 @@ void advance(LiveSimulation& simulation, int frames) {
 }
 
 TEST(LiveSimulation, IsTheSimulationThatRenderRuns) {
-  const Scene scene = small_scene();
+  const DrawnScene scene = small_scene();
   LiveSimulation live(scene);
   advance(live, 30);
   sim::Simulation plain(live.take_snapshot()->loaded->garment, scene.simulation, scene.surroundings);
@@ -49,7 +49,7 @@ TEST(LiveSimulation, IsTheSimulationThatRenderRuns) {
 }
 
 TEST(LiveSimulation, ResetStartsAgainWithTheSettingsOfNow) {
-  const Scene scene = small_scene();
+  const DrawnScene scene = small_scene();
   LiveSimulation reference(scene);
   reference.apply(with_wind(scene, 6.0));
   advance(reference, 20);
@@ -68,7 +68,7 @@ TEST(LiveSimulation, ResetStartsAgainWithTheSettingsOfNow) {
 }
 
 TEST(LiveSimulation, GoesOnFromAFrameOfThePast) {
-  const Scene scene = small_scene();
+  const DrawnScene scene = small_scene();
   LiveSimulation live(scene);
   advance(live, 20);
   const SnapshotPtr past = live.take_snapshot();
@@ -105,7 +105,7 @@ TEST(LiveSimulation, GoesBackFromWhereItDiverged) {
 TEST(LiveSimulation, DoesNotGoBackToAnotherGarment) {
   LiveSimulation live(small_scene());
   const SnapshotPtr past = live.take_snapshot();
-  live.apply(LoadScene{std::make_shared<const Scene>(find_scene("pinned-9x9-20", {}))});
+  live.apply(LoadScene{std::make_shared<const DrawnScene>(find_scene("pinned-9x9-20", {}))});
   advance(live, 5);
   const std::uint64_t state = live.state_hash();
   live.apply(GoBack{past});
@@ -114,7 +114,7 @@ TEST(LiveSimulation, DoesNotGoBackToAnotherGarment) {
 
 // The bound is lowered, and a solver with a bound chosen, while nothing moves.
 TEST(LiveSimulation, ANewBoundHoldsBeforeTheNextFrame) {
-  const Scene scene = find_scene("pinned-9x9-20", {});
+  const DrawnScene scene = find_scene("pinned-9x9-20", {});
   LiveSimulation live(scene);
   advance(live, 60);
   ASSERT_GT(live.take_snapshot()->record.stretch.max, 0.06);
@@ -234,9 +234,9 @@ TEST(LiveSimulation, ABrokenGarmentLeavesTheOldOne) {
   LiveSimulation live(small_scene());
   advance(live, 5);
   const std::uint64_t state = live.state_hash();
-  Scene broken = small_scene();
+  DrawnScene broken = small_scene();
   broken.garment.file = file;
-  live.apply(LoadScene{std::make_shared<const Scene>(broken)});
+  live.apply(LoadScene{std::make_shared<const DrawnScene>(broken)});
   EXPECT_TRUE(live.take_snapshot()->notices->back().is_error);
   EXPECT_NE(live.take_snapshot()->notices->back().text.find("broken.obj"), std::string::npos);
   EXPECT_EQ(live.take_snapshot()->loaded->generation, 1U);
@@ -275,7 +275,7 @@ TEST(SteppedSimulation, FollowsTheClockInSlowMotion) {
 }
 
 // Frames of a window that draws at an uneven rate, with commands at odd moments.
-std::vector<SimulationCommand> commands_at(int frame, const Scene& scene, const Snapshot& newest,
+std::vector<SimulationCommand> commands_at(int frame, const DrawnScene& scene, const Snapshot& newest,
                                            const SnapshotPtr& past) {
   switch (frame) {
     case 3:
@@ -301,7 +301,7 @@ std::vector<SimulationCommand> commands_at(int frame, const Scene& scene, const 
 }
 
 TEST(SimulationThread, AReplayOfItsPaceEndsInTheSameState) {
-  const Scene scene = small_scene();
+  const DrawnScene scene = small_scene();
   std::vector<Pace> paces;
   std::mt19937 random(5);
   SimulationThread live(scene);

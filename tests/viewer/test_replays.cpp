@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/scene/promise.hpp"
-#include "app/scene/scene_lookup.hpp"
 #include "app/viewer/view_session.hpp"
 #include "sim/measures.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/scene/scene_lookup.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/viewer/panel/panel_hints.hpp"
 #include "app/viewer/simulation/stepped_simulation.hpp"
 #include "app/viewer/view_session.hpp"

@@ -143,7 +143,7 @@ TEST(LostCloth, IsNotWhatFillsThePicture) {
 }
 
 TEST(BoundWord, PromisesOnlyWhatIsKept) {
-  Scene scene;
+  DrawnScene scene;
   scene.simulation.solver.kind = sim::SolverKind::bounded;
   EXPECT_STREQ(bound_word(scene), "bound");
   scene.simulation.solver.kind = sim::SolverKind::provot;
@@ -356,7 +356,7 @@ TEST(KeptScene, NumbersItsPinsAsTheGarmentsFile) {
   state.camera = from_the_front();
   state.newest = std::make_shared<const Snapshot>(snapshot);
   const auto number_of = [](const PinSelector& pin) { return std::get<sim::Index>(pin); };
-  const Scene kept = kept_scene(state, area);
+  const DrawnScene kept = kept_scene(state, area);
   ASSERT_EQ(kept.pins.value().size(), 2U);
   EXPECT_EQ(number_of((*kept.pins)[0]), 4U);
   EXPECT_EQ(number_of((*kept.pins)[1]), 1U);

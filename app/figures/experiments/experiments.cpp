@@ -8,10 +8,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/moments.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/pins.hpp"
-#include "app/scene/scene_lookup.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
 
@@ -27,7 +27,7 @@ void map_models(Results& results) {
 }
 
 StepRecording record_fall(const Checkpoint& checkpoint) {
-  Scene scene = find_scene(fall_scene, {});
+  DrawnScene scene = find_scene(fall_scene, {});
   scene.simulation.rest.speed_m_per_s = fall_rest_m / fall_rest_s;
   scene.simulation.rest.frames = static_cast<int>(std::lround(fall_rest_s * scene.simulation.frame_rate_hz));
   return record_steps(scene, fall_frames, followed_vertex(scene), checkpoint);
@@ -51,7 +51,7 @@ void run_stiffnesses(Results& results, const Checkpoint& checkpoint) {
 }
 
 // The scene asks for everything but what is varied.
-StrongRun run_strong(const std::string& garment, Scene scene, bool is_rigid, int frames,
+StrongRun run_strong(const std::string& garment, DrawnScene scene, bool is_rigid, int frames,
                      const Checkpoint& checkpoint) {
   sim::SolverSettings& solver = scene.simulation.solver;
   if (is_rigid) {
@@ -70,11 +70,11 @@ StrongRun run_strong(const std::string& garment, Scene scene, bool is_rigid, int
 void run_strong_shirts(Results& results, const Checkpoint& checkpoint) {
   constexpr int frames = 45;
   constexpr std::array<std::array<int, 2>, 4> settings = {{{1, 10}, {1, 50}, {1, 200}, {100, 1}}};
-  const Scene cloth = find_scene(pinned_scenes[0], {});
+  const DrawnScene cloth = find_scene(pinned_scenes[0], {});
   results.strong_runs.push_back(run_strong("9x9 cloth", cloth, true, cloth.frames, checkpoint));
   for (const bool is_rigid : {false, true}) {
     for (const auto& [substeps, sweeps] : settings) {
-      Scene scene = strong_shirt_scene(model_sizes.back());
+      DrawnScene scene = strong_shirt_scene(model_sizes.back());
       scene.simulation.solver.substeps = substeps;
       scene.simulation.solver.iterations = sweeps;
       const auto before = static_cast<double>(results.strong_runs.size() - 1);
@@ -88,7 +88,7 @@ void run_strong_shirts(Results& results, const Checkpoint& checkpoint) {
 Job recording_job(const std::string& scene_name, double cost, std::optional<Recording>& place,
                   int most_frames = std::numeric_limits<int>::max()) {
   return {scene_name, cost, [scene_name, most_frames, &place](const Checkpoint& checkpoint) {
-            const Scene scene = find_scene(scene_name, {});
+            const DrawnScene scene = find_scene(scene_name, {});
             place = record_frames(scene, std::array{std::min(scene.frames, most_frames)}, checkpoint);
           }};
 }
@@ -131,19 +131,19 @@ Job job_of(Experiment experiment, Results& results) {
   return {};
 }
 
-sim::Index followed_vertex(const Scene& scene) {
+sim::Index followed_vertex(const DrawnScene& scene) {
   const sim::GridSettings& grid = scene.garment.grid;
   return (grid.rows - 1) * grid.columns + grid.columns / 2;
 }
 
-Scene shirt_scene(const std::string& name, int triangles) {
-  Scene scene = find_scene(name, {});
+DrawnScene shirt_scene(const std::string& name, int triangles) {
+  DrawnScene scene = find_scene(name, {});
   scene.garment.file = scene.garment.file.parent_path() / fmt::format("tshirt_{}.obj", triangles);
   return scene;
 }
 
-Scene strong_shirt_scene(int triangles) {
-  Scene scene = shirt_scene("tshirt-gravity", triangles);
+DrawnScene strong_shirt_scene(int triangles) {
+  DrawnScene scene = shirt_scene("tshirt-gravity", triangles);
   scene.simulation.solver.kind = sim::SolverKind::strong;
   // Rigid against compression too, triangles lock and the shirt does not fall into folds.
   scene.simulation.solver.rigidity = {0.1, 0.01};
@@ -151,7 +151,7 @@ Scene strong_shirt_scene(int triangles) {
 }
 
 MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s, double stiffness_factor) {
-  Scene scene = find_scene("pinned-9x9-methods", {});
+  DrawnScene scene = find_scene("pinned-9x9-methods", {});
   scene.simulation.solver.kind = kind;
   scene.simulation.frame_rate_hz = steps_per_s;
   scene.simulation.solver.stiffness.structural_n_per_m *= stiffness_factor;
@@ -190,8 +190,8 @@ std::optional<Unrest> measure_unrest(const MethodRun& run) {
   return Unrest{std::sqrt(squares / count) / run.time_step_s, *low, *high};
 }
 
-RestartRun run_restart(const Scene& scene, int steps_before, int steps_after) {
-  const Scene stepped = with_steps_as_frames(scene);
+RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_after) {
+  const DrawnScene stepped = with_steps_as_frames(scene);
   const sim::Garment garment = load_garment(stepped).garment;
   const double time_step_s = 1.0 / stepped.simulation.frame_rate_hz;
   const auto go_on = [&](sim::State& state, int steps) {

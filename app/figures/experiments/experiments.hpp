@@ -112,7 +112,7 @@ inline constexpr std::array pinned_scenes = {"pinned-9x9-5", "pinned-9x9-20"};
 inline constexpr std::array shirt_scenes = {"tshirt-gravity", "tshirt-wind-1", "tshirt-wind-10"};
 
 /// The vertex that figure 3 follows: the middle of the free edge of the falling cloth.
-sim::Index followed_vertex(const Scene& scene);
+sim::Index followed_vertex(const DrawnScene& scene);
 
 /// Steps a second of figure 7, and how long its runs are.
 inline constexpr std::array method_rates_hz = {640.0, 160.0};
@@ -126,7 +126,7 @@ MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s
 inline constexpr std::array stiffness_factors = {1.0, 2.0, 4.0};
 
 /// Runs the scene to the middle, copies its two position arrays into a new state, and goes on from both.
-RestartRun run_restart(const Scene& scene, int steps_before, int steps_after);
+RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_after);
 
 /// The three shirts under gravity, without layers, in turn and several times over, with the paper's method
 /// and with `bounded`. To be measured while nothing else runs.
@@ -146,10 +146,10 @@ struct TimeGrowth {
 TimeGrowth measure_growth(const std::vector<FrameTimes>& times, int substeps);
 
 /// A built-in scene with another model of the shirt.
-Scene shirt_scene(const std::string& name, int triangles);
+DrawnScene shirt_scene(const std::string& name, int triangles);
 
 /// The shirt under gravity by the paper's method, which figure 6 and the report try to its limits.
-Scene strong_shirt_scene(int triangles);
+DrawnScene strong_shirt_scene(int triangles);
 inline constexpr std::array model_sizes = {1028, 5280, 10600};
 
 }  // namespace taut::app

@@ -23,7 +23,7 @@ struct TimedRun {
   FrameTimes times;
 };
 
-TimedRun make_timed_run(int triangles, Scene scene) {
+TimedRun make_timed_run(int triangles, DrawnScene scene) {
   // The method alone: layers are another matter, and their distance depends on the model.
   scene.surroundings.layer_distance_m = 0.0;
   const bool is_strong = scene.simulation.solver.kind == sim::SolverKind::strong;
@@ -38,7 +38,7 @@ std::vector<TimedRun> make_timed_runs() {
   std::vector<TimedRun> runs;
   for (const StepSettings& settings : measured_settings) {
     for (const int triangles : model_sizes) {
-      Scene scene = strong_shirt_scene(triangles);
+      DrawnScene scene = strong_shirt_scene(triangles);
       scene.simulation.solver.substeps = settings.substeps;
       scene.simulation.solver.iterations = settings.sweeps;
       runs.push_back(make_timed_run(triangles, std::move(scene)));

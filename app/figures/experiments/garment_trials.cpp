@@ -10,12 +10,12 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/figures/experiments/samples/model_writing.hpp"
 #include "app/figures/experiments/samples/sample_garments.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {
 namespace {
@@ -58,7 +58,7 @@ Mapping mapping_of(const sim::Garment& garment) {
   return mapping;
 }
 
-TrialRun run_trial(const LoadedGarment& loaded, const Scene& scene, const Checkpoint& checkpoint) {
+TrialRun run_trial(const LoadedGarment& loaded, const DrawnScene& scene, const Checkpoint& checkpoint) {
   sim::Simulation simulation = make_simulation(scene, loaded);
   FrameOutputs outputs;
   outputs.report = [&](const FrameRecord& record) {
@@ -85,7 +85,7 @@ GarmentTrial try_garment(const std::string& file, const std::string& kind, const
   trial.file = std::filesystem::path(file).filename().string();
   trial.kind = kind;
   try {
-    Scene scene = find_scene(file, {});
+    DrawnScene scene = find_scene(file, {});
     const LoadedGarment loaded = load_garment(scene);
     trial.mapping = mapping_of(loaded.garment);
     sim::SolverSettings& solver = scene.simulation.solver;

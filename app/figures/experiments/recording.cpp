@@ -10,7 +10,7 @@
 namespace taut::app {
 namespace {
 
-Recording begin_recording(const Scene& scene, const sim::Simulation& simulation) {
+Recording begin_recording(const DrawnScene& scene, const sim::Simulation& simulation) {
   Recording recording;
   recording.scene = scene;
   recording.garment = std::make_shared<const sim::Garment>(simulation.garment());
@@ -23,7 +23,7 @@ void keep(const sim::Simulation& simulation, int frame, Recording& recording) {
 
 }  // namespace
 
-Recording record_frames(const Scene& scene, std::span<const int> frames, const Checkpoint& checkpoint) {
+Recording record_frames(const DrawnScene& scene, std::span<const int> frames, const Checkpoint& checkpoint) {
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   Recording recording = begin_recording(scene, simulation);
   if (frames.front() == 0) {
@@ -43,7 +43,7 @@ Recording record_frames(const Scene& scene, std::span<const int> frames, const C
   return recording;
 }
 
-Scene with_steps_as_frames(Scene scene) {
+DrawnScene with_steps_as_frames(DrawnScene scene) {
   sim::SimulationSettings& settings = scene.simulation;
   const int substeps = sim::equal_substeps(settings.solver);
   settings.frame_rate_hz *= substeps;
@@ -53,10 +53,10 @@ Scene with_steps_as_frames(Scene scene) {
   return scene;
 }
 
-StepRecording record_steps(const Scene& scene, std::span<const int> frames, sim::Index vertex,
+StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames, sim::Index vertex,
                            const Checkpoint& checkpoint) {
   const int steps_in_frame = sim::equal_substeps(scene.simulation.solver);
-  const Scene stepped = with_steps_as_frames(scene);
+  const DrawnScene stepped = with_steps_as_frames(scene);
   sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
   StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};
   if (frames.front() == 0) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/base/job_runner.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/output/frame_record.hpp"
-#include "app/scene/scene.hpp"
 #include "sim/garment.hpp"
 
 namespace taut::app {
@@ -20,7 +20,7 @@ struct Moment {
 
 /// What figures are drawn from once a scene has been run.
 struct Recording {
-  Scene scene;
+  DrawnScene scene;
   std::shared_ptr<const sim::Garment> garment;
   std::vector<Moment> moments;
   double largest_stretch = 0.0;  ///< of all frames
@@ -29,7 +29,7 @@ struct Recording {
 };
 
 /// Runs the scene up to the last of the frames (ascending) and keeps those.
-Recording record_frames(const Scene& scene, std::span<const int> frames, const Checkpoint& checkpoint);
+Recording record_frames(const DrawnScene& scene, std::span<const int> frames, const Checkpoint& checkpoint);
 
 /// A run looked at after every single time step, which is the paper's iteration.
 struct StepRecording {
@@ -42,10 +42,10 @@ struct StepRecording {
 
 /// Runs the scene until it is at rest, at most to the last of the frames (ascending). They are kept as by
 /// `record_frames`; where the cloth is at rest earlier, that moment stands for those that would follow.
-StepRecording record_steps(const Scene& scene, std::span<const int> frames, sim::Index vertex,
+StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames, sim::Index vertex,
                            const Checkpoint& checkpoint);
 
 /// The scene with one time step a frame instead of several, of the same length: frames become steps.
-Scene with_steps_as_frames(Scene scene);
+DrawnScene with_steps_as_frames(DrawnScene scene);
 
 }  // namespace taut::app

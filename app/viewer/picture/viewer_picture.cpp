@@ -44,7 +44,7 @@ GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewA
   PaintedAs wanted{shown.loaded,      shown.pins,    picture.surface, shown_stretch_range(state.scene),
                    picture.wireframe, area.height_px};
   if (!painter_ || wanted != painted_as_) {
-    Scene scene = state.scene;
+    DrawnScene scene = state.scene;
     scene.picture.settings.width_px = area.width_px;
     scene.picture.settings.height_px = area.height_px;
     sim::Garment garment = shown.loaded->garment;

@@ -11,7 +11,7 @@
 namespace taut::app {
 namespace {
 
-std::shared_ptr<const LoadedScene> load(const Scene& scene, std::uint64_t generation) {
+std::shared_ptr<const LoadedScene> load(const DrawnScene& scene, std::uint64_t generation) {
   LoadedGarment loaded = load_garment(scene);
   return std::make_shared<const LoadedScene>(
       LoadedScene{scene, std::move(loaded.garment), std::move(loaded.file_vertices), generation});
@@ -38,13 +38,13 @@ std::vector<sim::Index> without_side(const sim::Garment& garment, bool right) {
 
 }  // namespace
 
-LiveSimulation::LiveSimulation(const Scene& scene) {
+LiveSimulation::LiveSimulation(const DrawnScene& scene) {
   start(load(scene, 1));
 }
 
 // Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
 void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
-  const Scene& scene = loaded->scene;
+  const DrawnScene& scene = loaded->scene;
   sim::Simulation simulation = make_simulation(scene, loaded->garment, loaded->file_vertices);
   record_ = measure_frame(simulation, 0);
   simulation_.emplace(std::move(simulation));

@@ -14,7 +14,7 @@ namespace taut::app {
 class LiveSimulation {
  public:
   /// Throws InputError where the garment cannot be loaded.
-  explicit LiveSimulation(const Scene& scene);
+  explicit LiveSimulation(const DrawnScene& scene);
 
   void apply(const SimulationCommand& command);
 

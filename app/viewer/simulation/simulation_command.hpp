@@ -3,7 +3,7 @@
 #include <memory>
 #include <variant>
 
-#include "app/scene/scene.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/simulation/grip.hpp"
 #include "app/viewer/simulation/snapshot.hpp"
 #include "sim/surroundings.hpp"
@@ -13,7 +13,7 @@ namespace taut::app {
 // What the window asks of the simulation; done between two simulated frames, in the order it was asked.
 
 struct LoadScene {
-  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const DrawnScene> scene;
 };
 /// All that can change while a garment moves. Artificial forces are the scene's own; a hand's come on top.
 struct ChangeSettings {

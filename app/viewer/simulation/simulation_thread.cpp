@@ -21,7 +21,7 @@ std::chrono::nanoseconds processor_time() {
 
 }  // namespace
 
-SimulationThread::SimulationThread(const Scene& scene) : simulation_(scene), due_(Clock::now()) {
+SimulationThread::SimulationThread(const DrawnScene& scene) : simulation_(scene), due_(Clock::now()) {
   timeline_.add(simulation_.take_snapshot());
   thread_ = std::thread([this] { run(); });
 }

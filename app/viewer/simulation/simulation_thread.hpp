@@ -16,7 +16,7 @@ namespace taut::app {
 class SimulationThread : public SimulationHost {
  public:
   /// Throws InputError where the garment cannot be loaded.
-  explicit SimulationThread(const Scene& scene);
+  explicit SimulationThread(const DrawnScene& scene);
   /// Waits for the frame that is under way.
   ~SimulationThread() override;
 

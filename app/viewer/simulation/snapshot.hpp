@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/file_vertices.hpp"
 #include "app/output/frame_record.hpp"
-#include "app/scene/scene.hpp"
 #include "sim/garment.hpp"
 #include "sim/state.hpp"
 
@@ -15,7 +15,7 @@ namespace taut::app {
 
 /// A scene with its garment, as it was loaded.
 struct LoadedScene {
-  Scene scene;
+  DrawnScene scene;
   sim::Garment garment;
   FileVertices file_vertices;
   std::uint64_t generation = 0;  ///< another number for every load

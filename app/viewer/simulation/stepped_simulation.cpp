@@ -16,7 +16,7 @@ constexpr double rounding_s = 1e-9;
 
 }  // namespace
 
-SteppedSimulation::SteppedSimulation(const Scene& scene) : simulation_(scene) {
+SteppedSimulation::SteppedSimulation(const DrawnScene& scene) : simulation_(scene) {
   timeline_.add(simulation_.take_snapshot());
 }
 

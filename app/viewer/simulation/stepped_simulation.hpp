@@ -10,7 +10,7 @@ namespace taut::app {
 class SteppedSimulation : public SimulationHost {
  public:
   /// Throws InputError where the garment cannot be loaded.
-  explicit SteppedSimulation(const Scene& scene);
+  explicit SteppedSimulation(const DrawnScene& scene);
 
   /// Throws InputError where `pace` cannot follow what was done before.
   SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "app/base/errors.hpp"
-#include "app/scene/scene_lookup.hpp"
-#include "app/scene/scene_text.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 
 namespace taut::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/scene.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/simulation/snapshot.hpp"
 #include "app/viewer/simulation/timeline.hpp"
 #include "app/viewer/state/measurements.hpp"
@@ -69,7 +69,7 @@ enum class RecordingKind { video, pictures };
 
 /// What the panel shows and changes. `scene` is how things shall be from now on.
 struct ViewerState {
-  Scene scene;
+  DrawnScene scene;
   OrbitCamera camera;
   bool show_springs = false;  ///< coloured by their kind
   bool show_normals = false;

@@ -1,6 +1,6 @@
-#include <utility>
+#include "app/drawing/drawn_scene_lists.hpp"
 
-#include "app/scene/scene_lists.hpp"
+#include <utility>
 
 namespace taut::app {
 namespace {
@@ -22,7 +22,7 @@ Value list_of(const glm::vec3& v) {
   return app::list_of({v.x, v.y, v.z});
 }
 
-bool read_camera_box(const Value& value, const Source&, Scene& scene) {
+bool read_camera_box(const Value& value, const Source&, DrawnScene& scene) {
   if (value.list() == nullptr || value.list()->size() != 2) {
     return false;
   }
@@ -39,28 +39,28 @@ bool read_camera_box(const Value& value, const Source&, Scene& scene) {
   return lower && upper;
 }
 
-Value write_camera_box(const Scene& scene) {
+Value write_camera_box(const DrawnScene& scene) {
   const auto& box = scene.camera.box;
   return box ? Value{ValueList{list_of(box->lower), list_of(box->upper)}} : Value{};
 }
 
-Key<Scene> camera_point_key(std::string name, std::optional<glm::vec3> CameraSettings::*member,
-                            std::string meaning) {
-  auto read = [member](const Value& value, const Source&, Scene& scene) {
+Key<DrawnScene> camera_point_key(std::string name, std::optional<glm::vec3> CameraSettings::*member,
+                                 std::string meaning) {
+  auto read = [member](const Value& value, const Source&, DrawnScene& scene) {
     const auto point = three_numbers(value);
     if (point) {
       scene.camera.*member = to_vec3(*point);
     }
     return point.has_value();
   };
-  auto write = [member](const Scene& scene) {
+  auto write = [member](const DrawnScene& scene) {
     const auto& point = scene.camera.*member;
     return point ? list_of(*point) : Value{};
   };
   return {std::move(name), "m", "three numbers [x, y, z]", std::move(meaning), read, write};
 }
 
-bool read_ground(const Value& value, const Source&, Scene& scene) {
+bool read_ground(const Value& value, const Source&, DrawnScene& scene) {
   Ground& ground = scene.picture.ground;
   if (const auto height = finite_number(value)) {
     ground = {GroundKind::fixed, *height};
@@ -73,7 +73,7 @@ bool read_ground(const Value& value, const Source&, Scene& scene) {
   return true;
 }
 
-Value write_ground(const Scene& scene) {
+Value write_ground(const DrawnScene& scene) {
   const Ground& ground = scene.picture.ground;
   if (ground.kind == GroundKind::fixed) {
     return {ground.height_m};
@@ -83,7 +83,7 @@ Value write_ground(const Scene& scene) {
 
 }  // namespace
 
-Key<Scene> camera_box_key() {
+Key<DrawnScene> camera_box_key() {
   return {"camera.box",
           "m",
           "two corners [[x, y, z], [x, y, z]], the smaller coordinates first",
@@ -92,15 +92,15 @@ Key<Scene> camera_box_key() {
           write_camera_box};
 }
 
-Key<Scene> camera_eye_key() {
+Key<DrawnScene> camera_eye_key() {
   return camera_point_key("camera.eye", &CameraSettings::eye, "with camera.target: where from, exactly");
 }
 
-Key<Scene> camera_target_key() {
+Key<DrawnScene> camera_target_key() {
   return camera_point_key("camera.target", &CameraSettings::target, "what the eye looks at");
 }
 
-Key<Scene> ground_key() {
+Key<DrawnScene> ground_key() {
   return {"picture.ground",
           "m",
           "\"auto\", \"none\" or a number",
@@ -109,15 +109,15 @@ Key<Scene> ground_key() {
           write_ground};
 }
 
-Key<Scene> stretch_range_key() {
-  auto read = [](const Value& value, const Source&, Scene& scene) {
+Key<DrawnScene> stretch_range_key() {
+  auto read = [](const Value& value, const Source&, DrawnScene& scene) {
     const auto range = two_rising_numbers(value);
     if (range) {
       scene.picture.stretch_range = *range;
     }
     return range.has_value();
   };
-  auto write = [](const Scene& scene) {
+  auto write = [](const DrawnScene& scene) {
     const auto& range = scene.picture.stretch_range;
     return range ? Value{ValueList{Value{(*range)[0]}, Value{(*range)[1]}}} : Value{};
   };

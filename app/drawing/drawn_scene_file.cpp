@@ -1,0 +1,41 @@
+#include "app/drawing/drawn_scene_file.hpp"
+
+namespace taut::app {
+
+DrawnScene read_scene_file(const std::filesystem::path& path, std::span<const Override> overrides) {
+  return read_scene_text(read_text_file(path), path.string(), overrides);
+}
+
+DrawnScene read_scene_text(const std::string& text, const std::string& name,
+                           std::span<const Override> overrides) {
+  return read_scene(drawn_scene_format(), text, name, overrides);
+}
+
+DrawnScene find_scene(const std::string& name, std::span<const Override> overrides) {
+  return find_scene(drawn_scene_format(), name, overrides);
+}
+
+void apply_overrides(std::span<const Override> overrides, DrawnScene& scene) {
+  apply_overrides(drawn_scene_format(), overrides, scene);
+}
+
+Value scene_settings(const DrawnScene& scene) {
+  return settings_of(drawn_scene_format(), scene);
+}
+
+std::string scene_text(const DrawnScene& scene, GarmentNaming naming) {
+  return text_of(*scene_settings(scene).table(), scene, naming);
+}
+
+std::string scene_help() {
+  std::string text =
+      "A scene file is TOML. Every key has a default, apart from the garment: one of\n"
+      "garment.file and [garment.grid]. The same keys work with --set KEY=VALUE.\n\n";
+  const DrawnScene defaults;
+  for (const Key<DrawnScene>& key : drawn_scene_format().keys) {
+    text += describe_key(key, defaults);
+  }
+  return text + list_entries_help();
+}
+
+}  // namespace taut::app

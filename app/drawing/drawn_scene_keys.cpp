@@ -1,0 +1,91 @@
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene_lists.hpp"
+#include "app/scene/scene_keys.hpp"
+
+namespace taut::app {
+namespace {
+
+using Keys = std::vector<Key<DrawnScene>>;
+
+constexpr double degree = 0.017453292519943295;
+constexpr Range acute = {.lowest = -89.0, .highest = 89.0};
+
+Key<DrawnScene> number(std::string name, std::string unit, const Range& range, auto access,
+                       std::string meaning, double factor = 1.0) {
+  return number_key<DrawnScene>(std::move(name), std::move(unit), range, access, std::move(meaning), factor);
+}
+Key<DrawnScene> whole(std::string name, double lowest, double highest, auto access, std::string meaning) {
+  return whole_key<DrawnScene>(std::move(name), {lowest, highest}, access, std::move(meaning));
+}
+
+void add_camera(Keys& keys) {
+  keys.push_back(number("camera.azimuth", "degrees", {-360.0, 360.0}, MEMBER(camera.framing.azimuth_rad),
+                        "0: from the front (+z), 90: from +x", degree));
+  keys.push_back(number("camera.elevation", "degrees", acute, MEMBER(camera.framing.elevation_rad),
+                        "above the horizon", degree));
+  keys.push_back(number("camera.margin", "", {0.0, 0.45}, MEMBER(camera.framing.margin),
+                        "free border, as a fraction of the picture"));
+  keys.push_back(number("camera.field_of_view", "degrees", {1.0, 120.0},
+                        MEMBER(camera.framing.vertical_fov_rad),
+                        "from the lower to the upper edge of the picture", degree));
+  keys.push_back(camera_box_key());
+  keys.push_back(camera_eye_key());
+  keys.push_back(camera_target_key());
+}
+
+void add_picture(Keys& keys) {
+  keys.push_back(whole("picture.width", 16, 16384, MEMBER(picture.settings.width_px), "in pixels"));
+  keys.push_back(whole("picture.height", 16, 16384, MEMBER(picture.settings.height_px), "in pixels"));
+  keys.push_back(whole("picture.samples", 1, 16, MEMBER(picture.settings.samples),
+                       "in a pixel; lowered to what OpenGL offers"));
+  keys.push_back(whole("picture.supersampling", 1, 8, MEMBER(picture.settings.supersampling),
+                       "drawn so many times as wide and high, then averaged"));
+  keys.push_back(
+      switch_key<DrawnScene>("picture.shadows", MEMBER(picture.settings.shadows), "of the key light"));
+  keys.push_back(ground_key());
+  keys.push_back(choice_key<DrawnScene, SurfaceLook>("picture.surface",
+                                                     {{"shaded", SurfaceLook::shaded},
+                                                      {"stretch", SurfaceLook::stretch},
+                                                      {"wireframe", SurfaceLook::wireframe}},
+                                                     MEMBER(picture.surface), "what the cloth shows"));
+  keys.push_back(switch_key<DrawnScene>("picture.wireframe", MEMBER(picture.wireframe),
+                                        "draws the structural springs over the surface"));
+  keys.push_back(stretch_range_key());
+  keys.push_back(colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour),
+                                        "of the cloth's outside"));
+  keys.push_back(colour_key<DrawnScene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour),
+                                        "of the cloth's inside"));
+  keys.push_back(switch_key<DrawnScene>("picture.rest_outline", MEMBER(picture.rest_outline),
+                                        "draws the garment's borders where they were modelled"));
+  keys.push_back(switch_key<DrawnScene>("picture.show_pins", MEMBER(picture.show_pins), "as red balls"));
+  keys.push_back(switch_key<DrawnScene>("picture.legend", MEMBER(picture.legend),
+                                        "a colour bar where the cloth shows its stretch"));
+}
+
+void check_whole(const DrawnScene& scene, const Source& source) {
+  if (scene.camera.eye.has_value() != scene.camera.target.has_value()) {
+    fail(source, 0, "camera.eye and camera.target are needed together; one is missing");
+  }
+  if (scene.camera.eye && *scene.camera.eye == *scene.camera.target) {
+    fail(source, 0, "camera.eye and camera.target are the same point");
+  }
+  simulation_format().check(scene, source);
+}
+
+}  // namespace
+
+SceneFormat<DrawnScene> drawn_scene_format() {
+  Keys keys;
+  for (Key<Scene>& key : scene_keys()) {
+    keys.push_back({std::move(key.name), std::move(key.unit), std::move(key.expected), std::move(key.meaning),
+                    std::move(key.read), std::move(key.write)});
+  }
+  add_camera(keys);
+  add_picture(keys);
+  return {std::move(keys), check_whole};
+}
+
+}  // namespace taut::app

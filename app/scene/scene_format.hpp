@@ -1,0 +1,84 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/scene/scene.hpp"
+#include "app/scene/scene_file.hpp"
+#include "app/scene/scene_key.hpp"
+#include "app/scene/toml_reader.hpp"
+
+namespace taut::app {
+
+/// How scenes of type S are read and written. S is Scene, or derived from it with more to say than the
+/// simulation needs.
+template <class S>
+struct SceneFormat {
+  std::vector<Key<S>> keys;
+  /// What no single key can check. Throws by `fail`.
+  std::function<void(const S&, const Source&)> check;
+};
+
+/// The keys a simulation reads: the one table behind reading, `--set` and `taut help scene`.
+SceneFormat<Scene> simulation_format();
+
+/// Changes keys of a scene. Throws UsageError.
+template <class S>
+void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
+  for (const Override& changed : overrides) {
+    const Source source{changed.option, true};
+    KeyReader(format.keys, source, scene).read_value(changed.key, read_toml_value(changed.value));
+    if (changed.key == "garment.file") {
+      require_garment(scene.garment.file, source, 0);
+    }
+  }
+  if (!overrides.empty()) {
+    format.check(scene, {overrides.back().option, true});
+  }
+}
+
+/// Reads a scene. `name` is the file's: relative garment files are looked for beside it. Throws InputError
+/// naming the file, the line, the key, what was found and what is expected; UsageError for an override.
+template <class S>
+S read_scene(const SceneFormat<S>& format, const std::string& text, const std::string& name,
+             std::span<const Override> overrides) {
+  const Value file = read_toml_text(text, name);
+  const Source source{name, false};
+  S scene;
+  KeyReader(format.keys, source, scene).read(*file.table());
+  require_one_garment(*file.table(), source);
+  format.check(scene, source);
+  const std::filesystem::path garment = scene.garment.file;
+  apply_overrides(format, overrides, scene);
+  if (scene.garment.file == garment) {
+    require_garment_of(*file.table(), source, garment);
+  }
+  return scene;
+}
+
+/// Every key with its value, nested as in a file.
+template <class S>
+Value settings_of(const SceneFormat<S>& format, const S& scene) {
+  ValueTable table;
+  for (const Key<S>& key : format.keys) {
+    insert(table, key.name, key.write(scene));
+  }
+  return {table};
+}
+
+/// A key with its default, unit, range and meaning, for people.
+template <class T>
+std::string describe_key(const Key<T>& key, const T& defaults) {
+  const std::string unit = key.unit.empty() ? "" : " " + key.unit;
+  const std::string meaning = key.meaning.empty() ? "" : "; " + key.meaning;
+  return "  " + key.name + " = " + to_text(key.write(defaults)) + unit + "\n      " + key.expected + meaning +
+         '\n';
+}
+
+/// The entries of [[forces]] and [[colliders]], as `describe_key` has them.
+std::string list_entries_help();
+
+}  // namespace taut::app

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/bench_output.hpp"
-#include "app/bench/bullet/bullet_engine.hpp"
+#include "app/bench/engines/bullet_engine.hpp"
 
 namespace taut::app {
 namespace {

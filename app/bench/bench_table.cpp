@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/bench/bench_output.hpp"
-#include "app/bench/bullet/bullet_engine.hpp"
+#include "app/bench/engines/bullet_engine.hpp"
 
 namespace taut::app {
 namespace {

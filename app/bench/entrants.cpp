@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
-#include "app/bench/bullet/bullet_engine.hpp"
 #include "app/bench/cases.hpp"
-#include "app/bench/taut_engine.hpp"
+#include "app/bench/engines/bullet_engine.hpp"
+#include "app/bench/engines/taut_engine.hpp"
 
 namespace taut::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/engine.hpp"
+#include "app/bench/engines/engine.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/garment.hpp"
 

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/base/errors.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/commands/options.hpp"

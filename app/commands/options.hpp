@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/drawing/drawn_scene_file.hpp"
 #include "app/models/import_process.hpp"
+#include "app/scene/scene_file.hpp"
 #include "renderer/context/window_event.hpp"
 
 namespace taut::app {

@@ -6,7 +6,7 @@
 
 #include "app/bench/arithmetic/arithmetic.hpp"
 #include "app/bench/bench_output.hpp"
-#include "app/bench/bullet/bullet_engine.hpp"
+#include "app/bench/engines/bullet_engine.hpp"
 #include "app/figures/experiments/power_law.hpp"
 #include "app/models/garment_loading.hpp"
 #include "sim/simulation.hpp"

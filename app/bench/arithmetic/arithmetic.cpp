@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/base/cpu_clock.hpp"
 #include "app/bench/arithmetic/kernels.hpp"
-#include "app/bench/cpu_clock.hpp"
 
 namespace taut::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/scene/scene_file.hpp"
 #include "renderer/context/window_event.hpp"
 
 namespace taut::app {

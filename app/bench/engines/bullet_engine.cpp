@@ -1,11 +1,11 @@
-#include "app/bench/bullet/bullet_engine.hpp"
+#include "app/bench/engines/bullet_engine.hpp"
 
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
-#include "app/bench/cpu_clock.hpp"
+#include "app/base/cpu_clock.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
 

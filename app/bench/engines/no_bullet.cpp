@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "app/bench/bullet/bullet_engine.hpp"
+#include "app/bench/engines/bullet_engine.hpp"
 
 namespace taut::app {
 

@@ -1,6 +1,6 @@
-#include "app/bench/taut_engine.hpp"
+#include "app/bench/engines/taut_engine.hpp"
 
-#include "app/bench/cpu_clock.hpp"
+#include "app/base/cpu_clock.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {

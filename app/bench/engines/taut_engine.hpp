@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "app/bench/engine.hpp"
+#include "app/bench/engines/engine.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/garment.hpp"
 

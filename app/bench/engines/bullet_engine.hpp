@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "app/bench/engine.hpp"
+#include "app/bench/engines/engine.hpp"
 #include "sim/garment.hpp"
 #include "sim/surroundings.hpp"
 

@@ -9,8 +9,8 @@
 #include "app/command_line_bench.hpp"
 #include "app/command_line_help.hpp"
 #include "app/figures/figures.hpp"
-#include "app/models/placement.hpp"
 #include "app/output/frame_range.hpp"
+#include "app/scene/model_units.hpp"
 #include "renderer/context/context.hpp"
 
 namespace taut::app {

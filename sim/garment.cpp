@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace taut::sim {
@@ -43,36 +42,36 @@ std::vector<double> lumped_masses(const Mesh& mesh, double density) {
   return masses;
 }
 
-}  // namespace
-
-void hold_by(Garment& garment, std::vector<Index> pins) {
-  std::sort(pins.begin(), pins.end());
-  pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
-  if (!pins.empty() && pins.back() >= garment.mesh.positions.size()) {
-    throw std::invalid_argument("pin " + std::to_string(pins.back()) + " is no vertex; there are " +
-                                std::to_string(garment.mesh.positions.size()));
-  }
-  for (std::size_t v = 0; v < garment.masses_kg.size(); ++v) {
-    garment.inverse_masses_per_kg[v] = 1.0 / garment.masses_kg[v];
-  }
-  for (const Index pin : pins) {
-    garment.inverse_masses_per_kg[pin] = 0.0;
-  }
-  garment.pins = std::move(pins);
-}
-
-Garment make_garment(Mesh mesh, const GarmentSettings& settings, std::vector<Index> pins) {
-  if (!(settings.areal_density_kg_per_m2 > 0.0)) {
+void require_usable(const Material& material) {
+  if (!(material.areal_density_kg_per_m2 > 0.0)) {
     throw std::invalid_argument("the areal density must be above 0 kg/m2");
   }
+  if (!(material.thickness_m >= 0.0 && material.friction >= 0.0 && material.bending_rigidity_n_m >= 0.0 &&
+        material.compression_stiffness_n_per_m >= 0.0)) {
+    throw std::invalid_argument(
+        "the thickness, friction, bending rigidity and compression stiffness of cloth must be at least 0");
+  }
+}
+
+}  // namespace
+
+Garment make_garment(Mesh mesh, const MappingSettings& mapping, const Material& material) {
+  require_usable(material);
   Garment garment;
   garment.mesh = std::move(mesh);
   garment.adjacency = make_adjacency(garment.mesh);
-  garment.springs = map_to_springs(garment.mesh, garment.adjacency, settings.mapping);
-  garment.areal_density_kg_per_m2 = settings.areal_density_kg_per_m2;
-  garment.masses_kg = lumped_masses(garment.mesh, settings.areal_density_kg_per_m2);
-  garment.inverse_masses_per_kg.resize(garment.masses_kg.size());
-  hold_by(garment, std::move(pins));
+  garment.springs = map_to_springs(garment.mesh, garment.adjacency, mapping);
+  garment.masses_kg = lumped_masses(garment.mesh, material.areal_density_kg_per_m2);
+  garment.material = material;
+  return garment;
+}
+
+Garment with_material(Garment garment, const Material& material) {
+  require_usable(material);
+  if (material.areal_density_kg_per_m2 != garment.material.areal_density_kg_per_m2) {
+    garment.masses_kg = lumped_masses(garment.mesh, material.areal_density_kg_per_m2);
+  }
+  garment.material = material;
   return garment;
 }
 

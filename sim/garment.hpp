@@ -1,7 +1,10 @@
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
+#include "sim/material.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/mesh.hpp"
 #include "sim/springs.hpp"
@@ -13,23 +16,20 @@ struct Garment {
   Mesh mesh;  ///< at rest; its edge lengths are the springs' rest lengths
   Adjacency adjacency;
   Springs springs;
-  std::vector<double> masses_kg;              ///< of every vertex, pinned or not
-  std::vector<double> inverse_masses_per_kg;  ///< 0 where pinned: a pinned end has infinite mass
-  std::vector<Index> pins;                    ///< ascending, each once
-  double areal_density_kg_per_m2 = 0.0;
-};
-
-struct GarmentSettings {
-  MappingSettings mapping;
-  double areal_density_kg_per_m2 = 0.15;  ///< a light jersey; heavier cloth answers wind less
+  std::vector<double> masses_kg;  ///< of every vertex
+  Material material;
 };
 
 /// Maps the mesh to springs and spreads each face's mass evenly over its corners.
-/// Throws std::invalid_argument on a pin that is no vertex or a density that is not positive.
-Garment make_garment(Mesh mesh, const GarmentSettings& settings, std::vector<Index> pins);
+/// Throws std::invalid_argument on a density that is not above 0, or anything else of the material below 0.
+Garment make_garment(Mesh mesh, const MappingSettings& mapping = {}, const Material& material = {});
 
-/// Holds the garment by these vertices and no others, in any order.
-/// Throws std::invalid_argument on a pin that is no vertex; nothing has changed then.
-void hold_by(Garment& garment, std::vector<Index> pins);
+/// The garment made of another material. Throws as make_garment does.
+Garment with_material(Garment garment, const Material& material);
+
+/// To be shared and not copied: by simulations, and by those who look at them.
+inline std::shared_ptr<const Garment> share(Garment garment) {
+  return std::make_shared<const Garment>(std::move(garment));
+}
 
 }  // namespace taut::sim

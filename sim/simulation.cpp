@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "sim/solvers/bounded/promise.hpp"
 #include "sim/solvers/bounded/within_bound.hpp"
 
 namespace taut::sim {
@@ -14,9 +15,31 @@ void require_frame_rate(const SimulationSettings& settings) {
   }
 }
 
-void require_distances(const Surroundings& surroundings) {
-  if (!(surroundings.layer_distance_m >= 0.0 && surroundings.cloth_thickness_m >= 0.0)) {
-    throw std::invalid_argument("the distance of layers and the thickness of cloth must be at least 0 m");
+void require_distance(const Surroundings& surroundings) {
+  if (!(surroundings.layer_distance_m >= 0.0)) {
+    throw std::invalid_argument("the distance of layers must be at least 0 m");
+  }
+}
+
+void require_promise(const SolverSettings& solver, const Surroundings& surroundings) {
+  if (const auto* bounded = std::get_if<BoundedSettings>(&solver.method)) {
+    if (const std::optional<std::string> reason = beyond_promise(*bounded, surroundings)) {
+      throw std::invalid_argument(*reason);
+    }
+  }
+}
+
+void require_shape(const Garment& garment, std::span<const Vec3> positions_m) {
+  const std::size_t count = garment.mesh.positions.size();
+  if (positions_m.size() != count) {
+    throw std::invalid_argument("the start has " + std::to_string(positions_m.size()) +
+                                " positions, expected one for each vertex of the garment, " +
+                                std::to_string(count));
+  }
+  const std::size_t lost = first_lost(positions_m);
+  if (lost < count) {
+    throw std::invalid_argument("the start's position of vertex " + std::to_string(lost) +
+                                " is not finite or beyond all bounds");
   }
 }
 
@@ -28,15 +51,30 @@ Diverged::Diverged(Index vertex, double time_s)
                          " is lost, its position not finite or beyond all bounds; use more substeps, weaker "
                          "springs or weaker forces") {}
 
-Simulation::Simulation(Garment garment, const SimulationSettings& settings, Surroundings surroundings)
+Simulation::Simulation(std::shared_ptr<const Garment> garment, std::vector<Index> pins,
+                       const SimulationSettings& settings, Surroundings surroundings,
+                       std::optional<std::vector<Vec3>> start_m)
     : garment_(std::move(garment)),
+      pins_(make_pins(*garment_, std::move(pins))),
       settings_(settings),
       surroundings_(std::move(surroundings)),
-      state_(make_state(garment_)),
+      state_(make_state(*garment_)),
       before_m_(state_.current),
       solver_(make_solver(settings.solver)) {
   require_frame_rate(settings);
-  require_distances(surroundings_);
+  require_distance(surroundings_);
+  require_promise(settings.solver, surroundings_);
+  if (start_m) {
+    begin_in(std::move(*start_m));
+  }
+}
+
+void Simulation::begin_in(std::vector<Vec3> start_m) {
+  require_shape(*garment_, start_m);
+  state_.current = std::move(start_m);
+  state_.previous = state_.current;
+  move_within_bound(*garment_, pins_, settings_.solver, state_);
+  state_.previous = state_.predicted = before_m_ = state_.current;
 }
 
 void Simulation::advance_frame() {
@@ -45,7 +83,7 @@ void Simulation::advance_frame() {
     state_.time_s += frame_time_s();
     return;
   }
-  report_ = solver_->advance_frame(garment_, surroundings_, frame_time_s(), state_);
+  report_ = solver_->advance_frame(*garment_, pins_, surroundings_, frame_time_s(), state_);
   const std::size_t lost = first_lost(state_.current);
   if (lost < state_.current.size()) {
     throw Diverged(static_cast<Index>(lost), state_.time_s);
@@ -55,12 +93,12 @@ void Simulation::advance_frame() {
 
 void Simulation::start_solver() {
   solver_ = make_solver(settings_.solver);
-  move_within_bound(garment_, settings_.solver, state_);
+  move_within_bound(*garment_, pins_, settings_.solver, state_);
   wake();
 }
 
 void Simulation::go_back_to(const State& state) {
-  const std::size_t count = garment_.mesh.positions.size();
+  const std::size_t count = garment_->mesh.positions.size();
   if (state.current.size() != count || state.previous.size() != count) {
     throw std::invalid_argument("a state of another garment cannot be gone back to");
   }
@@ -72,7 +110,8 @@ void Simulation::go_back_to(const State& state) {
 
 void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
-    require_distances(surroundings);
+    require_distance(surroundings);
+    require_promise(settings_.solver, surroundings);
     surroundings_ = surroundings;
     wake();
   }
@@ -81,14 +120,23 @@ void Simulation::set_surroundings(const Surroundings& surroundings) {
 void Simulation::set_settings(const SimulationSettings& settings) {
   if (settings != settings_) {
     require_frame_rate(settings);
+    require_promise(settings.solver, surroundings_);
     make_solver(settings.solver);  // refuses what is wrong before anything has changed
     settings_ = settings;
     start_solver();
   }
 }
 
+void Simulation::set_material(const Material& material) {
+  if (material != garment_->material) {
+    garment_ = share(with_material(*garment_, material));
+    pins_ = make_pins(*garment_, std::move(pins_.vertices));
+    start_solver();
+  }
+}
+
 void Simulation::set_pins(std::vector<Index> pins) {
-  hold_by(garment_, std::move(pins));
+  pins_ = make_pins(*garment_, std::move(pins));
   wake();
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "sim/garment.hpp"
 #include "sim/measures.hpp"
+#include "sim/pins.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/state.hpp"
 #include "sim/surroundings.hpp"
@@ -38,9 +41,14 @@ class Diverged : public std::runtime_error {
 /// A garment, where it is, and what acts on it, moved on frame by frame.
 class Simulation {
  public:
-  /// Throws std::invalid_argument on settings a solver refuses, a frame rate that is not positive, or
-  /// surroundings with a distance below 0.
-  Simulation(Garment garment, const SimulationSettings& settings, Surroundings surroundings);
+  /// Held by `pins`. The cloth begins at rest where it was modelled, or in the shape `start_m`, positions in
+  /// metres by vertex, moved within the bound where the solver promises one.
+  /// Throws std::invalid_argument on settings a solver refuses, a frame rate that is not positive,
+  /// surroundings with a distance below 0 or in which the solver does not promise its bound (promise.hpp), a
+  /// pin that is no vertex, and a start with another number of vertices or a position that is not finite.
+  Simulation(std::shared_ptr<const Garment> garment, std::vector<Index> pins,
+             const SimulationSettings& settings, Surroundings surroundings,
+             std::optional<std::vector<Vec3>> start_m = {});
 
   /// Moves on by 1 / frame rate. A garment at rest is left as it is (the paper's Step 2: where no force
   /// results, go straight to rendering). Throws Diverged.
@@ -49,6 +57,8 @@ class Simulation {
   /// Each wakes the garment where it changes anything, and throws as the constructor does.
   void set_surroundings(const Surroundings& surroundings);
   void set_settings(const SimulationSettings& settings);
+  /// The garment is made of it from now on, in a copy of its own. Throws as make_garment does.
+  void set_material(const Material& material);
   /// Throws std::invalid_argument on a pin that is no vertex; nothing has changed then.
   void set_pins(std::vector<Index> pins);
 
@@ -56,7 +66,9 @@ class Simulation {
   /// a state: it begins anew.
   void go_back_to(const State& state);
 
-  const Garment& garment() const { return garment_; }
+  const Garment& garment() const { return *garment_; }
+  std::shared_ptr<const Garment> shared_garment() const { return garment_; }
+  const Pins& pins() const { return pins_; }
   /// Its current positions are the garment's one shape: what is shown, written and measured. Where a solver
   /// promises a bound on stretch they keep it, also before the first frame of new settings.
   const State& state() const { return state_; }
@@ -69,11 +81,13 @@ class Simulation {
   double frame_time_s() const { return 1.0 / settings_.frame_rate_hz; }
 
  private:
+  void begin_in(std::vector<Vec3> start_m);
   void start_solver();
   void wake();
   void fall_asleep_at_rest();
 
-  Garment garment_;
+  std::shared_ptr<const Garment> garment_;
+  Pins pins_;
   SimulationSettings settings_;
   Surroundings surroundings_;
   State state_;

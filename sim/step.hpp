@@ -5,6 +5,7 @@
 
 #include "sim/contact/self_collision.hpp"
 #include "sim/garment.hpp"
+#include "sim/pins.hpp"
 #include "sim/state.hpp"
 #include "sim/surroundings.hpp"
 
@@ -21,7 +22,7 @@ class SpringResponse {
                                  std::span<Vec3> forces_n) const = 0;
 
   /// Corrects the predicted positions.
-  virtual void compensate(const Garment& garment, State& state) const = 0;
+  virtual void compensate(const Garment& garment, const Pins& pins, State& state) const = 0;
 };
 
 /// What steps hand on to each other besides the state; none of it changes a result.
@@ -31,7 +32,7 @@ struct StepBuffers {
 };
 
 /// One time step: Steps 2 and 3 of the paper.
-void step(const Garment& garment, const Surroundings& surroundings, const SpringResponse& springs,
-          double time_step_s, State& state, StepBuffers& buffers);
+void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+          const SpringResponse& springs, double time_step_s, State& state, StepBuffers& buffers);
 
 }  // namespace taut::sim

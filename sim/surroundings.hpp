@@ -7,7 +7,7 @@
 
 namespace taut::sim {
 
-/// A harmonic motion of all pins about where the garment was modelled, as of a shaken hanger.
+/// A harmonic motion of all pins about where they began, as of a shaken hanger.
 struct PinMotion {
   Vec3 amplitude_m = {0.0, 0.0, 0.0};
   double frequency_hz = 1.0;
@@ -15,13 +15,13 @@ struct PinMotion {
   bool operator==(const PinMotion&) const = default;
 };
 
+/// Of every pin from where it began, in metres.
 Vec3 pin_offset(const PinMotion& motion, double time_s);
 
 /// Everything that acts on the cloth from outside.
 struct Surroundings {
   ExternalForces forces;
   std::vector<Collider> colliders;
-  double cloth_thickness_m = 0.001;  ///< kept between cloth and colliders
   /// Kept between vertices of different layers of the cloth; 0 lets layers pass through each other. About
   /// the mesh's mean edge length holds layers apart; less leaks, more stiffens folds.
   double layer_distance_m = 0.0;

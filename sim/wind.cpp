@@ -67,7 +67,7 @@ void add_wind_forces(const Garment& garment, const State& state, const Wind& win
     const double normal_drag = half_rho * wind.pressure_coefficient * glm::length(u_n);
     const double tangential_drag = half_rho * wind.friction_coefficient * glm::length(u);
     // F' / m of the linearised drag; per area, so that it holds for every triangle of the cloth.
-    const double per_density = time_step_s / garment.areal_density_kg_per_m2;
+    const double per_density = time_step_s / garment.material.areal_density_kg_per_m2;
     const Vec3 pressure = u_n * (normal_drag / (1.0 + 2.0 * per_density * normal_drag)) +
                           (u - u_n) * (tangential_drag / (1.0 + 2.0 * per_density * tangential_drag));
     const Vec3 share = pressure * (doubled_size / 6.0);

@@ -22,8 +22,8 @@ std::string in_words(const Division& division) {
 Entrant taut_entrant(const std::string& engine, const std::string& words, std::optional<double> bound,
                      std::vector<Setting> settings) {
   settings.push_back({"solver.kind", engine});
-  return {engine, words, bound, [settings](const sim::Garment& garment, const Scene& scene) {
-            return make_taut_engine(garment, with_settings(scene, settings));
+  return {engine, words, bound, [settings](const GarmentInScene& cloth, const Scene& scene) {
+            return make_taut_engine(cloth, with_settings(scene, settings));
           }};
 }
 
@@ -76,8 +76,9 @@ std::vector<Entrant> strong_entrants(bool full) {
 
 Entrant bullet_entrant(const Division& division) {
   return {"bullet", in_words(division), std::nullopt,
-          [division](const sim::Garment& garment, const Scene& scene) {
-            return make_bullet_engine(garment, scene.surroundings, 1.0 / scene.simulation.frame_rate_hz,
+          [division](const GarmentInScene& cloth, const Scene& scene) {
+            return make_bullet_engine(*cloth.garment, cloth.pins, scene.surroundings,
+                                      1.0 / scene.simulation.frame_rate_hz,
                                       {division.substeps, division.iterations});
           }};
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/bench/engines/engine.hpp"
+#include "app/models/garment_loading.hpp"
 #include "app/scene/scene.hpp"
-#include "sim/garment.hpp"
 
 namespace taut::app {
 
@@ -18,7 +18,7 @@ struct Entrant {
   std::string settings;  ///< in words
   std::optional<double>
       bound;  ///< the stretch it was asked to keep; none where an engine knows no such thing
-  std::function<std::unique_ptr<Engine>(const sim::Garment&, const Scene&)> make;
+  std::function<std::unique_ptr<Engine>(const GarmentInScene&, const Scene&)> make;
 };
 
 /// Names for --engines, the one to beat first.

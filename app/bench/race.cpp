@@ -70,19 +70,19 @@ const char* name_of(RunEnd end) {
   return "";
 }
 
-std::vector<Run> race(const std::vector<Entrant>& entrants, const sim::Garment& garment, const Scene& scene,
+std::vector<Run> race(const std::vector<Entrant>& entrants, const GarmentInScene& cloth, const Scene& scene,
                       const RaceSettings& settings, const std::function<void(int)>& after_turn) {
   std::vector<Run> runs;
   std::vector<std::unique_ptr<Engine>> engines;
   for (const Entrant& entrant : entrants) {
     runs.push_back({entrant, {}, RunEnd::finished, {}});
-    engines.push_back(entrant.make(garment, scene));
+    engines.push_back(entrant.make(cloth, scene));
   }
   for (int begin = 0; begin < settings.frames; begin += frames_in_a_turn) {
     const int end = std::min(begin + frames_in_a_turn, settings.frames);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       for (int frame = begin; frame < end && runs[i].end == RunEnd::finished; ++frame) {
-        advance(*engines[i], garment.springs, settings, runs[i]);
+        advance(*engines[i], cloth.garment->springs, settings, runs[i]);
       }
     }
     after_turn(end);

@@ -40,7 +40,7 @@ struct RaceSettings {
 
 /// Runs all entrants on the scene a few frames each in turns, so that whatever else the machine does meets
 /// all alike. `after_turn` is told how many frames are done.
-std::vector<Run> race(const std::vector<Entrant>& entrants, const sim::Garment& garment, const Scene& scene,
+std::vector<Run> race(const std::vector<Entrant>& entrants, const GarmentInScene& cloth, const Scene& scene,
                       const RaceSettings& settings, const std::function<void(int)>& after_turn);
 
 }  // namespace taut::app

@@ -96,7 +96,8 @@ void write_shapes(const std::filesystem::path& folder, const Heat& heat, const s
 Heat run_heat(const BenchScene& bench_scene, const BenchSize& size, const BenchOptions& options,
               const std::vector<Entrant>& entrants, const BenchProgress& progress) {
   const Scene scene = make_bench_scene(bench_scene, size);
-  const sim::Garment garment = load_garment(scene).garment;
+  const LoadedGarment loaded = load_garment(scene);
+  const sim::Garment& garment = *loaded.garment;
   Heat heat{bench_scene,
             size,
             garment.springs.structural_count,
@@ -106,7 +107,7 @@ Heat run_heat(const BenchScene& bench_scene, const BenchSize& size, const BenchO
   settings.frames =
       std::max(1, static_cast<int>(std::lround(*options.seconds * scene.simulation.frame_rate_hz)));
   settings.slowest_frame_ms = *options.slowest_frame_ms;
-  heat.runs = race(entrants, garment, scene, settings, [&](int frame) {
+  heat.runs = race(entrants, loaded, scene, settings, [&](int frame) {
     throw_if_interrupted();
     progress.show(fmt::format("{}, {} triangles, {} settings in turns: frame {} of {}", bench_scene.name,
                               size.triangles, entrants.size(), frame, settings.frames));

@@ -171,7 +171,7 @@ std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Studi
                               PictureOutput& output, const PictureOrigin& origin, std::span<const int> frames,
                               Progress& progress) {
   progress.begin("preparing the first frame");
-  GarmentPainter painter(studio.renderer(), job.scene, simulation.garment());
+  GarmentPainter painter(studio.renderer(), job.scene, simulation.garment(), simulation.pins().vertices);
   FrameOutputs outputs;
   outputs.pictures = frames;
   outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions) { return painter.draw(positions); };
@@ -199,10 +199,10 @@ int run(const RenderOptions& options) {
   Studio studio(options.backend);
   const PictureStyle& style = job.scene.picture;
   studio.renderer().prepare(style.settings, style.surface == SurfaceLook::stretch);
-  LoadedGarment loaded = garment.get();
+  const LoadedGarment loaded = garment.get();
   progress.hide();
   print_remarks(job.scene, loaded);
-  sim::Simulation simulation = make_simulation(job.scene, std::move(loaded));
+  sim::Simulation simulation = make_simulation(job.scene, loaded);
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
   const std::vector<int> frames = options.resume ? frames_left(job, output, origin) : job.frames;
   if (frames.size() < job.frames.size()) {
@@ -218,7 +218,8 @@ int run(const RenderOptions& options) {
     compare_with_record(job, records, studio.gl_renderer());
   }
   if (!options.statistics.empty()) {
-    write_statistics(options.statistics, {job.scene, simulation.garment(), studio.gl_renderer(), records});
+    write_statistics(options.statistics, {job.scene, simulation.garment(), simulation.pins().vertices.size(),
+                                          studio.gl_renderer(), records});
     fmt::print("wrote {}\n", options.statistics.string());
   }
   fmt::print("{}\n", written);

@@ -85,13 +85,13 @@ class ShapeOutput {
 /// The simulation of the scene's garment, with what was guessed and repaired said on `remarks`, where there
 /// is one.
 sim::Simulation prepare(const DrawnScene& scene, Progress& progress, std::FILE* remarks) {
-  LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
+  const LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   progress.hide();
   if (remarks != nullptr) {
     print_remarks(scene, loaded, remarks);
   }
   progress.begin("frame 1");
-  return make_simulation(scene, std::move(loaded));
+  return make_simulation(scene, loaded);
 }
 
 // What a run ends with: said, printed for programs, written.
@@ -142,7 +142,8 @@ int run(const SimulateOptions& options) {
   progress.hide();
 
   const RunSummary summary = summarise(records);
-  hand_over(options, {scene, simulation.garment(), "", records}, summary, shapes);
+  hand_over(options, {scene, simulation.garment(), simulation.pins().vertices.size(), "", records}, summary,
+            shapes);
   return judge_bound(scene, summary);
 }
 

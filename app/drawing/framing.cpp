@@ -21,11 +21,12 @@ float to_float(double coordinate) {
   return static_cast<float>(std::clamp(coordinate, -largest, largest));
 }
 
-double distance_to_nearest_pin(const sim::Garment& garment, const sim::Vec3& point, sim::Vec3& pin_m) {
-  const std::size_t stride = 1 + garment.pins.size() * garment.mesh.positions.size() / most_distances;
+double distance_to_nearest_pin(const sim::Garment& garment, std::span<const sim::Index> pins,
+                               const sim::Vec3& point, sim::Vec3& pin_m) {
+  const std::size_t stride = 1 + pins.size() * garment.mesh.positions.size() / most_distances;
   double nearest_m = INFINITY;
-  for (std::size_t k = 0; k < garment.pins.size(); k += stride) {
-    const sim::Index pin = garment.pins[k];
+  for (std::size_t k = 0; k < pins.size(); k += stride) {
+    const sim::Index pin = pins[k];
     const double distance_m = glm::distance(garment.mesh.positions[pin], point);
     if (distance_m < nearest_m) {
       nearest_m = distance_m;
@@ -68,11 +69,12 @@ std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   return nearest;
 }
 
-renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment) {
+renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment,
+                             std::span<const sim::Index> pins) {
   renderer::Box reach = renderer::bounding_box(to_float(garment.mesh.positions));
-  for (const sim::Vec3& position : garment.pins.empty() ? std::vector<sim::Vec3>{} : garment.mesh.positions) {
+  for (const sim::Vec3& position : pins.empty() ? std::vector<sim::Vec3>{} : garment.mesh.positions) {
     sim::Vec3 pin(0.0);
-    const double distance_m = distance_to_nearest_pin(garment, position, pin);
+    const double distance_m = distance_to_nearest_pin(garment, pins, position, pin);
     reach.lower.y = std::min(reach.lower.y, static_cast<float>(pin.y - distance_m));
   }
   for (const sim::Collider& collider : scene.surroundings.colliders) {

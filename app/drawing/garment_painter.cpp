@@ -77,17 +77,17 @@ float pin_radius_m(const renderer::Box& reach) {
 }
 
 GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene,
-                               const sim::Garment& garment)
+                               const sim::Garment& garment, std::span<const sim::Index> pins)
     : renderer_(renderer),
       style_(scene.picture),
       legend_(stretch_legend(scene)),
       springs_(garment.springs),
-      pins_(garment.pins),
+      pins_(pins.begin(), pins.end()),
       triangles_(flat(garment.mesh.triangles)),
       rest_positions_(to_float(garment.mesh.positions)),
       structural_edges_(structural_edges(garment.springs)),
       normals_(garment.mesh.positions.size()) {
-  const renderer::Box reach = expected_reach(scene, garment);
+  const renderer::Box reach = expected_reach(scene, garment, pins);
   const auto aspect =
       static_cast<float>(style_.settings.width_px) / static_cast<float>(style_.settings.height_px);
   frame_.camera = scene_camera(scene, reach, aspect);

@@ -21,7 +21,8 @@ float pin_radius_m(const renderer::Box& reach);
 class GarmentPainter {
  public:
   /// `renderer` has to outlive the painter.
-  GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment);
+  GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
+                 std::span<const sim::Index> pins);
 
   /// The picture, with the legend the scene asks for.
   renderer::Image draw(const std::vector<sim::Vec3>& positions);

@@ -22,12 +22,12 @@ constexpr double most_joined = 0.3;
 
 void add_line(const LoadedGarment& loaded, const sim::Edge& ends, InspectionMarks& marks) {
   for (const sim::Index end : ends) {
-    marks.points.emplace_back(loaded.garment.mesh.positions[end]);
+    marks.points.emplace_back(loaded.garment->mesh.positions[end]);
   }
 }
 
 InspectionMarks springs_of(const LoadedGarment& loaded, sim::SpringKind kind, float width_px) {
-  const sim::Springs& springs = loaded.garment.springs;
+  const sim::Springs& springs = loaded.garment->springs;
   InspectionMarks marks{.meaning = fmt::format("{} springs: {}", sim::name_of(kind), springs.count(kind)),
                         .colour = spring_colour(kind),
                         .width_px = width_px};
@@ -46,7 +46,7 @@ bool is_misoriented(const sim::Garment& garment, std::size_t edge) {
 
 template <class Chosen>
 InspectionMarks edges_where(const LoadedGarment& loaded, InspectionMarks marks, const Chosen& chosen) {
-  const sim::Adjacency& adjacency = loaded.garment.adjacency;
+  const sim::Adjacency& adjacency = loaded.garment->adjacency;
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     if (chosen(e)) {
       add_line(loaded, adjacency.edges[e], marks);
@@ -74,7 +74,7 @@ InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) 
     }
   }
   if (static_cast<double>(marks.points.size()) >
-      most_joined * static_cast<double>(loaded.garment.mesh.positions.size())) {
+      most_joined * static_cast<double>(loaded.garment->mesh.positions.size())) {
     marks.points.clear();
   }
   marks.meaning = fmt::format("several vertices in the file: {}", marks.points.size());
@@ -85,7 +85,7 @@ InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) 
 
 std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, const MarkWidths& widths) {
   const float spring_width_px = widths.spring_px;
-  const sim::Adjacency& adjacency = loaded.garment.adjacency;
+  const sim::Adjacency& adjacency = loaded.garment->adjacency;
   std::vector<InspectionMarks> all;
   // Flexural springs lie under the structural ones they skip along: wider, they show on both sides, and pale,
   // they leave those to be seen.
@@ -101,7 +101,7 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, const
                              .colour = misoriented_colour,
                              .width_px = 5.0F,
                              .seen_through = true},
-                            [&](std::size_t e) { return is_misoriented(loaded.garment, e); }));
+                            [&](std::size_t e) { return is_misoriented(*loaded.garment, e); }));
   all.push_back(edges_where(loaded,
                             {.meaning = "edges with more than two triangles",
                              .colour = non_manifold_colour,

@@ -30,9 +30,10 @@ renderer::Framing framing_of(float azimuth_rad) {
 }
 
 /// The vertices, and of those that are held the balls that show it.
-std::vector<glm::vec3> points_to_be_seen(const sim::Garment& garment, float ball_radius_m) {
+std::vector<glm::vec3> points_to_be_seen(const sim::Garment& garment, std::span<const sim::Index> pins,
+                                         float ball_radius_m) {
   std::vector<glm::vec3> points = to_float(garment.mesh.positions);
-  for (const sim::Index pin : garment.pins) {
+  for (const sim::Index pin : pins) {
     const glm::vec3 centre(garment.mesh.positions[pin]);
     for (int axis = 0; axis < 3; ++axis) {
       glm::vec3 radius(0.0F);
@@ -87,9 +88,10 @@ DrawnScene scene_of_side(const DrawnScene& asked, int height_px) {
 
 }  // namespace
 
-InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment) {
+InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment,
+                                 std::span<const sim::Index> pins) {
   const std::vector<glm::vec3> points =
-      points_to_be_seen(garment, pin_radius_m(expected_reach(asked, garment)));
+      points_to_be_seen(garment, pins, pin_radius_m(expected_reach(asked, garment, pins)));
   InspectionViews views{.sides = {{{"from the front", {}}, {"from behind", {}}}},
                         .height_px = panel_height_px(points)};
   const float aspect = static_cast<float>(inspection_panel_px) / static_cast<float>(views.height_px);

@@ -20,6 +20,7 @@ struct InspectionViews {
   int height_px = 0;      ///< of each picture: as low as the garment allows
 };
 
-InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment);
+InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment,
+                                 std::span<const sim::Index> pins);
 
 }  // namespace taut::app

@@ -61,7 +61,7 @@ void draw_followed_point(renderer::Canvas& canvas, const StepRecording& fall, co
             side_px * static_cast<float>(vertex % grid.columns) / static_cast<float>(grid.columns - 1),
         area.y_px + side_px * static_cast<float>(vertex / grid.columns) / static_cast<float>(grid.rows - 1));
   };
-  for (const sim::Index pin : fall.frames.garment->pins) {
+  for (const sim::Index pin : fall.frames.pins) {
     canvas.fill_rectangle(place(pin).x - 12.0F, place(pin).y - 12.0F, 24.0F, 24.0F, palette::ink);
   }
   const glm::vec2 followed = place(fall.vertex);
@@ -100,15 +100,17 @@ void read_figure3(const std::filesystem::path& folder, Results& results) {
   results.fall = results.fall ? std::move(results.fall) : StepRecording{};
   StepRecording& fall = *results.fall;
   fall.frames.scene = find_scene(fall_scene, {});
-  fall.frames.garment = std::make_shared<const sim::Garment>(load_garment(fall.frames.scene).garment);
+  LoadedGarment loaded = load_garment(fall.frames.scene);
+  fall.frames.garment = loaded.garment;
+  fall.frames.pins = std::move(loaded.pins);
   fall.vertex = followed_vertex(fall.frames.scene);
   fall.time_step_s = table.number(0, 1);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     fall.moved_m.push_back(table.number(row, 2));
   }
   // A run that is not over at its last frame ends where the cloth is at rest.
-  const auto most_steps =
-      static_cast<std::size_t>(fall_frames.back() * sim::equal_substeps(fall.frames.scene.simulation.solver));
+  const auto most_steps = static_cast<std::size_t>(
+      fall_frames.back() * sim::equal_substeps(solver_settings(fall.frames.scene.simulation.solver)));
   fall.came_to_rest = table.rows() < most_steps;
 }
 

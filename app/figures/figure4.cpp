@@ -22,7 +22,7 @@ Caption caption_of(const PrintedMoment& moment, char letter) {
   }
   return {letter, fmt::format("stretched by up to {:.4g} %", 100.0 * moment.moment->record.stretch.max),
           fmt::format("{} sweeps of the constraint in a step; red: at rest length",
-                      moment.recording->scene.simulation.solver.iterations)};
+                      moment.recording->scene.simulation.solver.strong.iterations)};
 }
 
 renderer::Colour colour_of(double stretch) {

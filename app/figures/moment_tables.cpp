@@ -83,7 +83,9 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
   const CsvFile shapes(shapes_file, shape_columns);
   Recording recording;
   recording.scene = find_scene(scene_name, {});
-  recording.garment = std::make_shared<const sim::Garment>(load_garment(recording.scene).garment);
+  LoadedGarment loaded = load_garment(recording.scene);
+  recording.garment = loaded.garment;
+  recording.pins = std::move(loaded.pins);
   const std::size_t vertices = recording.garment->mesh.positions.size();
   for (std::size_t row = 0; row < moments.rows(); ++row) {
     if (moments.text(row, 1) != scene_name) {

@@ -86,7 +86,8 @@ renderer::Camera fitted(renderer::Camera camera, std::span<const glm::vec3> poin
 
 renderer::Camera camera_for(std::span<const PrintedMoment> moments, const PictureSize& size) {
   const DrawnScene scene = scene_for_print(moments.front(), size);
-  const renderer::Box reach = expected_reach(scene, *moments.front().recording->garment);
+  const renderer::Box reach =
+      expected_reach(scene, *moments.front().recording->garment, moments.front().recording->pins);
   const auto aspect = static_cast<float>(size.width_px) / static_cast<float>(size.height_px);
   const renderer::Camera first = scene_camera(scene, reach, aspect);
   const glm::vec3 towards_light = renderer::studio_lighting(first).towards_key;
@@ -121,7 +122,8 @@ Prints print_moments(StudioDoor& studio, std::span<const PrintedMoment> moments,
     DrawnScene scene = scene_for_print(moment, {scaled(size.width_px), scaled(size.height_px)});
     scene.camera.eye = camera.eye;
     scene.camera.target = camera.target;
-    GarmentPainter painter(studio.open().renderer(), scene, *moment.recording->garment);
+    GarmentPainter painter(studio.open().renderer(), scene, *moment.recording->garment,
+                           moment.recording->pins);
     prints.pictures.push_back(painter.draw(moment.moment->positions));
   }
   const float seen_m =

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/models/layers.hpp"
 #include "app/models/pins.hpp"
@@ -54,7 +55,7 @@ void require_one_size(const sim::Mesh& mesh) {
 void require_size(const GarmentSource& source, const Placement& placement) {
   const double size_m = placement.scale * placement.extent;
   const bool has_size = std::isfinite(placement.extent) && placement.extent > 0.0;
-  if (source.scale > 0.0 && has_size && !(size_m >= smallest_size_m && size_m <= largest_size_m)) {
+  if (source.scale && has_size && !(size_m >= smallest_size_m && size_m <= largest_size_m)) {
     throw InputError(
         fmt::format("cannot use the garment '{}': with the unit asked for it is {:.3g} m large; "
                     "expected {:g} m to {:g} m",
@@ -83,8 +84,7 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
   tell(begin, "reading " + source.file.filename().string());
   ImportedModel& model = loaded.model.emplace(import_garment(source.file));
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
-  const std::optional<double> scale = source.scale > 0.0 ? std::optional(source.scale) : std::nullopt;
-  loaded.placement = place_model(soup, {scale, source.up, model.metres_per_unit, model.up});
+  loaded.placement = place_model(soup, {source.scale, source.up, model.metres_per_unit, model.up});
   require_size(source, *loaded.placement);
   tell(begin, "joining its vertices");
   try {
@@ -132,6 +132,25 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
                      {mesh, loaded.landmarks, loaded.file_vertices, is_grid ? &scene.garment.grid : nullptr});
 }
 
+/// The positions of the file's vertices, as they stand in it.
+std::vector<sim::Vec3> read_start(const std::filesystem::path& file, std::size_t count) {
+  const ImportedModel model = import_garment(file);
+  std::vector<sim::Vec3> start_m = model.positions;
+  if (!model.position_of_vertex.empty()) {
+    start_m.clear();
+    for (const sim::Index position : model.position_of_vertex) {
+      start_m.push_back(model.positions[position]);
+    }
+  }
+  if (start_m.size() != count) {
+    throw InputError(fmt::format(
+        "garment.start: found {} in '{}', expected the garment's {}, in their order, as taut simulate "
+        "--export writes them",
+        counted(start_m.size(), "vertex", "vertices"), file.string(), count));
+  }
+  return start_m;
+}
+
 }  // namespace
 
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
@@ -151,17 +170,18 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
   std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded);
   sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
-  loaded.garment = sim::make_garment(std::move(pinned.mesh), scene.mapping, std::move(pinned.pins));
+  loaded.garment = sim::share(sim::make_garment(std::move(pinned.mesh), scene.mapping, scene.material));
+  loaded.pins = std::move(pinned.pins);
+  if (!scene.garment.start.empty()) {
+    loaded.start_m = read_start(scene.garment.start, loaded.garment->mesh.positions.size());
+  }
   return loaded;
 }
 
-sim::Simulation make_simulation(const Scene& scene, LoadedGarment loaded) {
-  return make_simulation(scene, std::move(loaded.garment), loaded.file_vertices);
-}
-
-sim::Simulation make_simulation(const Scene& scene, sim::Garment garment, const FileVertices& file_vertices) {
-  sim::Surroundings surroundings = settled(scene.surroundings, garment, file_vertices);
-  return {std::move(garment), scene.simulation, std::move(surroundings)};
+sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded) {
+  return {loaded.garment, loaded.pins, simulation_settings(scene.simulation),
+          settled(scene.surroundings, scene.layer_distance_m, *loaded.garment, loaded.file_vertices),
+          loaded.start_m};
 }
 
 }  // namespace taut::app

@@ -125,7 +125,7 @@ std::string describe_topology(const sim::Topology& t) {
 }  // namespace
 
 Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
-  const sim::Garment& garment = loaded.garment;
+  const sim::Garment& garment = *loaded.garment;
   Inspection result;
   result.file = scene.garment.file.string();
   result.model = *loaded.model;

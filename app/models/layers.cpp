@@ -121,8 +121,8 @@ double suitable_layer_distance(const sim::Garment& garment) {
   return suitable_m < smallest_m ? 0.0 : suitable_m;
 }
 
-sim::Surroundings settled(sim::Surroundings surroundings, const sim::Garment& garment,
-                          const FileVertices& file_vertices) {
+sim::Surroundings settled(sim::Surroundings surroundings, std::optional<double> layer_distance_m,
+                          const sim::Garment& garment, const FileVertices& file_vertices) {
   for (sim::PointForce& force : surroundings.forces.artificial_forces) {
     const std::optional<sim::Index> vertex = file_vertices.find(force.vertex);
     if (!vertex) {
@@ -130,9 +130,7 @@ sim::Surroundings settled(sim::Surroundings surroundings, const sim::Garment& ga
     }
     force.vertex = *vertex;
   }
-  if (surroundings.layer_distance_m == layer_distance_from_mesh) {
-    surroundings.layer_distance_m = suitable_layer_distance(garment);
-  }
+  surroundings.layer_distance_m = layer_distance_m ? *layer_distance_m : suitable_layer_distance(garment);
   return surroundings;
 }
 

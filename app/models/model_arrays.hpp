@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/model_units.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::app {
-
-/// A direction of a model's own coordinates.
-enum class ModelAxis { x, minus_x, y, minus_y, z, minus_z };
 
 /// A model file as flat arrays: the faces of all its meshes, where its nodes put them.
 struct ModelArrays {

@@ -1,27 +1,12 @@
 #pragma once
 
-#include <array>
 #include <optional>
-#include <span>
 #include <string>
 
-#include "app/models/model_arrays.hpp"
+#include "app/scene/model_units.hpp"
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::app {
-
-struct Unit {
-  const char* symbol;  ///< as `--units` takes it
-  const char* name;
-  double metres;
-};
-
-inline constexpr std::array units = {Unit{"m", "metre", 1.0},         Unit{"cm", "centimetre", 0.01},
-                                     Unit{"mm", "millimetre", 0.001}, Unit{"dm", "decimetre", 0.1},
-                                     Unit{"in", "inch", 0.0254},      Unit{"ft", "foot", 0.3048}};
-
-/// "x", "-x", ... by ModelAxis.
-inline constexpr std::array axis_names = {"x", "-x", "y", "-y", "z", "-z"};
 
 /// How a model is brought into the scene, which is in metres with y up.
 struct Placement {

@@ -17,10 +17,10 @@ namespace {
 constexpr double noticeable = 2.0;
 
 void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
-  const sim::SolverSettings& solver = scene.simulation.solver;
-  const double asked = solver.fabric.compression_stiffness_n_per_m;
+  const SolverChoice& solver = scene.simulation.solver;
+  const double asked = scene.material.compression_stiffness_n_per_m;
   const double followed = summary.followed_compression_n_per_m;
-  const bool is_asked_for = asked != sim::Fabric{}.compression_stiffness_n_per_m;
+  const bool is_asked_for = asked != sim::Material{}.compression_stiffness_n_per_m;
   if (!is_asked_for || !(asked > noticeable * followed)) {
     return;
   }
@@ -43,14 +43,15 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
   if (summary.frames_over_bound == 0) {
     return 0;
   }
-  const bool allowed = scene.allow_exceeding_bound;
+  const bool allowed = scene.simulation.solver.bounded.allow_exceeding;
   fmt::print(stderr,
              "taut: {}: {} of {} {} solver.max_stretch = {:g}, the first is frame {}; the largest "
              "stretch is {:.4g}. Pins may pull the cloth apart, or more time steps are needed "
              "(solver.max_substeps = {}){}\n",
              allowed ? "warning" : "error", summary.frames_over_bound, counted(summary.frames, "frame"),
-             summary.frames_over_bound == 1 ? "exceeds" : "exceed", scene.simulation.solver.max_stretch,
-             summary.first_frame_over_bound, summary.max_stretch, scene.simulation.solver.max_substeps,
+             summary.frames_over_bound == 1 ? "exceeds" : "exceed",
+             scene.simulation.solver.bounded.max_stretch, summary.first_frame_over_bound, summary.max_stretch,
+             scene.simulation.solver.max_substeps,
              allowed ? "" : "; solver.allow_exceeding = true accepts such frames");
   return allowed ? 0 : exit_promise_broken;
 }

@@ -10,8 +10,8 @@ namespace {
 bool is_bound_kept(const sim::Simulation& simulation, const sim::Stretch& stretch) {
   constexpr double rounding = 1e-6;
   const sim::FrameReport& report = simulation.frame_report();
-  const bool is_measured = stretch.max <= simulation.settings().solver.max_stretch + rounding;
-  return report.bound_kept && (is_measured || !report.bound_promised);
+  const auto* bounded = std::get_if<sim::BoundedSettings>(&simulation.settings().solver.method);
+  return report.bound_kept && (bounded == nullptr || stretch.max <= bounded->max_stretch + rounding);
 }
 
 }  // namespace

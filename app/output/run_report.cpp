@@ -83,13 +83,13 @@ Json spring_counts(std::size_t structural, std::size_t shear, std::size_t flexur
   return {{"structural", structural}, {"shear", shear}, {"flexural", flexural}};
 }
 
-Json garment_json(const sim::Garment& garment) {
+Json garment_json(const sim::Garment& garment, std::size_t pins) {
   return {{"vertices", garment.mesh.positions.size()},
           {"triangles", garment.mesh.triangles.size()},
           {"springs", spring_counts(garment.springs.count(sim::SpringKind::structural),
                                     garment.springs.count(sim::SpringKind::shear),
                                     garment.springs.count(sim::SpringKind::flexural))},
-          {"pins", garment.pins.size()}};
+          {"pins", pins}};
 }
 
 Json versions_json(const std::string& gl_renderer) {
@@ -166,7 +166,7 @@ void prepare_statistics(const std::filesystem::path& file) {
 
 std::string statistics_json(const RunStatistics& run) {
   Json json = {{"scene", run.scene.name},
-               {"garment", garment_json(run.garment)},
+               {"garment", garment_json(run.garment, run.pins)},
                {"settings", std::visit(JsonWriter{}, scene_settings(run.scene).data)},
                {"versions", versions_json(run.gl_renderer)},
                {"summary", summary_json(summarise(run.records))},

@@ -15,6 +15,7 @@ namespace taut::app {
 struct RunStatistics {
   const DrawnScene& scene;
   const sim::Garment& garment;
+  std::size_t pins = 0;
   std::string gl_renderer;  ///< empty where nothing was drawn
   const std::vector<FrameRecord>& records;
 };

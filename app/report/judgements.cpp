@@ -29,11 +29,11 @@ std::string setting_text(int substeps, int sweeps) {
 // The cloth as figure 4 draws it is one of them.
 std::vector<StrongRun> all_strong_runs(const Results& results) {
   const Recording& cloth = *results.pinned[0];
-  const sim::SolverSettings& solver = cloth.scene.simulation.solver;
+  const SolverChoice& solver = cloth.scene.simulation.solver;
   std::vector<StrongRun> runs = {{"9x9 cloth, as in figure 4",
                                   false,
-                                  solver.substeps,
-                                  solver.iterations,
+                                  solver.substeps.value_or(0),
+                                  solver.strong.iterations,
                                   {cloth.last().record.stretch.max, cloth.largest_stretch}}};
   runs.insert(runs.end(), results.strong_runs.begin(), results.strong_runs.end());
   return runs;
@@ -61,8 +61,8 @@ std::string in_wind(const Recording& run) {
 Finding bound_of_bounded(const Results& results) {
   Finding finding;
   for (const std::optional<Recording>& run : results.shirts) {
-    const std::string name =
-        fmt::format("{}, asked for {:g} %", in_wind(*run), 100.0 * run->scene.simulation.solver.max_stretch);
+    const std::string name = fmt::format("{}, asked for {:g} %", in_wind(*run),
+                                         100.0 * run->scene.simulation.solver.bounded.max_stretch);
     finding.text += fmt::format("{}{} it reaches {}", finding.text.empty() ? "On the shirt " : "; ", name,
                                 number_text(percent_number("", run->largest_stretch)));
     finding.measured.push_back(percent_number("shirt " + name, run->largest_stretch));

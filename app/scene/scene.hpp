@@ -6,10 +6,11 @@
 #include <variant>
 #include <vector>
 
-#include "app/models/model_arrays.hpp"
-#include "sim/garment.hpp"
+#include "app/scene/model_units.hpp"
+#include "app/scene/run_settings.hpp"
+#include "sim/material.hpp"
 #include "sim/mesh/grid.hpp"
-#include "sim/simulation.hpp"
+#include "sim/springs.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::app {
@@ -17,10 +18,13 @@ namespace taut::app {
 /// A regular grid, or a model file where one is named.
 struct GarmentSource {
   std::filesystem::path file;   ///< empty: the grid
-  double scale = 0.0;           ///< the file's unit in metres; 0: the file's own, or a guess (placement.hpp)
+  std::optional<double> scale;  ///< the file's unit in metres; none: the file's own, or a guess
   std::optional<ModelAxis> up;  ///< of the file; none: the file's own, or a guess
   double weld_m = 0.0;          ///< borders nearer to each other than this are sewn
   int subdivisions = 0;         ///< of the file's triangles, four for one each time
+  /// A model file whose vertices are the garment's, in metres with y up: where the cloth begins. Empty: at
+  /// rest, as it was modelled.
+  std::filesystem::path start;
   sim::GridSettings grid;
 };
 
@@ -38,12 +42,13 @@ struct Scene {
   std::string name;  ///< how it was asked for; not a key of the file
   std::string title;
   GarmentSource garment;
-  sim::GarmentSettings mapping;
+  sim::MappingSettings mapping;
+  sim::Material material;
   std::optional<std::vector<PinSelector>> pins;  ///< none: by its top
-  sim::SimulationSettings simulation;
-  sim::Surroundings surroundings;
+  RunSettings simulation;
+  sim::Surroundings surroundings;                ///< but for the distance of layers
+  std::optional<double> layer_distance_m = 0.0;  ///< none: what suits the garment's mesh
   int frames = 600;
-  bool allow_exceeding_bound = false;  ///< a frame that breaks the solver's promise does not fail the run
 };
 
 }  // namespace taut::app

@@ -59,6 +59,24 @@ Value colour_text(const std::array<float, 3>& colour);
     return s.path;       \
   }
 
+// A member that may be without a value is so where the file says 0.
+template <class Number>
+void store(double number, Number& member) {
+  member = static_cast<Number>(number);
+}
+template <class Number>
+void store(double number, std::optional<Number>& member) {
+  member = number != 0.0 ? std::optional(static_cast<Number>(number)) : std::nullopt;
+}
+template <class Number>
+Number stored(const Number& member) {
+  return member;
+}
+template <class Number>
+Number stored(const std::optional<Number>& member) {
+  return member.value_or(Number{});
+}
+
 // Makers of keys. `access` returns a reference to the member of the T it is given, const or not. A number is
 // stored times `factor`: degrees in files, radians in code.
 
@@ -70,11 +88,10 @@ Key<T> number_key(std::string name, std::string unit, const Range& range, Access
     if (!number || !range.contains(*number)) {
       return false;
     }
-    auto& member = access(target);
-    member = static_cast<std::remove_reference_t<decltype(member)>>(*number * factor);
+    store(*number * factor, access(target));
     return true;
   };
-  auto write = [=](const T& source) { return Value{static_cast<double>(access(source)) / factor}; };
+  auto write = [=](const T& source) { return Value{static_cast<double>(stored(access(source))) / factor}; };
   return {std::move(name), std::move(unit), describe("a number", range), std::move(meaning), read, write};
 }
 
@@ -86,11 +103,10 @@ Key<T> whole_key(std::string name, const Range& range, Access access, std::strin
     if (!number || !range.contains(static_cast<double>(*number))) {
       return false;
     }
-    auto& member = access(target);
-    member = static_cast<std::remove_reference_t<decltype(member)>>(*number);
+    store(static_cast<double>(*number), access(target));
     return true;
   };
-  auto write = [=](const T& source) { return Value{static_cast<std::int64_t>(access(source))}; };
+  auto write = [=](const T& source) { return Value{static_cast<std::int64_t>(stored(access(source)))}; };
   return {
       std::move(name), std::move(unit), describe("a whole number", range), std::move(meaning), read, write};
 }

@@ -14,6 +14,7 @@ using SceneKeys = std::vector<Key<Scene>>;
 constexpr double degree = 0.017453292519943295;
 // Smaller or larger, nothing on it can be told in double precision from its place.
 constexpr Range side = {.lowest = 1e-4, .highest = 1e4};
+constexpr Range friction = {.lowest = 0.0, .highest = 10.0};
 constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
 
 Key<Scene> number(std::string name, std::string unit, const Range& range, auto access, std::string meaning,
@@ -44,17 +45,18 @@ void add_garment(SceneKeys& keys) {
       MEMBER(garment.grid.plane), "how the grid lies when the clock starts"));
   keys.push_back(
       vector_key<Scene>("garment.grid.top", "m", MEMBER(garment.grid.top_centre_m), "the middle of row 0"));
-  keys.push_back(number("garment.areal_density", "kg/m2", positive, MEMBER(mapping.areal_density_kg_per_m2),
+  keys.push_back(start_key());
+  keys.push_back(number("garment.areal_density", "kg/m2", positive, MEMBER(material.areal_density_kg_per_m2),
                         "heavier cloth answers wind less"));
   keys.push_back(choice_key<Scene, sim::FlexuralRule>(
       "garment.flexural_rule",
       {{"angular", sim::FlexuralRule::angular},
        {"opposite-vertex", sim::FlexuralRule::opposite_vertex},
        {"none", sim::FlexuralRule::none}},
-      MEMBER(mapping.mapping.flexural_rule), "which vertices flexural springs join"));
-  keys.push_back(number(
-      "garment.flexural_angle", "degrees", {90.0, 180.0}, MEMBER(mapping.mapping.smallest_flexural_angle_rad),
-      "angular rule: the smallest angle joined; less means more springs, stiffer cloth", degree));
+      MEMBER(mapping.flexural_rule), "which vertices flexural springs join"));
+  keys.push_back(
+      number("garment.flexural_angle", "degrees", {90.0, 180.0}, MEMBER(mapping.smallest_flexural_angle_rad),
+             "angular rule: the smallest angle joined; less means more springs, stiffer cloth", degree));
 }
 
 void add_pins(SceneKeys& keys) {
@@ -76,32 +78,37 @@ void add_run(SceneKeys& keys) {
             "time steps in a frame; more stretch less and cost in proportion; 0: as many as needed"));
   keys.push_back(whole("solver.max_substeps", 1, 10000, MEMBER(simulation.solver.max_substeps),
                        "the most that a solver may choose"));
-  keys.push_back(whole("solver.iterations", 1, 10000, MEMBER(simulation.solver.iterations),
+  keys.push_back(whole("solver.iterations", 1, 10000, MEMBER(simulation.solver.strong.iterations),
                        "strong: sweeps of the constraint in a step; more stretch less, stiffer"));
-  keys.push_back(number("solver.compression", "", fraction, MEMBER(simulation.solver.rigidity.compression),
+  keys.push_back(number("solver.compression", "", fraction,
+                        MEMBER(simulation.solver.strong.rigidity.compression),
                         "strong: how much of its error a too short spring corrects; less folds more easily"));
-  keys.push_back(number("solver.flexural", "", fraction, MEMBER(simulation.solver.rigidity.flexural),
+  keys.push_back(number("solver.flexural", "", fraction, MEMBER(simulation.solver.strong.rigidity.flexural),
                         "strong: how much of its error a flexural spring corrects; less bends more easily"));
   keys.push_back(
-      number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.max_stretch),
+      number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.bounded.max_stretch),
              "bounded: no frame shows a spring stretched more; provot: above it springs are pulled back"));
-  keys.push_back(switch_key<Scene>("solver.tethers", MEMBER(simulation.solver.tethers),
+  keys.push_back(switch_key<Scene>("solver.tethers", MEMBER(simulation.solver.bounded.tethers),
                                    "bounded: cloth is held by long threads from its pins too; less work"));
   keys.push_back(choice_key<Scene, sim::VectorUnit>("solver.vector_unit", vector_unit_choices(),
-                                                    MEMBER(simulation.solver.vector_unit),
+                                                    MEMBER(simulation.solver.bounded.vector_unit),
                                                     "bounded: instructions to use; none changes a result"));
-  keys.push_back(whole("solver.threads", 0, sim::most_threads, MEMBER(simulation.solver.threads),
+  keys.push_back(whole("solver.threads", 0, sim::most_threads, MEMBER(simulation.solver.bounded.threads),
                        "bounded: none changes a result; 0: more than one above some 20000 triangles"));
-  keys.push_back(switch_key<Scene>("solver.allow_exceeding", MEMBER(allow_exceeding_bound),
+  keys.push_back(switch_key<Scene>("solver.allow_exceeding",
+                                   MEMBER(simulation.solver.bounded.allow_exceeding),
                                    "bounded: a frame whose bound could not be kept does not fail the run"));
   keys.push_back(number("solver.stiffness.structural", "N/m", not_negative,
-                        MEMBER(simulation.solver.stiffness.structural_n_per_m), "ideal: of mesh edges"));
+                        MEMBER(simulation.solver.ideal.stiffness.structural_n_per_m),
+                        "ideal: of mesh edges"));
   keys.push_back(number("solver.stiffness.shear", "N/m", not_negative,
-                        MEMBER(simulation.solver.stiffness.shear_n_per_m), "ideal: of grid diagonals"));
+                        MEMBER(simulation.solver.ideal.stiffness.shear_n_per_m), "ideal: of grid diagonals"));
   keys.push_back(number("solver.stiffness.flexural", "N/m", not_negative,
-                        MEMBER(simulation.solver.stiffness.flexural_n_per_m), "ideal: of flexural springs"));
+                        MEMBER(simulation.solver.ideal.stiffness.flexural_n_per_m),
+                        "ideal: of flexural springs"));
   keys.push_back(number("solver.stiffness.damping", "N s/m", not_negative,
-                        MEMBER(simulation.solver.stiffness.damping_n_s_per_m), "ideal: of every spring"));
+                        MEMBER(simulation.solver.ideal.stiffness.damping_n_s_per_m),
+                        "ideal: of every spring"));
   keys.push_back(number("rest.speed", "m/s", not_negative, MEMBER(simulation.rest.speed_m_per_s),
                         "cloth that goes no further than by this speed (root mean square) counts as at rest "
                         "and is put to sleep"));
@@ -135,15 +142,29 @@ void add_forces(SceneKeys& keys) {
                         "force coefficient of air that strokes along cloth"));
   keys.push_back(forces_key());
   keys.push_back(colliders_key());
-  keys.push_back(number("cloth.thickness", "m", not_negative, MEMBER(surroundings.cloth_thickness_m),
+  keys.push_back(number("cloth.thickness", "m", not_negative, MEMBER(material.thickness_m),
                         "kept between cloth and colliders"));
-  keys.push_back(number("cloth.bending_rigidity", "N m", not_negative,
-                        MEMBER(simulation.solver.fabric.bending_rigidity_n_m),
+  keys.push_back(number("cloth.friction", "", friction, MEMBER(material.friction),
+                        "Coulomb's coefficient, of colliders that have none of their own"));
+  keys.push_back(number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m),
                         "bounded: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 5e-5"));
   keys.push_back(number("cloth.compression_stiffness", "N/m", not_negative,
-                        MEMBER(simulation.solver.fabric.compression_stiffness_n_per_m),
+                        MEMBER(material.compression_stiffness_n_per_m),
                         "bounded: of springs that are too short; less crumples more easily"));
   keys.push_back(layer_distance_key());
+}
+
+// Of a collider 0 is a friction as good as any other.
+Key<sim::Collider> friction_key() {
+  auto read = [](const Value& value, const Source&, sim::Collider& collider) {
+    collider.friction = finite_number(value);
+    return collider.friction && friction.contains(*collider.friction);
+  };
+  auto write = [](const sim::Collider& collider) {
+    return collider.friction ? Value{*collider.friction} : Value{};
+  };
+  return {"friction", "",   describe("a number", friction), "Coulomb's coefficient; not set: cloth.friction",
+          read,       write};
 }
 
 }  // namespace
@@ -198,7 +219,7 @@ std::vector<Key<sim::Collider>> collider_keys(const std::string& shape) {
   std::vector<Key<C>> keys = {
       {"shape", "", "\"plane\" or \"sphere\" or \"capsule\"", "",
        [](const Value&, const Source&, C&) { return true; }, [shape](const C&) { return Value{shape}; }},
-      number_key<C>("friction", "", {0.0, 10.0}, MEMBER(friction), "Coulomb's coefficient")};
+      friction_key()};
   const auto add = [&keys](Key<C> key) { keys.push_back(std::move(key)); };
   if (shape == "plane") {
     add(vector_key<C>(

@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "app/models/layers.hpp"
-#include "app/models/placement.hpp"
 #include "app/scene/scene_keys.hpp"
 
 namespace taut::app {
@@ -58,17 +56,16 @@ bool read_pins(const Value& value, const Source&, Scene& scene) {
 
 bool read_layer_distance(const Value& value, const Source&, Scene& scene) {
   const bool from_mesh = value.text() != nullptr && *value.text() == "auto";
-  const auto distance_m = from_mesh ? layer_distance_from_mesh : finite_number(value).value_or(-INFINITY);
-  if (!from_mesh && distance_m < 0.0) {
+  const std::optional<double> distance_m = finite_number(value);
+  if (!from_mesh && !(distance_m && *distance_m >= 0.0)) {
     return false;
   }
-  scene.surroundings.layer_distance_m = distance_m;
+  scene.layer_distance_m = distance_m;
   return true;
 }
 
 Value write_layer_distance(const Scene& scene) {
-  const double distance_m = scene.surroundings.layer_distance_m;
-  return distance_m == layer_distance_from_mesh ? Value{std::string("auto")} : Value{distance_m};
+  return scene.layer_distance_m ? Value{*scene.layer_distance_m} : Value{std::string("auto")};
 }
 
 struct PinWriter {
@@ -95,7 +92,10 @@ template <class T>
 Value write_entry(const std::vector<Key<T>>& keys, const T& entry) {
   ValueTable table;
   for (const Key<T>& key : keys) {
-    table.push_back({key.name, key.write(entry)});
+    const Value value = key.write(entry);
+    if (is_set(value)) {
+      table.push_back({key.name, value});
+    }
   }
   return {table};
 }
@@ -188,24 +188,36 @@ Value write_forces(const Scene& scene) {
   return {list};
 }
 
-}  // namespace
-
-Key<Scene> file_key() {
-  auto read = [](const Value& value, const Source& source, Scene& scene) {
+Key<Scene> file_name_key(std::string name, std::filesystem::path GarmentSource::*member,
+                         std::string meaning) {
+  auto read = [member](const Value& value, const Source& source, Scene& scene) {
     if (value.text() == nullptr || value.text()->empty()) {
       return false;
     }
     const std::filesystem::path file = *value.text();
     const auto folder =
         source.is_command_line ? std::filesystem::path() : std::filesystem::path(source.name).parent_path();
-    scene.garment.file = (folder / file).lexically_normal();
+    scene.garment.*member = (folder / file).lexically_normal();
     return true;
   };
-  auto write = [](const Scene& scene) {
-    return scene.garment.file.empty() ? Value{} : Value{scene.garment.file.string()};
+  auto write = [member](const Scene& scene) {
+    const std::filesystem::path& file = scene.garment.*member;
+    return file.empty() ? Value{} : Value{file.string()};
   };
-  return {"garment.file", "",   "a file name", "a 3D model, relative to the scene file; without it: a grid",
-          read,           write};
+  return {std::move(name), "", "a file name", std::move(meaning), read, write};
+}
+
+}  // namespace
+
+Key<Scene> file_key() {
+  return file_name_key("garment.file", &GarmentSource::file,
+                       "a 3D model, relative to the scene file; without it: a grid");
+}
+
+Key<Scene> start_key() {
+  return file_name_key("garment.start", &GarmentSource::start,
+                       "where the cloth begins, which keeps the rest shape above: a model of its vertices in "
+                       "their order, in metres with y up, as taut simulate --export writes it");
 }
 
 Key<Scene> up_key() {

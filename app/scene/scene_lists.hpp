@@ -12,6 +12,7 @@ namespace taut::app {
 // Keys of scenes whose values are neither one number nor one name.
 
 Key<Scene> file_key();
+Key<Scene> start_key();
 Key<Scene> up_key();
 Key<Scene> pins_key();
 Key<Scene> forces_key();

@@ -6,7 +6,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
-#include "app/models/layers.hpp"
 
 namespace taut::app {
 namespace {
@@ -75,7 +74,7 @@ void set_garment(const std::filesystem::path& file, Scene& scene) {
   scene.title = file.filename().string();
   scene.garment.file = file;
   scene.frames = 240;
-  scene.surroundings.layer_distance_m = layer_distance_from_mesh;
+  scene.layer_distance_m.reset();
 }
 
 FoundScene locate_scene(const std::string& name) {

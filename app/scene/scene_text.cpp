@@ -72,10 +72,6 @@ struct TomlWriter {
   }
 };
 
-bool is_set(const Value& value) {
-  return !std::holds_alternative<std::monostate>(value.data);
-}
-
 // Keys first, then the sections below: behind a section's header TOML has no way back.
 void append_section(std::string& text, const std::string& section, const ValueTable& table) {
   for (const auto& [key, value] : table) {

@@ -31,6 +31,10 @@ struct Writer {
 
 }  // namespace
 
+bool is_set(const Value& value) {
+  return !std::holds_alternative<std::monostate>(value.data);
+}
+
 std::string to_text(const Value& value) {
   return std::visit(Writer{}, value.data);
 }

@@ -35,6 +35,8 @@ struct Source {
   bool is_command_line = false;
 };
 
+bool is_set(const Value& value);
+
 /// As it would be written in a scene file; tables in braces.
 std::string to_text(const Value& value);
 

@@ -10,7 +10,7 @@ std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea
     return std::nullopt;
   }
   return pick(state.camera.ray_through(place_px, area), state.shown->positions(),
-              state.shown->loaded->garment.mesh.triangles);
+              state.shown->loaded->garment->mesh.triangles);
 }
 
 std::optional<sim::Index> Hands::held_vertex() const {
@@ -26,7 +26,7 @@ void Hands::press(const Pointer& pointer, const ViewArea& area, const ViewerStat
     return;
   }
   Hold hold;
-  hold.grip = take_grip(state.shown->loaded->garment, state.shown->positions(), picked->vertex);
+  hold.grip = take_grip(*state.shown->loaded->garment, state.shown->positions(), picked->vertex);
   hold.through = picked->point_m;
   hold.to_vertex = state.shown->positions()[picked->vertex] - picked->point_m;
   commands.emplace_back(TakeHold{hold.grip});

@@ -60,7 +60,7 @@ DrawnScene kept_scene(const ViewerState& state, const ViewArea& area) {
   constexpr int smallest_side_px = 16;
   DrawnScene scene = state.scene;
   const std::vector<sim::Index>& pins = *state.newest->pins;
-  if (pins != state.newest->loaded->garment.pins) {
+  if (pins != state.newest->loaded->pins) {
     scene.pins = numbered_in_file(pins, state.newest->loaded->file_vertices);
   }
   const renderer::Camera camera = state.camera.camera();

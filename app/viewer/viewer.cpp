@@ -143,13 +143,13 @@ void Viewer::note_snapshot(SnapshotPtr newest) {
 
 void Viewer::adopt_scene() {
   state_.scene = state_.newest->loaded->scene;
-  told_simulation_ = state_.scene.simulation;
-  told_surroundings_ = state_.scene.surroundings;
+  told_ = ChangeSettings(state_.scene);
   state_.past_frame.reset();
   hands_.drop();
   noted_frame_.reset();
   state_.measurements.forget();
-  const renderer::Box reach = expected_reach(state_.scene, state_.newest->loaded->garment);
+  const renderer::Box reach =
+      expected_reach(state_.scene, *state_.newest->loaded->garment, state_.newest->loaded->pins);
   state_.camera = OrbitCamera(scene_camera(state_.scene, reach, scene_area(layout()).aspect()));
 }
 
@@ -178,16 +178,15 @@ void Viewer::choose_shown() {
 }
 
 SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
-  const sim::SolverSettings& solver = state_.scene.simulation.solver;
+  const sim::SolverSettings solver = solver_settings(state_.scene.simulation.solver);
   if (past == past_ && solver == past_bound_) {
     return past_within_bound_;
   }
   past_ = past_within_bound_ = past;
   past_bound_ = solver;
-  sim::Garment garment = past->loaded->garment;
-  sim::hold_by(garment, *past->pins);
+  const sim::Garment& garment = *past->loaded->garment;
   sim::State state = *past->state;
-  sim::move_within_bound(garment, solver, state);
+  sim::move_within_bound(garment, sim::make_pins(garment, *past->pins), solver, state);
   if (state.current != past->positions()) {
     Snapshot snapshot = *past;
     snapshot.record.stretch = sim::measure_stretch(garment.springs, state.current);
@@ -212,16 +211,14 @@ void Viewer::note_speed(std::uint64_t advances_before) {
 void Viewer::warn() {
   state_.warning = state_.newest->stopped && !state_.past_frame
                        ? "the simulation has stopped: R, any other setting or another scene starts again"
-                       : lost_cloth(state_.shown->positions(), state_.shown->loaded->garment.mesh.triangles,
+                       : lost_cloth(state_.shown->positions(), state_.shown->loaded->garment->mesh.triangles,
                                     state_.camera, scene_area(layout()));
 }
 
 void Viewer::collect_settings() {
-  const DrawnScene& scene = state_.scene;
-  if (scene.simulation != told_simulation_ || scene.surroundings != told_surroundings_) {
-    told_simulation_ = scene.simulation;
-    told_surroundings_ = scene.surroundings;
-    commands_.emplace_back(ChangeSettings{scene.simulation, scene.surroundings});
+  if (ChangeSettings wanted(state_.scene); wanted != told_) {
+    told_ = wanted;
+    commands_.emplace_back(std::move(wanted));
   }
   if (state_.speed != told_speed_) {
     told_speed_ = state_.speed;

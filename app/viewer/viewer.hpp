@@ -100,8 +100,7 @@ class Viewer {
   std::vector<Action> key_actions_;
   std::vector<SimulationCommand> commands_;
   // As the simulation was told.
-  sim::SimulationSettings told_simulation_;
-  sim::Surroundings told_surroundings_;
+  ChangeSettings told_;
   double told_speed_ = 1.0;
   std::uint64_t told_notice_ = 0;
   std::optional<int> noted_frame_;

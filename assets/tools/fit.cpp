@@ -13,11 +13,8 @@ constexpr int iterations = 1;
 sim::SimulationSettings settings_for(const FitPhase& phase) {
   sim::SimulationSettings settings;
   settings.frame_rate_hz = 60.0;
-  settings.solver.kind = sim::SolverKind::strong;
-  settings.solver.kind = sim::SolverKind::strong;
   settings.solver.substeps = substeps;
-  settings.solver.iterations = iterations;
-  settings.solver.rigidity = {.compression = 1.0, .flexural = phase.flexural};
+  settings.solver.method = sim::StrongSettings{iterations, {.compression = 1.0, .flexural = phase.flexural}};
   settings.rest.speed_m_per_s = 0.0;  // never asleep: the number of steps is part of the recipe
   return settings;
 }
@@ -29,7 +26,6 @@ sim::Surroundings surroundings_for(const FitPhase& phase, const Stance& stance) 
   // Air on the cloth's faces would only slow the fitting down.
   surroundings.forces.wind.pressure_coefficient = surroundings.forces.wind.friction_coefficient = 0.0;
   surroundings.colliders = body_colliders(stance);
-  surroundings.cloth_thickness_m = 0.002;
   return surroundings;
 }
 
@@ -37,8 +33,8 @@ sim::Surroundings surroundings_for(const FitPhase& phase, const Stance& stance) 
 
 std::vector<Vec3> relax_on_body(const Shirt& shirt, const std::vector<Vec3>& positions, const Stance& stance,
                                 const std::vector<FitPhase>& phases) {
-  sim::Simulation simulation(make_flat_garment(shirt, positions), settings_for(phases.front()),
-                             surroundings_for(phases.front(), stance));
+  sim::Simulation simulation(sim::share(make_flat_garment(shirt, positions)), {},
+                             settings_for(phases.front()), surroundings_for(phases.front(), stance));
   for (const FitPhase& phase : phases) {
     simulation.set_settings(settings_for(phase));
     simulation.set_surroundings(surroundings_for(phase, stance));

@@ -105,9 +105,9 @@ Strain measure_strain(const Shirt& shirt, const std::vector<Vec3>& positions) {
 }
 
 sim::Garment make_flat_garment(const Shirt& shirt, const std::vector<Vec3>& positions) {
-  sim::GarmentSettings settings;
-  settings.mapping.flexural_rule = sim::FlexuralRule::opposite_vertex;
-  sim::Garment garment = sim::make_garment({positions, shirt.triangles(), {}}, settings, {});
+  const sim::MappingSettings mapping = {.flexural_rule = sim::FlexuralRule::opposite_vertex};
+  sim::Garment garment =
+      sim::make_garment({positions, shirt.triangles(), {}}, mapping, {.thickness_m = 0.002});
   const Lengths flat = mean_flat_lengths(shirt);
   const Lengths unfolded = unfolded_lengths(garment, flat);
   sim::Springs& springs = garment.springs;

@@ -32,7 +32,7 @@ SurfacePoint nearest(const Capsule& capsule, const Vec3& point) {
   return from_centre(capsule.start_m + along * axis, radius_m, point);
 }
 
-Vec3 with_friction(const Collider& collider, const SurfacePoint& surface, double depth_m, const Vec3& from,
+Vec3 with_friction(double friction, const SurfacePoint& surface, double depth_m, const Vec3& from,
                    const Vec3& pushed_out) {
   const Vec3 moved = pushed_out - from;
   const Vec3 slid = moved - surface.normal * glm::dot(moved, surface.normal);
@@ -40,7 +40,7 @@ Vec3 with_friction(const Collider& collider, const SurfacePoint& surface, double
   if (!(slid_m > 0.0)) {
     return pushed_out;
   }
-  return pushed_out - slid * std::min(1.0, collider.friction * depth_m / slid_m);
+  return pushed_out - slid * std::min(1.0, friction * depth_m / slid_m);
 }
 
 }  // namespace
@@ -49,19 +49,20 @@ SurfacePoint nearest_surface(const Shape& shape, const Vec3& point) {
   return std::visit([&](const auto& s) { return nearest(s, point); }, shape);
 }
 
-void push_out_of_colliders(std::span<const Collider> colliders, double thickness_m,
+void push_out_of_colliders(std::span<const Collider> colliders, const Material& cloth,
                            std::span<const double> inverse_masses_per_kg, std::span<const Vec3> current,
                            std::span<Vec3> predicted) {
   for (const Collider& collider : colliders) {
+    const double friction = collider.friction.value_or(cloth.friction);
     for (std::size_t v = 0; v < predicted.size(); ++v) {
       if (inverse_masses_per_kg[v] == 0.0) {
         continue;
       }
       const SurfacePoint surface = nearest_surface(collider.shape, predicted[v]);
-      const double depth_m = thickness_m - surface.distance_m;
+      const double depth_m = cloth.thickness_m - surface.distance_m;
       if (depth_m > 0.0) {
         const Vec3 pushed_out = predicted[v] + surface.normal * depth_m;
-        predicted[v] = with_friction(collider, surface, depth_m, current[v], pushed_out);
+        predicted[v] = with_friction(friction, surface, depth_m, current[v], pushed_out);
       }
     }
   }

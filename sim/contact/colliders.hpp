@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
 
+#include "sim/material.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim {
@@ -38,7 +40,7 @@ using Shape = std::variant<Plane, Sphere, Capsule>;
 
 struct Collider {
   Shape shape;
-  double friction = 0.3;  ///< Coulomb's coefficient
+  std::optional<double> friction = {};  ///< Coulomb's coefficient; none: the cloth's
 
   bool operator==(const Collider&) const = default;
 };
@@ -52,10 +54,10 @@ struct SurfacePoint {
 /// distance is measured at right angles to its axis, which never exceeds the true one's sphere sweep.
 SurfacePoint nearest_surface(const Shape& shape, const Vec3& point);
 
-/// Moves every free vertex that is predicted to be closer than `thickness_m` to a shape out along the normal,
-/// and takes back as much of its sliding since p(t) as friction allows: mu times the depth it was pushed
-/// (Coulomb's law on positions; Mueller, Heidelberger, Hennix and Ratcliff 2007).
-void push_out_of_colliders(std::span<const Collider> colliders, double thickness_m,
+/// Moves every free vertex that is predicted to be closer than the cloth is thick to a shape out along the
+/// normal, and takes back as much of its sliding since p(t) as friction allows: mu times the depth it was
+/// pushed (Coulomb's law on positions; Mueller, Heidelberger, Hennix and Ratcliff 2007).
+void push_out_of_colliders(std::span<const Collider> colliders, const Material& cloth,
                            std::span<const double> inverse_masses_per_kg, std::span<const Vec3> current,
                            std::span<Vec3> predicted);
 

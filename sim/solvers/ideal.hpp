@@ -14,16 +14,22 @@ struct SpringStiffness {
   bool operator==(const SpringStiffness&) const = default;
 };
 
+struct IdealSettings {
+  SpringStiffness stiffness = {};
+
+  bool operator==(const IdealSettings&) const = default;
+};
+
 double stiffness_of(SpringKind kind, const SpringStiffness& stiffness);
 
 /// The ideal mass-spring model: elongation in proportion to stress (Hooke) and no constraint, so that cloth
 /// over-stretches (section III of the paper). Explicit: stable in short steps alone, see stable_time_step_s.
 class IdealSprings : public SpringResponse {
  public:
-  explicit IdealSprings(const SpringStiffness& stiffness) : stiffness_(stiffness) {}
+  explicit IdealSprings(const IdealSettings& settings) : stiffness_(settings.stiffness) {}
 
   void add_spring_forces(const Garment& garment, const State& state, std::span<Vec3> forces_n) const override;
-  void compensate(const Garment&, State&) const override {}
+  void compensate(const Garment&, const Pins&, State&) const override {}
 
  private:
   SpringStiffness stiffness_;

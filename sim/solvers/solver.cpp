@@ -7,22 +7,28 @@
 #include <utility>
 
 #include "sim/solvers/bounded/bounded.hpp"
-#include "sim/solvers/provot.hpp"
 #include "sim/solvers/stable_step.hpp"
-#include "sim/solvers/strong.hpp"
 #include "sim/step.hpp"
 
 namespace taut::sim {
 namespace {
 
+const SpringStiffness* hooke_springs(const SolverSettings& settings) {
+  if (const auto* ideal = std::get_if<IdealSettings>(&settings.method)) {
+    return &ideal->stiffness;
+  }
+  const auto* provot = std::get_if<ProvotSettings>(&settings.method);
+  return provot != nullptr ? &provot->stiffness : nullptr;
+}
+
 /// Hooke's springs need steps that are short enough for their stiffness.
-int least_substeps(const SolverSettings& settings, const Garment& garment, const ExternalForces& forces,
-                   double frame_time_s) {
-  const bool is_hooke = settings.kind == SolverKind::ideal || settings.kind == SolverKind::provot;
-  if (settings.substeps > 0 || !is_hooke) {
+int least_substeps(const SolverSettings& settings, const Garment& garment, const Pins& pins,
+                   const ExternalForces& forces, double frame_time_s) {
+  const SpringStiffness* springs = hooke_springs(settings);
+  if (settings.substeps || springs == nullptr) {
     return 0;
   }
-  const double needed = frame_time_s / stable_time_step_s(garment, settings.stiffness, forces.air_drag_per_s);
+  const double needed = frame_time_s / stable_time_step_s(garment, pins, *springs, forces.air_drag_per_s);
   return static_cast<int>(std::ceil(std::min<double>(needed, settings.max_substeps)));
 }
 
@@ -32,14 +38,14 @@ class SteppedSolver : public Solver {
   SteppedSolver(const SolverSettings& settings, std::unique_ptr<SpringResponse> springs)
       : settings_(settings), springs_(std::move(springs)) {}
 
-  FrameReport advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
-                            State& state) override {
+  FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+                            double frame_time_s, State& state) override {
     buffers_.forces_n.assign(state.current.size(), Vec3(0.0));
     FrameReport report;
     report.substeps = std::max(equal_substeps(settings_),
-                               least_substeps(settings_, garment, surroundings.forces, frame_time_s));
+                               least_substeps(settings_, garment, pins, surroundings.forces, frame_time_s));
     for (int substep = 0; substep < report.substeps; ++substep) {
-      step(garment, surroundings, *springs_, frame_time_s / report.substeps, state, buffers_);
+      step(garment, pins, surroundings, *springs_, frame_time_s / report.substeps, state, buffers_);
     }
     return report;
   }
@@ -50,18 +56,40 @@ class SteppedSolver : public Solver {
   StepBuffers buffers_;
 };
 
-std::unique_ptr<SpringResponse> make_spring_response(const SolverSettings& settings) {
-  switch (settings.kind) {
-    case SolverKind::ideal:
-      return std::make_unique<IdealSprings>(settings.stiffness);
-    case SolverKind::provot:
-      return std::make_unique<ProvotThreshold>(settings.stiffness, settings.max_stretch);
-    case SolverKind::strong:
-      return std::make_unique<StrongConstraint>(settings.iterations, settings.rigidity);
-    case SolverKind::bounded:
-      break;
+void require_max_stretch(double max_stretch) {
+  if (!(max_stretch >= 0.0)) {
+    throw std::invalid_argument("the largest stretch must be at least 0");
   }
-  throw std::invalid_argument("unknown solver");
+}
+
+std::unique_ptr<SpringResponse> spring_response(const IdealSettings& settings) {
+  return std::make_unique<IdealSprings>(settings);
+}
+
+std::unique_ptr<SpringResponse> spring_response(const ProvotSettings& settings) {
+  require_max_stretch(settings.max_stretch);
+  return std::make_unique<ProvotThreshold>(settings);
+}
+
+std::unique_ptr<SpringResponse> spring_response(const StrongSettings& settings) {
+  if (settings.iterations < 1) {
+    throw std::invalid_argument("the strong constraint needs at least 1 iteration");
+  }
+  return std::make_unique<StrongConstraint>(settings);
+}
+
+std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const BoundedSettings& bounded) {
+  if (bounded.threads && (*bounded.threads < 1 || *bounded.threads > most_threads)) {
+    throw std::invalid_argument("a solver takes 1 to " + std::to_string(most_threads) +
+                                " threads, or chooses their number itself");
+  }
+  require_max_stretch(bounded.max_stretch);
+  return std::make_unique<BoundedSolver>(bounded, settings.substeps, settings.max_substeps);
+}
+
+template <class Settings>
+std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const Settings& springs) {
+  return std::make_unique<SteppedSolver>(settings, spring_response(springs));
 }
 
 }  // namespace
@@ -80,27 +108,20 @@ const char* name_of(SolverKind kind) {
   return "";
 }
 
+SolverKind kind_of(const SolverMethod& method) {
+  return static_cast<SolverKind>(method.index());
+}
+
 int equal_substeps(const SolverSettings& settings) {
   constexpr int enough_for_small_sheets = 20;
-  return settings.substeps > 0 ? settings.substeps : enough_for_small_sheets;
+  return settings.substeps.value_or(enough_for_small_sheets);
 }
 
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings) {
-  if (settings.substeps < 0 || settings.max_substeps < 1 || settings.iterations < 1) {
-    throw std::invalid_argument(
-        "a solver needs at least 1 substep and 1 iteration, or 0 substeps to choose them itself");
+  if (settings.substeps.value_or(1) < 1 || settings.max_substeps < 1) {
+    throw std::invalid_argument("a solver needs at least 1 substep, or chooses their number itself");
   }
-  if (settings.threads < 0 || settings.threads > most_threads) {
-    throw std::invalid_argument("a solver takes 1 to " + std::to_string(most_threads) +
-                                " threads, or 0 to choose their number itself");
-  }
-  if (!(settings.max_stretch >= 0.0)) {
-    throw std::invalid_argument("the largest stretch must be at least 0");
-  }
-  if (settings.kind == SolverKind::bounded) {
-    return std::make_unique<BoundedSolver>(settings);
-  }
-  return std::make_unique<SteppedSolver>(settings, make_spring_response(settings));
+  return std::visit([&](const auto& method) { return solver_of(settings, method); }, settings.method);
 }
 
 }  // namespace taut::sim

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <variant>
 
 #include "sim/garment.hpp"
-#include "sim/solvers/bounded/kernels/vector_unit.hpp"
+#include "sim/pins.hpp"
+#include "sim/solvers/bounded/settings.hpp"
 #include "sim/solvers/ideal.hpp"
+#include "sim/solvers/provot.hpp"
+#include "sim/solvers/strong.hpp"
 #include "sim/state.hpp"
-#include "sim/strong_constraint.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim {
@@ -19,43 +24,23 @@ inline constexpr std::array all_solver_kinds = {SolverKind::ideal, SolverKind::p
 
 const char* name_of(SolverKind kind);
 
-/// `bounded`: the cloth in physical terms, which do not depend on how finely it is meshed.
-struct Fabric {
-  double bending_rigidity_n_m = 5e-6;  ///< a soft jersey; denim has about ten times that
-  /// Of springs shorter than at rest: less crumples sooner. See FrameReport::followed_compression_n_per_m.
-  double compression_stiffness_n_per_m = 30.0;
-
-  bool operator==(const Fabric&) const = default;
-};
-
-inline constexpr int most_threads = 64;
+/// Of one solver; in the order of SolverKind.
+using SolverMethod = std::variant<IdealSettings, ProvotSettings, StrongSettings, BoundedSettings>;
 
 struct SolverSettings {
-  SolverKind kind = SolverKind::bounded;
-  /// Time steps in a frame; 0 leaves the choice to the solver. More steps stretch less and cost in
+  /// Time steps in a frame; none leaves the choice to the solver. More steps stretch less and cost in
   /// proportion; stretch falls about with their square, far better than iterations do (Macklin and others
   /// 2019).
-  int substeps = 0;
-  /// `strong`: sweeps of the constraint in every time step.
-  int iterations = 4;
-  Rigidity rigidity;          ///< `strong`
-  SpringStiffness stiffness;  ///< `ideal`, `provot`
-  /// `bounded`: no structural or shear spring is longer than this beyond its rest length at the end of a
-  /// frame. `provot`: the threshold above which a spring is pulled back.
-  double max_stretch = 0.05;
-  Fabric fabric;  ///< `bounded`
+  std::optional<int> substeps = {};
   /// No frame is divided into more time steps than this by a solver that may choose, even if its bound cannot
   /// be kept or its springs are too stiff for them.
   int max_substeps = 2000;
-  /// `bounded`: no vertex gets further from its pin than the way along the cloth is long.
-  bool tethers = true;
-  VectorUnit vector_unit = VectorUnit::best;  ///< `bounded`; never changes a result
-  /// `bounded`: 0 takes one, or for garments above some 20 000 triangles as many as the machine has, up to 4.
-  /// Never changes a result.
-  int threads = 0;
+  SolverMethod method = BoundedSettings{};
 
   bool operator==(const SolverSettings&) const = default;
 };
+
+SolverKind kind_of(const SolverMethod& method);
 
 /// How a frame went.
 struct FrameReport {
@@ -80,12 +65,12 @@ class Solver {
   virtual ~Solver() = default;
 
   /// Advances `state` by one frame.
-  virtual FrameReport advance_frame(const Garment& garment, const Surroundings& surroundings,
-                                    double frame_time_s, State& state) = 0;
+  virtual FrameReport advance_frame(const Garment& garment, const Pins& pins,
+                                    const Surroundings& surroundings, double frame_time_s, State& state) = 0;
 };
 
-/// Throws std::invalid_argument on a negative count of substeps, fewer than one iteration, a number of
-/// threads that is out of range or a largest stretch below 0.
+/// Throws std::invalid_argument on fewer than one substep or iteration, a number of threads that is out of
+/// range, a largest stretch below 0 or a vector unit this processor lacks.
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings);
 
 }  // namespace taut::sim

@@ -13,7 +13,8 @@ constexpr double share_of_limit = 0.7;
 
 }  // namespace
 
-double stable_time_step_s(const Garment& garment, const SpringStiffness& stiffness, double air_drag_per_s) {
+double stable_time_step_s(const Garment& garment, const Pins& pins, const SpringStiffness& stiffness,
+                          double air_drag_per_s) {
   const Springs& springs = garment.springs;
   std::vector<double> stiffness_about(garment.masses_kg.size(), 0.0);
   std::vector<double> springs_about(garment.masses_kg.size(), 0.0);
@@ -28,7 +29,7 @@ double stable_time_step_s(const Garment& garment, const SpringStiffness& stiffne
   double w_squared = 0.0;
   double c = air_drag_per_s;
   for (std::size_t v = 0; v < stiffness_about.size(); ++v) {
-    const double inverse_mass = garment.inverse_masses_per_kg[v];
+    const double inverse_mass = pins.inverse_masses_per_kg[v];
     w_squared = std::max(w_squared, 2.0 * stiffness_about[v] * inverse_mass);
     c = std::max(c, air_drag_per_s + 2.0 * stiffness.damping_n_s_per_m * springs_about[v] * inverse_mass);
   }

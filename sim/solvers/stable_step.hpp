@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/garment.hpp"
+#include "sim/pins.hpp"
 #include "sim/solvers/ideal.hpp"
 
 namespace taut::sim {
@@ -11,6 +11,7 @@ namespace taut::sim {
 /// with the stiffness k and damping d of the springs about a vertex (Gershgorin's bound on the eigenvalues).
 /// Less a margin for wind and hands, whose own formulas limit how much they add. In seconds; infinite where
 /// nothing swings.
-double stable_time_step_s(const Garment& garment, const SpringStiffness& stiffness, double air_drag_per_s);
+double stable_time_step_s(const Garment& garment, const Pins& pins, const SpringStiffness& stiffness,
+                          double air_drag_per_s);
 
 }  // namespace taut::sim

@@ -2,9 +2,9 @@
 
 namespace taut::sim {
 
-void StrongConstraint::compensate(const Garment& garment, State& state) const {
-  for (int iteration = 0; iteration < iterations_; ++iteration) {
-    compensate_springs(garment.springs, garment.inverse_masses_per_kg, rigidity_, state.predicted);
+void StrongConstraint::compensate(const Garment& garment, const Pins& pins, State& state) const {
+  for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
+    compensate_springs(garment.springs, pins.inverse_masses_per_kg, settings_.rigidity, state.predicted);
   }
 }
 

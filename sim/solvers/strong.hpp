@@ -5,18 +5,24 @@
 
 namespace taut::sim {
 
+struct StrongSettings {
+  int iterations = 4;  ///< sweeps of the constraint in every time step
+  Rigidity rigidity = {};
+
+  bool operator==(const StrongSettings&) const = default;
+};
+
 /// The paper, literally: springs exert no force; after each prediction k sweeps of the strong constraint
 /// over all springs, in their order.
 class StrongConstraint : public SpringResponse {
  public:
-  StrongConstraint(int iterations, const Rigidity& rigidity) : iterations_(iterations), rigidity_(rigidity) {}
+  explicit StrongConstraint(const StrongSettings& settings) : settings_(settings) {}
 
   void add_spring_forces(const Garment&, const State&, std::span<Vec3>) const override {}
-  void compensate(const Garment& garment, State& state) const override;
+  void compensate(const Garment& garment, const Pins& pins, State& state) const override;
 
  private:
-  int iterations_;
-  Rigidity rigidity_;
+  StrongSettings settings_;
 };
 
 }  // namespace taut::sim

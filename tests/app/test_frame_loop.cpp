@@ -15,7 +15,7 @@ namespace {
 
 sim::Simulation small_cloth() {
   sim::Mesh mesh = sim::make_grid({.columns = 3, .rows = 3});
-  return {sim::make_garment(std::move(mesh), {}, {0, 2}), {}, {}};
+  return {sim::share(sim::make_garment(std::move(mesh))), {0, 2}, {}, {}};
 }
 
 TEST(FrameLoop, MeasuresEveryFrameFromOneOn) {
@@ -151,7 +151,7 @@ TEST(BoundVerdict, EndsTheProgramAsASchedulerCanTell) {
   EXPECT_EQ(judge_bound(scene, summarise(records)), 0);
   records[1].bound_kept = false;
   EXPECT_EQ(judge_bound(scene, summarise(records)), 3);
-  scene.allow_exceeding_bound = true;
+  scene.simulation.solver.bounded.allow_exceeding = true;
   EXPECT_EQ(judge_bound(scene, summarise(records)), 0);
 }
 

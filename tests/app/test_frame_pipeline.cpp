@@ -119,7 +119,7 @@ TEST(FramePipeline, AFastStageWaitsForASlowOne) {
 
 sim::Simulation small_cloth() {
   sim::Mesh mesh = sim::make_grid({.columns = 5, .rows = 5});
-  return {sim::make_garment(std::move(mesh), {}, {0, 4}), {}, {}};
+  return {sim::share(sim::make_garment(std::move(mesh))), {0, 4}, {}, {}};
 }
 
 // A picture that shows the positions bit for bit.

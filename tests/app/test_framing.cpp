@@ -13,22 +13,22 @@ DrawnScene horizontal_cloth() {
   return scene;
 }
 
-sim::Garment garment_of(const DrawnScene& scene, std::vector<sim::Index> pins) {
-  return sim::make_garment(sim::make_grid(scene.garment.grid), scene.mapping, std::move(pins));
+renderer::Box reach_of(const DrawnScene& scene, const std::vector<sim::Index>& pins) {
+  return expected_reach(scene, sim::make_garment(sim::make_grid(scene.garment.grid)), pins);
 }
 
 TEST(Framing, ExpectsClothToHangBelowItsPins) {
   const DrawnScene scene = horizontal_cloth();
-  const renderer::Box reach = expected_reach(scene, garment_of(scene, {0, 2}));
+  const renderer::Box reach = reach_of(scene, {0, 2});
   EXPECT_NEAR(reach.lower.y, -std::sqrt(1.25), 1e-6);
   EXPECT_EQ(reach.upper.y, 0.0F);
-  EXPECT_EQ(expected_reach(scene, garment_of(scene, {})).lower.y, 0.0F);
+  EXPECT_EQ(reach_of(scene, {}).lower.y, 0.0F);
 }
 
 TEST(Framing, SeesWhatClothFallsOnto) {
   DrawnScene scene = horizontal_cloth();
   scene.surroundings.colliders = {{sim::Sphere{sim::Vec3(0, -2, 0), 0.5}}, {sim::Plane{sim::Vec3(0, -3, 0)}}};
-  const renderer::Box reach = expected_reach(scene, garment_of(scene, {}));
+  const renderer::Box reach = reach_of(scene, {});
   EXPECT_EQ(reach.lower.y, -3.0F);
   EXPECT_EQ(*ground_height(scene, reach), -3.0F);
 }
@@ -55,7 +55,7 @@ TEST(Framing, TakesTheEyeAsGiven) {
 TEST(StretchLegend, EndsAtTheBoundWhereTheSceneSaysNothingElse) {
   DrawnScene scene;
   scene.simulation.solver.kind = sim::SolverKind::bounded;
-  scene.simulation.solver.max_stretch = 0.013;
+  scene.simulation.solver.bounded.max_stretch = 0.013;
   renderer::Legend legend = stretch_legend(scene);
   EXPECT_EQ(legend.minimum, 0.0F);
   EXPECT_EQ(legend.maximum, 0.013F);

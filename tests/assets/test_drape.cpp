@@ -50,13 +50,12 @@ Shape hung(const std::string& triangles, double max_stretch) {
   for (const char* const seam : {"left_shoulder_seam", "right_shoulder_seam", "back_neckline"}) {
     pins.insert(landmarks.at(seam).begin(), landmarks.at(seam).end());
   }
-  const sim::Garment garment = sim::make_garment(mesh, {}, {pins.begin(), pins.end()});
+  const sim::Garment garment = sim::make_garment(mesh);
   sim::SimulationSettings settings;
-  settings.solver.kind = sim::SolverKind::bounded;
-  settings.solver.max_stretch = max_stretch;
+  settings.solver.method = sim::BoundedSettings{.max_stretch = max_stretch};
   sim::Surroundings surroundings;
   surroundings.forces.air_drag_per_s = 2.0;
-  sim::Simulation simulation(garment, settings, surroundings);
+  sim::Simulation simulation(sim::share(garment), {pins.begin(), pins.end()}, settings, surroundings);
   for (int frame = 0; frame < 360; ++frame) {
     simulation.advance_frame();
   }

@@ -18,11 +18,22 @@ using Log = std::vector<std::string>;
 using Positions = std::vector<sim::Vec3>;
 using EngineRun = Run;  // a fixture has a Run of its own
 
+GarmentInScene cloth_of(sim::Index side, std::vector<sim::Index> pins = {}) {
+  return {sim::share(sim::make_garment(sim::make_grid({.columns = side, .rows = side}))),
+          std::move(pins),
+          {},
+          {}};
+}
+
 // Stretches the whole cloth by what it is told and costs what it is told.
 class ScriptedEngine : public Engine {
  public:
-  ScriptedEngine(const sim::Garment& garment, std::string name, double cpu_ms, double growth, Log* log)
-      : name_(std::move(name)), cpu_ms_(cpu_ms), growth_(growth), log_(log), rest_(garment.mesh.positions) {
+  ScriptedEngine(const GarmentInScene& cloth, std::string name, double cpu_ms, double growth, Log* log)
+      : name_(std::move(name)),
+        cpu_ms_(cpu_ms),
+        growth_(growth),
+        log_(log),
+        rest_(cloth.garment->mesh.positions) {
     now_ = rest_;
   }
 
@@ -46,16 +57,16 @@ class ScriptedEngine : public Engine {
 
 struct Race : testing::Test {
   Entrant scripted(const std::string& name, double cpu_ms, double growth) {
-    return {name, "", std::nullopt, [=, this](const sim::Garment& cloth, const Scene&) {
+    return {name, "", std::nullopt, [=, this](const GarmentInScene& cloth, const Scene&) {
               return std::make_unique<ScriptedEngine>(cloth, name, cpu_ms, growth, &log);
             }};
   }
   std::vector<EngineRun> run(const std::vector<Entrant>& entrants, int frames) {
-    return race(entrants, garment, {}, {.frames = frames, .slowest_frame_ms = 100.0}, [](int) {});
+    return race(entrants, square, {}, {.frames = frames, .slowest_frame_ms = 100.0}, [](int) {});
   }
 
   Log log;
-  sim::Garment garment = sim::make_garment(sim::make_grid({.columns = 3, .rows = 3}), {}, {});
+  GarmentInScene square = cloth_of(3);
 };
 
 TEST_F(Race, TakesTenFramesInTurns) {
@@ -88,7 +99,7 @@ TEST_F(Race, GivesUpWhatIsTooSlowOrHopelessAndGoesOnWithTheRest) {
 
 TEST_F(Race, NotesThatAnEngineDiverged) {
   Entrant lost = scripted("lost", 1.0, 0.0);
-  lost.make = [](const sim::Garment&, const Scene&) -> std::unique_ptr<Engine> {
+  lost.make = [](const GarmentInScene&, const Scene&) -> std::unique_ptr<Engine> {
     struct Lost : Engine {
       FrameCost advance_frame() override { throw sim::Diverged(0, 0.0); }
       std::span<const sim::Vec3> positions() const override { return none; }
@@ -218,7 +229,7 @@ class BenchEngines : public testing::TestWithParam<std::string> {};
 
 TEST_P(BenchEngines, HaveTheStretchThatTheirPositionsShow) {
   const Scene scene = make_bench_scene(bench_scenes()[0], bench_sizes()[0]);
-  const sim::Garment garment = load_garment(scene).garment;
+  const LoadedGarment loaded = load_garment(scene);
   std::vector<Entrant> entrants = entrants_of(GetParam(), {0.05, 0.01}, false);
   if (entrants.empty()) {
     GTEST_SKIP() << "this engine is not there";
@@ -226,12 +237,12 @@ TEST_P(BenchEngines, HaveTheStretchThatTheirPositionsShow) {
   std::map<std::string, std::vector<double>> seen;
   for (Entrant& entrant : entrants) {
     std::vector<double>& here = seen[entrant.settings];
-    entrant.make = [make = entrant.make, &here](const sim::Garment& cloth, const Scene& s) {
-      return std::make_unique<Witness>(make(cloth, s), cloth.mesh, &here);
+    entrant.make = [make = entrant.make, &here](const GarmentInScene& cloth, const Scene& s) {
+      return std::make_unique<Witness>(make(cloth, s), cloth.garment->mesh, &here);
     };
   }
   for (const EngineRun& run :
-       race(entrants, garment, scene, {.frames = 30, .slowest_frame_ms = 1e9}, [](int) {})) {
+       race(entrants, loaded, scene, {.frames = 30, .slowest_frame_ms = 1e9}, [](int) {})) {
     const std::vector<double>& here = seen[run.entrant.settings];
     ASSERT_EQ(run.frames.size(), here.size()) << run.entrant.settings;
     for (std::size_t f = 0; f < here.size(); ++f) {
@@ -255,39 +266,39 @@ TEST(BulletPeer, FallsAndSwingsAsTheSceneSays) {
   if (bullet_version().empty()) {
     GTEST_SKIP() << "built without Bullet";
   }
-  const sim::Garment cloth = sim::make_garment(sim::make_grid({.columns = 5, .rows = 5}), {}, {});
+  const GarmentInScene cloth = cloth_of(5);
   sim::Surroundings air;
   air.forces.air_drag_per_s = 2.0;
   air.forces.wind.pressure_coefficient = air.forces.wind.friction_coefficient = 0.0;
-  const auto engine = make_bullet_engine(cloth, air, 1.0 / 60.0, {10, 2});
+  const auto engine = make_bullet_engine(*cloth.garment, cloth.pins, air, 1.0 / 60.0, {10, 2});
   for (int frame = 0; frame < 60; ++frame) {
     engine->advance_frame();
   }
   // y = -g / d (t - (1 - e^(-d t)) / d) for a fall with the drag d.
   const double expected_m = -9.81 / 2.0 * (1.0 - (1.0 - std::exp(-2.0)) / 2.0);
-  EXPECT_NEAR(engine->positions()[12].y - cloth.mesh.positions[12].y, expected_m, 0.02);
+  EXPECT_NEAR(engine->positions()[12].y - cloth.garment->mesh.positions[12].y, expected_m, 0.02);
 
-  const sim::Garment held = sim::make_garment(sim::make_grid({.columns = 5, .rows = 5}), {}, {0, 4});
+  const GarmentInScene held = cloth_of(5, {0, 4});
   air.pin_motion = {{0.1, 0.0, 0.0}, 1.0};
-  const auto shaken = make_bullet_engine(held, air, 1.0 / 60.0, {10, 2});
+  const auto shaken = make_bullet_engine(*held.garment, held.pins, air, 1.0 / 60.0, {10, 2});
   for (int frame = 0; frame < 15; ++frame) {
     shaken->advance_frame();
   }
-  EXPECT_NEAR(shaken->positions()[4].x - held.mesh.positions[4].x, 0.1, 1e-5);
+  EXPECT_NEAR(shaken->positions()[4].x - held.garment->mesh.positions[4].x, 0.1, 1e-5);
 }
 
 TEST(BulletPeer, IsBlownByTheSameWind) {
   if (bullet_version().empty()) {
     GTEST_SKIP() << "built without Bullet";
   }
-  const sim::Garment cloth = sim::make_garment(sim::make_grid({.columns = 5, .rows = 5}), {}, {});
+  const GarmentInScene cloth = cloth_of(5);
   Scene scene;
   scene.surroundings.forces.wind = {.speed_m_per_s = 3.0};
   scene.simulation.solver.kind = sim::SolverKind::strong;
   scene.simulation.solver.substeps = 20;
-  scene.simulation.solver.iterations = 1;
-  const auto bullet = make_bullet_engine(cloth, scene.surroundings, 1.0 / 60.0, {20, 1});
-  sim::Simulation taut(cloth, scene.simulation, scene.surroundings);
+  scene.simulation.solver.strong.iterations = 1;
+  const auto bullet = make_bullet_engine(*cloth.garment, cloth.pins, scene.surroundings, 1.0 / 60.0, {20, 1});
+  sim::Simulation taut = make_simulation(scene, cloth);
   for (int frame = 0; frame < 30; ++frame) {
     bullet->advance_frame();
     taut.advance_frame();

@@ -34,7 +34,7 @@ TEST(Figure1, ShowsTheSpringsTheMappingMade) {
 }
 
 TEST(SpringPatch, OfAWholeGridHasTheMappingsCounts) {
-  const sim::Garment garment = sim::make_garment(sim::make_grid({.columns = 4, .rows = 3}), {}, {});
+  const sim::Garment garment = sim::make_garment(sim::make_grid({.columns = 4, .rows = 3}));
   const SpringPatch patch = whole_patch(garment);
   for (const SpringKind kind : sim::all_spring_kinds) {
     EXPECT_EQ(patch.count(kind), garment.springs.count(kind));

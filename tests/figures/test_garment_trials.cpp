@@ -77,10 +77,10 @@ TEST(SampleGarments, AreWhatTheySayOnceTheyAreReadBack) {
     const auto file =
         folder.write(sample.name + '.' + sample.format, model_text(sample.model, sample.format));
     const LoadedGarment loaded = load_garment(find_scene(file.string(), {}));
-    shapes[sample.name] = shape_of(loaded.garment.mesh);
+    shapes[sample.name] = shape_of(loaded.garment->mesh);
     formats.insert(sample.format);
     EXPECT_EQ(loaded.placement->scale, sample.format == "fbx" ? 0.01 : 1.0) << sample.name;
-    EXPECT_EQ(loaded.garment.springs.count(sim::SpringKind::structural), shapes[sample.name].edges)
+    EXPECT_EQ(loaded.garment->springs.count(sim::SpringKind::structural), shapes[sample.name].edges)
         << sample.name;
     if (sample.name == "turned") {
       EXPECT_GT(loaded.repairs->turned_triangles, 50U);

@@ -71,11 +71,14 @@ Faces take_faces(Bytes& bytes) {
 
 void run(const Mesh& mesh, std::uint8_t choice) {
   SimulationSettings settings;
-  settings.solver.kind = all_solver_kinds[choice % all_solver_kinds.size()];
+  const double max_stretch = choice % 3 == 0 ? 0.0 : 0.05;
+  const std::array<SolverMethod, 4> methods = {
+      IdealSettings{}, ProvotSettings{{}, max_stretch}, StrongSettings{},
+      BoundedSettings{.max_stretch = max_stretch, .allow_exceeding = true}};
+  settings.solver.method = methods[choice % methods.size()];
   settings.solver.substeps = 1 + choice % 8;
-  settings.solver.max_stretch = choice % 3 == 0 ? 0.0 : 0.05;
   const std::vector<Index> pins = choice % 2 == 0 ? std::vector<Index>{0} : std::vector<Index>{};
-  Simulation simulation(make_garment(mesh, {}, pins), settings, {});
+  Simulation simulation(share(make_garment(mesh)), pins, settings, {});
   for (int frame = 0; frame < 2; ++frame) {
     simulation.advance_frame();
     if (first_lost(simulation.state().current) < mesh.positions.size()) {

@@ -81,11 +81,11 @@ TEST(GarmentLoading, ScalesAndPinsAModelByItsTop) {
   scene.garment.file = folder.write("mm.obj", "v 0 1000 0\nv 0 0 0\nv 1000 0 0\nv 1000 980 0\nf 1 2 3 4\n");
   scene.garment.scale = 0.001;
   const LoadedGarment loaded = load_garment(scene);
-  EXPECT_EQ(loaded.garment.mesh.positions.size(), 4U);
-  EXPECT_EQ(loaded.repairs->welded_vertices + loaded.garment.mesh.positions.size(),
+  EXPECT_EQ(loaded.garment->mesh.positions.size(), 4U);
+  EXPECT_EQ(loaded.repairs->welded_vertices + loaded.garment->mesh.positions.size(),
             loaded.repairs->input_vertices);
-  EXPECT_NEAR(loaded.garment.mesh.positions[0].y, 1.0, 1e-9);
-  EXPECT_EQ(loaded.garment.pins.size(), 2U);
+  EXPECT_NEAR(loaded.garment->mesh.positions[0].y, 1.0, 1e-9);
+  EXPECT_EQ(loaded.pins.size(), 2U);
 }
 
 }  // namespace

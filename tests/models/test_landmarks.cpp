@@ -26,7 +26,7 @@ Scene scene_with(const TemporaryFolder& folder, const std::string& landmarks) {
 }
 
 sim::Vec3 first_position(const LoadedGarment& loaded, std::size_t landmark, std::size_t i = 0) {
-  return loaded.garment.mesh.positions[loaded.landmarks[landmark].second[i]];
+  return loaded.garment->mesh.positions[loaded.landmarks[landmark].second[i]];
 }
 
 TEST(Landmarks, FindVerticesOfTheFileByTheirPlace) {
@@ -65,7 +65,7 @@ TEST(Landmarks, CanBePinned) {
   const TemporaryFolder folder;
   Scene scene = scene_with(folder, "top = [3, 4]\n");
   scene.pins = {{"top"}};
-  EXPECT_EQ(load_garment(scene).garment.pins.size(), 2U);
+  EXPECT_EQ(load_garment(scene).pins.size(), 2U);
   scene.pins = {{"topp"}};
   const std::string error = message_of<InputError>([&] { load_garment(scene); });
   EXPECT_CONTAINS(error, "no part named 'topp'; did you mean 'top'? (it has: top, top-band)");
@@ -77,10 +77,10 @@ TEST(Landmarks, OfTheTShirtLieOnIt) {
     scene.garment.file = std::string(TAUT_ASSETS_FOLDER "/garments/") + name + ".obj";
     scene.pins = {{"left_shoulder_seam", "right_shoulder_seam", "back_neckline"}};
     const LoadedGarment loaded = load_garment(scene);
-    for (const sim::Index pin : loaded.garment.pins) {
-      EXPECT_GT(loaded.garment.mesh.positions[pin].y, 1.5) << name;
+    for (const sim::Index pin : loaded.pins) {
+      EXPECT_GT(loaded.garment->mesh.positions[pin].y, 1.5) << name;
     }
-    EXPECT_GT(loaded.garment.pins.size(), 8U) << name;
+    EXPECT_GT(loaded.pins.size(), 8U) << name;
   }
 }
 

@@ -24,7 +24,7 @@ sim::Garment sheets(std::vector<double> depths_m, double edge = edge_m) {
       }
     }
   }
-  return sim::make_garment(std::move(mesh), {}, {0});
+  return sim::make_garment(std::move(mesh));
 }
 
 TEST(Layers, OneSheetIsKeptFromItselfByItsEdgesOrAFractionOfItsSize) {
@@ -69,11 +69,12 @@ TEST(Layers, AModelWithoutASceneIsLeftToItsMesh) {
   const auto path = folder.write("shirt.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const sim::Garment garment = sheets({0.0, 0.015});
   const Scene scene = find_scene(path.string(), {});
-  EXPECT_EQ(settled(scene.surroundings, garment, {}).layer_distance_m, suitable_layer_distance(garment));
+  EXPECT_EQ(settled(scene.surroundings, scene.layer_distance_m, garment, {}).layer_distance_m,
+            suitable_layer_distance(garment));
   const Scene asked = find_scene(path.string(), std::vector{parse_override("cloth.layer_distance=0")});
-  EXPECT_EQ(settled(asked.surroundings, garment, {}).layer_distance_m, 0.0);
+  EXPECT_EQ(settled(asked.surroundings, asked.layer_distance_m, garment, {}).layer_distance_m, 0.0);
   const Scene automatic = find_scene("cloth-fall", std::vector{parse_override("cloth.layer_distance=auto")});
-  EXPECT_EQ(automatic.surroundings.layer_distance_m, layer_distance_from_mesh);
+  EXPECT_FALSE(automatic.layer_distance_m.has_value());
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ struct PinsOfAFile : testing::Test {
   }
   // Where the vertex is that the file gives this number.
   sim::Vec3 place_of(const std::string& name, const std::string& text, sim::Index number) const {
-    const sim::Garment garment = load(name, text, {number}).garment;
-    return garment.mesh.positions[garment.pins.at(0)];
+    const LoadedGarment loaded = load(name, text, {number});
+    return loaded.garment->mesh.positions[loaded.pins.at(0)];
   }
 
   test::TemporaryFolder folder;
@@ -97,8 +97,8 @@ TEST_F(PinsOfAFile, StayWhereTheyAreWhenItIsSubdivided) {
   scene.garment.scale = 1.0;
   scene.garment.subdivisions = 2;
   scene.pins = Selectors{sim::Index{9}};
-  const sim::Garment garment = load_garment(scene).garment;
-  EXPECT_EQ(garment.mesh.positions[garment.pins.at(0)], sim::Vec3(0, 1, 0));
+  const LoadedGarment loaded = load_garment(scene);
+  EXPECT_EQ(loaded.garment->mesh.positions[loaded.pins.at(0)], sim::Vec3(0, 1, 0));
 }
 
 TEST_F(PinsOfAFile, MustBeVerticesThatWereKept) {
@@ -144,18 +144,19 @@ TEST_F(PinsOfAFile, NumberForcesToo) {
   sim::Surroundings surroundings;
   surroundings.layer_distance_m = 0.0;
   surroundings.forces.artificial_forces = {{.vertex = 1, .force_n = {1, 0, 0}}};
-  const auto forces = settled(surroundings, loaded.garment, loaded.file_vertices).forces.artificial_forces;
-  EXPECT_EQ(loaded.garment.mesh.positions[forces.at(0).vertex], sim::Vec3(2, 1, 0));
+  const auto forces =
+      settled(surroundings, {}, *loaded.garment, loaded.file_vertices).forces.artificial_forces;
+  EXPECT_EQ(loaded.garment->mesh.positions[forces.at(0).vertex], sim::Vec3(2, 1, 0));
   surroundings.forces.artificial_forces[0].vertex = 0;
   EXPECT_CONTAINS(
-      test::message_of<InputError>([&] { settled(surroundings, loaded.garment, loaded.file_vertices); }),
+      test::message_of<InputError>([&] { settled(surroundings, {}, *loaded.garment, loaded.file_vertices); }),
       "forces.vertex: vertex 0 of the file belongs to no face");
 }
 
 // What the window holds is a vertex of the mesh; a scene that is saved names it as any reader finds it.
 TEST_F(PinsOfAFile, AreFoundAgainFromTheMesh) {
   const LoadedGarment loaded = load("strip.obj", strip_obj, {});
-  for (sim::Index v = 0; v < loaded.garment.mesh.positions.size(); ++v) {
+  for (sim::Index v = 0; v < loaded.garment->mesh.positions.size(); ++v) {
     const std::optional<sim::Index> number = loaded.file_vertices.number_of(v);
     ASSERT_TRUE(number.has_value());
     EXPECT_EQ(loaded.file_vertices.find(*number), v);

@@ -88,7 +88,7 @@ TEST(PictureRecord, EveryKindOfValueReadsBackBitForBit) {
   const DrawnScene again = read_picture_record(write_record(folder, scene), {}).scene;
   EXPECT_EQ(scene_text(again), text);
   EXPECT_EQ(again.title, scene.title);
-  EXPECT_EQ(again.simulation.solver.rigidity.compression, 0.30000000000000004);
+  EXPECT_EQ(again.simulation.solver.strong.rigidity.compression, 0.30000000000000004);
   EXPECT_EQ(*again.camera.eye, *scene.camera.eye);
   EXPECT_EQ(again.surroundings.colliders.size(), 3U);
   // The text is a scene file by itself.

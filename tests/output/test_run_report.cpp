@@ -21,9 +21,10 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
   scene.name = "test";
   scene.garment.grid = {.columns = 3, .rows = 3};
   scene.simulation.solver.substeps = 7;
-  sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   const auto records = run_frames(simulation, 2, {});
-  const json report = json::parse(statistics_json({scene, simulation.garment(), "llvmpipe", records}));
+  const json report = json::parse(
+      statistics_json({scene, simulation.garment(), simulation.pins().vertices.size(), "llvmpipe", records}));
   EXPECT_EQ(report["scene"], "test");
   EXPECT_EQ(report["garment"]["vertices"], 9);
   EXPECT_EQ(report["garment"]["triangles"], 8);
@@ -49,10 +50,10 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
 TEST(RunReport, IsATableWhereTheNameSaysCsv) {
   DrawnScene scene;
   scene.garment.grid = {.columns = 3, .rows = 3};
-  sim::Simulation simulation(load_garment(scene).garment, scene.simulation, scene.surroundings);
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   const auto records = run_frames(simulation, 3, {});
   const test::TemporaryFolder folder;
-  const RunStatistics run = {scene, simulation.garment(), "", records};
+  const RunStatistics run = {scene, simulation.garment(), simulation.pins().vertices.size(), "", records};
   write_statistics(folder / "run.csv", run);
   write_statistics(folder / "run.json", run);
   const json frames = json::parse(read_text_file(folder / "run.json"))["frames"];
@@ -99,7 +100,8 @@ TEST(RunReport, NamesNoRendererWhereNothingWasDrawn) {
   DrawnScene scene;
   const LoadedGarment loaded = load_garment(scene);
   EXPECT_FALSE(
-      json::parse(statistics_json({scene, loaded.garment, "", {}}))["versions"].contains("gl_renderer"));
+      json::parse(statistics_json({scene, *loaded.garment, loaded.pins.size(), "", {}}))["versions"].contains(
+          "gl_renderer"));
 }
 
 // One triangle: all there is once.

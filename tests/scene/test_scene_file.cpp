@@ -62,8 +62,8 @@ shadows = false
   EXPECT_EQ(scene.garment.grid.rows, 7U);
   EXPECT_EQ(scene.garment.grid.plane, sim::GridPlane::horizontal);
   EXPECT_EQ(scene.garment.grid.top_centre_m, sim::Vec3(1, 2, 3.5));
-  EXPECT_EQ(scene.mapping.areal_density_kg_per_m2, 0.2);
-  EXPECT_NEAR(scene.mapping.mapping.smallest_flexural_angle_rad, 2.0 * std::numbers::pi / 3.0, 1e-12);
+  EXPECT_EQ(scene.material.areal_density_kg_per_m2, 0.2);
+  EXPECT_NEAR(scene.mapping.smallest_flexural_angle_rad, 2.0 * std::numbers::pi / 3.0, 1e-12);
   ASSERT_EQ(scene.pins->size(), 3U);
   EXPECT_EQ(std::get<std::string>((*scene.pins)[0]), "top-left");
   EXPECT_EQ(std::get<sim::Index>((*scene.pins)[1]), 4U);

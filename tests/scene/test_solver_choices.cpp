@@ -23,8 +23,8 @@ DrawnScene scene_with(const std::string& garment) {
 
 ChangeSettings with_solver(DrawnScene& scene, sim::SolverKind kind) {
   scene.simulation.solver.kind = kind;
-  scene.simulation.solver.substeps = 0;
-  return {scene.simulation, scene.surroundings};
+  scene.simulation.solver.substeps.reset();
+  return ChangeSettings(scene);
 }
 
 void expect_frames(LiveSimulation& live, int frames, const std::string& what) {
@@ -105,8 +105,8 @@ struct AfterDivergence : testing::Test {
   AfterDivergence() {
     DrawnScene wild = scene;
     wild.simulation.solver.kind = sim::SolverKind::ideal;
-    wild.simulation.solver.stiffness.structural_n_per_m = 1e9;
-    live.apply(ChangeSettings{wild.simulation, wild.surroundings});
+    wild.simulation.solver.ideal.stiffness.structural_n_per_m = 1e9;
+    live.apply(ChangeSettings(wild));
     for (int i = 0; i < 100; ++i) {
       live.advance();
     }
@@ -142,7 +142,7 @@ TEST_F(AfterDivergence, AnotherSolverStartsAnew) {
 TEST_F(AfterDivergence, AnotherSettingStartsAnew) {
   DrawnScene breezy = scene;
   breezy.surroundings.forces.wind.speed_m_per_s = 1.0;
-  live.apply(ChangeSettings{breezy.simulation, breezy.surroundings});
+  live.apply(ChangeSettings(breezy));
   expect_anew();
 }
 

@@ -41,11 +41,16 @@ Surroundings storm_over_obstacles() {
   return surroundings;
 }
 
-void print_hash(const char* name, const Garment& garment, const SolverSettings& solver,
+struct Cloth {
+  std::shared_ptr<const Garment> garment;
+  std::vector<Index> pins;
+};
+
+void print_hash(const char* name, const Cloth& cloth, const SolverMethod& method,
                 const Surroundings& surroundings, int frames) {
   SimulationSettings settings;
-  settings.solver = solver;
-  Simulation simulation(garment, settings, surroundings);
+  settings.solver.method = method;
+  Simulation simulation(cloth.garment, cloth.pins, settings, surroundings);
   for (int frame = 0; frame < frames; ++frame) {
     simulation.advance_frame();
   }
@@ -55,20 +60,17 @@ void print_hash(const char* name, const Garment& garment, const SolverSettings& 
 }  // namespace
 
 int main() {
-  const Garment square = make_garment(make_grid({}), {}, {0, 8});
-  GarmentSettings opposite;
-  opposite.mapping.flexural_rule = FlexuralRule::opposite_vertex;
-  const Garment sheet = make_garment(bumpy_sheet(), {}, {0, 23});
-  const Garment sheet_opposite = make_garment(bumpy_sheet(), opposite, {0, 23});
+  const Cloth square = {share(make_garment(make_grid({}))), {0, 8}};
+  MappingSettings opposite;
+  opposite.flexural_rule = FlexuralRule::opposite_vertex;
+  const Cloth sheet = {share(make_garment(bumpy_sheet())), {0, 23}};
+  const Cloth sheet_opposite = {share(make_garment(bumpy_sheet(), opposite)), {0, 23}};
 
-  SolverSettings strong;
-  strong.kind = SolverKind::strong;
-  SolverSettings soft = strong;
+  const StrongSettings strong;
+  StrongSettings soft;
   soft.rigidity = {0.1, 0.02};
-  SolverSettings ideal;
-  ideal.kind = SolverKind::ideal;
-  SolverSettings provot;
-  provot.kind = SolverKind::provot;
+  const IdealSettings ideal;
+  ProvotSettings provot;
   provot.stiffness.structural_n_per_m = 50.0;
   provot.max_stretch = 0.1;
 
@@ -78,7 +80,7 @@ int main() {
   print_hash("strong, irregular sheet in a storm over obstacles", sheet, soft, storm_over_obstacles(), 60);
   print_hash("strong, opposite-vertex rule, same storm", sheet_opposite, soft, storm_over_obstacles(), 60);
 
-  SolverSettings bounded;
+  BoundedSettings bounded;
   bounded.max_stretch = 0.02;
   print_hash("bounded, 9x9 under gravity", square, bounded, {}, 60);
   print_hash("bounded, irregular sheet in a storm over obstacles", sheet, bounded, storm_over_obstacles(),
@@ -87,7 +89,7 @@ int main() {
   print_hash("bounded without vectors, same storm", sheet, bounded, storm_over_obstacles(), 60);
 
   bounded.vector_unit = VectorUnit::best;
-  const Garment fine_sheet = make_garment(bumpy_sheet(73, 73), {}, {0, 72});
+  const Cloth fine_sheet = {share(make_garment(bumpy_sheet(73, 73))), {0, 72}};
   for (const int threads : {1, 2, 4}) {
     bounded.threads = threads;
     print_hash(("bounded, fine sheet, threads: " + std::to_string(threads)).c_str(), fine_sheet, bounded,

@@ -47,8 +47,7 @@ Mesh irregular_sheet(Index count, double size_m) {
 
 SimulationSettings bounded_by(double max_stretch) {
   SimulationSettings settings;
-  settings.solver.kind = SolverKind::bounded;
-  settings.solver.max_stretch = max_stretch;
+  settings.solver.method = BoundedSettings{.max_stretch = max_stretch};
   return settings;
 }
 
@@ -77,8 +76,9 @@ Surroundings shaken() {
 }
 
 TEST(Layout, EveryMovableSpringIsInOneLaneAndColoursShareNoVertex) {
-  const Garment garment = make_garment(irregular_sheet(12, 1.0), {}, {0, 1, 11});
-  const Layout layout = make_layout(garment);
+  const Garment garment = make_garment(irregular_sheet(12, 1.0));
+  const Pins pins = make_pins(garment, {0, 1, 11});
+  const Layout layout = make_layout(garment, pins);
   const SpringLanes& lanes = layout.springs;
   std::vector<int> seen(garment.springs.size(), 0);
   for (std::size_t c = 0; c < lanes.colour_count(); ++c) {
@@ -99,22 +99,22 @@ TEST(Layout, EveryMovableSpringIsInOneLaneAndColoursShareNoVertex) {
   }
   for (std::size_t s = 0; s < garment.springs.begin_of(SpringKind::flexural); ++s) {
     const auto [a, b] = garment.springs.ends[s];
-    const bool between_pins = garment.inverse_masses_per_kg[a] + garment.inverse_masses_per_kg[b] == 0.0;
+    const bool between_pins = pins.inverse_masses_per_kg[a] + pins.inverse_masses_per_kg[b] == 0.0;
     EXPECT_EQ(seen[s], between_pins ? 0 : 1);
   }
 }
 
 TEST(Layout, RowsAreInTheOrderOfTheirDistanceFromThePins) {
-  const Garment garment = make_garment(sheet(5, 1.0), {}, {2});
-  const Layout layout = make_layout(garment);
+  const Garment garment = make_garment(sheet(5, 1.0));
+  const Layout layout = make_layout(garment, make_pins(garment, {2}));
   EXPECT_EQ(layout.vertex_of_row[0], 2u);
   EXPECT_TRUE(std::is_sorted(layout.distance_from_pins_m.begin(), layout.distance_from_pins_m.end()));
   EXPECT_NEAR(layout.distance_from_pins_m.back(), std::hypot(0.5, 1.0), 1e-12);
 }
 
 TEST(Layout, TheStartOfAFrameIsKeptToTheDigitsOfTwoSinglePrecisionNumbers) {
-  const Garment garment = make_garment(sheet(9, 1.0), {}, {0});
-  const Layout layout = make_layout(garment);
+  const Garment garment = make_garment(sheet(9, 1.0));
+  const Layout layout = make_layout(garment, make_pins(garment, {0}));
   std::vector<Vec3> positions_m = garment.mesh.positions;
   for (std::size_t v = 0; v < positions_m.size(); ++v) {
     positions_m[v] += 1.0 / (static_cast<double>(v) + 3.0);
@@ -171,8 +171,8 @@ TEST(Kernels, ASlicedMatrixGivesTheProductOfItsEntries) {
 }
 
 TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
-  const Garment garment = make_garment(irregular_sheet(23, 1.0), {}, {0, 22});
-  Layout layout = make_layout(garment);
+  const Garment garment = make_garment(irregular_sheet(23, 1.0));
+  Layout layout = make_layout(garment, make_pins(garment, {0, 22}));
   std::mt19937 random(3);
   std::normal_distribution<float> metres(0.0F, 0.02F);
   const auto random_rows = [&] {
@@ -259,8 +259,8 @@ TEST(Kernels, AUnitTheProcessorLacksIsRefused) {
 }
 
 TEST(Kernels, TheWindKernelIsTheWindOfTheOtherSolvers) {
-  const Garment garment = make_garment(irregular_sheet(9, 1.0), {}, {});
-  const Layout layout = make_layout(garment);
+  const Garment garment = make_garment(irregular_sheet(9, 1.0));
+  const Layout layout = make_layout(garment, make_pins(garment, {}));
   State state = make_state(garment);
   set_time_step(state, 1e-3);
   for (std::size_t v = 0; v < state.current.size(); ++v) {
@@ -273,7 +273,7 @@ TEST(Kernels, TheWindKernelIsTheWindOfTheOtherSolvers) {
   std::vector<Vec3> expected(state.current.size(), Vec3(0.0));
   add_wind_forces(garment, state, wind, 2e-3, expected);
 
-  HeldForces forces(garment, layout, 0.0, 1.0);
+  HeldForces forces(garment, make_pins(garment, {}), layout, 0.0, 1.0);
   Motion motion;
   motion.start_m = garment.mesh.positions;
   for (Rows* rows : {&motion.start.high, &motion.current, &motion.previous}) {
@@ -298,7 +298,7 @@ TEST(Kernels, TheWindKernelIsTheWindOfTheOtherSolvers) {
 
 TEST(Flexural, FlatShapesAreNotBent) {
   for (const Mesh& mesh : {sheet(7, 1.0), irregular_sheet(12, 1.0)}) {
-    const Garment garment = make_garment(mesh, {}, {});
+    const Garment garment = make_garment(mesh);
     const auto elements = flexural_elements(garment);
     EXPECT_GT(20 * elements.size(), 19 * garment.springs.count(SpringKind::flexural));
     for (const FlexuralElement& e : elements) {
@@ -330,14 +330,14 @@ std::vector<Vec3> rolled(const Mesh& flat, double axis_angle_rad) {
 double rolling_energy_j(const Garment& garment, double rigidity_n_m) {
   double area_m2 = 0.0;
   for (const double m : garment.masses_kg) {
-    area_m2 += m / garment.areal_density_kg_per_m2;
+    area_m2 += m / garment.material.areal_density_kg_per_m2;
   }
   return 0.5 * rigidity_n_m * rolled_curvature_per_m * rolled_curvature_per_m * area_m2;
 }
 
 /// The bending energy of a sheet rolled to a cylinder, over B kappa^2 area / 2.
 double cylinder_energy_ratio(const Mesh& flat, double axis_angle_rad) {
-  const Garment garment = make_garment(flat, {}, {});
+  const Garment garment = make_garment(flat);
   const std::vector<Vec3> positions = rolled(flat, axis_angle_rad);
   double energy = 0.0;
   for (const FlexuralElement& e : flexural_elements(garment)) {
@@ -367,7 +367,7 @@ TEST(Flexural, ASheetResistsRollingWithItsRigidityWhateverItsMesh) {
 /// -1/2 x . M a, as bending is linear; over B kappa^2 area / 2.
 double cylinder_energy_ratio(const Garment& garment, Bending& bending, double rigidity_n_m,
                              double axis_angle_rad) {
-  const Layout layout = make_layout(garment);
+  const Layout layout = make_layout(garment, make_pins(garment, {}));
   const std::vector<Vec3> positions = rolled(garment.mesh, axis_angle_rad);
   Rows rows(layout.row_count());
   Rows accelerations(layout.row_count());
@@ -387,12 +387,13 @@ double cylinder_energy_ratio(const Garment& garment, Bending& bending, double ri
 TEST(Bending, WavesTooFastToFollowAreSlowedAndWideFoldsKeepTheirRigidity) {
   constexpr double rigidity_n_m = 1e-4;
   for (const Mesh& mesh : {sheet(49, 1.0), irregular_sheet(49, 1.0)}) {
-    const Garment garment = make_garment(mesh, {}, {});
-    const Layout layout = make_layout(garment);
-    Bending whole(garment, layout, rigidity_n_m, 1e9);
+    const Garment garment = make_garment(mesh);
+    const Pins pins = make_pins(garment, {});
+    const Layout layout = make_layout(garment, pins);
+    Bending whole(garment, pins, layout, rigidity_n_m, 1e9);
     ASSERT_EQ(whole.level_count(), 1u);
     const double allowed_per_s = whole.largest_rate_per_s() / 12.0;
-    Bending shared(garment, layout, rigidity_n_m, allowed_per_s);
+    Bending shared(garment, pins, layout, rigidity_n_m, allowed_per_s);
     EXPECT_GE(shared.level_count(), 3u);
     EXPECT_LE(shared.largest_rate_per_s(), 2.5 * allowed_per_s);
     double sum = 0.0;
@@ -421,10 +422,10 @@ double droop_m(Mesh mesh, double rigidity_n_m) {
   Surroundings lying;
   lying.forces.gravity_m_per_s2 = {0.0, 0.0, -9.81};
   lying.forces.air_drag_per_s = 2.0;
-  SimulationSettings settings = bounded_by(0.01);
-  settings.solver.fabric.bending_rigidity_n_m = rigidity_n_m;
+  const SimulationSettings settings = bounded_by(0.01);
+  const Material material = {.bending_rigidity_n_m = rigidity_n_m};
   const std::vector<Vec3> flat = mesh.positions;
-  Simulation simulation(make_garment(std::move(mesh), {}, held), settings, lying);
+  Simulation simulation(share(make_garment(std::move(mesh), {}, material)), held, settings, lying);
   for (int frame = 0; frame < 360; ++frame) {
     simulation.advance_frame();
   }
@@ -453,10 +454,10 @@ TEST(Bending, TheSameFabricHangsAlikeHoweverItIsMeshed) {
 }
 
 TEST(Bounded, KeepsTheBoundInEveryFrame) {
-  const Garment garment = make_garment(irregular_sheet(25, 1.0), {}, {0, 24});
+  const Garment garment = make_garment(irregular_sheet(25, 1.0));
   for (const Surroundings& surroundings : {Surroundings{}, shaken(), storm()}) {
     for (const double bound : {0.05, 0.01, 0.001}) {
-      Simulation simulation(garment, bounded_by(bound), surroundings);
+      Simulation simulation(share(garment), {0, 24}, bounded_by(bound), surroundings);
       for (int frame = 0; frame < 180; ++frame) {
         simulation.advance_frame();
         const FrameReport& report = simulation.frame_report();
@@ -471,14 +472,14 @@ TEST(Bounded, KeepsTheBoundInEveryFrame) {
 
 TEST(Bounded, SaysSoWhereThePinsPullTheClothApart) {
   Mesh mesh = sheet(9, 1.0);
-  Garment garment = make_garment(mesh, {}, {0, 8});
+  Garment garment = make_garment(mesh);
   // Rest lengths of a smaller cloth: its corners are pinned further apart than the bound allows.
   for (double& rest_m : garment.springs.rest_lengths_m) {
     rest_m *= 0.9;
   }
   SimulationSettings settings = bounded_by(0.01);
   settings.solver.max_substeps = 40;
-  Simulation simulation(garment, settings, {});
+  Simulation simulation(share(garment), {0, 8}, settings, {});
   simulation.advance_frame();
   EXPECT_FALSE(simulation.frame_report().bound_kept);
   EXPECT_GT(largest_stretch(garment, simulation.state().current), 0.05);
@@ -486,10 +487,10 @@ TEST(Bounded, SaysSoWhereThePinsPullTheClothApart) {
 }
 
 TEST(Bounded, ChoosesMoreStepsForATighterBoundAndFixesThemWhereAsked) {
-  const Garment garment = make_garment(sheet(33, 1.0), {}, {0, 32});
+  const Garment garment = make_garment(sheet(33, 1.0));
   std::vector<int> substeps;
   for (const double bound : {0.05, 0.01, 0.001}) {
-    Simulation simulation(garment, bounded_by(bound), {});
+    Simulation simulation(share(garment), {0, 32}, bounded_by(bound), {});
     for (int frame = 0; frame < 120; ++frame) {
       simulation.advance_frame();
     }
@@ -499,7 +500,7 @@ TEST(Bounded, ChoosesMoreStepsForATighterBoundAndFixesThemWhereAsked) {
   EXPECT_LT(1.3 * substeps[1], substeps[2]);
   SimulationSettings fixed = bounded_by(0.01);
   fixed.solver.substeps = 77;
-  Simulation simulation(garment, fixed, {});
+  Simulation simulation(share(garment), {0, 32}, fixed, {});
   simulation.advance_frame();
   EXPECT_EQ(simulation.frame_report().substeps, 77);
 }
@@ -513,9 +514,9 @@ TEST(Bounded, KeepsTheBoundOfEdgesOfTenNanometres) {
       mesh.positions[v] = mesh.positions[v + 1] - Vec3(1e-8, 0, 0);
     }
   }
-  const Garment garment = make_garment(mesh, {}, {0, 16});
+  const Garment garment = make_garment(mesh);
   for (const double bound : {0.05, 0.01, 0.001}) {
-    Simulation simulation(garment, bounded_by(bound), {});
+    Simulation simulation(share(garment), {0, 16}, bounded_by(bound), {});
     for (int frame = 0; frame < 40; ++frame) {
       simulation.advance_frame();
       ASSERT_TRUE(simulation.frame_report().bound_kept) << bound << ", frame " << frame;
@@ -527,12 +528,12 @@ TEST(Bounded, KeepsTheBoundOfEdgesOfTenNanometres) {
 
 // A hundredfold stiffness makes no difference where steps follow neither; within what they follow it does.
 TEST(Bounded, SaysHowStiffAgainstCompressionItsStepsCanBe) {
-  const Garment garment = make_garment(irregular_sheet(17, 1.0), {}, {0, 16});
+  const Garment garment = make_garment(irregular_sheet(17, 1.0));
   const auto compression_with = [&](double stiffness_n_per_m, int substeps) {
     SimulationSettings settings = bounded_by(0.01);
     settings.solver.substeps = substeps;
-    settings.solver.fabric.compression_stiffness_n_per_m = stiffness_n_per_m;
-    Simulation simulation(garment, settings, {});
+    const Material material = {.compression_stiffness_n_per_m = stiffness_n_per_m};
+    Simulation simulation(share(with_material(garment, material)), {0, 16}, settings, {});
     for (int frame = 0; frame < 60; ++frame) {
       simulation.advance_frame();
     }
@@ -551,14 +552,14 @@ TEST(Bounded, NeverGainsEnergy) {
   GridSettings lying;
   lying.columns = lying.rows = 25;
   lying.plane = GridPlane::horizontal;
-  const Garment garment = make_garment(make_grid(lying), {}, {0, 24});
+  const Garment garment = make_garment(make_grid(lying));
   Surroundings still;
   still.forces.air_drag_per_s = 0.0;
   for (const int substeps : {10, 40, 160}) {
     SimulationSettings settings = bounded_by(0.05);
     settings.solver.substeps = substeps;
-    settings.solver.fabric.bending_rigidity_n_m = 1e-4;
-    Simulation simulation(garment, settings, still);
+    Simulation simulation(share(with_material(garment, {.bending_rigidity_n_m = 1e-4})), {0, 24}, settings,
+                          still);
     for (int frame = 0; frame < 240; ++frame) {
       simulation.advance_frame();
       const Energy energy = measure_energy(garment, simulation.change(), {0, -9.81, 0});
@@ -570,14 +571,14 @@ TEST(Bounded, NeverGainsEnergy) {
 /// Seconds between the first and the last of several passes of the lower edge through the middle, over their
 /// number.
 double swing_period_s(int substeps) {
-  const Garment garment = make_garment(sheet(9, 1.0), {}, {0, 1, 2, 3, 4, 5, 6, 7, 8});
+  const Garment garment = make_garment(sheet(9, 1.0));
   SimulationSettings settings = bounded_by(0.05);
   settings.frame_rate_hz = 240.0;
   settings.solver.substeps = substeps;
   Surroundings surroundings;
   surroundings.forces.air_drag_per_s = 0.0;
   surroundings.forces.gravity_m_per_s2 = {0.0, -9.81 * std::cos(0.3), 9.81 * std::sin(0.3)};
-  Simulation simulation(garment, settings, surroundings);
+  Simulation simulation(share(garment), {0, 1, 2, 3, 4, 5, 6, 7, 8}, settings, surroundings);
   for (int frame = 0; frame < 240; ++frame) {
     simulation.advance_frame();
   }
@@ -609,11 +610,11 @@ TEST(Bounded, SwingsAtTheSamePeriodWhateverTheSubsteps) {
 }
 
 TEST(Bounded, FallsFreelyWithoutPins) {
-  const Garment garment = make_garment(irregular_sheet(9, 1.0), {}, {});
+  const Garment garment = make_garment(irregular_sheet(9, 1.0));
   Surroundings airless;
   airless.forces.air_drag_per_s = 0.0;
   airless.forces.wind.pressure_coefficient = airless.forces.wind.friction_coefficient = 0.0;
-  Simulation simulation(garment, bounded_by(0.01), airless);
+  Simulation simulation(share(garment), {}, bounded_by(0.01), airless);
   for (int frame = 0; frame < 60; ++frame) {
     simulation.advance_frame();
   }
@@ -627,12 +628,12 @@ TEST(Bounded, FallsFreelyWithoutPins) {
 TEST(Bounded, StillAirBrakesAsTheFaintestWindDoes) {
   GridSettings lying;
   lying.plane = GridPlane::horizontal;
-  const Garment garment = make_garment(make_grid(lying), {}, {});
+  const Garment garment = make_garment(make_grid(lying));
   std::vector<double> fallen_m;
   for (const double speed_m_per_s : {0.0, 1e-6}) {
     Surroundings surroundings;
     surroundings.forces.wind.speed_m_per_s = speed_m_per_s;
-    Simulation simulation(garment, bounded_by(0.01), surroundings);
+    Simulation simulation(share(garment), {}, bounded_by(0.01), surroundings);
     for (int frame = 0; frame < 60; ++frame) {
       simulation.advance_frame();
     }
@@ -643,12 +644,12 @@ TEST(Bounded, StillAirBrakesAsTheFaintestWindDoes) {
 }
 
 TEST(Bounded, AllVectorUnitsEndInTheSameState) {
-  const Garment garment = make_garment(irregular_sheet(17, 1.0), {}, {0, 16});
+  const Garment garment = make_garment(irregular_sheet(17, 1.0));
   std::vector<std::uint64_t> hashes;
   for (const VectorUnit unit : available_vector_units()) {
-    SimulationSettings settings = bounded_by(0.01);
-    settings.solver.vector_unit = unit;
-    Simulation simulation(garment, settings, storm());
+    SimulationSettings settings;
+    settings.solver.method = BoundedSettings{.max_stretch = 0.01, .vector_unit = unit};
+    Simulation simulation(share(garment), {0, 16}, settings, storm());
     for (int frame = 0; frame < 60; ++frame) {
       simulation.advance_frame();
     }
@@ -660,12 +661,12 @@ TEST(Bounded, AllVectorUnitsEndInTheSameState) {
 }
 
 TEST(Bounded, TheNumberOfThreadsChangesNothing) {
-  const Garment garment = make_garment(irregular_sheet(97, 1.0), {}, {0, 96});
+  const Garment garment = make_garment(irregular_sheet(97, 1.0));
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 4}) {
-    SimulationSettings settings = bounded_by(0.02);
-    settings.solver.threads = threads;
-    Simulation simulation(garment, settings, storm());
+    SimulationSettings settings;
+    settings.solver.method = BoundedSettings{.max_stretch = 0.02, .threads = threads};
+    Simulation simulation(share(garment), {0, 96}, settings, storm());
     for (int frame = 0; frame < 4; ++frame) {
       simulation.advance_frame();
     }
@@ -677,8 +678,8 @@ TEST(Bounded, TheNumberOfThreadsChangesNothing) {
 }
 
 TEST(Bounded, ComesToRestAndFallsAsleep) {
-  const Garment garment = make_garment(irregular_sheet(25, 1.0), {}, {0, 24});
-  Simulation simulation(garment, bounded_by(0.01), {});
+  const Garment garment = make_garment(irregular_sheet(25, 1.0));
+  Simulation simulation(share(garment), {0, 24}, bounded_by(0.01), {});
   double slow_since_s = 0.0;
   for (int frame = 0; frame < 900; ++frame) {
     simulation.advance_frame();

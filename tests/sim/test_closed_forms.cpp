@@ -17,18 +17,16 @@ namespace {
 constexpr double gravity = 9.81;
 
 /// Mass points at `positions` joined one to the next, without a surface.
-Garment chain(const std::vector<Vec3>& positions, double mass_kg, const std::vector<Index>& pins) {
+Garment chain(const std::vector<Vec3>& positions, double mass_kg) {
   Garment garment;
   garment.mesh.positions = positions;
   garment.masses_kg.assign(positions.size(), mass_kg);
-  garment.inverse_masses_per_kg.resize(positions.size());
-  garment.areal_density_kg_per_m2 = 1.0;
+  garment.material.areal_density_kg_per_m2 = 1.0;
   for (Index v = 0; v + 1 < positions.size(); ++v) {
     garment.springs.ends.push_back({v, v + 1});
     garment.springs.rest_lengths_m.push_back(glm::length(positions[v + 1] - positions[v]));
   }
   garment.springs.structural_count = garment.springs.ends.size();
-  hold_by(garment, pins);
   return garment;
 }
 
@@ -40,12 +38,11 @@ Surroundings vacuum(double gravity_m_per_s2) {
   return surroundings;
 }
 
-SimulationSettings steps(SolverKind kind, int substeps, int iterations) {
+SimulationSettings steps(const SolverMethod& method, int substeps) {
   SimulationSettings settings;
   settings.frame_rate_hz = 50.0;
-  settings.solver.kind = kind;
+  settings.solver.method = method;
   settings.solver.substeps = substeps;
-  settings.solver.iterations = iterations;
   return settings;
 }
 
@@ -61,8 +58,8 @@ TEST(Verlet, PredictsByEquation1) {
 }
 
 TEST(FreeFall, IsExactForConstantAcceleration) {
-  const Garment cloth = make_garment(make_grid({}), {}, {});
-  Simulation simulation(cloth, steps(SolverKind::strong, 10, 2), vacuum(gravity));
+  const Garment cloth = make_garment(make_grid({}));
+  Simulation simulation(share(cloth), {}, steps(StrongSettings{.iterations = 2}, 10), vacuum(gravity));
   for (int frame = 0; frame < 50; ++frame) {
     simulation.advance_frame();
   }
@@ -80,13 +77,12 @@ TEST(FreeFall, IsExactForConstantAcceleration) {
 TEST(TwoParticleSpring, SwingsAtTheFrequencyOfItsReducedMass) {
   const double mass_kg = 0.02;
   const double stiffness_n_per_m = 8.0;
-  Garment pair = chain({{0, 0, 0}, {1, 0, 0}}, mass_kg, {});
+  Garment pair = chain({{0, 0, 0}, {1, 0, 0}}, mass_kg);
   pair.mesh.positions[1].x = 1.1;  // starts 10 % too long
-  SimulationSettings settings = steps(SolverKind::ideal, 40, 1);
-  settings.solver.stiffness.structural_n_per_m = stiffness_n_per_m;
-  settings.solver.stiffness.damping_n_s_per_m = 0.0;
+  SimulationSettings settings =
+      steps(IdealSettings{{.structural_n_per_m = stiffness_n_per_m, .damping_n_s_per_m = 0.0}}, 40);
   settings.rest.speed_m_per_s = 0.0;
-  Simulation simulation(pair, settings, vacuum(0.0));
+  Simulation simulation(share(pair), {}, settings, vacuum(0.0));
 
   const double omega = std::sqrt(stiffness_n_per_m / (mass_kg / 2.0));
   for (int frame = 1; frame <= 100; ++frame) {
@@ -102,12 +98,11 @@ TEST(TwoParticleSpring, SwingsAtTheFrequencyOfItsReducedMass) {
 TEST(TwoParticleSpring, LosesItsSwingToTheSpringsDamping) {
   const double mass_kg = 0.02;
   const double damping = 0.01;
-  Garment pair = chain({{0, 0, 0}, {1, 0, 0}}, mass_kg, {});
+  Garment pair = chain({{0, 0, 0}, {1, 0, 0}}, mass_kg);
   pair.mesh.positions[1].x = 1.1;
-  SimulationSettings settings = steps(SolverKind::ideal, 40, 1);
-  settings.solver.stiffness.structural_n_per_m = 8.0;
-  settings.solver.stiffness.damping_n_s_per_m = damping;
-  Simulation simulation(pair, settings, vacuum(0.0));
+  const SimulationSettings settings =
+      steps(IdealSettings{{.structural_n_per_m = 8.0, .damping_n_s_per_m = damping}}, 40);
+  Simulation simulation(share(pair), {}, settings, vacuum(0.0));
   double widest_in_the_second_second = 0.0;
   for (int frame = 1; frame <= 100; ++frame) {
     simulation.advance_frame();
@@ -126,7 +121,7 @@ TEST(TwoParticleSpring, LosesItsSwingToTheSpringsDamping) {
 
 /// Seconds from one passage through the vertical in +x direction to the next.
 double measured_period(const Garment& pendulum, const SimulationSettings& settings) {
-  Simulation simulation(pendulum, settings, vacuum(gravity));
+  Simulation simulation(share(pendulum), {0}, settings, vacuum(gravity));
   double first = 0.0;
   for (int frame = 0; frame < 100000; ++frame) {
     simulation.advance_frame();
@@ -147,9 +142,9 @@ double measured_period(const Garment& pendulum, const SimulationSettings& settin
 TEST(Pendulum, HasThePeriodOfItsLength) {
   const double length_m = 0.7;
   const double amplitude_rad = 0.2;
-  const Garment pendulum = chain(
-      {{0, 0, 0}, {-length_m * std::sin(amplitude_rad), -length_m * std::cos(amplitude_rad), 0}}, 0.1, {0});
-  SimulationSettings settings = steps(SolverKind::strong, 1, 1);
+  const Garment pendulum =
+      chain({{0, 0, 0}, {-length_m * std::sin(amplitude_rad), -length_m * std::cos(amplitude_rad), 0}}, 0.1);
+  SimulationSettings settings = steps(StrongSettings{.iterations = 1}, 1);
   settings.frame_rate_hz = 1000.0;
   // Complete elliptic integral of the pendulum, as a series in the amplitude.
   const double a2 = amplitude_rad * amplitude_rad;
@@ -169,10 +164,10 @@ TEST(HangingChain, TakesTheShapeOfACatenary) {
     const double s = 2.0 * v / links - 1.0;
     start.push_back({s * span_m / 2.0, -half_drop * (1.0 - std::abs(s)), 0.0});
   }
-  SimulationSettings settings = steps(SolverKind::strong, 20, 40);
+  const SimulationSettings settings = steps(StrongSettings{.iterations = 40}, 20);
   Surroundings air = vacuum(gravity);
   air.forces.air_drag_per_s = 4.0;
-  Simulation simulation(chain(start, 0.01, {0, static_cast<Index>(links)}), settings, air);
+  Simulation simulation(share(chain(start, 0.01)), {0, static_cast<Index>(links)}, settings, air);
   for (int frame = 0; frame < 600 && !simulation.state().asleep; ++frame) {
     simulation.advance_frame();
   }
@@ -195,10 +190,9 @@ TEST(VerticalChainOfIdealSprings, StretchesByTheWeightBelow) {
   const double mass_kg = 0.01;
   const double stiffness = 40.0;
   Simulation simulation(
-      chain({{0, 0, 0}, {0, -0.1, 0}, {0, -0.2, 0}, {0, -0.3, 0}}, mass_kg, {0}),
+      share(chain({{0, 0, 0}, {0, -0.1, 0}, {0, -0.2, 0}, {0, -0.3, 0}}, mass_kg)), {0},
       [&] {
-        SimulationSettings settings = steps(SolverKind::ideal, 20, 1);
-        settings.solver.stiffness.structural_n_per_m = stiffness;
+        SimulationSettings settings = steps(IdealSettings{{.structural_n_per_m = stiffness}}, 20);
         settings.rest.speed_m_per_s = 1e-9;
         return settings;
       }(),

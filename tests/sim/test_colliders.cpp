@@ -44,7 +44,7 @@ TEST(PushOut, StopsAtTheThicknessAndLeavesPinsAlone) {
   const std::vector<Collider> floor = {{Plane{}, 0.0}};
   const std::vector<Vec3> current = {{0, 0.1, 0}, {1, 0.1, 0}, {2, 0.1, 0}};
   std::vector<Vec3> predicted = {{0.3, -0.2, 0}, {1, -0.2, 0}, {2, 0.05, 0}};
-  push_out_of_colliders(floor, 0.01, std::vector{1.0, 0.0, 1.0}, current, predicted);
+  push_out_of_colliders(floor, {.thickness_m = 0.01}, std::vector{1.0, 0.0, 1.0}, current, predicted);
   EXPECT_NEAR(glm::length(predicted[0] - Vec3(0.3, 0.01, 0)), 0.0, 1e-15) << "without friction it slides on";
   EXPECT_EQ(predicted[1], Vec3(1, -0.2, 0));
   EXPECT_EQ(predicted[2], Vec3(2, 0.05, 0));
@@ -54,7 +54,7 @@ TEST(PushOut, FrictionTakesBackSlidingInProportionToDepth) {
   const std::vector<Collider> floor = {{Plane{}, 0.5}};
   const std::vector<Vec3> current = {{0, 0, 0}, {1, 0, 0}};
   std::vector<Vec3> predicted = {{0.3, -0.2, 0}, {1.05, -0.2, 0}};
-  push_out_of_colliders(floor, 0.0, std::vector{1.0, 1.0}, current, predicted);
+  push_out_of_colliders(floor, {.thickness_m = 0.0}, std::vector{1.0, 1.0}, current, predicted);
   EXPECT_NEAR(predicted[0].x, 0.2, 1e-15) << "0.3 less mu times depth";
   EXPECT_NEAR(predicted[1].x, 1.0, 1e-15) << "sticks, never slides backwards";
 }
@@ -64,13 +64,11 @@ double slid_m(double slope_rad, double friction) {
   Garment point;
   point.mesh.positions = {{0, 0, 0}};
   point.masses_kg = {0.1};
-  point.inverse_masses_per_kg = {10.0};
-  point.areal_density_kg_per_m2 = 1.0;
+  point.material = {.areal_density_kg_per_m2 = 1.0, .thickness_m = 0.0};
   Surroundings surroundings;
   surroundings.forces.air_drag_per_s = 0.0;
-  surroundings.cloth_thickness_m = 0.0;
   surroundings.colliders = {{Plane{{0, 0, 0}, {std::sin(slope_rad), std::cos(slope_rad), 0}}, friction}};
-  Simulation simulation(point, {}, surroundings);
+  Simulation simulation(share(point), {}, {}, surroundings);
   for (int frame = 0; frame < 60; ++frame) {
     simulation.advance_frame();
   }
@@ -94,9 +92,7 @@ TEST(Cloth, DrapesOverASphereWithoutEnteringIt) {
   Surroundings surroundings;
   const Sphere ball{{0, 0, 0}, 0.3};
   surroundings.colliders = {{ball, 0.5}, {Plane{{0, -0.5, 0}, {0, 1, 0}}, 0.5}};
-  SimulationSettings settings;
-  settings.solver.rigidity = {0.1, 0.02};
-  Simulation simulation(make_garment(make_grid(grid), {}, {}), settings, surroundings);
+  Simulation simulation(share(make_garment(make_grid(grid))), {}, {}, surroundings);
   for (int frame = 0; frame < 240; ++frame) {
     simulation.advance_frame();
     for (const Vec3& p : simulation.state().current) {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/garment.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/grid.hpp"
+#include "sim/pins.hpp"
 #include "sim/springs.hpp"
 
 namespace taut::sim {
@@ -201,10 +201,8 @@ TEST(Adjacency, ListsEdgesAndTheirTriangles) {
   EXPECT_EQ(adjacency.vertex_edges[1][2], 3u);
 }
 
-TEST(Garment, SharesTheMassEvenlyAndKeepsPinsImmovable) {
-  GarmentSettings settings;
-  settings.areal_density_kg_per_m2 = 0.2;
-  const Garment garment = make_garment(grid_of(3, 3), settings, {2, 0, 2});
+TEST(Garment, SharesTheMassEvenly) {
+  const Garment garment = make_garment(grid_of(3, 3), {}, {.areal_density_kg_per_m2 = 0.2});
   double total = 0.0;
   for (const double mass : garment.masses_kg) {
     total += mass;
@@ -212,18 +210,29 @@ TEST(Garment, SharesTheMassEvenlyAndKeepsPinsImmovable) {
   EXPECT_NEAR(total, 0.2, 1e-15);
   EXPECT_NEAR(garment.masses_kg[4], 4 * garment.masses_kg[0], 1e-15);
   EXPECT_NEAR(garment.masses_kg[0], garment.masses_kg[2], 1e-15);
-  EXPECT_EQ(garment.pins, (std::vector<Index>{0, 2}));
-  EXPECT_EQ(garment.inverse_masses_per_kg[2], 0.0);
-  EXPECT_GT(garment.inverse_masses_per_kg[1], 0.0);
-  Garment released = garment;
-  hold_by(released, {1});
-  EXPECT_GT(released.inverse_masses_per_kg[2], 0.0);
-  EXPECT_EQ(released.inverse_masses_per_kg[1], 0.0);
+}
+
+TEST(Garment, OfAnotherMaterialIsTheOneMadeOfIt) {
+  const Material denim = {.areal_density_kg_per_m2 = 0.4, .bending_rigidity_n_m = 5e-5, .friction = 0.6};
+  const Garment made = make_garment(grid_of(3, 3), {}, denim);
+  const Garment changed = with_material(make_garment(grid_of(3, 3)), denim);
+  EXPECT_EQ(changed.material, denim);
+  EXPECT_EQ(changed.masses_kg, made.masses_kg);
+  EXPECT_THROW(with_material(made, {.friction = -0.1}), std::invalid_argument);
+}
+
+TEST(Pins, AreSortedOnceEachAndOfInfiniteMass) {
+  const Garment garment = make_garment(grid_of(3, 3));
+  const Pins pins = make_pins(garment, {2, 0, 2});
+  EXPECT_EQ(pins.vertices, (std::vector<Index>{0, 2}));
+  EXPECT_EQ(pins.inverse_masses_per_kg[2], 0.0);
+  EXPECT_EQ(pins.inverse_masses_per_kg[1], 1.0 / garment.masses_kg[1]);
+  EXPECT_THROW(make_pins(garment, {9}), std::invalid_argument);
 }
 
 TEST(Garment, SharesATrianglesMassAmongItsCorners) {
   const Mesh mesh = {{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}, {}};
-  const Garment garment = make_garment(mesh, {.mapping = {}, .areal_density_kg_per_m2 = 0.5}, {});
+  const Garment garment = make_garment(mesh, {}, {.areal_density_kg_per_m2 = 0.5});
   for (const double mass : garment.masses_kg) {
     EXPECT_NEAR(mass, 0.5, 1e-15);
   }
@@ -231,21 +240,20 @@ TEST(Garment, SharesATrianglesMassAmongItsCorners) {
 
 TEST(Garment, GivesVerticesOfNeedlesALeastMass) {
   Mesh mesh = grid_of(9, 9);
-  const Garment even = make_garment(mesh, {}, {});
+  const Garment even = make_garment(mesh);
   const auto corner = static_cast<Index>(mesh.positions.size());
   // A triangle of next to no area, outside at a corner of the grid.
   mesh.positions.push_back(mesh.positions[0] + Vec3(0.0, 1e-6, 1e-6));
   mesh.triangles.push_back({0, 1, corner});
-  const Garment garment = make_garment(mesh, {}, {});
+  const Garment garment = make_garment(mesh);
   EXPECT_GT(garment.masses_kg[corner], 0.03 * even.masses_kg[40]);
   EXPECT_LT(garment.masses_kg[corner], 0.05 * even.masses_kg[40]);
   EXPECT_NEAR(garment.masses_kg[40], even.masses_kg[40], 1e-12);
 }
 
-TEST(Garment, RefusesPinsThatAreNoVertices) {
-  EXPECT_THROW(make_garment(grid_of(3, 3), {}, {9}), std::invalid_argument);
-  EXPECT_THROW(make_garment(grid_of(3, 3), {.mapping = {}, .areal_density_kg_per_m2 = 0.0}, {}),
-               std::invalid_argument);
+TEST(Garment, RefusesImpossibleMaterials) {
+  EXPECT_THROW(make_garment(grid_of(3, 3), {}, {.areal_density_kg_per_m2 = 0.0}), std::invalid_argument);
+  EXPECT_THROW(make_garment(grid_of(3, 3), {}, {.thickness_m = -0.001}), std::invalid_argument);
 }
 
 }  // namespace

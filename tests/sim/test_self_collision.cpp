@@ -106,9 +106,7 @@ Simulation falling_sheet(double layer_distance_m) {
   Surroundings surroundings;
   surroundings.colliders = {{Plane{}, 0.5}};
   surroundings.layer_distance_m = layer_distance_m;
-  SimulationSettings soft;
-  soft.solver.rigidity = {0.1, 0.02};
-  return Simulation(make_garment(sheets, {}, {}), soft, surroundings);
+  return {share(make_garment(sheets)), {}, {}, surroundings};
 }
 
 /// The mean height of the upper sheet above the lower one after it has fallen.

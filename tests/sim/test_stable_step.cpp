@@ -12,12 +12,17 @@ namespace {
 Garment sheet(Index columns) {
   GridSettings grid;
   grid.columns = grid.rows = columns;
-  return make_garment(make_grid(grid), {}, {0, columns - 1});
+  return make_garment(make_grid(grid));
+}
+
+std::vector<Index> top_corners(const Garment& square) {
+  const auto columns = static_cast<Index>(std::lround(std::sqrt(square.mesh.positions.size())));
+  return {0, columns - 1};
 }
 
 // The energy that springs which swing up gather in little time; a cloth that hangs has none of that order.
 bool swings_up(const Garment& garment, const SimulationSettings& settings, const Surroundings& surroundings) {
-  Simulation simulation(garment, settings, surroundings);
+  Simulation simulation(share(garment), top_corners(garment), settings, surroundings);
   try {
     for (int frame = 0; frame < 25; ++frame) {
       simulation.advance_frame();
@@ -37,15 +42,16 @@ TEST(StableStep, OfOneSwingingMassIsVerletsOwn) {
   Garment pair;
   pair.mesh.positions = {{0, 0, 0}, {1, 0, 0}};
   pair.masses_kg = {1.0, 0.01};
-  pair.inverse_masses_per_kg = {0.0, 100.0};
   pair.springs.ends = {{0, 1}};
   pair.springs.rest_lengths_m = {1.0};
   pair.springs.structural_count = 1;
+  const Pins pins = make_pins(pair, {0});
   // w^2 = 2 k / m by the bound: 2 * 50 / 0.01, so that dt < 2 / 100.
-  EXPECT_NEAR(stable_time_step_s(pair, {50.0, 0.0, 0.0, 0.0}, 0.0), 0.7 * 0.02, 1e-12);
+  EXPECT_NEAR(stable_time_step_s(pair, pins, {50.0, 0.0, 0.0, 0.0}, 0.0), 0.7 * 0.02, 1e-12);
   // c = 2 d / m = 200: 4 / (200 + sqrt(200^2 + 4 * 100^2)).
-  EXPECT_NEAR(stable_time_step_s(pair, {50.0, 0.0, 0.0, 1.0}, 0.0), 0.7 * 4.0 / 482.842712474619, 1e-12);
-  EXPECT_TRUE(std::isinf(stable_time_step_s(pair, {0.0, 0.0, 0.0, 0.0}, 0.0)));
+  EXPECT_NEAR(stable_time_step_s(pair, pins, {50.0, 0.0, 0.0, 1.0}, 0.0), 0.7 * 4.0 / 482.842712474619,
+              1e-12);
+  EXPECT_TRUE(std::isinf(stable_time_step_s(pair, pins, {0.0, 0.0, 0.0, 0.0}, 0.0)));
 }
 
 // However stiff and finely meshed, in a storm and pulled by a hand. Two and a half times as long would be too
@@ -60,15 +66,14 @@ TEST(StableStep, HoldsHookesSpringsDown) {
     for (const double stiffness : {200.0, 5000.0}) {
       for (const double damping : {0.0, 0.02, 0.2}) {
         SimulationSettings settings;
-        settings.solver.stiffness = {stiffness, 0.5 * stiffness, 5.0, damping};
-        for (const SolverKind kind : {SolverKind::ideal, SolverKind::provot}) {
-          settings.solver.kind = kind;
-          settings.solver.substeps = 0;
+        const SpringStiffness springs = {stiffness, 0.5 * stiffness, 5.0, damping};
+        for (const SolverMethod& method :
+             {SolverMethod(ProvotSettings{springs}), SolverMethod(IdealSettings{springs})}) {
+          settings.solver.method = method;
           EXPECT_FALSE(swings_up(garment, settings, storm)) << columns << ' ' << stiffness << ' ' << damping;
         }
-        const double step_s =
-            stable_time_step_s(garment, settings.solver.stiffness, storm.forces.air_drag_per_s);
-        settings.solver.kind = SolverKind::ideal;
+        const double step_s = stable_time_step_s(garment, make_pins(garment, top_corners(garment)), springs,
+                                                 storm.forces.air_drag_per_s);
         settings.solver.substeps = static_cast<int>(0.4 / (60.0 * step_s));
         EXPECT_TRUE(damping > 0.1 || swings_up(garment, settings, storm))
             << columns << ' ' << stiffness << ' ' << damping;
@@ -79,15 +84,13 @@ TEST(StableStep, HoldsHookesSpringsDown) {
 
 TEST(StableStep, IsTakenByTheSolversThatMayChooseAndUpToALimit) {
   const Garment garment = sheet(25);
-  SimulationSettings settings;
-  settings.solver.kind = SolverKind::ideal;
-  settings.solver.stiffness.structural_n_per_m = 20000.0;
-  const double step_s = stable_time_step_s(garment, settings.solver.stiffness, 1.5);
-  const auto substeps_of = [&](SolverKind kind, int substeps, int max_substeps) {
-    settings.solver.kind = kind;
-    settings.solver.substeps = substeps;
-    settings.solver.max_substeps = max_substeps;
-    Simulation simulation(garment, settings, {});
+  const SpringStiffness stiff = {.structural_n_per_m = 20000.0};
+  const std::vector<Index> pins = top_corners(garment);
+  const double step_s = stable_time_step_s(garment, make_pins(garment, pins), stiff, 1.5);
+  const auto substeps_of = [&](const SolverMethod& method, std::optional<int> substeps, int max_substeps) {
+    SimulationSettings settings;
+    settings.solver = {substeps, max_substeps, method};
+    Simulation simulation(share(garment), pins, settings, {});
     try {
       simulation.advance_frame();
     } catch (const Diverged&) {
@@ -96,13 +99,13 @@ TEST(StableStep, IsTakenByTheSolversThatMayChooseAndUpToALimit) {
   };
   const int needed = static_cast<int>(std::ceil(1.0 / (60.0 * step_s)));
   EXPECT_GT(needed, 100);
-  EXPECT_EQ(substeps_of(SolverKind::ideal, 0, 2000), needed);
-  EXPECT_EQ(substeps_of(SolverKind::provot, 0, 2000), needed);
-  EXPECT_EQ(substeps_of(SolverKind::ideal, 0, 50), 50);
-  EXPECT_EQ(substeps_of(SolverKind::ideal, 7, 2000), 7);
-  EXPECT_EQ(substeps_of(SolverKind::strong, 0, 2000), 20);
-  settings.solver.stiffness = {1.0, 1.0, 1.0, 0.0};
-  EXPECT_EQ(substeps_of(SolverKind::ideal, 0, 2000), 20) << "soft springs need no more than they ever had";
+  EXPECT_EQ(substeps_of(IdealSettings{stiff}, {}, 2000), needed);
+  EXPECT_EQ(substeps_of(ProvotSettings{stiff}, {}, 2000), needed);
+  EXPECT_EQ(substeps_of(IdealSettings{stiff}, {}, 50), 50);
+  EXPECT_EQ(substeps_of(IdealSettings{stiff}, 7, 2000), 7);
+  EXPECT_EQ(substeps_of(StrongSettings{}, {}, 2000), 20);
+  EXPECT_EQ(substeps_of(IdealSettings{{1.0, 1.0, 1.0, 0.0}}, {}, 2000), 20)
+      << "soft springs need no more than they ever had";
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ TEST(Subdivide, PinsTheMidpointsOfPinnedBorderEdgesAlone) {
 }
 
 TEST(Subdivide, KeepsTheMassAndHalvesTheEdges) {
-  const Garment coarse = make_garment(folded_square(), {}, {});
-  const Garment fine = make_garment(subdivide({folded_square(), {}}).mesh, {}, {});
+  const Garment coarse = make_garment(folded_square());
+  const Garment fine = make_garment(subdivide({folded_square(), {}}).mesh);
   double coarse_kg = 0.0, fine_kg = 0.0, coarse_m = 0.0, fine_m = 0.0;
   for (const double mass_kg : coarse.masses_kg) {
     coarse_kg += mass_kg;

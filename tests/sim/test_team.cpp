@@ -43,10 +43,10 @@ TEST(Team, ChunksAreNotSmallerThanAskedFor) {
 }
 
 TEST(Team, SmallGarmentsGetOneThreadUnlessAskedOtherwise) {
-  EXPECT_EQ(thread_count(0, 1000), 1);
+  EXPECT_EQ(thread_count({}, 1000), 1);
   EXPECT_EQ(thread_count(3, 1000), 3);
-  EXPECT_GE(thread_count(0, 100000), 1);
-  EXPECT_LE(thread_count(0, 100000), 4);
+  EXPECT_GE(thread_count({}, 100000), 1);
+  EXPECT_LE(thread_count({}, 100000), 4);
 }
 
 TEST(Team, TellsWhoDidTheWork) {

@@ -14,11 +14,11 @@ namespace {
 
 using namespace bounded;
 
-Garment pinned_sheet(Index count, const std::vector<Index>& pins) {
+Garment sheet(Index count) {
   GridSettings grid;
   grid.columns = grid.rows = count;
   grid.width_m = grid.height_m = 1.0;
-  return make_garment(make_grid(grid), {}, pins);
+  return make_garment(make_grid(grid));
 }
 
 std::vector<Index> top_row(Index count) {
@@ -30,8 +30,8 @@ std::vector<Index> top_row(Index count) {
 }
 
 TEST(Tethers, TheClothAtRestReachesNone) {
-  const Garment garment = pinned_sheet(33, {0, 32});
-  const Layout layout = make_layout(garment);
+  const Garment garment = sheet(33);
+  const Layout layout = make_layout(garment, make_pins(garment, {0, 32}));
   Tethers tethers = make_tethers(garment, layout, 0.0);
   StartRows rest;
   set_start(layout, garment.mesh.positions, rest);
@@ -50,8 +50,8 @@ TEST(Tethers, TheClothAtRestReachesNone) {
 }
 
 TEST(Tethers, AreAsLongAsTheBoundLets) {
-  const Garment garment = pinned_sheet(9, {0});
-  const Layout layout = make_layout(garment);
+  const Garment garment = sheet(9);
+  const Layout layout = make_layout(garment, make_pins(garment, {0}));
   const std::size_t last = layout.vertex_count() - 1;
   const double way2 = std::pow(layout.distance_from_pins_m[last], 2);
   EXPECT_NEAR(make_tethers(garment, layout, 0.0).lanes[last].squared_length, way2, 1e-6);
@@ -60,8 +60,8 @@ TEST(Tethers, AreAsLongAsTheBoundLets) {
 }
 
 TEST(Tethers, BringVerticesBackAndMoveWithThePins) {
-  const Garment garment = pinned_sheet(9, {0});
-  const Layout layout = make_layout(garment);
+  const Garment garment = sheet(9);
+  const Layout layout = make_layout(garment, make_pins(garment, {0}));
   Tethers tethers = make_tethers(garment, layout, 0.0);
   const std::size_t last = layout.vertex_count() - 1;
   const double length_m = std::sqrt(tethers.lanes[last].squared_length);
@@ -83,14 +83,12 @@ TEST(Tethers, BringVerticesBackAndMoveWithThePins) {
 // A curtain: what tethers are for.
 TEST(Tethers, FineClothKeepsItsBoundWithFewerSteps) {
   const Index count = 97;
-  const Garment garment = pinned_sheet(count, top_row(count));
+  const Garment garment = sheet(count);
   int steps[2] = {0, 0};
   for (const bool tethered : {false, true}) {
     SimulationSettings settings;
-    settings.solver.kind = SolverKind::bounded;
-    settings.solver.max_stretch = 0.05;
-    settings.solver.tethers = tethered;
-    Simulation simulation(garment, settings, {});
+    settings.solver.method = BoundedSettings{.tethers = tethered};
+    Simulation simulation(share(garment), top_row(count), settings, {});
     for (int frame = 0; frame < 60; ++frame) {
       simulation.advance_frame();
       steps[tethered ? 1 : 0] += simulation.frame_report().substeps;

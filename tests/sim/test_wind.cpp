@@ -24,7 +24,7 @@ TEST(Wind, PressesHeadOnByHalfRhoAreaSpeedSquared) {
   GridSettings grid;
   grid.width_m = 2.0;
   grid.height_m = 1.5;
-  const Garment garment = make_garment(make_grid(grid), {}, {});
+  const Garment garment = make_garment(make_grid(grid));
   const State state = make_state(garment);
   for (const double speed : {1.0, 10.0}) {
     Wind wind;
@@ -38,7 +38,7 @@ TEST(Wind, PressesHeadOnByHalfRhoAreaSpeedSquared) {
 }
 
 TEST(Wind, OnlyStrokesAClothItBlowsAlong) {
-  const Garment garment = make_garment(make_grid({}), {}, {});
+  const Garment garment = make_garment(make_grid({}));
   Wind wind;
   wind.speed_m_per_s = 4.0;
   wind.direction = {1, 0, 0};
@@ -48,7 +48,7 @@ TEST(Wind, OnlyStrokesAClothItBlowsAlong) {
 }
 
 TEST(Wind, DoesNotPushAClothThatMovesWithTheAir) {
-  const Garment garment = make_garment(make_grid({}), {}, {});
+  const Garment garment = make_garment(make_grid({}));
   State state = make_state(garment);
   state.time_step_s = 0.01;
   for (Vec3& p : state.previous) {
@@ -60,7 +60,7 @@ TEST(Wind, DoesNotPushAClothThatMovesWithTheAir) {
 }
 
 TEST(Wind, StillAirBrakesAsTheFaintestWindDoes) {
-  const Garment garment = make_garment(make_grid({}), {}, {});
+  const Garment garment = make_garment(make_grid({}));
   State state = make_state(garment);
   state.time_step_s = 0.01;
   for (Vec3& p : state.previous) {
@@ -74,7 +74,7 @@ TEST(Wind, StillAirBrakesAsTheFaintestWindDoes) {
 }
 
 TEST(Wind, CannotBlowClothFasterThanAirInOneStep) {
-  const Garment garment = make_garment(make_grid({}), {}, {});
+  const Garment garment = make_garment(make_grid({}));
   Wind wind;
   wind.speed_m_per_s = 1000.0;
   const double time_step_s = 1.0;
@@ -123,7 +123,7 @@ TEST(Gusts, TurnTheWindSidewaysWithoutChangingItsMainDirection) {
 }
 
 TEST(ExternalForces, AddUp) {
-  const Garment garment = make_garment(make_grid({}), {}, {});
+  const Garment garment = make_garment(make_grid({}));
   std::vector<Vec3> forces(81, Vec3(0.0));
   ExternalForces external;
   external.gravity_m_per_s2 = {0, -10, 0};

@@ -25,7 +25,7 @@ DrawnScene diverging_scene() {
 }
 
 ChangeSettings with_wind(const DrawnScene& scene, double speed) {
-  ChangeSettings change{scene.simulation, scene.surroundings};
+  ChangeSettings change(scene);
   change.surroundings.forces.wind.speed_m_per_s = speed;
   return change;
 }
@@ -40,7 +40,7 @@ TEST(LiveSimulation, IsTheSimulationThatRenderRuns) {
   const DrawnScene scene = small_scene();
   LiveSimulation live(scene);
   advance(live, 30);
-  sim::Simulation plain(live.take_snapshot()->loaded->garment, scene.simulation, scene.surroundings);
+  sim::Simulation plain = make_simulation(scene, *live.take_snapshot()->loaded);
   for (int i = 0; i < 30; ++i) {
     plain.advance_frame();
   }
@@ -92,10 +92,10 @@ TEST(LiveSimulation, GoesBackFromWhereItDiverged) {
   LiveSimulation live(small_scene());
   advance(live, 20);
   const SnapshotPtr past = live.take_snapshot();
-  live.apply(ChangeSettings{diverging_scene().simulation, diverging_scene().surroundings});
+  live.apply(ChangeSettings(diverging_scene()));
   advance(live, 100);
   ASSERT_TRUE(live.take_snapshot()->stopped);
-  live.apply(ChangeSettings{small_scene().simulation, small_scene().surroundings});
+  live.apply(ChangeSettings(small_scene()));
   live.apply(GoBack{past});
   advance(live, 5);
   EXPECT_FALSE(live.take_snapshot()->stopped);
@@ -119,13 +119,13 @@ TEST(LiveSimulation, ANewBoundHoldsBeforeTheNextFrame) {
   advance(live, 60);
   ASSERT_GT(live.take_snapshot()->record.stretch.max, 0.06);
   const SnapshotPtr hanging = live.take_snapshot();
-  ChangeSettings change{scene.simulation, scene.surroundings};
+  ChangeSettings change(scene);
   change.simulation.solver.kind = sim::SolverKind::bounded;
   for (const double bound : {0.05, 0.01}) {
-    change.simulation.solver.max_stretch = bound;
+    change.simulation.solver.bounded.max_stretch = bound;
     live.apply(change);
     const SnapshotPtr shown = live.take_snapshot();
-    const sim::Springs& springs = shown->loaded->garment.springs;
+    const sim::Springs& springs = shown->loaded->garment->springs;
     EXPECT_LE(sim::measure_stretch(springs, shown->positions()).max, bound);
     EXPECT_LE(shown->record.stretch.max, bound);
     EXPECT_EQ(shown->positions()[shown->pins->front()], hanging->positions()[shown->pins->front()]);
@@ -139,7 +139,7 @@ TEST(LiveSimulation, AHandPullsTheHemAndLetsGo) {
   advance(live, 60);
   const SnapshotPtr hanging = live.take_snapshot();
   const sim::Index corner = 80;
-  Grip grip = take_grip(hanging->loaded->garment, hanging->positions(), corner);
+  Grip grip = take_grip(*hanging->loaded->garment, hanging->positions(), corner);
   const sim::Vec3 wanted = hanging->positions()[corner] + sim::Vec3(0.0, 0.1, 0.25);
   grip.target_m = wanted;
   live.apply(TakeHold{grip});
@@ -159,7 +159,7 @@ TEST(LiveSimulation, ABoundHoldsWhileAHandPulls) {
                                                              parse_override("solver.max_stretch=0.02")}));
   advance(live, 60);
   const SnapshotPtr hanging = live.take_snapshot();
-  Grip grip = take_grip(hanging->loaded->garment, hanging->positions(), 80);
+  Grip grip = take_grip(*hanging->loaded->garment, hanging->positions(), 80);
   const sim::Vec3 wanted = hanging->positions()[80] + sim::Vec3(0.0, 0.1, 0.25);
   grip.target_m = wanted;
   live.apply(TakeHold{grip});
@@ -176,7 +176,7 @@ TEST(LiveSimulation, ABoundHoldsWhileAHandPulls) {
 TEST(LiveSimulation, AHandOutOfReachDoesNotTearTheCloth) {
   LiveSimulation live(small_scene());
   advance(live, 10);
-  Grip grip = take_grip(live.take_snapshot()->loaded->garment, live.take_snapshot()->positions(), 80);
+  Grip grip = take_grip(*live.take_snapshot()->loaded->garment, live.take_snapshot()->positions(), 80);
   grip.target_m = {50.0, 20.0, 100.0};
   live.apply(TakeHold{grip});
   advance(live, 200);
@@ -204,7 +204,7 @@ TEST(LiveSimulation, LetsGoOneCornerThenTheOther) {
   live.apply(ReleasePins{.right = false});
   const auto left = *live.take_snapshot()->pins;
   ASSERT_EQ(left.size(), 1U);
-  EXPECT_GT(live.take_snapshot()->loaded->garment.mesh.positions[left.front()].x, 0.0);
+  EXPECT_GT(live.take_snapshot()->loaded->garment->mesh.positions[left.front()].x, 0.0);
   live.apply(ReleasePins{.right = true});
   EXPECT_TRUE(live.take_snapshot()->pins->empty());
   live.apply(ReleasePins{.right = true});
@@ -221,7 +221,7 @@ TEST(LiveSimulation, DivergesIntoANoticeAndGoesOnAfterAReset) {
   EXPECT_NE(stopped->notices->back().text.find("diverged"), std::string::npos);
   EXPECT_FALSE(live.wants_to_advance());
   EXPECT_EQ(sim::first_lost(stopped->positions()), stopped->positions().size());
-  live.apply(ChangeSettings{small_scene().simulation, small_scene().surroundings});
+  live.apply(ChangeSettings(small_scene()));
   live.apply(Reset{});
   advance(live, 20);
   EXPECT_FALSE(live.take_snapshot()->stopped);
@@ -247,8 +247,8 @@ TEST(LiveSimulation, ABrokenGarmentLeavesTheOldOne) {
 
 TEST(LiveSimulation, RefusesASettingWithANotice) {
   LiveSimulation live(small_scene());
-  ChangeSettings change{small_scene().simulation, small_scene().surroundings};
-  change.simulation.solver.iterations = 0;
+  ChangeSettings change(small_scene());
+  change.simulation.solver.max_substeps = 0;
   live.apply(change);
   EXPECT_TRUE(live.take_snapshot()->notices->back().is_error);
   advance(live, 3);
@@ -283,7 +283,7 @@ std::vector<SimulationCommand> commands_at(int frame, const DrawnScene& scene, c
     case 9:
       return {ReleasePins{.right = true}};
     case 14:
-      return {TakeHold{take_grip(newest.loaded->garment, newest.positions(), 40)}};
+      return {TakeHold{take_grip(*newest.loaded->garment, newest.positions(), 40)}};
     case 15:
       return {with_wind(scene, 3.0)};
     case 22:

@@ -182,7 +182,7 @@ TEST(Picking, DragsInThePlaneThatFacesTheCamera) {
 TEST(Grip, SharesThePullAndReachesNotFar) {
   sim::GridSettings grid;
   grid.columns = grid.rows = 101;
-  const sim::Garment garment = sim::make_garment(sim::make_grid(grid), {}, {});
+  const sim::Garment garment = sim::make_garment(sim::make_grid(grid));
   const sim::Index middle = 50 * 101 + 50;
   const Grip grip = take_grip(garment, garment.mesh.positions, middle);
   double total = 0.0;

@@ -39,13 +39,13 @@ sim::Vec3 centre_of(const sim::Garment& garment) {
 }
 
 std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world, const sim::Garment& garment,
-                                      const sim::Vec3& origin_m) {
+                                      const sim::Pins& pins, const sim::Vec3& origin_m) {
   const std::size_t count = garment.mesh.positions.size();
   btAlignedObjectArray<btVector3> nodes;
   btAlignedObjectArray<btScalar> masses;
   for (std::size_t v = 0; v < count; ++v) {
     nodes.push_back(to_bullet(garment.mesh.positions[v] - origin_m));
-    const bool is_pinned = garment.inverse_masses_per_kg[v] == 0.0;
+    const bool is_pinned = pins.inverse_masses_per_kg[v] == 0.0;
     masses.push_back(is_pinned ? 0.0F : static_cast<btScalar>(garment.masses_kg[v]));
   }
   auto body = std::make_unique<btSoftBody>(&world, static_cast<int>(count), &nodes[0], &masses[0]);
@@ -59,17 +59,18 @@ std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world, const sim::Gar
 
 class BulletEngine : public Engine {
  public:
-  BulletEngine(const sim::Garment& garment, const sim::Surroundings& surroundings, double frame_time_s,
-               const BulletSettings& settings)
+  BulletEngine(const sim::Garment& garment, const std::vector<sim::Index>& pins,
+               const sim::Surroundings& surroundings, double frame_time_s, const BulletSettings& settings)
       : garment_(garment),
+        pins_(pins),
         surroundings_(surroundings),
         settings_(settings),
         substep_s_(frame_time_s / settings.substeps),
-        origin_m_(centre_of(garment)),
-        state_(sim::make_state(garment)) {
+        origin_m_(centre_of(garment_)),
+        state_(sim::make_state(garment_)) {
     // Soft bodies have a gravity of their own, which the world's does not change.
     world_.dynamics.getWorldInfo().m_gravity = to_bullet(surroundings.forces.gravity_m_per_s2);
-    body_ = make_body(world_.dynamics.getWorldInfo(), garment, origin_m_);
+    body_ = make_body(world_.dynamics.getWorldInfo(), garment_, sim::make_pins(garment_, pins_), origin_m_);
     body_->m_cfg.piterations = settings.iterations;
     body_->m_cfg.collisions = 0;
     // Bullet takes this fraction of the velocity in every substep, whatever its length.
@@ -127,13 +128,14 @@ class BulletEngine : public Engine {
       return;
     }
     const sim::Vec3 offset = sim::pin_offset(surroundings_.pin_motion, state_.time_s + substep_s_);
-    for (const sim::Index pin : garment_.pins) {
+    for (const sim::Index pin : pins_) {
       body_->m_nodes[static_cast<int>(pin)].m_x =
           to_bullet(garment_.mesh.positions[pin] + offset - origin_m_);
     }
   }
 
   const sim::Garment& garment_;
+  const std::vector<sim::Index>& pins_;
   sim::Surroundings surroundings_;
   BulletSettings settings_;
   double substep_s_;
@@ -150,9 +152,10 @@ std::string bullet_version() {
   return std::to_string(BT_BULLET_VERSION / 100) + '.' + std::to_string(BT_BULLET_VERSION % 100);
 }
 
-std::unique_ptr<Engine> make_bullet_engine(const sim::Garment& garment, const sim::Surroundings& surroundings,
-                                           double frame_time_s, const BulletSettings& settings) {
-  return std::make_unique<BulletEngine>(garment, surroundings, frame_time_s, settings);
+std::unique_ptr<Engine> make_bullet_engine(const sim::Garment& garment, const std::vector<sim::Index>& pins,
+                                           const sim::Surroundings& surroundings, double frame_time_s,
+                                           const BulletSettings& settings) {
+  return std::make_unique<BulletEngine>(garment, pins, surroundings, frame_time_s, settings);
 }
 
 }  // namespace taut::app

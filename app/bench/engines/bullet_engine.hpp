@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/bench/engines/engine.hpp"
-#include "sim/garment.hpp"
+#include "sim/pins.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::app {
@@ -22,7 +22,8 @@ struct BulletSettings {
 /// of the wind are the garment's and the surroundings'; the wind's are computed by Taut and cost Bullet
 /// nothing. Single precision, as Debian's package has it. Throws std::logic_error where Bullet was not
 /// compiled in.
-std::unique_ptr<Engine> make_bullet_engine(const sim::Garment& garment, const sim::Surroundings& surroundings,
-                                           double frame_time_s, const BulletSettings& settings);
+std::unique_ptr<Engine> make_bullet_engine(const sim::Garment& garment, const std::vector<sim::Index>& pins,
+                                           const sim::Surroundings& surroundings, double frame_time_s,
+                                           const BulletSettings& settings);
 
 }  // namespace taut::app

@@ -8,8 +8,8 @@ std::string bullet_version() {
   return "";
 }
 
-std::unique_ptr<Engine> make_bullet_engine(const sim::Garment&, const sim::Surroundings&, double,
-                                           const BulletSettings&) {
+std::unique_ptr<Engine> make_bullet_engine(const sim::Garment&, const std::vector<sim::Index>&,
+                                           const sim::Surroundings&, double, const BulletSettings&) {
   throw std::logic_error("this program was built without Bullet");
 }
 

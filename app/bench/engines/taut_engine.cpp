@@ -6,15 +6,15 @@
 namespace taut::app {
 namespace {
 
-sim::SimulationSettings sleepless(sim::SimulationSettings settings) {
-  settings.rest.speed_m_per_s = 0.0;
-  return settings;
+Scene sleepless(Scene scene) {
+  scene.simulation.rest.speed_m_per_s = 0.0;
+  return scene;
 }
 
 class TautEngine : public Engine {
  public:
-  TautEngine(const sim::Garment& garment, const Scene& scene)
-      : simulation_(garment, sleepless(scene.simulation), scene.surroundings) {}
+  TautEngine(const GarmentInScene& cloth, const Scene& scene)
+      : simulation_(make_simulation(sleepless(scene), cloth)) {}
 
   FrameCost advance_frame() override {
     FrameCost cost;
@@ -36,11 +36,11 @@ class TautEngine : public Engine {
  private:
   // Bending, which is no projection, and tethers are left out.
   double springs_projected(const sim::FrameReport& report) const {
-    const sim::SolverSettings& solver = simulation_.settings().solver;
     const sim::Springs& springs = simulation_.garment().springs;
-    return solver.kind == sim::SolverKind::bounded
+    const auto* strong = std::get_if<sim::StrongSettings>(&simulation_.settings().solver.method);
+    return strong == nullptr
                ? report.sweeps * static_cast<double>(springs.begin_of(sim::SpringKind::flexural))
-               : static_cast<double>(report.substeps * solver.iterations) *
+               : static_cast<double>(report.substeps * strong->iterations) *
                      static_cast<double>(springs.size());
   }
 
@@ -49,8 +49,8 @@ class TautEngine : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_taut_engine(const sim::Garment& garment, const Scene& scene) {
-  return std::make_unique<TautEngine>(garment, scene);
+std::unique_ptr<Engine> make_taut_engine(const GarmentInScene& cloth, const Scene& scene) {
+  return std::make_unique<TautEngine>(cloth, scene);
 }
 
 }  // namespace taut::app

@@ -11,6 +11,7 @@
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/moments.hpp"
 #include "app/models/garment_loading.hpp"
+#include "app/models/layers.hpp"
 #include "app/models/pins.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
@@ -19,8 +20,9 @@ namespace taut::app {
 namespace {
 
 void map_models(Results& results) {
-  results.grid_patch = whole_patch(sim::make_garment(sim::make_grid({.columns = 5, .rows = 5}), {}, {}));
-  const sim::Garment shirt = load_garment(shirt_scene("tshirt-gravity", model_sizes.front())).garment;
+  results.grid_patch = whole_patch(sim::make_garment(sim::make_grid({.columns = 5, .rows = 5})));
+  const LoadedGarment loaded = load_garment(shirt_scene("tshirt-gravity", model_sizes.front()));
+  const sim::Garment& shirt = *loaded.garment;
   // The middle of the chest: flat, and away from every seam.
   const sim::Vec3 chest_m(0.06, 1.25, 0.11);
   results.shirt_patch = patch_around(shirt, nearest_vertex(shirt.mesh.positions, chest_m).vertex, 2);
@@ -53,11 +55,12 @@ void run_stiffnesses(Results& results, const Checkpoint& checkpoint) {
 // The scene asks for everything but what is varied.
 StrongRun run_strong(const std::string& garment, DrawnScene scene, bool is_rigid, int frames,
                      const Checkpoint& checkpoint) {
-  sim::SolverSettings& solver = scene.simulation.solver;
+  SolverChoice& solver = scene.simulation.solver;
   if (is_rigid) {
-    solver.rigidity = {};
+    solver.strong.rigidity = {};
   }
-  StrongRun run = {garment, is_rigid, solver.substeps, solver.iterations, {INFINITY, INFINITY}};
+  StrongRun run = {
+      garment, is_rigid, solver.substeps.value_or(0), solver.strong.iterations, {INFINITY, INFINITY}};
   try {
     const Recording recording = record_frames(scene, std::array{frames}, checkpoint);
     run.stretch = {recording.last().record.stretch.max, recording.largest_stretch};
@@ -76,7 +79,7 @@ void run_strong_shirts(Results& results, const Checkpoint& checkpoint) {
     for (const auto& [substeps, sweeps] : settings) {
       DrawnScene scene = strong_shirt_scene(model_sizes.back());
       scene.simulation.solver.substeps = substeps;
-      scene.simulation.solver.iterations = sweeps;
+      scene.simulation.solver.strong.iterations = sweeps;
       const auto before = static_cast<double>(results.strong_runs.size() - 1);
       results.strong_runs.push_back(run_strong("shirt", scene, is_rigid, frames, [&](double fraction) {
         checkpoint((before + fraction) / (2.0 * settings.size()));
@@ -146,7 +149,7 @@ DrawnScene strong_shirt_scene(int triangles) {
   DrawnScene scene = shirt_scene("tshirt-gravity", triangles);
   scene.simulation.solver.kind = sim::SolverKind::strong;
   // Rigid against compression too, triangles lock and the shirt does not fall into folds.
-  scene.simulation.solver.rigidity = {0.1, 0.01};
+  scene.simulation.solver.strong.rigidity = {0.1, 0.01};
   return scene;
 }
 
@@ -154,13 +157,13 @@ MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s
   DrawnScene scene = find_scene("pinned-9x9-methods", {});
   scene.simulation.solver.kind = kind;
   scene.simulation.frame_rate_hz = steps_per_s;
-  scene.simulation.solver.stiffness.structural_n_per_m *= stiffness_factor;
-  scene.simulation.solver.stiffness.shear_n_per_m *= stiffness_factor;
+  scene.simulation.solver.ideal.stiffness.structural_n_per_m *= stiffness_factor;
+  scene.simulation.solver.ideal.stiffness.shear_n_per_m *= stiffness_factor;
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   MethodRun run;
   run.kind = kind;
   run.time_step_s = simulation.frame_time_s();
-  run.stiffness_n_per_m = scene.simulation.solver.stiffness.structural_n_per_m;
+  run.stiffness_n_per_m = scene.simulation.solver.ideal.stiffness.structural_n_per_m;
   const auto steps = static_cast<int>(std::lround(duration_s * steps_per_s));
   try {
     for (int step = 0; step < steps; ++step) {
@@ -192,12 +195,16 @@ std::optional<Unrest> measure_unrest(const MethodRun& run) {
 
 RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_after) {
   const DrawnScene stepped = with_steps_as_frames(scene);
-  const sim::Garment garment = load_garment(stepped).garment;
+  const LoadedGarment loaded = load_garment(stepped);
+  const sim::Garment& garment = *loaded.garment;
+  const sim::Pins pins = sim::make_pins(garment, loaded.pins);
+  const sim::Surroundings surroundings =
+      settled(stepped.surroundings, stepped.layer_distance_m, garment, loaded.file_vertices);
   const double time_step_s = 1.0 / stepped.simulation.frame_rate_hz;
   const auto go_on = [&](sim::State& state, int steps) {
-    const auto solver = sim::make_solver(stepped.simulation.solver);
+    const auto solver = sim::make_solver(solver_settings(stepped.simulation.solver));
     for (int step = 0; step < steps; ++step) {
-      solver->advance_frame(garment, stepped.surroundings, time_step_s, state);
+      solver->advance_frame(garment, pins, surroundings, time_step_s, state);
     }
   };
   sim::State state = sim::make_state(garment);

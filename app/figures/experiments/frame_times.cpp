@@ -25,12 +25,12 @@ struct TimedRun {
 
 TimedRun make_timed_run(int triangles, DrawnScene scene) {
   // The method alone: layers are another matter, and their distance depends on the model.
-  scene.surroundings.layer_distance_m = 0.0;
+  scene.layer_distance_m = 0.0;
   const bool is_strong = scene.simulation.solver.kind == sim::SolverKind::strong;
   FrameTimes times;
   times.triangles = triangles;
-  times.substeps = is_strong ? scene.simulation.solver.substeps : 0;
-  times.sweeps = is_strong ? scene.simulation.solver.iterations : 0;
+  times.substeps = is_strong ? scene.simulation.solver.substeps.value_or(0) : 0;
+  times.sweeps = is_strong ? scene.simulation.solver.strong.iterations : 0;
   return {make_simulation(scene, load_garment(scene)), times};
 }
 
@@ -40,7 +40,7 @@ std::vector<TimedRun> make_timed_runs() {
     for (const int triangles : model_sizes) {
       DrawnScene scene = strong_shirt_scene(triangles);
       scene.simulation.solver.substeps = settings.substeps;
-      scene.simulation.solver.iterations = settings.sweeps;
+      scene.simulation.solver.strong.iterations = settings.sweeps;
       runs.push_back(make_timed_run(triangles, std::move(scene)));
     }
   }

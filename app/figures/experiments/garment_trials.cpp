@@ -87,15 +87,15 @@ GarmentTrial try_garment(const std::string& file, const std::string& kind, const
   try {
     DrawnScene scene = find_scene(file, {});
     const LoadedGarment loaded = load_garment(scene);
-    trial.mapping = mapping_of(loaded.garment);
-    sim::SolverSettings& solver = scene.simulation.solver;
+    trial.mapping = mapping_of(*loaded.garment);
+    SolverChoice& solver = scene.simulation.solver;
     solver = {};
     solver.kind = sim::SolverKind::strong;
     solver.substeps = trial_steps;
-    solver.iterations = trial_sweeps;
+    solver.strong.iterations = trial_sweeps;
     trial.strong = run_trial(loaded, scene, [&](double done) { checkpoint(0.8 * done); });
     solver = {};
-    solver.max_stretch = trial_bound;
+    solver.bounded.max_stretch = trial_bound;
     trial.bounded = run_trial(loaded, scene, [&](double done) { checkpoint(0.8 + 0.2 * done); });
   } catch (const InputError& error) {
     trial.refusal = error.what();

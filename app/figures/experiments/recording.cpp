@@ -13,7 +13,8 @@ namespace {
 Recording begin_recording(const DrawnScene& scene, const sim::Simulation& simulation) {
   Recording recording;
   recording.scene = scene;
-  recording.garment = std::make_shared<const sim::Garment>(simulation.garment());
+  recording.garment = simulation.shared_garment();
+  recording.pins = simulation.pins().vertices;
   return recording;
 }
 
@@ -44,8 +45,8 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames, co
 }
 
 DrawnScene with_steps_as_frames(DrawnScene scene) {
-  sim::SimulationSettings& settings = scene.simulation;
-  const int substeps = sim::equal_substeps(settings.solver);
+  RunSettings& settings = scene.simulation;
+  const int substeps = sim::equal_substeps(solver_settings(settings.solver));
   settings.frame_rate_hz *= substeps;
   settings.solver.substeps = 1;
   settings.rest.frames *= substeps;
@@ -55,7 +56,7 @@ DrawnScene with_steps_as_frames(DrawnScene scene) {
 
 StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames, sim::Index vertex,
                            const Checkpoint& checkpoint) {
-  const int steps_in_frame = sim::equal_substeps(scene.simulation.solver);
+  const int steps_in_frame = sim::equal_substeps(solver_settings(scene.simulation.solver));
   const DrawnScene stepped = with_steps_as_frames(scene);
   sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
   StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};

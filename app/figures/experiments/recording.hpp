@@ -22,6 +22,7 @@ struct Moment {
 struct Recording {
   DrawnScene scene;
   std::shared_ptr<const sim::Garment> garment;
+  std::vector<sim::Index> pins;
   std::vector<Moment> moments;
   double largest_stretch = 0.0;  ///< of all frames
 

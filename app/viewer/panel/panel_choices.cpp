@@ -78,16 +78,16 @@ std::string chosen_substeps(const ViewerState& state) {
 // Time steps that are short enough for one solver may make another fly apart: a number of them stands for the
 // solver that the scene has it for, and any other chooses its own.
 void choose_solver(ViewerState& state, sim::SolverKind kind) {
-  sim::SolverSettings& solver = state.scene.simulation.solver;
-  const sim::SolverSettings& of_scene = state.newest->loaded->scene.simulation.solver;
+  SolverChoice& solver = state.scene.simulation.solver;
+  const SolverChoice& of_scene = state.newest->loaded->scene.simulation.solver;
   if (kind != solver.kind) {
     solver.kind = kind;
-    solver.substeps = kind == of_scene.kind ? of_scene.substeps : 0;
+    solver.substeps = kind == of_scene.kind ? of_scene.substeps : std::nullopt;
   }
 }
 
 void lay_out_solver(ViewerState& state) {
-  sim::SolverSettings& solver = state.scene.simulation.solver;
+  SolverChoice& solver = state.scene.simulation.solver;
   if (begin_list("solver", sim::name_of(solver.kind))) {
     for (const sim::SolverKind kind : sim::all_solver_kinds) {
       if (ImGui::Selectable(sim::name_of(kind), kind == solver.kind)) {
@@ -98,23 +98,25 @@ void lay_out_solver(ViewerState& state) {
     ImGui::EndCombo();
   }
   note_place(state, "solver");
-  whole_slider(state, "substeps", "solver.substeps", solver.substeps, 0, 400,
-               solver.substeps == 0 ? chosen_substeps(state).c_str() : "%d");
+  int substeps = solver.substeps.value_or(0);
+  whole_slider(state, "substeps", "solver.substeps", substeps, 0, 400,
+               solver.substeps ? "%d" : chosen_substeps(state).c_str());
+  solver.substeps = substeps > 0 ? std::optional(substeps) : std::nullopt;
   const bool sweeps = solver.kind == sim::SolverKind::strong;
   const bool hooke = solver.kind == sim::SolverKind::ideal || solver.kind == sim::SolverKind::provot;
   if (sweeps) {
-    whole_slider(state, "iterations", "solver.iterations", solver.iterations, 1, 200);
-    number_slider(state, "flexural", "solver.flexural", solver.rigidity.flexural, 0.0, 1.0, "%.3f");
+    whole_slider(state, "iterations", "solver.iterations", solver.strong.iterations, 1, 200);
+    number_slider(state, "flexural", "solver.flexural", solver.strong.rigidity.flexural, 0.0, 1.0, "%.3f");
   }
   if (stretch_bound(state.scene)) {
-    double percent = 100.0 * solver.max_stretch;
+    double percent = 100.0 * solver.bounded.max_stretch;
     if (number_slider(state, "max stretch", "solver.max_stretch", percent, 0.1, 30.0, "%.2f %%", true)) {
-      const double before = std::exchange(solver.max_stretch, percent / 100.0);
-      keep_range_to_bound(state.scene.picture, before, solver.max_stretch);
+      const double before = std::exchange(solver.bounded.max_stretch, percent / 100.0);
+      keep_range_to_bound(state.scene.picture, before, solver.bounded.max_stretch);
     }
   }
   if (solver.kind == sim::SolverKind::bounded) {
-    sim::Fabric& fabric = solver.fabric;
+    sim::Material& fabric = state.scene.material;
     double bending_un_m = 1e6 * fabric.bending_rigidity_n_m;
     if (number_slider(state, "flexural", "fabric.bending", bending_un_m, 0.0, 100.0, "%.1f µN m", true)) {
       fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
@@ -123,10 +125,10 @@ void lay_out_solver(ViewerState& state) {
                   "%.0f N/m");
   }
   if (hooke) {
-    number_slider(state, "flexural", "solver.stiffness.flexural", solver.stiffness.flexural_n_per_m, 0.0,
-                  100.0, "%.1f N/m", true);
-    number_slider(state, "damping", "solver.stiffness.damping", solver.stiffness.damping_n_s_per_m, 0.0, 0.2,
-                  "%.3f N s/m");
+    number_slider(state, "flexural", "solver.stiffness.flexural", solver.ideal.stiffness.flexural_n_per_m,
+                  0.0, 100.0, "%.1f N/m", true);
+    number_slider(state, "damping", "solver.stiffness.damping", solver.ideal.stiffness.damping_n_s_per_m, 0.0,
+                  0.2, "%.3f N s/m");
   }
   number_slider(state, "air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0,
                 "%.2f /s");

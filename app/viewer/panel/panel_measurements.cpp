@@ -192,7 +192,7 @@ void lay_out_measurements(ViewerState& state, float scale) {
   plot_stretch(state, scale);
   plot_convergence(state, scale);
   plot_times(state, scale);
-  reading_line(state, "measured.size", size_text(state.newest->loaded->garment));
+  reading_line(state, "measured.size", size_text(*state.newest->loaded->garment));
   reading_line(state, "measured.speed", speed_text(state));
 }
 

@@ -186,7 +186,7 @@ void legend_of_stretch(const ViewerState& state, float scale) {
 
 void legend_of_springs(const ViewerState& state, float scale) {
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
-    const std::size_t count = state.newest->loaded->garment.springs.count(kind);
+    const std::size_t count = state.newest->loaded->garment->springs.count(kind);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float y = corner.y + 0.5F * ImGui::GetTextLineHeight();
     ImGui::GetWindowDrawList()->AddLine({corner.x, y}, {corner.x + 16.0F * scale, y},

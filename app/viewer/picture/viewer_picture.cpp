@@ -47,9 +47,7 @@ GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewA
     DrawnScene scene = state.scene;
     scene.picture.settings.width_px = area.width_px;
     scene.picture.settings.height_px = area.height_px;
-    sim::Garment garment = shown.loaded->garment;
-    garment.pins = *shown.pins;
-    painter_.emplace(scene_renderer_, scene, garment);
+    painter_.emplace(scene_renderer_, scene, *shown.loaded->garment, *shown.pins);
     painted_as_ = std::move(wanted);
   }
   return *painter_;
@@ -59,7 +57,7 @@ void ViewerPicture::add_springs(const ViewerState& state, renderer::FrameView& f
   static const std::array<renderer::Colour, 3> colours = {spring_colour(sim::SpringKind::structural),
                                                           spring_colour(sim::SpringKind::shear),
                                                           spring_colour(sim::SpringKind::flexural)};
-  const sim::Springs& springs = state.shown->loaded->garment.springs;
+  const sim::Springs& springs = state.shown->loaded->garment->springs;
   const std::span<const glm::vec3> positions = frame.surfaces.back().positions;
   // Flexural springs lie under the structural ones they skip along: wider, they show on both sides.
   for (const std::size_t k : {2U, 1U, 0U}) {
@@ -79,7 +77,7 @@ void ViewerPicture::add_springs(const ViewerState& state, renderer::FrameView& f
 
 void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& frame) {
   const renderer::SurfaceView& surface = frame.surfaces.back();
-  const float length_m = normal_length * diagonal(state.shown->loaded->garment.mesh.positions);
+  const float length_m = normal_length * diagonal(state.shown->loaded->garment->mesh.positions);
   normal_points_.clear();
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
     normal_points_.push_back(surface.positions[v]);

@@ -13,21 +13,21 @@ namespace {
 
 std::shared_ptr<const LoadedScene> load(const DrawnScene& scene, std::uint64_t generation) {
   LoadedGarment loaded = load_garment(scene);
-  return std::make_shared<const LoadedScene>(
-      LoadedScene{scene, std::move(loaded.garment), std::move(loaded.file_vertices), generation});
+  return std::make_shared<const LoadedScene>(LoadedScene{std::move(loaded), scene, generation});
 }
 
 // The outer third on one side of what the pins extend over, across.
-std::vector<sim::Index> without_side(const sim::Garment& garment, bool right) {
+std::vector<sim::Index> without_side(const sim::Garment& garment, std::span<const sim::Index> pins,
+                                     bool right) {
   double lowest = INFINITY;
   double highest = -INFINITY;
-  for (const sim::Index pin : garment.pins) {
+  for (const sim::Index pin : pins) {
     lowest = std::min(lowest, garment.mesh.positions[pin].x);
     highest = std::max(highest, garment.mesh.positions[pin].x);
   }
   const double third = (highest - lowest) / 3.0;
   std::vector<sim::Index> kept;
-  for (const sim::Index pin : garment.pins) {
+  for (const sim::Index pin : pins) {
     const double x = garment.mesh.positions[pin].x;
     if (right ? x < highest - third : x > lowest + third) {
       kept.push_back(pin);
@@ -45,12 +45,12 @@ LiveSimulation::LiveSimulation(const DrawnScene& scene) {
 // Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
 void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   const DrawnScene& scene = loaded->scene;
-  sim::Simulation simulation = make_simulation(scene, loaded->garment, loaded->file_vertices);
+  sim::Simulation simulation = make_simulation(scene, *loaded);
   record_ = measure_frame(simulation, 0);
   simulation_.emplace(std::move(simulation));
   loaded_ = std::move(loaded);
   surroundings_ = simulation_->surroundings();
-  pins_ = std::make_shared<const std::vector<sim::Index>>(loaded_->garment.pins);
+  pins_ = std::make_shared<const std::vector<sim::Index>>(loaded_->pins);
   note_shape();
   grip_.reset();
   frame_ = 0;
@@ -83,18 +83,21 @@ void LiveSimulation::perform(const ChangeSettings& change) {
     start(loaded_);  // there is nothing left to go on from
   }
   pristine_ = pristine_ && frame_ == 0;
-  if (change.simulation != simulation_->settings()) {
-    simulation_->set_settings(change.simulation);
+  const sim::SimulationSettings settings = simulation_settings(change.simulation);
+  if (settings != simulation_->settings() || change.material != simulation_->garment().material) {
+    simulation_->set_settings(settings);
+    simulation_->set_material(change.material);
     // Another bound may move the cloth before another frame.
     note_shape();
     record_.stretch = sim::measure_stretch(simulation_->garment().springs, state_->current);
   }
-  surroundings_ = settled(change.surroundings, loaded_->garment, loaded_->file_vertices);
+  surroundings_ =
+      settled(change.surroundings, change.layer_distance_m, *loaded_->garment, loaded_->file_vertices);
   simulation_->set_surroundings(surroundings_);
 }
 
 void LiveSimulation::perform(const TogglePin& toggle) {
-  if (toggle.vertex >= loaded_->garment.mesh.positions.size()) {
+  if (toggle.vertex >= loaded_->garment->mesh.positions.size()) {
     return;  // aimed at a garment that has been replaced since
   }
   std::vector<sim::Index> pins = *pins_;
@@ -109,7 +112,7 @@ void LiveSimulation::perform(const TogglePin& toggle) {
 
 void LiveSimulation::perform(const ReleasePins& release) {
   if (!pins_->empty()) {
-    set_pins(without_side(simulation_->garment(), release.right));
+    set_pins(without_side(simulation_->garment(), *pins_, release.right));
   }
 }
 
@@ -121,7 +124,7 @@ void LiveSimulation::set_pins(std::vector<sim::Index> pins) {
 
 void LiveSimulation::perform(const TakeHold& hold) {
   for (const GripVertex& held : hold.grip.vertices) {
-    if (held.vertex >= loaded_->garment.mesh.positions.size()) {
+    if (held.vertex >= loaded_->garment->mesh.positions.size()) {
       return;  // aimed at a garment that has been replaced since
     }
   }
@@ -139,8 +142,10 @@ void LiveSimulation::perform(const LetGo&) {
 void LiveSimulation::perform(const Reset&) {
   const sim::SimulationSettings settings = simulation_->settings();
   const sim::Surroundings surroundings = surroundings_;
+  const sim::Material material = simulation_->garment().material;
   start(loaded_);
   simulation_->set_settings(settings);
+  simulation_->set_material(material);
   surroundings_ = surroundings;
   simulation_->set_surroundings(surroundings);
 }

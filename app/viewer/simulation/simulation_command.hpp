@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "app/drawing/drawn_scene.hpp"
@@ -17,8 +18,20 @@ struct LoadScene {
 };
 /// All that can change while a garment moves. Artificial forces are the scene's own; a hand's come on top.
 struct ChangeSettings {
-  sim::SimulationSettings simulation;
+  ChangeSettings() = default;
+  /// To those of the scene.
+  explicit ChangeSettings(const Scene& scene)
+      : simulation(scene.simulation),
+        surroundings(scene.surroundings),
+        layer_distance_m(scene.layer_distance_m),
+        material(scene.material) {}
+
+  bool operator==(const ChangeSettings&) const = default;
+
+  RunSettings simulation;
   sim::Surroundings surroundings;
+  std::optional<double> layer_distance_m;
+  sim::Material material;
 };
 /// Holds the vertex where it is, or lets it go.
 struct TogglePin {
@@ -32,7 +45,7 @@ struct TakeHold {
   Grip grip;
 };
 struct LetGo {};
-/// Back to the garment as modelled, with the scene's pins and the present settings.
+/// Back to where the garment began, with the scene's pins and the present settings.
 struct Reset {};
 /// Back to a frame, with the pins of then and the present settings; what came after it is forgotten.
 struct GoBack {

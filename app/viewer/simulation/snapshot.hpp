@@ -6,18 +6,15 @@
 #include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
-#include "app/models/file_vertices.hpp"
+#include "app/models/garment_loading.hpp"
 #include "app/output/frame_record.hpp"
-#include "sim/garment.hpp"
 #include "sim/state.hpp"
 
 namespace taut::app {
 
 /// A scene with its garment, as it was loaded.
-struct LoadedScene {
+struct LoadedScene : GarmentInScene {
   DrawnScene scene;
-  sim::Garment garment;
-  FileVertices file_vertices;
   std::uint64_t generation = 0;  ///< another number for every load
 };
 

@@ -21,10 +21,10 @@ constexpr std::size_t fewest_clusters = 100;
 constexpr double coarsest_rate = 10.0;
 
 /// The square of the angular frequency of one element alone.
-double squared_rate(const FlexuralElement& e, double stiffness, const Garment& garment) {
+double squared_rate(const FlexuralElement& e, double stiffness, const Pins& pins) {
   double sum = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
-    sum += garment.inverse_masses_per_kg[e.vertices[k]] * e.weights[k] * e.weights[k];
+    sum += pins.inverse_masses_per_kg[e.vertices[k]] * e.weights[k] * e.weights[k];
   }
   return stiffness * sum;
 }
@@ -58,7 +58,7 @@ struct Taken {
 };
 
 /// `shares` is what of the rigidity is this level's to take, by vertex.
-Taken take_stiffness(const Garment& garment, const std::vector<Index>& row_of_vertex,
+Taken take_stiffness(const Garment& garment, const Pins& pins, const std::vector<Index>& row_of_vertex,
                      const std::vector<double>& shares, double rigidity_n_m, double largest_rate_per_s) {
   const double stiffest = largest_rate_per_s / wave_per_element;
   std::vector<double> left(shares.size(), 0.0);
@@ -67,7 +67,7 @@ Taken take_stiffness(const Garment& garment, const std::vector<Index>& row_of_ve
   for (const FlexuralElement& e : flexural_elements(garment)) {
     const Index v = e.vertices[2];
     double k = shares[v] * rigidity_n_m * e.stiffness_per_rigidity;
-    const double rate2 = squared_rate(e, k, garment);
+    const double rate2 = squared_rate(e, k, pins);
     const double softened = rate2 > stiffest * stiffest ? stiffest * stiffest / rate2 : 1.0;
     whole[v] += e.stiffness_per_rigidity;
     left[v] += e.stiffness_per_rigidity * (1.0 - softened);
@@ -132,24 +132,26 @@ std::vector<Index> in_order(std::size_t count) {
 
 }  // namespace
 
-Bending::Bending(const Garment& garment, const Layout& layout, double rigidity_n_m, double largest_rate_per_s)
+Bending::Bending(const Garment& garment, const Pins& pins, const Layout& layout, double rigidity_n_m,
+                 double largest_rate_per_s)
     : first_free_row_(layout.pin_count), row_count_(layout.vertex_count()) {
   if (!(rigidity_n_m > 0.0)) {
     return;
   }
-  const auto take = [&](const Garment& from, const std::vector<Index>& row_of_vertex,
+  const auto take = [&](const Garment& from, const Pins& held, const std::vector<Index>& row_of_vertex,
                         const std::vector<Index>& vertex_of_row, const std::vector<double>& shares) {
     const bool is_coarsest = levels_.size() + 1 == most_levels || shares.size() < 4 * fewest_clusters;
     const double rate_per_s = largest_rate_per_s * (is_coarsest ? coarsest_rate : 1.0);
-    Taken taken = take_stiffness(from, row_of_vertex, shares, rigidity_n_m, rate_per_s);
-    const auto inverse_masses = by_row<double>(from.inverse_masses_per_kg, vertex_of_row);
+    Taken taken = take_stiffness(from, held, row_of_vertex, shares, rigidity_n_m, rate_per_s);
+    const auto inverse_masses = by_row<double>(held.inverse_masses_per_kg, vertex_of_row);
     levels_.emplace_back();
     levels_.back().matrix = make_sliced_matrix(acceleration_rows(taken.stiffness, inverse_masses));
     return is_coarsest ? std::vector<double>(shares.size(), 0.0) : std::move(taken.left_shares);
   };
 
   std::vector<Index> order = layout.vertex_of_row;
-  std::vector<double> left = take(garment, layout.row_of_vertex, order, std::vector<double>(row_count_, 1.0));
+  std::vector<double> left =
+      take(garment, pins, layout.row_of_vertex, order, std::vector<double>(row_count_, 1.0));
   CoarseCloth coarse;
   while (*std::max_element(left.begin(), left.end()) > least_share) {
     coarse = coarsen(levels_.size() == 1 ? garment : coarse.garment, order);
@@ -157,7 +159,7 @@ Bending::Bending(const Garment& garment, const Layout& layout, double rigidity_n
     const auto cluster_of = by_row<std::uint32_t>(coarse.cluster_of, order);
     const auto part_of_mass = by_row<float>(coarse.part_of_mass, order);
     order = in_order(shares.size());
-    left = take(coarse.garment, order, order, shares);
+    left = take(coarse.garment, make_pins(coarse.garment, {}), order, order, shares);
     Level& level = levels_.back();
     level.cluster_of = cluster_of;
     level.part_of_mass = part_of_mass;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/garment.hpp"
+#include "sim/pins.hpp"
 #include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "sim/solvers/bounded/kernels/loops.hpp"
 #include "sim/solvers/bounded/layout.hpp"
@@ -23,7 +23,8 @@ class Bending {
 
   /// B = `rigidity_n_m` in N m; no level is left with waves of a higher angular frequency than about
   /// `largest_rate_per_s`. `layout` has to outlive this.
-  Bending(const Garment& garment, const Layout& layout, double rigidity_n_m, double largest_rate_per_s);
+  Bending(const Garment& garment, const Pins& pins, const Layout& layout, double rigidity_n_m,
+          double largest_rate_per_s);
 
   bool empty() const { return levels_.empty(); }
   std::size_t level_count() const { return levels_.size(); }

@@ -64,15 +64,17 @@ double followed_compression(double mobility_per_kg, double time_step_s) {
 
 /// What the solver derives from a garment, and keeps from frame to frame.
 struct BoundedSolver::Cloth {
-  Cloth(const Garment& garment, const SolverSettings& settings, double frame_time_s)
-      : pins(garment.pins),
-        layout(make_layout(garment)),
-        forces(garment, layout, settings.fabric.bending_rigidity_n_m, frame_time_s),
+  Cloth(const Garment& garment, const Pins& held, const BoundedSettings& settings, double frame_time_s)
+      : pins(held.vertices),
+        compression_stiffness_n_per_m(garment.material.compression_stiffness_n_per_m),
+        layout(make_layout(garment, held)),
+        forces(garment, held, layout, garment.material.bending_rigidity_n_m, frame_time_s),
         certifier(layout),
         tethers(make_tethers(garment, layout, settings.max_stretch)),
         mobility_per_kg(mean_mobility_per_kg(layout)) {}
 
   std::vector<Index> pins;
+  double compression_stiffness_n_per_m;
   Layout layout;
   HeldForces forces;
   Contacts contacts;
@@ -87,27 +89,29 @@ struct BoundedSolver::Cloth {
   double time_step_s = 0.0;  ///< the one the springs' short_share is made for
 };
 
-BoundedSolver::BoundedSolver(const SolverSettings& settings) : settings_(settings) {
+BoundedSolver::BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps)
+    : settings_(settings), substeps_(substeps), max_substeps_(max_substeps) {
   kernels_for(settings.vector_unit);  // refuses now what it would refuse in the first frame
 }
 
 BoundedSolver::~BoundedSolver() = default;
 
-void BoundedSolver::lay_out(const Garment& garment, const Surroundings& surroundings, double frame_time_s) {
-  if (cloth_ && cloth_->pins == garment.pins &&
+void BoundedSolver::lay_out(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+                            double frame_time_s) {
+  if (cloth_ && cloth_->pins == pins.vertices &&
       cloth_->layout.vertex_count() == garment.mesh.positions.size()) {
     return;
   }
   loops_ = std::make_unique<Loops>(kernels_for(settings_.vector_unit),
                                    thread_count(settings_.threads, garment.mesh.triangles.size()));
-  cloth_ = std::make_unique<Cloth>(garment, settings_, frame_time_s);
-  if (settings_.substeps > 0) {
-    cloth_->control = SubstepControl(settings_.substeps, settings_.substeps, settings_.substeps);
+  cloth_ = std::make_unique<Cloth>(garment, pins, settings_, frame_time_s);
+  if (substeps_) {
+    cloth_->control = SubstepControl(*substeps_, *substeps_, *substeps_);
   } else {
     const int least = std::max(least_substeps, cloth_->forces.updates_per_frame({}, frame_time_s));
     cloth_->control = SubstepControl(
         first_substeps(garment, cloth_->layout, surroundings, frame_time_s, settings_.max_stretch), least,
-        settings_.max_substeps);
+        max_substeps_);
   }
 }
 
@@ -144,8 +148,7 @@ void BoundedSolver::begin_substeps(double time_step_s) {
   }
   cloth.time_step_s = time_step_s;
   SpringLanes& springs = cloth.layout.springs;
-  const auto stiffness =
-      static_cast<float>(settings_.fabric.compression_stiffness_n_per_m * time_step_s * time_step_s);
+  const auto stiffness = static_cast<float>(cloth.compression_stiffness_n_per_m * time_step_s * time_step_s);
   for (std::size_t k = 0; k < springs.lane_count(); ++k) {
     const float w = cloth.layout.inverse_masses_per_kg[springs.row_i(k)] +
                     cloth.layout.inverse_masses_per_kg[springs.row_j(k)];
@@ -201,7 +204,7 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
     predict(surroundings, time_s, at_s, dt);
     // Step 3: compensate the predicted positions, eqs. (2)-(3).
     sweep_springs();
-    cloth.contacts.push_out(surroundings, motion);
+    cloth.contacts.push_out(garment.material, surroundings, motion);
   }
 }
 
@@ -233,14 +236,15 @@ void BoundedSolver::end_frame(double frame_time_s, int substeps, State& state) c
   state.step_count += static_cast<std::uint64_t>(substeps);
 }
 
-FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundings& surroundings,
-                                         double frame_time_s, State& state) {
-  lay_out(garment, surroundings, frame_time_s);
+FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pins,
+                                         const Surroundings& surroundings, double frame_time_s,
+                                         State& state) {
+  lay_out(garment, pins, surroundings, frame_time_s);
   const auto began = std::chrono::steady_clock::now();
   Cloth& cloth = *cloth_;
   loops_->share(cloth.threads.is_shared());
   begin_frame(state);
-  cloth.contacts.begin_frame(garment, cloth.layout, surroundings, cloth.motion, cloth.velocities,
+  cloth.contacts.begin_frame(garment, pins, cloth.layout, surroundings, cloth.motion, cloth.velocities,
                              frame_time_s);
   SubstepControl& control = cloth.control;
   Certificate certificate;
@@ -257,7 +261,7 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Surroundi
     shift = allowed_m > 0.0 ? certificate.largest_shift_m / allowed_m : 0.0;
     write_shape(surroundings, frame_time_s, state);
     certificate.kept =
-        certificate.kept || keeps_bound_in_double(garment, settings_.max_stretch, state.current);
+        certificate.kept || keeps_bound_in_double(garment, pins, settings_.max_stretch, state.current);
   } while ((!certificate.kept || (shift > too_far && shift > further_than_before * cloth.shift)) &&
            control.try_more());
   cloth.shift = shift;

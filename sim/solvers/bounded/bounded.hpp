@@ -15,16 +15,17 @@ class Loops;
 class BoundedSolver : public Solver {
  public:
   /// Throws std::invalid_argument on a vector unit this processor lacks.
-  explicit BoundedSolver(const SolverSettings& settings);
+  BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps);
   ~BoundedSolver() override;
 
-  FrameReport advance_frame(const Garment& garment, const Surroundings& surroundings, double frame_time_s,
-                            State& state) override;
+  FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+                            double frame_time_s, State& state) override;
 
  private:
   struct Cloth;
 
-  void lay_out(const Garment& garment, const Surroundings& surroundings, double frame_time_s);
+  void lay_out(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+               double frame_time_s);
   void begin_frame(const State& state);
   void begin_substeps(double time_step_s);
   void run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
@@ -34,7 +35,9 @@ class BoundedSolver : public Solver {
   void write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const;
   void end_frame(double frame_time_s, int substeps, State& state) const;
 
-  SolverSettings settings_;
+  BoundedSettings settings_;
+  std::optional<int> substeps_;  ///< in a frame, where they are not to be chosen
+  int max_substeps_;
   std::unique_ptr<bounded::Loops> loops_;
   std::unique_ptr<Cloth> cloth_;
 };

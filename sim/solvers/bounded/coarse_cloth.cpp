@@ -98,9 +98,8 @@ CoarseCloth coarsen(const Garment& fine, const std::vector<Index>& order) {
     mesh.positions[cluster] += part * fine.mesh.positions[v];
   }
   mesh.triangles = triangles_between(fine.mesh, coarse.cluster_of);
-  coarse.garment = make_garment(std::move(mesh), {{}, fine.areal_density_kg_per_m2}, {});
+  coarse.garment = make_garment(std::move(mesh), {}, fine.material);
   coarse.garment.masses_kg = std::move(masses_kg);
-  hold_by(coarse.garment, {});
   return coarse;
 }
 

@@ -36,8 +36,9 @@ void add(Row& row, const Vec3& v) {
 
 }  // namespace
 
-void Contacts::begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
-                           const Motion& motion, const Rows& velocities, double frame_time_s) {
+void Contacts::begin_frame(const Garment& garment, const Pins& pins, const Layout& layout,
+                           const Surroundings& surroundings, const Motion& motion, const Rows& velocities,
+                           double frame_time_s) {
   near_rows_.clear();
   near_inverse_masses_per_kg_.clear();
   if (surroundings.colliders.empty()) {
@@ -45,18 +46,18 @@ void Contacts::begin_frame(const Garment& garment, const Layout& layout, const S
   }
   const double gravity = glm::length(surroundings.forces.gravity_m_per_s2);
   const double travel_m = frame_time_s * (largest_speed(velocities) + gravity * frame_time_s);
-  const double reach_m = surroundings.cloth_thickness_m + reach_factor * travel_m + extra_reach_m;
+  const double reach_m = garment.material.thickness_m + reach_factor * travel_m + extra_reach_m;
   for (Index row = static_cast<Index>(layout.pin_count); row < layout.vertex_count(); ++row) {
     if (is_near_any(surroundings.colliders, motion.start_m[row], reach_m)) {
       near_rows_.push_back(row);
-      near_inverse_masses_per_kg_.push_back(garment.inverse_masses_per_kg[layout.vertex_of_row[row]]);
+      near_inverse_masses_per_kg_.push_back(pins.inverse_masses_per_kg[layout.vertex_of_row[row]]);
     }
   }
   near_current_m_.resize(near_rows_.size());
   near_predicted_m_.resize(near_rows_.size());
 }
 
-void Contacts::push_out(const Surroundings& surroundings, Motion& motion) {
+void Contacts::push_out(const Material& cloth, const Surroundings& surroundings, Motion& motion) {
   if (near_rows_.empty()) {
     return;
   }
@@ -65,8 +66,8 @@ void Contacts::push_out(const Surroundings& surroundings, Motion& motion) {
     near_current_m_[k] = motion.start_m[row] + vector_of(motion.previous[row]);
     near_predicted_m_[k] = motion.start_m[row] + vector_of(motion.current[row]);
   }
-  push_out_of_colliders(surroundings.colliders, surroundings.cloth_thickness_m, near_inverse_masses_per_kg_,
-                        near_current_m_, near_predicted_m_);
+  push_out_of_colliders(surroundings.colliders, cloth, near_inverse_masses_per_kg_, near_current_m_,
+                        near_predicted_m_);
   for (std::size_t k = 0; k < near_rows_.size(); ++k) {
     const Index row = near_rows_[k];
     motion.current[row] = row_of(near_predicted_m_[k] - motion.start_m[row]);

@@ -11,11 +11,12 @@ namespace taut::sim::bounded {
 class Contacts {
  public:
   /// Finds the rows that could reach an obstacle within the frame.
-  void begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
-                   const Motion& motion, const Rows& velocities, double frame_time_s);
+  void begin_frame(const Garment& garment, const Pins& pins, const Layout& layout,
+                   const Surroundings& surroundings, const Motion& motion, const Rows& velocities,
+                   double frame_time_s);
 
   /// After the sweeps of each time step: out of the obstacles, with friction.
-  void push_out(const Surroundings& surroundings, Motion& motion);
+  void push_out(const Material& cloth, const Surroundings& surroundings, Motion& motion);
 
   /// A few times in a frame: moves layers that are too close apart and takes away the speed with which they
   /// approach, but gives them none.

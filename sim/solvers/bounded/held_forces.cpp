@@ -30,17 +30,17 @@ AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double
   const double half_density = 0.5 * air_density_kg_per_m3;
   air.half_density_pressure = static_cast<float>(half_density * wind.pressure_coefficient);
   air.half_density_friction = static_cast<float>(half_density * wind.friction_coefficient);
-  air.time_per_density = static_cast<float>(held_s / garment.areal_density_kg_per_m2);
+  air.time_per_density = static_cast<float>(held_s / garment.material.areal_density_kg_per_m2);
   air.per_time_step = static_cast<float>(1.0 / time_step_s);
   return air;
 }
 
 }  // namespace
 
-HeldForces::HeldForces(const Garment& garment, const Layout& layout, double bending_rigidity_n_m,
-                       double frame_time_s)
+HeldForces::HeldForces(const Garment& garment, const Pins& pins, const Layout& layout,
+                       double bending_rigidity_n_m, double frame_time_s)
     : layout_(layout),
-      bending_(garment, layout, bending_rigidity_n_m, fastest_bending_per_frame / frame_time_s),
+      bending_(garment, pins, layout, bending_rigidity_n_m, fastest_bending_per_frame / frame_time_s),
       accelerations_(layout.row_count()),
       corner_forces_n_(layout.triangles.lane_count()),
       positions_(layout.row_count()) {}

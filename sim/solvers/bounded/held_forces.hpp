@@ -21,7 +21,8 @@ struct Motion {
 class HeldForces {
  public:
   /// `layout` has to outlive this.
-  HeldForces(const Garment& garment, const Layout& layout, double bending_rigidity_n_m, double frame_time_s);
+  HeldForces(const Garment& garment, const Pins& pins, const Layout& layout, double bending_rigidity_n_m,
+             double frame_time_s);
 
   /// How often a frame the forces have to be evaluated so that holding them is stable.
   int updates_per_frame(const ExternalForces& external, double frame_time_s) const;

@@ -16,8 +16,8 @@ std::size_t bound_spring_count(const Springs& springs) {
   return springs.begin_of(SpringKind::flexural);
 }
 
-void number_rows(const Garment& garment, Layout& layout) {
-  const GeodesicDistances geodesics = geodesic_distances(garment.mesh, garment.adjacency, garment.pins);
+void number_rows(const Garment& garment, const Pins& pins, Layout& layout) {
+  const GeodesicDistances geodesics = geodesic_distances(garment.mesh, garment.adjacency, pins.vertices);
   const std::vector<double>& distances_m = geodesics.distances_m;
   std::vector<Index>& order = layout.vertex_of_row;
   order.resize(distances_m.size());
@@ -28,14 +28,14 @@ void number_rows(const Garment& garment, Layout& layout) {
   for (Index row = 0; row < order.size(); ++row) {
     layout.row_of_vertex[order[row]] = row;
     layout.distance_from_pins_m.push_back(distances_m[order[row]]);
-    layout.inverse_masses_per_kg.push_back(static_cast<float>(garment.inverse_masses_per_kg[order[row]]));
+    layout.inverse_masses_per_kg.push_back(static_cast<float>(pins.inverse_masses_per_kg[order[row]]));
   }
   for (const Index v : order) {
     const Index pin = geodesics.nearest_sources[v];
     layout.nearest_pin_row.push_back(pin == GeodesicDistances::no_source ? 0 : layout.row_of_vertex[pin]);
   }
   layout.inverse_masses_per_kg.resize(layout.row_count(), 0.0F);
-  layout.pin_count = garment.pins.size();
+  layout.pin_count = pins.vertices.size();
 }
 
 struct SpringInRows {
@@ -115,8 +115,8 @@ void set_lane(SpringLanes& lanes, std::size_t lane, Index row_i, Index row_j, do
   block.squared_rest[k] = static_cast<float>(rest_m * rest_m);
 }
 
-void append_colour(const std::vector<SpringInRows>& colour, const Garment& garment, const Layout& layout,
-                   SpringLanes& lanes) {
+void append_colour(const std::vector<SpringInRows>& colour, const Garment& garment, const Pins& pins,
+                   const Layout& layout, SpringLanes& lanes) {
   const std::size_t begin = lanes.lane_count();
   const std::size_t block_count = (colour.size() + block_size - 1) / block_size;
   lanes.blocks.resize(lanes.block_count() + block_count);
@@ -124,8 +124,8 @@ void append_colour(const std::vector<SpringInRows>& colour, const Garment& garme
   lanes.certificate_share_i.resize(lanes.spring.size(), 0.0F);
   for (std::size_t k = 0; k < colour.size(); ++k) {
     const SpringInRows& s = colour[k];
-    const double w_i = garment.inverse_masses_per_kg[layout.vertex_of_row[s.row_i]];
-    const double w_j = garment.inverse_masses_per_kg[layout.vertex_of_row[s.row_j]];
+    const double w_i = pins.inverse_masses_per_kg[layout.vertex_of_row[s.row_i]];
+    const double w_j = pins.inverse_masses_per_kg[layout.vertex_of_row[s.row_j]];
     const double ratio = certificate_ratio(s, layout);
     set_lane(lanes, begin + k, s.row_i, s.row_j, w_i / (w_i + w_j), garment.springs.rest_lengths_m[s.spring]);
     lanes.certificate_share_i[begin + k] = static_cast<float>(w_i * ratio / (w_i * ratio + w_j));
@@ -138,11 +138,11 @@ void append_colour(const std::vector<SpringInRows>& colour, const Garment& garme
   lanes.colour_begin.push_back(static_cast<std::uint32_t>(lanes.block_count()));
 }
 
-SpringLanes make_spring_lanes(const Garment& garment, const Layout& layout) {
+SpringLanes make_spring_lanes(const Garment& garment, const Pins& pins, const Layout& layout) {
   SpringLanes lanes;
   lanes.colour_begin.push_back(0);
   for (const auto& colour : coloured(movable_springs(garment.springs, layout), layout.vertex_count())) {
-    append_colour(colour, garment, layout, lanes);
+    append_colour(colour, garment, pins, layout, lanes);
   }
   return lanes;
 }
@@ -187,11 +187,11 @@ void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRow
   }
 }
 
-Layout make_layout(const Garment& garment) {
+Layout make_layout(const Garment& garment, const Pins& pins) {
   Layout layout;
-  number_rows(garment, layout);
+  number_rows(garment, pins, layout);
   measure_reach(garment, layout);
-  layout.springs = make_spring_lanes(garment, layout);
+  layout.springs = make_spring_lanes(garment, pins, layout);
   layout.triangles = make_triangle_lanes(garment, layout);
   return layout;
 }

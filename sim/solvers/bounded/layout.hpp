@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/garment.hpp"
+#include "sim/pins.hpp"
 #include "sim/solvers/bounded/kernels/rows.hpp"
 
 namespace taut::sim::bounded {
@@ -71,7 +71,7 @@ struct Layout {
   std::size_t row_count() const { return (vertex_count() + 3 * block_size - 1) / block_size * block_size; }
 };
 
-Layout make_layout(const Garment& garment);
+Layout make_layout(const Garment& garment, const Pins& pins);
 
 /// Where the cloth is when a frame begins, by row, from a point of it: in single precision, and what that
 /// rounds away. Spare rows are zero.

@@ -42,7 +42,7 @@ double acceleration(const Garment& garment, const Surroundings& surroundings) {
   const double speed = surroundings.forces.wind.speed_m_per_s;
   const double pressure = 0.5 * air_density_kg_per_m3 * speed * speed;
   return glm::length(surroundings.forces.gravity_m_per_s2) + rate * rate * glm::length(motion.amplitude_m) +
-         caught_wind * pressure / garment.areal_density_kg_per_m2;
+         caught_wind * pressure / garment.material.areal_density_kg_per_m2;
 }
 
 }  // namespace

@@ -32,14 +32,14 @@ double largest_excess_m(const Springs& springs, std::span<const Vec3> positions,
 }
 
 /// One sweep of eqs. (2)-(3) over the springs that are too long.
-void shorten(const Garment& garment, double max_stretch, std::span<Vec3> positions) {
+void shorten(const Garment& garment, const Pins& pins, double max_stretch, std::span<Vec3> positions) {
   const Springs& springs = garment.springs;
   for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
     const auto [i, j] = springs.ends[s];
     const Vec3 spring = positions[i] - positions[j];
     const double length_m = glm::length(spring);
-    const double w_i = garment.inverse_masses_per_kg[i];
-    const double w_j = garment.inverse_masses_per_kg[j];
+    const double w_i = pins.inverse_masses_per_kg[i];
+    const double w_j = pins.inverse_masses_per_kg[j];
     if (length_m > (1.0 + max_stretch) * springs.rest_lengths_m[s] && w_i + w_j > 0.0) {
       const double aim_m = (1.0 + aimed_part * max_stretch) * springs.rest_lengths_m[s];
       const Vec3 correction = spring * ((length_m - aim_m) / length_m / (w_i + w_j));
@@ -51,18 +51,19 @@ void shorten(const Garment& garment, double max_stretch, std::span<Vec3> positio
 
 }  // namespace
 
-void move_within_bound(const Garment& garment, const SolverSettings& settings, State& state) {
-  if (settings.kind != SolverKind::bounded ||
-      largest_excess_m(garment.springs, state.current, settings.max_stretch) == 0.0) {
+void move_within_bound(const Garment& garment, const Pins& pins, const SolverSettings& settings,
+                       State& state) {
+  const auto* chosen = std::get_if<BoundedSettings>(&settings.method);
+  if (chosen == nullptr || largest_excess_m(garment.springs, state.current, chosen->max_stretch) == 0.0) {
     return;
   }
-  bounded::Layout layout = bounded::make_layout(garment);
-  bounded::Loops loops(bounded::kernels_for(settings.vector_unit), 1);
+  bounded::Layout layout = bounded::make_layout(garment, pins);
+  bounded::Loops loops(bounded::kernels_for(chosen->vector_unit), 1);
   bounded::StartRows start;
   bounded::set_start(layout, state.current, start);
   loops.start_springs(start, layout.springs);
   bounded::Certifier certifier(layout);
-  certifier.certify(layout, bounded::Rows(layout.row_count()), settings.max_stretch, largest_cost, loops);
+  certifier.certify(layout, bounded::Rows(layout.row_count()), chosen->max_stretch, largest_cost, loops);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     const Vec3 moved = bounded::vector_of(certifier.corrected()[row]);
     state.current[layout.vertex_of_row[row]] += moved;
@@ -70,10 +71,11 @@ void move_within_bound(const Garment& garment, const SolverSettings& settings, S
   }
 }
 
-bool keeps_bound_in_double(const Garment& garment, double max_stretch, std::span<Vec3> positions) {
+bool keeps_bound_in_double(const Garment& garment, const Pins& pins, double max_stretch,
+                           std::span<Vec3> positions) {
   double excess_m = largest_excess_m(garment.springs, positions, max_stretch);
   for (int sweep = 0; sweep < most_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m; ++sweep) {
-    shorten(garment, max_stretch, positions);
+    shorten(garment, pins, max_stretch, positions);
     excess_m = largest_excess_m(garment.springs, positions, max_stretch);
   }
   return excess_m == 0.0;

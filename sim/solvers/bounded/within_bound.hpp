@@ -10,12 +10,14 @@ namespace taut::sim {
 /// longer than `bounded` allows by these settings; not at all where the settings promise no bound, or the
 /// shape keeps it already. Pinned vertices stay, so that where pins hold the cloth too far apart the bound
 /// cannot be kept everywhere.
-void move_within_bound(const Garment& garment, const SolverSettings& settings, State& state);
+void move_within_bound(const Garment& garment, const Pins& pins, const SolverSettings& settings,
+                       State& state);
 
 /// Whether no structural or shear spring is longer than the bound allows, once those that are by less than a
 /// micrometre have been shortened, in double precision. Of edges of 1e-8 m that is several times their
 /// length, and less than single precision can tell of cloth that moved by some centimetres. Positions in
 /// metres, by vertex.
-bool keeps_bound_in_double(const Garment& garment, double max_stretch, std::span<Vec3> positions);
+bool keeps_bound_in_double(const Garment& garment, const Pins& pins, double max_stretch,
+                           std::span<Vec3> positions);
 
 }  // namespace taut::sim

@@ -120,9 +120,9 @@ bool Team::do_chunk() {
   }
 }
 
-int thread_count(int asked, std::size_t triangles) {
-  if (asked > 0) {
-    return asked;
+int thread_count(std::optional<int> asked, std::size_t triangles) {
+  if (asked) {
+    return *asked;
   }
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   return triangles < triangles_worth_threads ? 1 : std::clamp(processors, 1, most_threads_unasked);

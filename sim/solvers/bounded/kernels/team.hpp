@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -74,8 +75,8 @@ class Team {
   std::vector<std::thread> workers_;
 };
 
-/// As asked for; 0 asks for as many as pay: one below some 20 000 triangles, where a thread's share of a loop
+/// As asked for, or else as many as pay: one below some 20 000 triangles, where a thread's share of a loop
 /// is gone before another has woken, and no more than 4, as loops wait for memory then.
-int thread_count(int asked, std::size_t triangles);
+int thread_count(std::optional<int> asked, std::size_t triangles);
 
 }  // namespace taut::sim::bounded

@@ -65,10 +65,10 @@ std::filesystem::path find_garment(const std::filesystem::path& recorded,
 }
 
 // As it stands in the record: reading the key puts a scene file's folder in front of it.
-std::filesystem::path recorded_garment(const Value& scene) {
+std::filesystem::path recorded_file(const Value& scene, const char* name) {
   for (const auto& [section, keys] : *scene.table()) {
     for (const auto& [key, value] : section == "garment" && keys.table() ? *keys.table() : ValueTable{}) {
-      if (key == "file" && value.text() != nullptr) {
+      if (key == name && value.text() != nullptr) {
         return *value.text();
       }
     }
@@ -82,9 +82,11 @@ DrawnScene read_scene(const std::string& text, const std::filesystem::path& file
   DrawnScene scene;
   const SceneFormat<DrawnScene> format = drawn_scene_format();
   KeyReader(format.keys, source, scene).read(*value.table());
-  const std::filesystem::path garment = recorded_garment(value);
-  if (!garment.empty()) {
-    scene.garment.file = find_garment(garment, file.parent_path());
+  for (const auto& [name, member] : garment_files) {
+    const std::filesystem::path recorded = recorded_file(value, name);
+    if (!recorded.empty()) {
+      scene.garment.*member = find_garment(recorded, file.parent_path());
+    }
   }
   scene.name = file.stem().string();
   return scene;

@@ -7,9 +7,6 @@
 
 namespace taut::app {
 
-/// Cloth that may give less than this cannot be kept in every pose.
-inline constexpr double smallest_bound = 1e-4;
-
 /// Why the bounded solver's bound is not promised for this scene; nothing where it is, where no bound is
 /// asked for and where the scene allows that it is exceeded.
 std::optional<std::string> beyond_promise(const Scene& scene);

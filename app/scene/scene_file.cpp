@@ -39,19 +39,23 @@ void require_one_garment(const ValueTable& file, const Source& source) {
 }
 
 // Here and not where it is read, which does not know who names it.
-void require_garment(const std::filesystem::path& garment, const Source& source, int line) {
+void require_named(const std::string& key, const std::filesystem::path& named, const Source& source,
+                   int line) {
   try {
-    require_file(garment);
+    require_file(named);
   } catch (const InputError& error) {
-    fail(source, line, std::string("garment.file: ") + error.what());
+    fail(source, line, "garment." + key + ": " + error.what());
   }
 }
 
-void require_garment_of(const ValueTable& file, const Source& source, const std::filesystem::path& garment) {
+void require_garment_of(const ValueTable& file, const Source& source, const GarmentSource& named,
+                        const GarmentSource& used) {
   const Value* section = find(file, "garment");
-  const Value* key = section != nullptr ? find(*section->table(), "file") : nullptr;
-  if (key != nullptr) {
-    require_garment(garment, source, key->line);
+  for (const auto& [name, member] : garment_files) {
+    const Value* key = section != nullptr ? find(*section->table(), name) : nullptr;
+    if (key != nullptr && used.*member == named.*member) {
+      require_named(name, named.*member, source, key->line);
+    }
   }
 }
 

@@ -31,8 +31,10 @@ void apply_overrides(const SceneFormat<S>& format, std::span<const Override> ove
   for (const Override& changed : overrides) {
     const Source source{changed.option, true};
     KeyReader(format.keys, source, scene).read_value(changed.key, read_toml_value(changed.value));
-    if (changed.key == "garment.file") {
-      require_garment(scene.garment.file, source, 0);
+    for (const auto& [name, member] : garment_files) {
+      if (changed.key == std::string("garment.") + name) {
+        require_named(name, scene.garment.*member, source, 0);
+      }
     }
   }
   if (!overrides.empty()) {
@@ -51,11 +53,9 @@ S read_scene(const SceneFormat<S>& format, const std::string& text, const std::s
   KeyReader(format.keys, source, scene).read(*file.table());
   require_one_garment(*file.table(), source);
   format.check(scene, source);
-  const std::filesystem::path garment = scene.garment.file;
+  const GarmentSource named = scene.garment;
   apply_overrides(format, overrides, scene);
-  if (scene.garment.file == garment) {
-    require_garment_of(*file.table(), source, garment);
-  }
+  require_garment_of(*file.table(), source, named, scene.garment);
   return scene;
 }
 

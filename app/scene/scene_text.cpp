@@ -99,19 +99,25 @@ std::filesystem::path garment_name(const std::filesystem::path& garment, Garment
   return is_inside ? relative : full;
 }
 
+void name_files(const GarmentSource& source, GarmentNaming naming, ValueTable& garment) {
+  for (auto& [key, value] : garment) {
+    for (const auto& [name, member] : garment_files) {
+      if (key == name && is_set(value)) {
+        value = {garment_name(source.*member, naming).string()};
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::string text_of(ValueTable settings, const Scene& scene, GarmentNaming naming) {
   const bool has_file = !scene.garment.file.empty();
   for (auto& [key, value] : settings) {
-    if (key == "garment" && has_file) {
+    if (key == "garment") {
       ValueTable& garment = std::get<ValueTable>(value.data);
-      std::erase_if(garment, [](const auto& entry) { return entry.key == "grid"; });
-      for (auto& entry : garment) {
-        if (entry.key == "file") {
-          entry.value = {garment_name(scene.garment.file, naming).string()};
-        }
-      }
+      std::erase_if(garment, [&](const auto& entry) { return has_file && entry.key == "grid"; });
+      name_files(scene.garment, naming, garment);
     }
   }
   std::string text;

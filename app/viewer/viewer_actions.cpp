@@ -216,6 +216,7 @@ void Viewer::load_asked() {
         scene.picture.ground = {};
       }
       scene.garment.file = *garment;
+      scene.garment.start.clear();
       load(std::move(scene));
     }
   } catch (const std::exception& error) {

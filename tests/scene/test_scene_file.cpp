@@ -38,6 +38,8 @@ at = ["top-left", 4, { nearest = [0, 1, 0] }]
 [solver]
 kind = "ideal"
 substeps = 7
+[cloth]
+friction = 0.7
 [[forces]]
 vertex = 3
 force = [0, 1, 0]
@@ -76,7 +78,9 @@ shadows = false
   ASSERT_EQ(colliders.size(), 2U);
   EXPECT_EQ(std::get<sim::Sphere>(colliders[0].shape), (sim::Sphere{sim::Vec3(0, -1, 0), 0.25}));
   EXPECT_EQ(std::get<sim::Plane>(colliders[1].shape).normal, sim::Vec3(0, 1, 0));
+  EXPECT_EQ(colliders[0].friction, std::nullopt) << "the cloth's";
   EXPECT_EQ(colliders[1].friction, 0.5);
+  EXPECT_EQ(scene.material.friction, 0.7);
   EXPECT_EQ(scene.camera.box->upper, glm::vec3(1, 2, 3));
   EXPECT_EQ(scene.picture.ground.kind, GroundKind::fixed);
   EXPECT_EQ(scene.picture.ground.height_m, -1.5);
@@ -102,6 +106,38 @@ TEST(SceneFile, NamesTheLineOfAGarmentThatIsNotThere) {
   const Override other = {"garment.file", (folder / "b.obj").string(), "--set garment.file=b.obj"};
   EXPECT_EQ(read_scene_file(folder / "scene.toml", std::span(&other, 1)).garment.file, folder / "b.obj")
       << "what takes its place is there";
+}
+
+TEST(SceneFile, TakesKeysOfEverySolverInAnyOrderAndTheKindLast) {
+  const TemporaryFolder folder;
+  const std::string keys = "[solver]\niterations = 7\nmax_stretch = 0.2\nstiffness.structural = 30\n";
+  const auto method_of = [&](const std::string& kind) {
+    const auto path = folder.write("scene.toml", grid + keys + "kind = \"" + kind + "\"\n");
+    return simulation_settings(read_scene_file(path).simulation).solver.method;
+  };
+  const sim::SpringStiffness soft = {.structural_n_per_m = 30.0};
+  EXPECT_EQ(method_of("ideal"), sim::SolverMethod(sim::IdealSettings{soft}));
+  EXPECT_EQ(method_of("provot"), sim::SolverMethod(sim::ProvotSettings{soft, 0.2}));
+  EXPECT_EQ(method_of("strong"), sim::SolverMethod(sim::StrongSettings{.iterations = 7}));
+  EXPECT_EQ(method_of("bounded"), sim::SolverMethod(sim::BoundedSettings{.max_stretch = 0.2}));
+}
+
+TEST(SceneFile, LeavesOutWhatIsLeftToTheProgram) {
+  const TemporaryFolder folder;
+  const std::string text =
+      std::string(grid) + "[solver]\nsubsteps = 0\nthreads = 3\n[cloth]\nlayer_distance = 0\n";
+  const Scene scene = read_scene_file(folder.write("scene.toml", text));
+  EXPECT_EQ(scene.simulation.solver.substeps, std::nullopt);
+  EXPECT_EQ(scene.simulation.solver.bounded.threads, 3);
+  EXPECT_EQ(scene.garment.scale, std::nullopt);
+  EXPECT_EQ(scene.layer_distance_m, 0.0) << "layers pass through each other, as asked";
+}
+
+TEST(SceneFile, NamesAStartThatIsNotThere) {
+  const TemporaryFolder folder;
+  EXPECT_CONTAINS(file_error(folder, "[garment]\nstart = \"end.obj\"\ngrid.rows = 3\n"),
+                  "scene.toml:2: garment.start: there is no file '" + (folder / "end.obj").string() + '\'');
+  EXPECT_CONTAINS(set_error("garment.start=\"no.obj\""), "garment.start: there is no file 'no.obj'");
 }
 
 TEST(SceneFile, NamesFileLineKeyAndNearestKeyOfAnUnknownOne) {

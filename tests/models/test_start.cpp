@@ -1,0 +1,79 @@
+// Cloth that begins in another shape than the one it was modelled in.
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "app/base/errors.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/output/obj_export.hpp"
+#include "app/scene/scene_file.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+struct Start : testing::Test {
+  void export_after(const Scene& scene, int frames) {
+    sim::Simulation simulation = make_simulation(scene, load_garment(scene));
+    for (int frame = 0; frame < frames; ++frame) {
+      simulation.advance_frame();
+    }
+    exported_m = simulation.state().current;
+    was_asleep = simulation.state().asleep;
+    file = folder.write("end.obj", obj_text(simulation.garment().mesh, exported_m));
+  }
+
+  test::TemporaryFolder folder;
+  std::filesystem::path file;
+  std::vector<sim::Vec3> exported_m;
+  bool was_asleep = false;
+};
+
+TEST_F(Start, IsTheShapeThatTheSameSceneExported) {
+  Scene model;
+  // Vertices that are welded, in a unit that is guessed, along another axis, and subdivided.
+  model.garment.file = folder.write("strip.obj",
+                                    "v 0 0 0\nv 40 0 0\nv 0 0 50\nv 40 0 50\nv 40 0 50\nv 0 0 90\n"
+                                    "f 1 2 3\nf 2 4 3\nf 3 5 6\n");
+  model.garment.up = ModelAxis::z;
+  model.garment.subdivisions = 2;
+  model.layer_distance_m.reset();
+  for (Scene scene : {Scene{}, model}) {
+    export_after(scene, 60);
+    const std::vector<sim::Vec3> rest_m = load_garment(scene).garment->mesh.positions;
+    scene.garment.start = file;
+    const LoadedGarment loaded = load_garment(scene);
+    const sim::Simulation simulation = make_simulation(scene, loaded);
+    EXPECT_EQ(simulation.state().current, exported_m);
+    EXPECT_NE(simulation.state().current, rest_m);
+    EXPECT_EQ(loaded.garment->mesh.positions, rest_m) << "of which springs have their lengths";
+  }
+}
+
+TEST_F(Start, StaysAtRestWhereTheClothWasAtRest) {
+  Scene scene;
+  export_after(scene, 900);
+  ASSERT_TRUE(was_asleep);
+  scene.garment.start = file;
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
+  for (int frame = 0; frame < 60; ++frame) {
+    simulation.advance_frame();
+  }
+  EXPECT_TRUE(simulation.state().asleep);
+  for (std::size_t v = 0; v < exported_m.size(); ++v) {
+    EXPECT_LT(glm::distance(simulation.state().current[v], exported_m[v]), 1e-4) << v;
+  }
+}
+
+TEST_F(Start, OfAnotherGarmentIsRefusedWithBothCounts) {
+  Scene scene;
+  export_after(scene, 0);
+  scene.garment.start = file;
+  scene.garment.grid.rows = 5;
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }),
+                  "garment.start: found 81 vertices in '" + file.string() + "', expected the garment's 45");
+}
+
+}  // namespace
+}  // namespace taut::app

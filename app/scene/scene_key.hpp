@@ -68,13 +68,9 @@ template <class Number>
 void store(double number, std::optional<Number>& member) {
   member = number != 0.0 ? std::optional(static_cast<Number>(number)) : std::nullopt;
 }
-template <class Number>
-Number stored(const Number& member) {
-  return member;
-}
-template <class Number>
-Number stored(const std::optional<Number>& member) {
-  return member.value_or(Number{});
+template <class Member>
+double stored(const Member& member) {
+  return static_cast<double>(std::optional(member).value_or(0));
 }
 
 // Makers of keys. `access` returns a reference to the member of the T it is given, const or not. A number is
@@ -91,7 +87,7 @@ Key<T> number_key(std::string name, std::string unit, const Range& range, Access
     store(*number * factor, access(target));
     return true;
   };
-  auto write = [=](const T& source) { return Value{static_cast<double>(stored(access(source))) / factor}; };
+  auto write = [=](const T& source) { return Value{stored(access(source)) / factor}; };
   return {std::move(name), std::move(unit), describe("a number", range), std::move(meaning), read, write};
 }
 

@@ -136,15 +136,8 @@ sim::Collider read_collider(const Value& value, const Source& source) {
 }
 
 bool is_list_of_tables(const Value& value) {
-  if (value.list() == nullptr) {
-    return false;
-  }
-  for (const Value& item : *value.list()) {
-    if (item.table() == nullptr) {
-      return false;
-    }
-  }
-  return true;
+  const auto is_table = [](const Value& item) { return item.table() != nullptr; };
+  return value.list() != nullptr && std::all_of(value.list()->begin(), value.list()->end(), is_table);
 }
 
 bool read_colliders(const Value& value, const Source& source, Scene& scene) {

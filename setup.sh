@@ -28,7 +28,6 @@ packages=(
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0
   libgl1-mesa-dri
-  libstb-dev          # reads and writes PNG
   libtomlplusplus-dev
   libx11-dev          # the tests drop files on the window
   nlohmann-json3-dev
@@ -40,6 +39,7 @@ packages=(
   ffmpeg
   # tests
   libgtest-dev
+  libstb-dev          # reads PNG
   python3             # makes models of every format, and is a terminal
   git                 # tests/fresh_machine.sh clones with it
   debootstrap         # and makes a bare Debian

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/report/report.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {

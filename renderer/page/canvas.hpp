@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -40,9 +39,8 @@ class Canvas {
   /// What is drawn on this canvas is that of a canvas of this width and height, on `scale` times as many
   /// pixels each way, rounded.
   static Canvas scaled(int width_px, int height_px, float scale);
-  /// One page, written when finish() is called; text stays text. Throws std::runtime_error naming the path.
-  static Canvas pdf(const std::filesystem::path& path, int width_px, int height_px,
-                    float pixels_per_inch = 300.0F);
+  /// One page; text stays text. Throws std::runtime_error where Cairo cannot make it.
+  static Canvas pdf(int width_px, int height_px, float pixels_per_inch = 300.0F);
   ~Canvas();
   Canvas(Canvas&&) noexcept;
   Canvas& operator=(Canvas&&) noexcept;
@@ -67,8 +65,9 @@ class Canvas {
 
   /// The pixels so far, as RGB. Not for a PDF (throws std::logic_error).
   Image to_image() const;
-  /// Completes a PDF under its final name; nothing to do for an image. Throws std::runtime_error.
-  void finish();
+  /// The PDF file, after which nothing more can be drawn. Throws std::runtime_error where Cairo could not
+  /// make it, and std::logic_error for an image.
+  std::vector<std::uint8_t> finish_pdf();
 
  private:
   struct Surface;

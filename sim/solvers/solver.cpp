@@ -1,6 +1,7 @@
 #include "sim/solvers/solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -67,17 +68,8 @@ std::unique_ptr<SpringResponse> make_spring_response(const SolverSettings& setti
 }  // namespace
 
 const char* name_of(SolverKind kind) {
-  switch (kind) {
-    case SolverKind::ideal:
-      return "ideal";
-    case SolverKind::provot:
-      return "provot";
-    case SolverKind::strong:
-      return "strong";
-    case SolverKind::bounded:
-      return "bounded";
-  }
-  return "";
+  constexpr std::array names = {"ideal", "provot", "strong", "bounded"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 int equal_substeps(const SolverSettings& settings) {

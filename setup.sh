@@ -24,6 +24,7 @@ packages=(
   libhwy-dev          # Highway: vectors of any width
   libimgui-dev        # what is in it
   libminizip-dev      # reads the unit of 3MF files
+  libpugixml-dev      # reads their XML
   libqhull-dev        # triangulates the sewing pattern
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0

@@ -1,4 +1,4 @@
-#include "seams.hpp"
+#include "tailor/sewing/seams.hpp"
 
 #include <algorithm>
 #include <cmath>

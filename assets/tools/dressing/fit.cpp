@@ -1,7 +1,7 @@
-#include "fit.hpp"
+#include "tailor/dressing/fit.hpp"
 
-#include "flat_lengths.hpp"
 #include "sim/simulation.hpp"
+#include "tailor/dressing/flat_lengths.hpp"
 
 namespace taut::tailor {
 namespace {

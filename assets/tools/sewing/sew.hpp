@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "shirt.hpp"
+#include "tailor/sewing/shirt.hpp"
 
 namespace taut::tailor {
 

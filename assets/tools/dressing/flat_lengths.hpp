@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "shirt.hpp"
 #include "sim/garment.hpp"
+#include "tailor/sewing/shirt.hpp"
 
 namespace taut::tailor {
 

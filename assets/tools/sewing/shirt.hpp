@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "pieces.hpp"
 #include "sim/mesh/mesh.hpp"
+#include "tailor/flat/pieces.hpp"
 
 namespace taut::tailor {
 

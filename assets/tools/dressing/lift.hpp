@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "shirt.hpp"
+#include "tailor/sewing/shirt.hpp"
 
 namespace taut::tailor {
 

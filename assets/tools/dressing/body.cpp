@@ -1,4 +1,4 @@
-#include "body.hpp"
+#include "tailor/dressing/body.hpp"
 
 namespace taut::tailor {
 namespace {

@@ -1,4 +1,4 @@
-#include "pattern.hpp"
+#include "tailor/flat/pattern.hpp"
 
 #include <toml++/toml.h>
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "random.hpp"
-#include "shirt.hpp"
+#include "tailor/flat/random.hpp"
+#include "tailor/sewing/shirt.hpp"
 
 namespace taut::tailor {
 

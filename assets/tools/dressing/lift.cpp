@@ -1,4 +1,4 @@
-#include "lift.hpp"
+#include "tailor/dressing/lift.hpp"
 
 #include <algorithm>
 

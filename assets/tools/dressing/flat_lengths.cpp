@@ -1,4 +1,4 @@
-#include "flat_lengths.hpp"
+#include "tailor/dressing/flat_lengths.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "planar.hpp"
 #include "sim/mesh/types.hpp"
+#include "tailor/flat/planar.hpp"
 
 namespace taut::tailor {
 

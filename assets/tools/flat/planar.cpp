@@ -1,4 +1,4 @@
-#include "planar.hpp"
+#include "tailor/flat/planar.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pattern.hpp"
+#include "tailor/flat/pattern.hpp"
 
 namespace taut::tailor {
 

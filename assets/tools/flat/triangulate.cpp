@@ -1,4 +1,4 @@
-#include "triangulate.hpp"
+#include "tailor/flat/triangulate.hpp"
 
 #include <algorithm>
 #include <cmath>

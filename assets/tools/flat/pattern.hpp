@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planar.hpp"
+#include "tailor/flat/planar.hpp"
 
 namespace taut::tailor {
 

@@ -1,4 +1,4 @@
-#include "shirt.hpp"
+#include "tailor/sewing/shirt.hpp"
 
 #include <stdexcept>
 

@@ -1,10 +1,10 @@
-#include "scatter.hpp"
+#include "tailor/sewing/scatter.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "triangulate.hpp"
+#include "tailor/flat/triangulate.hpp"
 
 namespace taut::tailor {
 namespace {

@@ -1,4 +1,4 @@
-#include "pieces.hpp"
+#include "tailor/flat/pieces.hpp"
 
 #include <algorithm>
 

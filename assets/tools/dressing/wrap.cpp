@@ -1,4 +1,4 @@
-#include "wrap.hpp"
+#include "tailor/dressing/wrap.hpp"
 
 #include <algorithm>
 #include <array>

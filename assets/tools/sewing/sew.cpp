@@ -1,10 +1,10 @@
-#include "sew.hpp"
+#include "tailor/sewing/sew.hpp"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "scatter.hpp"
-#include "seams.hpp"
+#include "tailor/sewing/scatter.hpp"
+#include "tailor/sewing/seams.hpp"
 
 namespace taut::tailor {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "body.hpp"
-#include "shirt.hpp"
+#include "tailor/dressing/body.hpp"
+#include "tailor/sewing/shirt.hpp"
 
 namespace taut::tailor {
 

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "random.hpp"
-#include "shirt.hpp"
+#include "tailor/flat/random.hpp"
+#include "tailor/sewing/shirt.hpp"
 
 namespace taut::tailor {
 

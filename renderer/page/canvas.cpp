@@ -34,8 +34,7 @@ void set_font_options(cairo_t* pen) {
 }
 
 void select_font(cairo_t* pen, const TextStyle& style) {
-  cairo_select_font_face(pen, style.family.c_str(),
-                         style.italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
+  cairo_select_font_face(pen, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(pen, static_cast<double>(style.size_px));
 }
@@ -169,20 +168,12 @@ void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle
 }
 
 void Canvas::line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px) {
-  dashed_line(x0_px, y0_px, x1_px, y1_px, colour, thickness_px, 0.0F);
-}
-
-void Canvas::dashed_line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour,
-                         float thickness_px, float dash_px) {
   cairo_t* pen = surface->pen.get();
   set_colour(pen, colour);
   cairo_set_line_width(pen, static_cast<double>(thickness_px));
-  const auto dash = static_cast<double>(dash_px);
-  cairo_set_dash(pen, &dash, dash_px > 0.0F ? 1 : 0, 0.0);
   cairo_move_to(pen, static_cast<double>(x0_px), static_cast<double>(y0_px));
   cairo_line_to(pen, static_cast<double>(x1_px), static_cast<double>(y1_px));
   cairo_stroke(pen);
-  cairo_set_dash(pen, nullptr, 0, 0.0);
 }
 
 void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,

@@ -12,12 +12,11 @@ namespace taut::renderer {
 enum class HorizontalAlign { left, centre, right };
 enum class VerticalAlign { top, middle, baseline, bottom };
 
+/// DejaVu Sans.
 struct TextStyle {
-  std::string family = "DejaVu Sans";
   float size_px = 16.0F;  ///< of the em square
   Colour colour{0.1F};
   bool bold = false;
-  bool italic = false;
   HorizontalAlign horizontal = HorizontalAlign::left;
   VerticalAlign vertical = VerticalAlign::baseline;
 };
@@ -51,8 +50,6 @@ class Canvas {
   TextSize measure(std::string_view text, const TextStyle& style) const;
   void text(float x_px, float y_px, std::string_view text, const TextStyle& style = {});
   void line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px = 1.0F);
-  void dashed_line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px,
-                   float dash_px);
   void rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
                  float thickness_px = 1.0F);
   void fill_rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,

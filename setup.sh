@@ -24,11 +24,11 @@ packages=(
   libhwy-dev          # Highway: vectors of any width
   libimgui-dev        # what is in it
   libminizip-dev      # reads the unit of 3MF files
+  libpugixml-dev      # reads their XML
   libqhull-dev        # triangulates the sewing pattern
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0
   libgl1-mesa-dri
-  libstb-dev          # reads and writes PNG
   libtomlplusplus-dev
   libx11-dev          # the tests drop files on the window
   nlohmann-json3-dev
@@ -40,6 +40,7 @@ packages=(
   ffmpeg
   # tests
   libgtest-dev
+  libstb-dev          # reads PNG
   python3             # makes models of every format, and is a terminal
   git                 # tests/fresh_machine.sh clones with it
   debootstrap         # and makes a bare Debian

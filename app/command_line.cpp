@@ -1,10 +1,13 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <memory>
 
 #include "app/base/errors.hpp"
+#include "app/base/suggest.hpp"
 #include "app/base/version.hpp"
 #include "app/command_line_bench.hpp"
 #include "app/command_line_help.hpp"
@@ -19,15 +22,6 @@ namespace {
 constexpr const char* scene_help_text =
     "a scene file (TOML), a built-in scene (see taut scenes), or a garment file";
 
-// What several commands take, as written.
-struct SceneArguments {
-  std::string scene;
-  std::vector<std::string> set;
-  std::string units;
-  std::string up;
-  std::string statistics;
-};
-
 std::string unit_symbols() {
   std::string text;
   for (const Unit& unit : units) {
@@ -36,54 +30,61 @@ std::string unit_symbols() {
   return text;
 }
 
-void add_garment_arguments(CLI::App& command, SceneArguments& arguments) {
-  command.add_option("--units", arguments.units,
-                     "of the model: " + unit_symbols() +
-                         ", or its unit in metres (default: what the file says, or a guess)");
-  command.add_option("--up", arguments.up, "the model's direction that is up: x, -x, y, -y, z or -z");
-  command
-      .add_option("--set", arguments.set,
-                  "KEY=VALUE, any key of the scene; can be repeated (taut help scene)")
-      ->allow_extra_args(false);
+// Options that stand for keys of the scene say so in the order in which they are added here.
+void add_key(CLI::App& command, std::vector<Override>& overrides, const std::string& option,
+             const std::string& key, const std::string& meaning) {
+  const auto set = [&overrides, option, key](const std::string& value) {
+    overrides.push_back({key, value, option + ' ' + value});
+  };
+  command.add_option_function<std::string>(option, set, meaning);
 }
 
-void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
-  command.add_option("SCENE", arguments.scene, scene_help_text)->required();
-  add_garment_arguments(command, arguments);
-  command.add_option("--stats", arguments.statistics,
+void add_key_flag(CLI::App& command, std::vector<Override>& overrides, const std::string& option,
+                  const std::string& key, const std::string& value, const std::string& meaning) {
+  command.add_flag_callback(
+      option,
+      [&overrides, option, key, value] {
+        overrides.push_back({key, value, option});
+      },
+      meaning);
+}
+
+void add_set(CLI::App& command, std::vector<Override>& overrides, const std::string& meaning) {
+  const auto set = [&overrides](const std::vector<std::string>& texts) {
+    std::transform(texts.begin(), texts.end(), std::back_inserter(overrides), parse_override);
+  };
+  command.add_option_function<std::vector<std::string>>("--set", set, meaning)->allow_extra_args(false);
+}
+
+void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) {
+  const auto set_units = [&overrides](const std::string& text) {
+    const auto* const unit =
+        std::find_if(units.begin(), units.end(), [&](const Unit& known) { return text == known.symbol; });
+    overrides.push_back(
+        {"garment.scale", unit != units.end() ? std::to_string(unit->metres) : text, "--units " + text});
+  };
+  command.add_option_function<std::string>(
+      "--units", set_units,
+      "of the model: " + unit_symbols() +
+          ", or its unit in metres (default: what the file says, or a guess)");
+  add_key(command, overrides, "--up", "garment.up",
+          "the model's direction that is up: x, -x, y, -y, z or -z");
+  add_set(command, overrides, "KEY=VALUE, any key of the scene; can be repeated (taut help scene)");
+}
+
+// What render and simulate take.
+template <class Options>
+void add_scene_arguments(CLI::App& command, Options& options, const std::string& scenes) {
+  command.add_option("SCENE", options.scene, scenes)->required();
+  add_garment_arguments(command, options.overrides);
+  command.add_option("--stats", options.statistics,
                      "write measurements of every frame to this file, .json or .csv (taut help stats)");
-}
-
-std::vector<Override> overrides_of(const SceneArguments& arguments) {
-  std::vector<Override> overrides;
-  if (!arguments.units.empty()) {
-    std::string metres = arguments.units;
-    for (const Unit& unit : units) {
-      metres = arguments.units == unit.symbol ? std::to_string(unit.metres) : metres;
-    }
-    overrides.push_back({"garment.scale", metres, "--units " + arguments.units});
-  }
-  if (!arguments.up.empty()) {
-    overrides.push_back({"garment.up", arguments.up, "--up " + arguments.up});
-  }
-  for (const std::string& text : arguments.set) {
-    overrides.push_back(parse_override(text));
-  }
-  return overrides;
-}
-
-std::string joined_names(const std::vector<std::string>& names, const std::string& separator) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : separator) + name;
-  }
-  return text;
 }
 
 void add_backend(CLI::App& command, std::string& backend) {
   std::vector<std::string> names = renderer::context_names();
   names.insert(names.begin(), "auto");
-  command.add_option("--backend", backend, "how to get OpenGL: " + joined_names(names, " or "))
+  command.add_option("--backend", backend, "how to get OpenGL: " + joined(names, " or "))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
 }
@@ -91,7 +92,7 @@ void add_backend(CLI::App& command, std::string& backend) {
 std::function<Command()> add_figures(CLI::App& app) {
   auto options = std::make_shared<FiguresOptions>();
   CLI::App* command = app.add_subcommand("figures", "Draw the figures of the paper");
-  command->add_option("--only", options->only, "some of them: " + joined_names(figure_names(), ","))
+  command->add_option("--only", options->only, "some of them: " + joined(figure_names(), ","))
       ->delimiter(',')
       ->check(CLI::IsMember(figure_names()));
   command->add_option("--output", options->output, "folder for the pictures")->capture_default_str();
@@ -109,114 +110,69 @@ std::function<Command()> add_figures(CLI::App& app) {
   return [options] { return Command(*options); };
 }
 
-// Options of `render` that stand for keys of the scene.
-struct PictureShortcuts {
-  std::string resolution;
-  std::string samples;
-  std::string supersampling;
-  bool wireframe = false;
-  bool stretch = false;
-};
-
-void append_shortcuts(const PictureShortcuts& shortcuts, std::vector<Override>& overrides) {
-  if (!shortcuts.resolution.empty()) {
-    const std::string option = "--resolution " + shortcuts.resolution;
-    const std::size_t comma = shortcuts.resolution.find(',');
+void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
+  const auto set = [&overrides](const std::string& text) {
+    const std::string option = "--resolution " + text;
+    const std::size_t comma = text.find(',');
     if (comma == std::string::npos) {
       throw UsageError(option + ": expected WIDTH,HEIGHT in pixels, such as 1280,720");
     }
-    overrides.push_back({"picture.width", shortcuts.resolution.substr(0, comma), option});
-    overrides.push_back({"picture.height", shortcuts.resolution.substr(comma + 1), option});
-  }
-  if (!shortcuts.samples.empty()) {
-    overrides.push_back({"picture.samples", shortcuts.samples, "--samples " + shortcuts.samples});
-  }
-  if (!shortcuts.supersampling.empty()) {
-    overrides.push_back(
-        {"picture.supersampling", shortcuts.supersampling, "--supersampling " + shortcuts.supersampling});
-  }
-  if (shortcuts.wireframe) {
-    overrides.push_back({"picture.wireframe", "true", "--wireframe"});
-  }
-  if (shortcuts.stretch) {
-    overrides.push_back({"picture.surface", "stretch", "--stretch"});
-  }
-}
-
-void add_picture_shortcuts(CLI::App& command, PictureShortcuts& shortcuts) {
-  command.add_option("--resolution", shortcuts.resolution, "WIDTH,HEIGHT in pixels (default 1280,720)");
-  command.add_flag("--wireframe", shortcuts.wireframe, "draw the springs over the surface");
-  command.add_flag("--stretch", shortcuts.stretch, "colour the surface by its stretch");
-  command.add_option("--samples", shortcuts.samples, "samples in a pixel, 1 to 16 (default 4)");
-  command.add_option("--supersampling", shortcuts.supersampling,
-                     "draw N times as wide and high and average, 1 to 8 (default 1)");
+    overrides.push_back({"picture.width", text.substr(0, comma), option});
+    overrides.push_back({"picture.height", text.substr(comma + 1), option});
+  };
+  command.add_option_function<std::string>("--resolution", set, "WIDTH,HEIGHT in pixels (default 1280,720)");
 }
 
 std::function<Command()> add_render(CLI::App& app) {
-  struct Arguments {
-    SceneArguments scene;
-    PictureShortcuts shortcuts;
-    RenderOptions options;
-  };
-  auto arguments = std::make_shared<Arguments>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Simulate a scene and draw pictures of it");
-  add_scene_arguments(*command, arguments->scene);
-  command->get_option("SCENE")->description(std::string(scene_help_text) +
-                                            ", or a picture of taut render, to make it again");
-  command->add_option("--output", arguments->options.output,
+  add_scene_arguments(*command, *options,
+                      std::string(scene_help_text) + ", or a picture of taut render, to make it again");
+  command->add_option("--output", options->output,
                       "file, or pattern such as frames/frame_{frame:04}.png, or a video, .mp4 or .gif "
                       "(default SCENE.png)");
-  command->add_option("--frames", arguments->options.frames,
+  command->add_option("--frames", options->frames,
                       std::string("frames to draw: ") + frame_range_help + " (default: last; of a video 0:)");
-  command->add_flag("--resume", arguments->options.resume,
+  command->add_flag("--resume", options->resume,
                     "draw only those pictures of a sequence that an earlier run did not finish");
-  add_picture_shortcuts(*command, arguments->shortcuts);
-  add_backend(*command, arguments->options.backend);
+  add_resolution(*command, options->overrides);
+  add_key_flag(*command, options->overrides, "--wireframe", "picture.wireframe", "true",
+               "draw the springs over the surface");
+  add_key_flag(*command, options->overrides, "--stretch", "picture.surface", "stretch",
+               "colour the surface by its stretch");
+  add_key(*command, options->overrides, "--samples", "picture.samples",
+          "samples in a pixel, 1 to 16 (default 4)");
+  add_key(*command, options->overrides, "--supersampling", "picture.supersampling",
+          "draw N times as wide and high and average, 1 to 8 (default 1)");
+  add_backend(*command, options->backend);
   command->footer(
       "Examples:\n  taut render tshirt-wind-10\n"
       "  taut render cloth-fall --frames 0:120 --output 'frames/frame_{frame:04}.png'\n"
       "  taut render cloth-fall --output fall.mp4\n"
       "  taut render shirt.obj --set wind.speed=4 --stretch --resolution 1920,1080\n");
-  return [arguments] {
-    RenderOptions options = arguments->options;
-    options.scene = arguments->scene.scene;
-    options.statistics = arguments->scene.statistics;
-    options.overrides = overrides_of(arguments->scene);
-    append_shortcuts(arguments->shortcuts, options.overrides);
-    return Command(options);
-  };
+  return [options] { return Command(*options); };
 }
 
 std::function<Command()> add_simulate(CLI::App& app) {
-  struct Arguments {
-    SceneArguments scene;
-    SimulateOptions options;
-  };
-  auto arguments = std::make_shared<Arguments>();
+  auto options = std::make_shared<SimulateOptions>();
   CLI::App* command =
       app.add_subcommand("simulate", "Simulate a scene without drawing and print measurements");
-  add_scene_arguments(*command, arguments->scene);
-  command->add_option("--frames", arguments->options.frames,
+  add_scene_arguments(*command, *options, scene_help_text);
+  command->add_option("--frames", options->frames,
                       std::string("frames to print and to export, simulated up to the last of them: ") +
                           frame_range_help + " (default: 1:)");
   command->add_option(
-      "--export", arguments->options.shapes,
+      "--export", options->shapes,
       "write the shape of each of these frames, pattern such as shapes/{frame:04}.obj, or of the "
       "last of them, such as end.obj");
-  command->add_flag("--quiet", arguments->options.quiet, "print nothing but warnings and errors");
-  command->add_flag("--json", arguments->options.json,
+  command->add_flag("--quiet", options->quiet, "print nothing but warnings and errors");
+  command->add_flag("--json", options->json,
                     "print what --stats writes as JSON, and nothing else; remarks go to standard error");
   command->footer(
       "Examples:\n  taut simulate pinned-9x9-5\n"
       "  taut simulate tshirt-gravity --frames :60 --set solver.substeps=40 --stats run.csv\n"
       "  taut simulate my-dress.obj --quiet --export end.obj\n");
-  return [arguments] {
-    SimulateOptions options = arguments->options;
-    options.scene = arguments->scene.scene;
-    options.statistics = arguments->scene.statistics;
-    options.overrides = overrides_of(arguments->scene);
-    return Command(options);
-  };
+  return [options] { return Command(*options); };
 }
 
 renderer::Resized parse_size(const std::string& text) {
@@ -234,68 +190,44 @@ renderer::Resized parse_size(const std::string& text) {
 }
 
 std::function<Command()> add_view(CLI::App& app) {
-  struct Arguments {
-    std::vector<std::string> set;
-    std::string size;
-    ViewOptions options;
-  };
-  auto arguments = std::make_shared<Arguments>();
-  ViewOptions& options = arguments->options;
+  auto options = std::make_shared<ViewOptions>();
   CLI::App* command =
       app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
-  command->add_option("SCENE", options.scene, scene_help_text);
-  command->add_option("--set", arguments->set, "KEY=VALUE, any key of the scene; can be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--size", arguments->size, "WIDTH,HEIGHT of the window (default 1280,720)");
-  command->add_option("--keep", options.keep_folder, "folder for screenshots, videos and saved scenes")
+  command->add_option("SCENE", options->scene, scene_help_text);
+  add_set(*command, options->overrides, "KEY=VALUE, any key of the scene; can be repeated");
+  command->add_option_function<std::string>(
+      "--size", [options](const std::string& text) { options->size = parse_size(text); },
+      "WIDTH,HEIGHT of the window (default 1280,720)");
+  command->add_option("--keep", options->keep_folder, "folder for screenshots, videos and saved scenes")
       ->capture_default_str();
-  command->add_option("--record", options.record, "write all input to this file, for --script");
-  command->add_flag("--headless", options.headless, "no window: play a script and end");
-  command->add_option("--script", options.script, "input to play: recorded, or written by hand");
-  command->add_option("--screenshot", options.screenshot, "a picture of the window after the script");
-  command->add_option("--layout", options.layout, "where the panel's parts are after the script, as text");
-  add_backend(*command, options.backend);
+  command->add_option("--record", options->record, "write all input to this file, for --script");
+  command->add_flag("--headless", options->headless, "no window: play a script and end");
+  command->add_option("--script", options->script, "input to play: recorded, or written by hand");
+  command->add_option("--screenshot", options->screenshot, "a picture of the window after the script");
+  command->add_option("--layout", options->layout, "where the panel's parts are after the script, as text");
+  add_backend(*command, options->backend);
   command->footer(
       "Examples:\n  taut view\n  taut view my-dress.obj --set wind.speed=4\n"
       "  taut view tshirt-gravity --record session.txt\n"
       "  taut view --headless --script session.txt --screenshot window.png\n");
-  return [arguments] {
-    ViewOptions chosen = arguments->options;
-    for (const std::string& text : arguments->set) {
-      chosen.overrides.push_back(parse_override(text));
-    }
-    if (!arguments->size.empty()) {
-      chosen.size = parse_size(arguments->size);
-    }
-    return Command(chosen);
-  };
+  return [options] { return Command(*options); };
 }
 
 std::function<Command()> add_inspect(CLI::App& app) {
-  struct Arguments {
-    SceneArguments scene;
-    InspectOptions options;
-  };
-  auto arguments = std::make_shared<Arguments>();
+  auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a 3D model and how it maps to springs");
-  command
-      ->add_option("GARMENT", arguments->options.garment,
-                   "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, 3MF, ...")
+  command->add_option("GARMENT", options->garment, "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, 3MF, ...")
       ->required();
-  add_garment_arguments(*command, arguments->scene);
-  command->add_flag("--json", arguments->options.json, "for programs");
+  add_garment_arguments(*command, options->overrides);
+  command->add_flag("--json", options->json, "for programs");
   command->add_option(
-      "--picture", arguments->options.picture,
+      "--picture", options->picture,
       "PNG file: the garment with its springs by kind, what holds it, its borders and defects");
-  add_backend(*command, arguments->options.backend);
+  add_backend(*command, options->backend);
   command->footer(
       "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --picture shirt.png\n  taut inspect "
       "shirt.stl --units mm --up z --json\n");
-  return [arguments] {
-    InspectOptions options = arguments->options;
-    options.overrides = overrides_of(arguments->scene);
-    return Command(options);
-  };
+  return [options] { return Command(*options); };
 }
 
 std::function<Command()> add_import_model(CLI::App& app) {
@@ -338,7 +270,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
     const std::vector<std::string> unknown = app.remaining(true);
     const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     throw UsageError((is_missing && !unknown.empty()
-                          ? "the following was not expected: " + joined_names(unknown, " ")
+                          ? "the following was not expected: " + joined(unknown, " ")
                           : std::string(error.what())) +
                      "; taut --help says what there is");
   }

@@ -3,19 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/base/suggest.hpp"
 #include "app/bench/cases.hpp"
 #include "app/bench/entrants.hpp"
 
 namespace taut::app {
 namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ",") + name;
-  }
-  return text;
-}
 
 std::vector<int> bench_triangles() {
   std::vector<int> triangles;
@@ -29,13 +22,13 @@ void add_bench_extent(CLI::App& command, BenchOptions& options) {
   command.add_option("--sizes", options.sizes, "triangles of the shirt, some of 1028,5280,10600,42400,84480")
       ->delimiter(',')
       ->check(CLI::IsMember(bench_triangles()));
-  command.add_option("--scenes", options.scenes, "some of " + listed(bench_scene_names()))
+  command.add_option("--scenes", options.scenes, "some of " + joined(bench_scene_names(), ","))
       ->delimiter(',')
       ->check(CLI::IsMember(bench_scene_names()));
   command.add_option("--bounds", options.bounds, "largest stretches to be kept (default 0.05,0.01,0.001)")
       ->delimiter(',')
       ->check(CLI::Range(1e-5, 1.0));
-  command.add_option("--engines", options.engines, "some of " + listed(engine_names()))
+  command.add_option("--engines", options.engines, "some of " + joined(engine_names(), ","))
       ->delimiter(',')
       ->check(CLI::IsMember(engine_names()));
   command.add_option("--seconds", options.seconds, "simulated time (default 2, with --full 10)")

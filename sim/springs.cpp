@@ -1,6 +1,7 @@
 #include "sim/springs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -134,39 +135,17 @@ void append(Springs& springs, const std::vector<Edge>& ends, const std::vector<V
 }  // namespace
 
 const char* name_of(SpringKind kind) {
-  switch (kind) {
-    case SpringKind::structural:
-      return "structural";
-    case SpringKind::shear:
-      return "shear";
-    case SpringKind::flexural:
-      return "flexural";
-  }
-  return "";
+  constexpr std::array names = {"structural", "shear", "flexural"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::size_t Springs::begin_of(SpringKind kind) const {
-  switch (kind) {
-    case SpringKind::structural:
-      return 0;
-    case SpringKind::shear:
-      return structural_count;
-    case SpringKind::flexural:
-      return structural_count + shear_count;
-  }
-  return 0;
+  return std::array{std::size_t{0}, structural_count,
+                    structural_count + shear_count}[static_cast<std::size_t>(kind)];
 }
 
 std::size_t Springs::end_of(SpringKind kind) const {
-  switch (kind) {
-    case SpringKind::structural:
-      return structural_count;
-    case SpringKind::shear:
-      return structural_count + shear_count;
-    case SpringKind::flexural:
-      return size();
-  }
-  return 0;
+  return std::array{structural_count, structural_count + shear_count, size()}[static_cast<std::size_t>(kind)];
 }
 
 Springs map_to_springs(const Mesh& mesh, const Adjacency& adjacency, const MappingSettings& settings) {

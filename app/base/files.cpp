@@ -43,10 +43,10 @@ bool is_written_straight(const fs::path& path) {
 }
 
 /// Returns the reason where it fails, and nothing where it does not.
-std::optional<std::string> try_to_write(const fs::path& path, const std::string& text,
+std::optional<std::string> try_to_write(const fs::path& path, std::span<const std::uint8_t> bytes,
                                         std::ios::openmode mode) {
   std::ofstream file(path, std::ios::binary | mode);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   file.close();
   return file ? std::nullopt : std::optional(reason_of(errno));
 }
@@ -112,14 +112,18 @@ void prepare_folder_of(const fs::path& file) {
 }
 
 void write_text_file(const fs::path& path, const std::string& text) {
+  write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   if (is_written_straight(path)) {
-    if (const auto reason = try_to_write(path, text, std::ios::app)) {
+    if (const auto reason = try_to_write(path, bytes, std::ios::app)) {
       fail_to_write(path, *reason);
     }
     return;
   }
   const fs::path temporary = temporary_name(path);
-  std::optional<std::string> reason = try_to_write(temporary, text, std::ios::trunc);
+  std::optional<std::string> reason = try_to_write(temporary, bytes, std::ios::trunc);
   std::error_code error;
   if (!reason) {
     fs::rename(temporary, path, error);

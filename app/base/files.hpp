@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace taut::app {
@@ -18,5 +20,6 @@ void prepare_folder_of(const std::filesystem::path& file);
 /// Writes under a temporary name in the same folder and renames: `path` is absent, its old self or complete.
 /// Throws InputError naming the path and the system's reason and leaves nothing behind.
 void write_text_file(const std::filesystem::path& path, const std::string& text);
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
 }  // namespace taut::app

@@ -1,13 +1,11 @@
 #include "app/base/job_runner.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstdio>
 #include <deque>
 #include <exception>
 #include <mutex>
@@ -16,6 +14,7 @@
 #include <vector>
 
 #include "app/base/interruption.hpp"
+#include "app/base/progress.hpp"
 
 namespace taut::app {
 namespace {
@@ -49,7 +48,7 @@ class JobRunner {
     }
     for (std::size_t handled = 0; handled < jobs_.size(); ++handled) {
       const std::size_t job = next_finished();
-      clear_progress();
+      progress_.hide();
       finished(job);
     }
   }
@@ -101,16 +100,7 @@ class JobRunner {
     return job;
   }
 
-  static void clear_progress() {
-    if (::isatty(STDERR_FILENO) != 0) {
-      std::fputs("\r\033[K", stderr);
-    }
-  }
-
-  void show_progress() const {
-    if (::isatty(STDERR_FILENO) == 0) {
-      return;
-    }
+  void show_progress() {
     double done = 0.0, all = 0.0;
     std::string busy;
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
@@ -121,10 +111,10 @@ class JobRunner {
         busy += fmt::format("  {} {:.0f} %", jobs_[i].name, 100.0 * fraction);
       }
     }
-    fmt::print(stderr, "\r\033[Kfigures: {:.0f} % simulated{}", all > 0.0 ? 100.0 * done / all : 100.0, busy);
-    std::fflush(stderr);
+    progress_.show(fmt::format("{:.0f} % simulated{}", all > 0.0 ? 100.0 * done / all : 100.0, busy));
   }
 
+  Progress progress_{"figures"};
   std::span<const Job> jobs_;
   std::vector<std::size_t> order_;
   std::vector<std::atomic<double>> fractions_;

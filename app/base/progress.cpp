@@ -42,9 +42,9 @@ void Progress::begin(std::string stage) {
   began_ = Clock::now();
 }
 
-void Progress::show_frame(int done, int last, double max_stretch) {
+void Progress::show(std::string stage) {
   const std::lock_guard lock(mutex_);
-  stage_ = fmt::format("frame {} of {}, stretch {:.2f} %", done, last, 100.0 * max_stretch);
+  stage_ = std::move(stage);
   began_ = Clock::now();
   if (on_terminal_) {
     draw();

@@ -19,8 +19,8 @@ class Progress {
 
   /// From now on it does this, such as "reading dress.fbx".
   void begin(std::string stage);
-  /// Frame `done` of `last` is done, the next one is begun.
-  void show_frame(int done, int last, double max_stretch);
+  /// As `begin`, and shows it at once: "frame 3 of 240".
+  void show(std::string stage);
   /// Clears the line, for other output, until something else is begun.
   void hide();
 

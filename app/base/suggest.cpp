@@ -1,5 +1,7 @@
 #include "app/base/suggest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <vector>
@@ -37,12 +39,8 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
   return best;
 }
 
-std::string joined(std::span<const std::string> names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
+std::string joined(std::span<const std::string> names, std::string_view separator) {
+  return fmt::format("{}", fmt::join(names, separator));
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> names) {

@@ -10,7 +10,7 @@ namespace taut::app {
 std::string nearest_name(std::string_view name, std::span<const std::string> names);
 
 /// "a, b, c".
-std::string joined(std::span<const std::string> names);
+std::string joined(std::span<const std::string> names, std::string_view separator = ", ");
 
 /// "; did you mean 'NAME'?" where there is a near name, or nothing.
 std::string did_you_mean(std::string_view name, std::span<const std::string> names);

@@ -1,6 +1,7 @@
 #include "app/bench/race.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
@@ -57,17 +58,8 @@ void advance(Engine& engine, const sim::Springs& springs, const RaceSettings& se
 }  // namespace
 
 const char* name_of(RunEnd end) {
-  switch (end) {
-    case RunEnd::finished:
-      return "finished";
-    case RunEnd::diverged:
-      return "diverged";
-    case RunEnd::too_slow:
-      return "too slow";
-    case RunEnd::hopeless:
-      return "hopeless";
-  }
-  return "";
+  constexpr std::array names = {"finished", "diverged", "too slow", "hopeless"};
+  return names[static_cast<std::size_t>(end)];
 }
 
 std::vector<Run> race(const std::vector<Entrant>& entrants, const GarmentInScene& cloth, const Scene& scene,

@@ -1,9 +1,7 @@
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -14,6 +12,7 @@
 #include "app/commands/options.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/obj_export.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
@@ -61,28 +60,6 @@ std::vector<Entrant> entrants_for(const BenchOptions& options) {
   return entrants;
 }
 
-class BenchProgress {
- public:
-  explicit BenchProgress(bool is_quiet) : is_shown_(!is_quiet && ::isatty(STDERR_FILENO) != 0) {}
-  ~BenchProgress() {
-    if (is_shown_) {
-      std::fputs("\r\033[K", stderr);
-    }
-  }
-  BenchProgress(const BenchProgress&) = delete;
-  BenchProgress& operator=(const BenchProgress&) = delete;
-
-  void show(const std::string& text) const {
-    if (is_shown_) {
-      fmt::print(stderr, "\r\033[K{}", text);
-      std::fflush(stderr);
-    }
-  }
-
- private:
-  bool is_shown_;
-};
-
 // The numbers are those of the runs in the JSON.
 void write_shapes(const std::filesystem::path& folder, const Heat& heat, const sim::Mesh& mesh) {
   for (std::size_t i = 0; i < heat.runs.size(); ++i) {
@@ -94,7 +71,7 @@ void write_shapes(const std::filesystem::path& folder, const Heat& heat, const s
 }
 
 Heat run_heat(const BenchScene& bench_scene, const BenchSize& size, const BenchOptions& options,
-              const std::vector<Entrant>& entrants, const BenchProgress& progress) {
+              const std::vector<Entrant>& entrants, const std::function<void(const std::string&)>& show) {
   const Scene scene = make_bench_scene(bench_scene, size);
   const LoadedGarment loaded = load_garment(scene);
   const sim::Garment& garment = *loaded.garment;
@@ -109,8 +86,8 @@ Heat run_heat(const BenchScene& bench_scene, const BenchSize& size, const BenchO
   settings.slowest_frame_ms = *options.slowest_frame_ms;
   heat.runs = race(entrants, loaded, scene, settings, [&](int frame) {
     throw_if_interrupted();
-    progress.show(fmt::format("{}, {} triangles, {} settings in turns: frame {} of {}", bench_scene.name,
-                              size.triangles, entrants.size(), frame, settings.frames));
+    show(fmt::format("{}, {} triangles, {} settings in turns: frame {} of {}", bench_scene.name,
+                     size.triangles, entrants.size(), frame, settings.frames));
   });
   if (!options.shapes.empty()) {
     write_shapes(options.shapes, heat, garment.mesh);
@@ -119,12 +96,16 @@ Heat run_heat(const BenchScene& bench_scene, const BenchSize& size, const BenchO
 }
 
 BenchResults run_all(const BenchOptions& options) {
-  const BenchProgress progress(options.quiet);
+  std::optional<Progress> progress;
+  if (!options.quiet) {
+    progress.emplace("bench");
+  }
+  const auto show = [&](const std::string& stage) { progress ? progress->show(stage) : void(); };
   const std::vector<Entrant> entrants = entrants_for(options);
   BenchResults results;
   results.bounds = options.bounds;
   results.is_ablation = options.ablation;
-  progress.show("the processor's arithmetic");
+  show("the processor's arithmetic");
   results.arithmetic = measure_arithmetic_limits();
   for (const BenchScene& scene : bench_scenes()) {
     for (const BenchSize& size : bench_sizes()) {
@@ -132,7 +113,7 @@ BenchResults run_all(const BenchOptions& options) {
         return std::find(list.begin(), list.end(), item) != list.end();
       };
       if (is_wanted(options.scenes, scene.name) && is_wanted(options.sizes, size.triangles)) {
-        results.heats.push_back(run_heat(scene, size, options, entrants, progress));
+        results.heats.push_back(run_heat(scene, size, options, entrants, show));
       }
     }
   }
@@ -150,8 +131,8 @@ void write_results(const BenchOptions& options, const BenchResults& results, con
   tell(options.output / "bench.json");
   const Drawing drawing = draw_bench(results);
   const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
-  renderer::write_png(options.output / "bench.png", to_image(drawing), texts,
-                      {.deflate_level = 6, .filter = 4});
+  write_file(options.output / "bench.png",
+             renderer::encode_png(to_image(drawing), texts, {.deflate_level = 6, .filter = 4}));
   tell(options.output / "bench.png");
   write_pdf(options.output / "bench.pdf", drawing);
   tell(options.output / "bench.pdf");

@@ -13,12 +13,16 @@
 #include "app/base/version.hpp"
 #include "app/commands/options.hpp"
 #include "app/report/report.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
 
 // Enough for a median that one disturbance does not move; a few seconds.
 constexpr int frame_time_repeats = 15;
+
+// Packed better than frames, which have to be written sixty times a second.
+constexpr renderer::PngEffort effort = {.deflate_level = 6, .filter = 4};
 
 class FigureWriter {
  public:
@@ -29,10 +33,8 @@ class FigureWriter {
     throw_if_interrupted();
     const Drawing drawing = figure.draw(results, studio_);
     renderer::Image picture = to_image(drawing, options_.scale);
-    // Packed better than frames, which have to be written sixty times a second.
-    constexpr renderer::PngEffort effort = {.deflate_level = 6, .filter = 4};
     const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
-    renderer::write_png(noted(figure.name + ".png"), picture, texts, effort);
+    write_file(noted(figure.name + ".png"), renderer::encode_png(picture, texts, effort));
     write_pdf(noted(figure.name + ".pdf"), drawing);
     if (figure.csv != nullptr) {
       write_text_file(noted(figure.name + ".csv"), figure.csv(results));
@@ -53,8 +55,8 @@ class FigureWriter {
   }
 
   void write_contact_sheet() {
-    renderer::write_png(noted("contact_sheet.png"), contact_sheet(drawn_, options_.scale), {},
-                        {.deflate_level = 6, .filter = 4});
+    write_file(noted("contact_sheet.png"),
+               renderer::encode_png(contact_sheet(drawn_, options_.scale), {}, effort));
     tell();
   }
 

@@ -8,6 +8,7 @@
 #include "app/drawing/inspection_picture.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 
@@ -29,7 +30,8 @@ int run(const InspectOptions& options) {
   fmt::print("{}", options.json ? inspection_json(inspection) : describe(inspection));
   if (!options.picture.empty()) {
     progress.begin("drawing it");
-    renderer::write_png(options.picture, draw_inspection(inspection, loaded, scene, options.backend));
+    write_file(options.picture,
+               renderer::encode_png(draw_inspection(inspection, loaded, scene, options.backend)));
     progress.hide();
     // Programs that read the report get nothing else.
     fmt::print(options.json ? stderr : stdout, "wrote {}\n", options.picture.string());

@@ -24,6 +24,7 @@
 #include "app/output/picture_record.hpp"
 #include "app/output/run_report.hpp"
 #include "app/output/video_writer.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
@@ -86,7 +87,8 @@ class PictureOutput {
     if (video_) {
       video_->add(picture);
     } else {
-      renderer::write_png(pattern_->path_of(record.frame), picture, picture_texts(origin, record));
+      write_file(pattern_->path_of(record.frame),
+                 renderer::encode_png(picture, picture_texts(origin, record)));
     }
     written_.push_back(record.frame);
   }
@@ -179,7 +181,8 @@ std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Studi
     output.write(origin, record, picture);
   };
   outputs.report = [&](const FrameRecord& record) {
-    progress.show_frame(record.frame, job.frames.back(), record.stretch.max);
+    progress.show(fmt::format("frame {} of {}, stretch {:.2f} %", record.frame, job.frames.back(),
+                              100.0 * record.stretch.max));
   };
   return run_frames(simulation, job.frames.back(), outputs);
 }

@@ -5,6 +5,7 @@
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/viewer/view_session.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
@@ -72,7 +73,7 @@ void view_headless(const ViewOptions& options, const Session& session, const Dra
   }
   if (!options.screenshot.empty()) {
     prepare_folder_of(options.screenshot);
-    renderer::write_png(options.screenshot, viewer.draw());
+    write_file(options.screenshot, renderer::encode_png(viewer.draw()));
     fmt::print("wrote {}\n", options.screenshot.string());
   }
   if (!options.layout.empty()) {

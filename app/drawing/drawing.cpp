@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "app/base/files.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -16,10 +18,10 @@ renderer::Image to_image(const Drawing& drawing, float scale) {
 }
 
 void write_pdf(const std::filesystem::path& path, const Drawing& drawing) {
-  renderer::Canvas canvas = renderer::Canvas::pdf(path, drawing.width_px, drawing.height_px,
+  renderer::Canvas canvas = renderer::Canvas::pdf(drawing.width_px, drawing.height_px,
                                                   static_cast<float>(drawing.width_px) / page_width_inches);
   drawing.draw(canvas);
-  canvas.finish();
+  write_file(path, canvas.finish_pdf());
 }
 
 renderer::TextStyle text_style(float size_px, const renderer::Colour& colour, bool bold) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "app/base/errors.hpp"
 #include "app/models/layers.hpp"
 #include "app/models/pins.hpp"
+#include "sim/mesh/extent.hpp"
 #include "sim/mesh/subdivide.hpp"
 #include "sim/mesh/welding.hpp"
 
@@ -30,11 +30,6 @@ constexpr double largest_size_m = 1e4;
 
 // One damaged coordinate can be 1e38 times as far away as all others.
 void require_one_size(const sim::Mesh& mesh) {
-  sim::Vec3 lower = mesh.positions.front(), upper = lower;
-  for (const sim::Vec3& position : mesh.positions) {
-    lower = glm::min(lower, position);
-    upper = glm::max(upper, position);
-  }
   std::vector<double> lengths;
   lengths.reserve(mesh.triangles.size());
   for (const sim::Triangle& t : mesh.triangles) {
@@ -42,7 +37,7 @@ void require_one_size(const sim::Mesh& mesh) {
   }
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  const double size = glm::distance(lower, upper);
+  const double size = glm::length(sim::extent_of(mesh.positions).size());
   if (*middle < shortest_half_of_edges * size) {
     throw std::invalid_argument(fmt::format(
         "it reaches over {:.3g} of its units, but half of its edges are shorter than {:.3g}; expected all "

@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <glm/common.hpp>
+#include <array>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <map>
 
 #include "app/base/counted.hpp"
+#include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 
 namespace taut::app {
@@ -21,17 +21,6 @@ constexpr double shortest_opening = 0.2;      ///< around, of the size: shorter 
 constexpr double lowest_top_opening = 0.6;    ///< its mean height above the part's lowest point
 constexpr double steepest_top_opening = 0.4;  ///< from its lowest to its highest point
 
-struct Range {
-  sim::Vec3 lower = sim::Vec3(std::numeric_limits<double>::infinity());
-  sim::Vec3 upper = -lower;
-
-  void add(const sim::Vec3& p) {
-    lower = glm::min(lower, p);
-    upper = glm::max(upper, p);
-  }
-  sim::Vec3 size() const { return upper - lower; }
-};
-
 double largest(const sim::Vec3& v) {
   return std::max({v.x, v.y, v.z});
 }
@@ -40,13 +29,13 @@ struct Opening {
   std::vector<sim::Index> vertices;
   double length_m = 0.0;
   double mean_height_m = 0.0;
-  Range range;
+  sim::Extent range;
 };
 
 struct Part {
   std::vector<sim::Index> vertices;
   std::vector<Opening> openings;
-  Range range;
+  sim::Extent range;
 };
 
 std::vector<Opening> openings_of(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
@@ -158,15 +147,9 @@ HungPart hang_part(const sim::Mesh& mesh, const Part& part, std::vector<sim::Ind
 }
 
 const char* way_of(HungBy by) {
-  switch (by) {
-    case HungBy::top_opening:
-      return "hung by its top opening";
-    case HungBy::highest_band:
-      return "held at its highest points";
-    case HungBy::back_edge:
-      return "lies flat, held by its back edge";
-  }
-  return "";
+  constexpr std::array ways = {"hung by its top opening", "held at its highest points",
+                               "lies flat, held by its back edge"};
+  return ways[static_cast<std::size_t>(by)];
 }
 
 }  // namespace

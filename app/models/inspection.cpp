@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 
 #include "app/base/counted.hpp"
+#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {
@@ -33,11 +33,9 @@ double smallest_angle(const sim::Mesh& mesh) {
 }
 
 void measure_size(const sim::Mesh& mesh, Inspection& result) {
-  result.lower_m = result.upper_m = mesh.positions.front();
-  for (const sim::Vec3& p : mesh.positions) {
-    result.lower_m = glm::min(result.lower_m, p);
-    result.upper_m = glm::max(result.upper_m, p);
-  }
+  const sim::Extent extent = sim::extent_of(mesh.positions);
+  result.lower_m = extent.lower;
+  result.upper_m = extent.upper;
   result.area_m2 = sim::surface_area(mesh);
   result.smallest_angle_rad = smallest_angle(mesh);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/base/errors.hpp"
+#include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 
 namespace taut::app {
@@ -41,12 +42,7 @@ double usual_edge(const sim::Garment& garment) {
 }
 
 double size_of(const sim::Mesh& mesh) {
-  sim::Vec3 lower = mesh.positions.front(), upper = lower;
-  for (const sim::Vec3& p : mesh.positions) {
-    lower = glm::min(lower, p);
-    upper = glm::max(upper, p);
-  }
-  return glm::length(upper - lower);
+  return glm::length(sim::extent_of(mesh.positions).size());
 }
 
 /// The vertices in a cube of this width that an average vertex is in, itself included.

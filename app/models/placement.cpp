@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <span>
+
+#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {
@@ -20,20 +20,14 @@ constexpr double clearly_longer = 2.0;
 /// Of its size; from there on single precision is worse than a tenth of a millimetre on a garment.
 constexpr double far_away = 1000.0;
 
-struct Box {
-  sim::Vec3 lower = sim::Vec3(std::numeric_limits<double>::infinity());
-  sim::Vec3 upper = -lower;
-};
-
-Box box_of(const sim::Mesh& mesh) {
-  Box box;
+sim::Extent extent_of_triangles(const sim::Mesh& mesh) {
+  sim::Extent extent;
   for (const sim::Triangle& t : mesh.triangles) {
     for (const sim::Index v : t) {
-      box.lower = glm::min(box.lower, mesh.positions[v]);
-      box.upper = glm::max(box.upper, mesh.positions[v]);
+      extent.add(mesh.positions[v]);
     }
   }
-  return box;
+  return extent;
 }
 
 bool is_between(double value, double lowest, double highest) {
@@ -123,8 +117,8 @@ sim::Vec3 Placement::operator()(const sim::Vec3& in_file) const {
 }
 
 Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints) {
-  const Box box = box_of(mesh);
-  const sim::Vec3 size = box.upper - box.lower;
+  const sim::Extent box = extent_of_triangles(mesh);
+  const sim::Vec3 size = box.size();
   const double largest = std::max({size.x, size.y, size.z});
   Placement placement;
   placement.extent = largest;

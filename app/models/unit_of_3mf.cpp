@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <pugixml.hpp>
 #include <string>
 
 namespace taut::app {
@@ -33,63 +34,6 @@ bool find_model_part(unzFile archive) {
   return false;
 }
 
-/// The tag at the beginning, whose quoted values may hold anything; empty where it has no end.
-std::string_view up_to_its_end(std::string_view xml) {
-  char quote = '\0';
-  for (std::size_t i = 0; i < xml.size(); ++i) {
-    if (quote != '\0') {
-      quote = xml[i] == quote ? '\0' : quote;
-    } else if (xml[i] == '"' || xml[i] == '\'') {
-      quote = xml[i];
-    } else if (xml[i] == '>') {
-      return xml.substr(0, i + 1);
-    }
-  }
-  return {};
-}
-
-/// The start tag of the root element after what may come before it; empty where there is none.
-std::string_view model_tag(std::string_view xml) {
-  while (true) {
-    const std::size_t open = xml.find('<');
-    if (open == std::string_view::npos) {
-      return {};
-    }
-    xml.remove_prefix(open);
-    const bool is_comment = xml.starts_with("<!--");
-    if (!is_comment && !xml.starts_with("<?") && !xml.starts_with("<!")) {
-      return up_to_its_end(xml);
-    }
-    const std::string_view ending = is_comment ? "-->" : ">";
-    const std::size_t end = xml.find(ending);
-    if (end == std::string_view::npos) {
-      return {};
-    }
-    xml.remove_prefix(end + ending.size());
-  }
-}
-
-/// The value of `name` in a tag; nothing where it has no such attribute.
-std::optional<std::string_view> attribute(std::string_view tag, std::string_view name) {
-  constexpr std::string_view blanks = " \t\r\n";
-  std::size_t at = tag.find_first_of(blanks);
-  while (at != std::string_view::npos) {
-    const std::size_t begin = tag.find_first_not_of(blanks, at);
-    const std::size_t equals = tag.find('=', at);
-    const std::size_t open = tag.find_first_of("\"'", equals);
-    const std::size_t close = open < tag.size() ? tag.find(tag[open], open + 1) : open;
-    if (equals >= tag.size() || close >= tag.size()) {
-      break;
-    }
-    const std::string_view found = tag.substr(begin, tag.find_first_of(" \t\r\n=", begin) - begin);
-    if (found == name) {
-      return tag.substr(open + 1, close - open - 1);
-    }
-    at = close + 1;
-  }
-  return std::nullopt;
-}
-
 struct NamedUnit {
   std::string_view name;
   double metres;
@@ -101,12 +45,15 @@ constexpr std::array named_units = {NamedUnit{"micron", 1e-6},     NamedUnit{"mi
 }  // namespace
 
 std::optional<double> unit_of_model_part(std::string_view xml) {
-  const std::string_view tag = model_tag(xml);
-  const std::string_view element = tag.substr(0, tag.find_first_of(" \t\r\n>"));
-  if (element != "<model" && !element.ends_with(":model")) {
+  pugi::xml_document document;
+  // What is cut off at its end is an error, and read up to there all the same.
+  document.load_buffer(xml.data(), xml.size());
+  const pugi::xml_node root = document.document_element();
+  const std::string_view element = root.name();
+  if (element != "model" && !element.ends_with(":model")) {
     return std::nullopt;
   }
-  const std::string_view unit = attribute(tag, "unit").value_or("millimeter");
+  const std::string_view unit = root.attribute("unit").as_string("millimeter");
   for (const NamedUnit& named : named_units) {
     if (named.name == unit) {
       return named.metres;

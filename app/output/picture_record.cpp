@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <string_view>
 #include <system_error>
@@ -24,17 +23,6 @@ constexpr const char* frame_keyword = "Taut Frame";
 constexpr const char* state_keyword = "Taut State";
 constexpr const char* stretch_keyword = "Taut Stretch";
 constexpr const char* renderer_keyword = "Taut Renderer";
-
-constexpr std::array<std::uint8_t, 8> signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-
-std::uint32_t number_at(std::span<const std::uint8_t> bytes) {
-  return (std::uint32_t{bytes[0]} << 24U) | (std::uint32_t{bytes[1]} << 16U) |
-         (std::uint32_t{bytes[2]} << 8U) | std::uint32_t{bytes[3]};
-}
-
-std::string text_of(std::span<const std::uint8_t> bytes) {
-  return {bytes.begin(), bytes.end()};
-}
 
 std::string shell_word(const std::string& word) {
   constexpr std::string_view plain =
@@ -92,6 +80,16 @@ DrawnScene read_scene(const std::string& text, const std::filesystem::path& file
   return scene;
 }
 
+std::vector<renderer::PngText> texts_of(const std::filesystem::path& file) {
+  const std::string bytes = read_text_file(file);
+  const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  try {
+    return renderer::read_png_texts({data, bytes.size()}, file.string());
+  } catch (const std::runtime_error& error) {
+    throw InputError(error.what());
+  }
+}
+
 template <class Number>
 Number number_of(const std::string& text, int base, const char* keyword, const std::filesystem::path& file) {
   Number number{};
@@ -129,9 +127,7 @@ bool is_picture(const std::filesystem::path& file) {
 }
 
 PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides) {
-  const std::string bytes = read_text_file(file);
-  const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-  const auto texts = read_png_texts({data, bytes.size()}, file.string());
+  const std::vector<renderer::PngText> texts = texts_of(file);
   const auto entry = [&](const char* keyword) {
     const auto found =
         std::find_if(texts.begin(), texts.end(), [&](const auto& text) { return text.keyword == keyword; });
@@ -151,30 +147,6 @@ PictureRecord read_picture_record(const std::filesystem::path& file, std::span<c
   record.program = entry(program_keyword);
   record.gl_renderer = entry(renderer_keyword);
   return record;
-}
-
-std::vector<renderer::PngText> read_png_texts(std::span<const std::uint8_t> png, const std::string& name) {
-  if (png.size() < signature.size() || !std::equal(signature.begin(), signature.end(), png.begin())) {
-    throw InputError("'" + name + "' is no PNG picture");
-  }
-  constexpr std::size_t frame_bytes = 12;  // length, type and checksum around a chunk's data
-  std::vector<renderer::PngText> texts;
-  for (auto rest = png.subspan(signature.size());;) {
-    if (rest.size() < frame_bytes || rest.size() - frame_bytes < number_at(rest)) {
-      throw InputError("the picture '" + name + "' ends in the middle");
-    }
-    const std::size_t length = number_at(rest);
-    const std::string type = text_of(rest.subspan(4, 4));
-    const auto data = rest.subspan(8, length);
-    if (type == "IEND") {
-      return texts;
-    }
-    const auto zero = std::find(data.begin(), data.end(), std::uint8_t{0});
-    if (type == "tEXt" && zero != data.end()) {
-      texts.push_back({std::string(data.begin(), zero), std::string(zero + 1, data.end())});
-    }
-    rest = rest.subspan(frame_bytes + length);
-  }
 }
 
 }  // namespace taut::app

@@ -8,7 +8,7 @@
 
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/output/frame_record.hpp"
-#include "renderer/page/image.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 
@@ -38,8 +38,5 @@ bool is_picture(const std::filesystem::path& file);
 /// The record in a picture that `taut render` made, with `overrides` applied to its scene. Throws InputError
 /// where the file is no PNG, is broken or carries no scene.
 PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides);
-
-/// The tEXt entries of a PNG. `name` is for messages. Throws InputError where this is no PNG or it is broken.
-std::vector<renderer::PngText> read_png_texts(std::span<const std::uint8_t> png, const std::string& name);
 
 }  // namespace taut::app

@@ -1,8 +1,11 @@
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 
 #include "app/report/report.hpp"
+#include "app/report/report_texts.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
@@ -12,40 +15,6 @@ constexpr int picture_width_px = 1600;
 
 constexpr const char* bounded_label =
     "<i>With the solver bounded instead, which is not the paper&rsquo;s:</i> ";
-
-constexpr const char* head = R"(<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Strong constraint dynamics of garments: figures and claims</title>
-<style>
-body { max-width: 56rem; margin: 3rem auto; padding: 0 1.5rem; color: #1c1c1c; background: #fff;
-  font: 1.05rem/1.55 Charter, "Bitstream Charter", "Sitka Text", Cambria, Georgia, serif; }
-h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 1rem; }
-h2 { font-size: 1.35rem; margin: 3rem 0 1rem; }
-h3 { font-size: 1.1rem; margin: 0 0 .4rem; }
-figure { margin: 2.5rem 0; }
-figure img { width: 100%; height: auto; border: 1px solid #e4e4e4; }
-figcaption, .small { font-size: .92rem; color: #4a4a4a; }
-section.claim { border-left: .3rem solid #999; padding: .1rem 0 .1rem 1.1rem; margin: 2rem 0; }
-section.holds { border-color: #0059a0; }
-section.part { border-color: #e69f00; }
-section.fails { border-color: #b03a00; }
-.verdict { font: 600 .82rem/1 "DejaVu Sans", Verdana, sans-serif; letter-spacing: .02em;
-  padding: .3rem .55rem; border-radius: .25rem; color: #fff; background: #0059a0; white-space: nowrap; }
-.part .verdict { background: #e69f00; color: #1c1c1c; }
-.fails .verdict { background: #b03a00; }
-table { border-collapse: collapse; margin: .6rem 0; font-size: .95rem; }
-th, td { text-align: left; padding: .2rem 1.4rem .2rem 0; border-bottom: 1px solid #e4e4e4; vertical-align: top; }
-td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-p { margin: .5rem 0; }
-a { color: #0059a0; text-decoration-thickness: 1px; text-underline-offset: .15em; }
-tr.holds b { color: #0059a0; } tr.part b { color: #8a5a00; } tr.fails b { color: #b03a00; }
-</style>
-</head>
-<body>
-)";
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -71,15 +40,8 @@ std::string escaped(const std::string& text) {
 }
 
 const char* class_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::holds:
-      return "holds";
-    case Verdict::holds_in_part:
-      return "part";
-    case Verdict::does_not_hold:
-      return "fails";
-  }
-  return "";
+  constexpr std::array classes = {"holds", "part", "fails"};
+  return classes[static_cast<std::size_t>(verdict)];
 }
 
 std::string summary_html(std::span<const Claim> claims) {
@@ -168,28 +130,22 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 
 std::string report_html(std::span<const Claim> claims, std::span<const DrawnFigure> figures,
                         const Machine& machine) {
-  std::string html = head;
-  html +=
-      "<h1>Strong constraint dynamics of garments: figures and claims</h1>\n"
-      "<p>Zheng-Dong Liu&rsquo;s &ldquo;Strong Constraint Dynamic Simulation Method for 3D Garment "
-      "Models&rdquo; maps the triangles of a garment to springs, moves them by Verlet&rsquo;s rule and "
-      "corrects "
-      "every spring after each step. Its figures are drawn again here, and its claims are put to the test. "
-      "Every number on this page was measured in the run that wrote it.</p>\n"
-      "<p>Each claim is judged by a rule that stands in the program before anything is measured, and by the "
-      "paper&rsquo;s own method alone: the solver <i>strong</i>. What the solver <i>bounded</i> of this "
-      "program "
-      "reaches in the same test stands on a line of its own and decides nothing. What no number can decide, "
-      "such as whether cloth looks real or a method is easy to build in, is left out.</p>\n";
-  html += machine_html(machine) + "<h2>Claims</h2>\n" + summary_html(claims);
+  std::string html = report_page;
+  const auto put = [&html](const std::string& place, const std::string& text) {
+    html.replace(html.find(place), place.size(), text);
+  };
+  std::string claims_html = summary_html(claims);
   for (const Claim& claim : claims) {
-    html += claim_html(claim);
+    claims_html += claim_html(claim);
   }
-  html += "<h2>Figures</h2>\n";
+  std::string figures_html;
   for (const DrawnFigure& figure : figures) {
-    html += figure_html(figure);
+    figures_html += figure_html(figure);
   }
-  return html + "</body>\n</html>\n";
+  put("<!--machine-->\n", machine_html(machine));
+  put("<!--claims-->\n", claims_html);
+  put("<!--figures-->\n", figures_html);
+  return html;
 }
 
 }  // namespace taut::app

@@ -1,6 +1,7 @@
 #include "app/report/verdicts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -30,15 +31,8 @@ std::size_t count_if(const Range& range, Predicate predicate) {
 }  // namespace
 
 const char* name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::holds:
-      return "holds";
-    case Verdict::holds_in_part:
-      return "holds in part";
-    case Verdict::does_not_hold:
-      return "does not hold";
-  }
-  return "";
+  constexpr std::array names = {"holds", "holds in part", "does not hold"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 Verdict judge_stretch_bound(std::span<const StretchNumbers> runs) {

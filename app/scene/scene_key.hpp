@@ -36,7 +36,6 @@ struct Range {
   }
 };
 
-inline constexpr Range any_number = {};
 inline constexpr Range not_negative = {.lowest = 0.0};
 inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};
 

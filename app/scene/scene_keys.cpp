@@ -6,6 +6,12 @@
 #include "app/scene/scene_format.hpp"
 #include "app/scene/scene_lists.hpp"
 
+// `access` of a key of a collider that has the shape.
+#define MEMBER_OF(Shape, member)                 \
+  [](auto& c) -> auto& {                         \
+    return std::get<sim::Shape>(c.shape).member; \
+  }
+
 namespace taut::app {
 namespace {
 
@@ -207,41 +213,24 @@ std::string list_entries_help() {
 
 std::vector<Key<sim::Collider>> collider_keys(const std::string& shape) {
   using C = sim::Collider;
-  const auto plane = [](auto& c) -> auto& {
-    return std::get<sim::Plane>(c.shape);
-  };
-  const auto sphere = [](auto& c) -> auto& {
-    return std::get<sim::Sphere>(c.shape);
-  };
-  const auto capsule = [](auto& c) -> auto& {
-    return std::get<sim::Capsule>(c.shape);
-  };
   std::vector<Key<C>> keys = {
       {"shape", "", "\"plane\" or \"sphere\" or \"capsule\"", "",
        [](const Value&, const Source&, C&) { return true; }, [shape](const C&) { return Value{shape}; }},
       friction_key()};
-  const auto add = [&keys](Key<C> key) { keys.push_back(std::move(key)); };
   if (shape == "plane") {
-    add(vector_key<C>(
-        "point", "m", [=](auto& c) -> auto& { return plane(c).point_m; }, "any point of it"));
-    add(vector_key<C>("normal", "", [=](auto& c) -> auto& { return plane(c).normal; },
-                      "points to the cloth's side, of any length", {.may_be_zero = false}));
+    keys.push_back(vector_key<C>("point", "m", MEMBER_OF(Plane, point_m), "any point of it"));
+    keys.push_back(vector_key<C>("normal", "", MEMBER_OF(Plane, normal),
+                                 "points to the cloth's side, of any length", {.may_be_zero = false}));
   } else if (shape == "sphere") {
-    add(vector_key<C>(
-        "centre", "m", [=](auto& c) -> auto& { return sphere(c).centre_m; }, "of the ball"));
-    add(number_key<C>(
-        "radius", "m", positive, [=](auto& c) -> auto& { return sphere(c).radius_m; }, "of the ball"));
+    keys.push_back(vector_key<C>("centre", "m", MEMBER_OF(Sphere, centre_m), "of the ball"));
+    keys.push_back(number_key<C>("radius", "m", positive, MEMBER_OF(Sphere, radius_m), "of the ball"));
   } else {
-    add(vector_key<C>(
-        "start", "m", [=](auto& c) -> auto& { return capsule(c).start_m; }, "one end"));
-    add(vector_key<C>(
-        "end", "m", [=](auto& c) -> auto& { return capsule(c).end_m; }, "the other end"));
-    add(number_key<C>(
-        "start_radius", "m", positive, [=](auto& c) -> auto& { return capsule(c).start_radius_m; },
-        "at the start"));
-    add(number_key<C>(
-        "end_radius", "m", positive, [=](auto& c) -> auto& { return capsule(c).end_radius_m; },
-        "at the end"));
+    keys.push_back(vector_key<C>("start", "m", MEMBER_OF(Capsule, start_m), "one end"));
+    keys.push_back(vector_key<C>("end", "m", MEMBER_OF(Capsule, end_m), "the other end"));
+    keys.push_back(
+        number_key<C>("start_radius", "m", positive, MEMBER_OF(Capsule, start_radius_m), "at the start"));
+    keys.push_back(
+        number_key<C>("end_radius", "m", positive, MEMBER_OF(Capsule, end_radius_m), "at the end"));
   }
   return keys;
 }

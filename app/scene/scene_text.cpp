@@ -1,7 +1,9 @@
 #include "app/scene/scene_text.hpp"
 
 #include <fmt/core.h>
+#include <toml++/toml.h>
 
+#include <sstream>
 #include <vector>
 
 #include "app/scene/scene_file.hpp"
@@ -10,40 +12,11 @@
 namespace taut::app {
 namespace {
 
-constexpr char32_t replacement = 0xFFFD;
-
-// The code point at `i`, which moves behind it. Bytes that are no UTF-8 (file names can hold any) become
-// U+FFFD.
-char32_t next_code_point(const std::string& text, std::size_t& i) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  const unsigned char first = byte(i++);
-  const int more = first < 0x80 ? 0 : first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC0 ? 1 : -1;
-  if (more < 0 || i + static_cast<std::size_t>(more) > text.size()) {
-    return replacement;
-  }
-  char32_t code = more == 0 ? first : first & (0x3FU >> static_cast<unsigned>(more));
-  for (int k = 0; k < more; ++k) {
-    if ((byte(i) & 0xC0U) != 0x80U) {
-      return replacement;
-    }
-    code = (code << 6U) | (byte(i++) & 0x3FU);
-  }
-  return code > 0x10FFFF || (code >= 0xD800 && code < 0xE000) ? replacement : code;
-}
-
+// Between double quotes, all that is not ASCII escaped.
 std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (std::size_t i = 0; i < text.size();) {
-    const char32_t code = next_code_point(text, i);
-    if (code == U'"' || code == U'\\') {
-      result += {'\\', static_cast<char>(code)};
-    } else if (code >= 0x20 && code < 0x7F) {
-      result += static_cast<char>(code);
-    } else {
-      result += fmt::format("\\U{:08X}", static_cast<std::uint32_t>(code));
-    }
-  }
-  return result + '"';
+  std::ostringstream out;
+  out << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
+  return out.str();
 }
 
 struct TomlWriter {

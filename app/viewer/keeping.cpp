@@ -8,6 +8,7 @@
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
@@ -102,7 +103,7 @@ void WindowRecorder::add(const renderer::Image& picture, double elapsed_s) {
     if (video_) {
       video_->add(part);
     } else {
-      renderer::write_png(target_ / fmt::format("frame_{:05}.png", frames_), part);
+      write_file(target_ / fmt::format("frame_{:05}.png", frames_), renderer::encode_png(part));
     }
     ++frames_;
   }

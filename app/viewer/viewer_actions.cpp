@@ -10,6 +10,7 @@
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/viewer/viewer.hpp"
+#include "renderer/page/png.hpp"
 
 // What keys and buttons of the viewer do.
 
@@ -180,7 +181,7 @@ void Viewer::take_picture(const renderer::Image& picture) {
   try {
     if (std::exchange(screenshot_, false)) {
       const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".png");
-      renderer::write_png(file, picture);
+      write_file(file, renderer::encode_png(picture));
       tell("wrote " + file.string(), false);
     }
   } catch (const std::runtime_error& error) {

@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <time.h>
 
 #include <chrono>
 #include <optional>
@@ -122,10 +121,8 @@ class WindowSession {
 
   // Of all processors, by all threads of this program.
   double next_busy_s() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    const double used_s = static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    return (used_s - std::exchange(used_s_, used_s)) / std::max(std::thread::hardware_concurrency(), 1U);
+    const double used_ms = std::exchange(used_, ProcessorStopwatch(CLOCK_PROCESS_CPUTIME_ID)).elapsed_ms();
+    return 1e-3 * used_ms / std::max(std::thread::hardware_concurrency(), 1U);
   }
 
   void show() {
@@ -206,9 +203,9 @@ class WindowSession {
   QualityControl quality_;
   Stopwatch since_frame_;
   Stopwatch since_loss_;
+  ProcessorStopwatch used_{CLOCK_PROCESS_CPUTIME_ID};
   Stopwatch since_change_;  ///< of anything that is drawn
   double panel_ms_ = 0.0;
-  double used_s_ = 0.0;  ///< of processors' time
   int losses_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "crossings.hpp"
+#include "tailor/crossings.hpp"
 
 #include <algorithm>
 #include <glm/common.hpp>

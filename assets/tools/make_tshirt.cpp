@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "recipe.hpp"
+#include "tailor/recipe.hpp"
 
 namespace {
 

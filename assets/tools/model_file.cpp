@@ -1,4 +1,4 @@
-#include "model_file.hpp"
+#include "tailor/model_file.hpp"
 
 #include <cmath>
 #include <cstdint>

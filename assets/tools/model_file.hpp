@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "shirt.hpp"
 #include "sim/mesh/mesh.hpp"
+#include "tailor/sewing/shirt.hpp"
 
 namespace taut::tailor {
 

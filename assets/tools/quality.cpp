@@ -1,10 +1,10 @@
-#include "quality.hpp"
+#include "tailor/quality.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "crossings.hpp"
+#include "tailor/crossings.hpp"
 
 namespace taut::tailor {
 namespace {

@@ -1,13 +1,13 @@
-#include "recipe.hpp"
+#include "tailor/recipe.hpp"
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "fit.hpp"
-#include "lift.hpp"
-#include "sew.hpp"
-#include "wrap.hpp"
+#include "tailor/dressing/fit.hpp"
+#include "tailor/dressing/lift.hpp"
+#include "tailor/dressing/wrap.hpp"
+#include "tailor/sewing/sew.hpp"
 
 namespace taut::tailor {
 namespace {

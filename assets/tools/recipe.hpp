@@ -3,10 +3,10 @@
 #include <array>
 #include <functional>
 
-#include "flat_lengths.hpp"
-#include "model_file.hpp"
-#include "quality.hpp"
-#include "shirt.hpp"
+#include "tailor/dressing/flat_lengths.hpp"
+#include "tailor/model_file.hpp"
+#include "tailor/quality.hpp"
+#include "tailor/sewing/shirt.hpp"
 
 namespace taut::tailor {
 

@@ -24,7 +24,6 @@ inline constexpr int page_up = 266;
 inline constexpr int page_down = 267;
 inline constexpr int home = 268;
 inline constexpr int end = 269;
-inline constexpr int f1 = 290;
 inline constexpr int f10 = 299;
 inline constexpr int f12 = 301;
 inline constexpr int left_shift = 340;

@@ -9,7 +9,7 @@ namespace taut::renderer {
 namespace {
 
 constexpr int width = 256;
-constexpr std::array rows{ColourMap::viridis, ColourMap::cividis, ColourMap::blue_orange};
+constexpr std::array rows{ColourMap::viridis, ColourMap::blue_orange};
 
 std::vector<std::uint8_t> texels() {
   std::vector<std::uint8_t> bytes(3 * width * rows.size());

@@ -160,8 +160,4 @@ glm::mat4 world_to_unit_cube(const Box& box, const glm::vec3& towards) {
   return glm::scale(halved, glm::vec3{0.5F}) * clip * view;
 }
 
-glm::mat4 unit_cube_to_clip() {
-  return glm::scale(glm::translate(glm::mat4{1.0F}, glm::vec3{-1.0F}), glm::vec3{2.0F});
-}
-
 }  // namespace taut::renderer

@@ -66,7 +66,4 @@ void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& se
 /// axes. Depth grows away from where `towards` points.
 glm::mat4 world_to_unit_cube(const Box& box, const glm::vec3& towards);
 
-/// 0..1 in all three axes to OpenGL clip space.
-glm::mat4 unit_cube_to_clip();
-
 }  // namespace taut::renderer

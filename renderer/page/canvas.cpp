@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "renderer/page/atomic_file.hpp"
 #include "renderer/page/canvas_surface.hpp"
 
 namespace taut::renderer {
@@ -35,8 +34,7 @@ void set_font_options(cairo_t* pen) {
 }
 
 void select_font(cairo_t* pen, const TextStyle& style) {
-  cairo_select_font_face(pen, style.family.c_str(),
-                         style.italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
+  cairo_select_font_face(pen, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(pen, static_cast<double>(style.size_px));
 }
@@ -47,15 +45,7 @@ void set_colour(cairo_t* pen, Colour colour, float opacity = 1.0F) {
 }
 
 float horizontal_shift(HorizontalAlign align, const TextSize& size) {
-  switch (align) {
-    case HorizontalAlign::left:
-      return 0.0F;
-    case HorizontalAlign::centre:
-      return -0.5F * size.width_px;
-    case HorizontalAlign::right:
-      return -size.width_px;
-  }
-  return 0.0F;
+  return -0.5F * static_cast<float>(align) * size.width_px;
 }
 
 float vertical_shift(VerticalAlign align, const TextSize& size) {
@@ -78,7 +68,7 @@ float vertical_shift(VerticalAlign align, const TextSize& size) {
 struct Canvas::Surface {
   // Declared first, so that it outlives the surface that streams into it.
   std::vector<std::uint8_t> pdf_bytes;
-  std::filesystem::path pdf_path;  // empty for an image
+  bool is_pdf = false;
   int width_px = 0;
   int height_px = 0;
   float scale = 1.0F;  // pixels of the image, or points of the page, for one of the canvas
@@ -100,7 +90,7 @@ struct Canvas::Surface {
     cairo_paint(pen.get());
   }
   // A page has no pixels of its own: there they are taken as those of the canvas.
-  float pixels_in_one() const { return pdf_path.empty() ? scale : 1.0F; }
+  float pixels_in_one() const { return is_pdf ? 1.0F : scale; }
   // A baseline between two rows of pixels blurs every letter's foot.
   float on_whole_pixel(float y_px) const { return std::round(y_px * pixels_in_one()) / pixels_in_one(); }
   bool has_as_many_pixels(float length_px, int pixels) const {
@@ -132,9 +122,9 @@ Canvas Canvas::scaled(int width_px, int height_px, float scale) {
   return Canvas(std::move(made));
 }
 
-Canvas Canvas::pdf(const std::filesystem::path& path, int width_px, int height_px, float pixels_per_inch) {
+Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch) {
   auto made = std::make_unique<Surface>();
-  made->pdf_path = path;
+  made->is_pdf = true;
   made->width_px = width_px;
   made->height_px = height_px;
   const double points_per_px = 72.0 / static_cast<double>(pixels_per_inch);
@@ -178,20 +168,12 @@ void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle
 }
 
 void Canvas::line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px) {
-  dashed_line(x0_px, y0_px, x1_px, y1_px, colour, thickness_px, 0.0F);
-}
-
-void Canvas::dashed_line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour,
-                         float thickness_px, float dash_px) {
   cairo_t* pen = surface->pen.get();
   set_colour(pen, colour);
   cairo_set_line_width(pen, static_cast<double>(thickness_px));
-  const auto dash = static_cast<double>(dash_px);
-  cairo_set_dash(pen, &dash, dash_px > 0.0F ? 1 : 0, 0.0);
   cairo_move_to(pen, static_cast<double>(x0_px), static_cast<double>(y0_px));
   cairo_line_to(pen, static_cast<double>(x1_px), static_cast<double>(y1_px));
   cairo_stroke(pen);
-  cairo_set_dash(pen, nullptr, 0, 0.0);
 }
 
 void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
@@ -242,19 +224,18 @@ void Canvas::image(float x_px, float y_px, float width_px, float height_px, cons
 }
 
 Image Canvas::to_image() const {
-  if (!surface->pdf_path.empty()) throw std::logic_error("a PDF has no pixels");
+  if (surface->is_pdf) throw std::logic_error("a PDF has no pixels");
   return from_cairo(surface->surface.get());
 }
 
-void Canvas::finish() {
-  if (surface->pdf_path.empty()) return;
+std::vector<std::uint8_t> Canvas::finish_pdf() {
+  if (!surface->is_pdf) throw std::logic_error("an image is no PDF");
   cairo_surface_finish(surface->surface.get());
   const cairo_status_t status = cairo_surface_status(surface->surface.get());
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error("cannot write '" + surface->pdf_path.string() +
-                             "': " + cairo_status_to_string(status));
+    throw std::runtime_error(std::string("cannot make a PDF: ") + cairo_status_to_string(status));
   }
-  write_file_atomically(surface->pdf_path, surface->pdf_bytes);
+  return std::move(surface->pdf_bytes);
 }
 
 }  // namespace taut::renderer

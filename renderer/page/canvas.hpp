@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,12 +12,11 @@ namespace taut::renderer {
 enum class HorizontalAlign { left, centre, right };
 enum class VerticalAlign { top, middle, baseline, bottom };
 
+/// DejaVu Sans.
 struct TextStyle {
-  std::string family = "DejaVu Sans";
   float size_px = 16.0F;  ///< of the em square
   Colour colour{0.1F};
   bool bold = false;
-  bool italic = false;
   HorizontalAlign horizontal = HorizontalAlign::left;
   VerticalAlign vertical = VerticalAlign::baseline;
 };
@@ -40,9 +38,8 @@ class Canvas {
   /// What is drawn on this canvas is that of a canvas of this width and height, on `scale` times as many
   /// pixels each way, rounded.
   static Canvas scaled(int width_px, int height_px, float scale);
-  /// One page, written when finish() is called; text stays text. Throws std::runtime_error naming the path.
-  static Canvas pdf(const std::filesystem::path& path, int width_px, int height_px,
-                    float pixels_per_inch = 300.0F);
+  /// One page; text stays text. Throws std::runtime_error where Cairo cannot make it.
+  static Canvas pdf(int width_px, int height_px, float pixels_per_inch = 300.0F);
   ~Canvas();
   Canvas(Canvas&&) noexcept;
   Canvas& operator=(Canvas&&) noexcept;
@@ -53,8 +50,6 @@ class Canvas {
   TextSize measure(std::string_view text, const TextStyle& style) const;
   void text(float x_px, float y_px, std::string_view text, const TextStyle& style = {});
   void line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px = 1.0F);
-  void dashed_line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px,
-                   float dash_px);
   void rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
                  float thickness_px = 1.0F);
   void fill_rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
@@ -67,8 +62,9 @@ class Canvas {
 
   /// The pixels so far, as RGB. Not for a PDF (throws std::logic_error).
   Image to_image() const;
-  /// Completes a PDF under its final name; nothing to do for an image. Throws std::runtime_error.
-  void finish();
+  /// The PDF file, after which nothing more can be drawn. Throws std::runtime_error where Cairo could not
+  /// make it, and std::logic_error for an image.
+  std::vector<std::uint8_t> finish_pdf();
 
  private:
   struct Surface;

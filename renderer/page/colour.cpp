@@ -10,26 +10,16 @@ namespace taut::renderer {
 
 namespace {
 
-// Equally spaced samples of the published maps (viridis: van der Walt and Smith 2015, CC0; cividis: Nunez,
-// Anderton and Renslow 2018, CC0). Linear between samples stays within two units of 255.
+// Equally spaced samples of the published map (van der Walt and Smith 2015, CC0). Linear between samples
+// stays within two units of 255.
 constexpr std::array viridis{rgb(0x440154), rgb(0x482878), rgb(0x3E4989), rgb(0x31688E), rgb(0x26828E),
                              rgb(0x1F9E89), rgb(0x35B779), rgb(0x6ECE58), rgb(0xB5DE2B), rgb(0xFDE725)};
-constexpr std::array cividis{rgb(0x00224E), rgb(0x123570), rgb(0x3B496C), rgb(0x575D6D), rgb(0x707173),
-                             rgb(0x8A8678), rgb(0xA59C74), rgb(0xC3B369), rgb(0xE1CC55), rgb(0xFEE838)};
 // Lightness falls alike on both sides, and blue against orange is told apart with every colour blindness.
 constexpr std::array blue_orange{rgb(0x1B4F8C), rgb(0x3F7DBA), rgb(0x7FAED6), rgb(0xBDD5E8), rgb(0xF2F2EE),
                                  rgb(0xF3CFA6), rgb(0xE6A15F), rgb(0xC9722B), rgb(0x8F4A12)};
 
 std::span<const Colour> samples_of(ColourMap map) {
-  switch (map) {
-    case ColourMap::viridis:
-      return viridis;
-    case ColourMap::cividis:
-      return cividis;
-    case ColourMap::blue_orange:
-      return blue_orange;
-  }
-  return viridis;
+  return map == ColourMap::viridis ? std::span<const Colour>(viridis) : blue_orange;
 }
 
 }  // namespace
@@ -55,13 +45,6 @@ Colour colour_at(ColourMap map, float t) {
   const auto lower = std::min(static_cast<std::size_t>(place), samples.size() - 2);
   const float fraction = place - static_cast<float>(lower);
   return samples[lower] * (1.0F - fraction) + samples[lower + 1] * fraction;
-}
-
-std::optional<ColourMap> colour_map_named(std::string_view name) {
-  if (name == "viridis") return ColourMap::viridis;
-  if (name == "cividis") return ColourMap::cividis;
-  if (name == "blue-orange") return ColourMap::blue_orange;
-  return std::nullopt;
 }
 
 }  // namespace taut::renderer

@@ -2,8 +2,6 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <optional>
-#include <string_view>
 
 namespace taut::renderer {
 
@@ -27,14 +25,10 @@ glm::vec3 linear_light(const Colour& colour);
 /// Colour maps whose lightness tells the order to every reader, colour-blind or printing in grey.
 enum class ColourMap {
   viridis,      ///< dark violet to yellow, lightness rises throughout
-  cividis,      ///< dark blue to yellow, made for red-green blindness (Nunez, Anderton, Renslow 2018)
   blue_orange,  ///< diverging: blue below, near white in the middle, orange above
 };
 
 /// Colour at position t of the map; t is clamped to 0..1, and a NaN gives a neutral grey.
 Colour colour_at(ColourMap map, float t);
-
-/// "viridis", "cividis" or "blue-orange"; nothing for any other name.
-std::optional<ColourMap> colour_map_named(std::string_view name);
 
 }  // namespace taut::renderer

@@ -1,19 +1,13 @@
 #include "sim/solvers/ideal.hpp"
 
+#include <array>
 #include <glm/geometric.hpp>
 
 namespace taut::sim {
 
 double stiffness_of(SpringKind kind, const SpringStiffness& stiffness) {
-  switch (kind) {
-    case SpringKind::structural:
-      return stiffness.structural_n_per_m;
-    case SpringKind::shear:
-      return stiffness.shear_n_per_m;
-    case SpringKind::flexural:
-      return stiffness.flexural_n_per_m;
-  }
-  return 0.0;
+  return std::array{stiffness.structural_n_per_m, stiffness.shear_n_per_m,
+                    stiffness.flexural_n_per_m}[static_cast<std::size_t>(kind)];
 }
 
 void IdealSprings::add_spring_forces(const Garment& garment, const State& state,

@@ -1,6 +1,7 @@
 #include "sim/solvers/solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -95,17 +96,8 @@ std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const Settings
 }  // namespace
 
 const char* name_of(SolverKind kind) {
-  switch (kind) {
-    case SolverKind::ideal:
-      return "ideal";
-    case SolverKind::provot:
-      return "provot";
-    case SolverKind::strong:
-      return "strong";
-    case SolverKind::bounded:
-      return "bounded";
-  }
-  return "";
+  constexpr std::array names = {"ideal", "provot", "strong", "bounded"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 SolverKind kind_of(const SolverMethod& method) {

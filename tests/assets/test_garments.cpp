@@ -9,7 +9,7 @@
 #include "garment_file.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/topology.hpp"
-#include "tailor/pieces.hpp"
+#include "tailor/flat/pieces.hpp"
 #include "tailor/quality.hpp"
 
 namespace taut::test {

@@ -8,13 +8,13 @@
 
 #include "sim/mesh/adjacency.hpp"
 #include "tailor/crossings.hpp"
-#include "tailor/flat_lengths.hpp"
-#include "tailor/lift.hpp"
+#include "tailor/dressing/flat_lengths.hpp"
+#include "tailor/dressing/lift.hpp"
+#include "tailor/flat/random.hpp"
+#include "tailor/flat/triangulate.hpp"
 #include "tailor/quality.hpp"
-#include "tailor/random.hpp"
 #include "tailor/recipe.hpp"
-#include "tailor/sew.hpp"
-#include "tailor/triangulate.hpp"
+#include "tailor/sewing/sew.hpp"
 
 namespace taut::test {
 namespace {

@@ -27,12 +27,12 @@ float lightness(const Colour& colour) {
          0.0722F * srgb_to_linear(colour.b);
 }
 
-TEST(ColourMap, SequentialMapsGetLighterAllTheWay) {
-  for (const ColourMap map : {ColourMap::viridis, ColourMap::cividis}) {
-    for (int i = 1; i <= 100; ++i) {
-      const auto t = static_cast<float>(i);
-      EXPECT_GT(lightness(colour_at(map, t / 100.0F)), lightness(colour_at(map, (t - 1.0F) / 100.0F))) << i;
-    }
+TEST(ColourMap, SequentialMapGetsLighterAllTheWay) {
+  for (int i = 1; i <= 100; ++i) {
+    const auto t = static_cast<float>(i);
+    EXPECT_GT(lightness(colour_at(ColourMap::viridis, t / 100.0F)),
+              lightness(colour_at(ColourMap::viridis, (t - 1.0F) / 100.0F)))
+        << i;
   }
 }
 
@@ -51,12 +51,6 @@ TEST(ColourMap, OutsideIsClampedAndNotANumberIsGrey) {
   EXPECT_EQ(colour_at(ColourMap::viridis, -3.0F), rgb(0x440154));
   EXPECT_EQ(colour_at(ColourMap::viridis, 7.0F), rgb(0xFDE725));
   EXPECT_EQ(colour_at(ColourMap::viridis, NAN), Colour{0.5F});
-}
-
-TEST(ColourMap, Names) {
-  EXPECT_EQ(colour_map_named("cividis"), ColourMap::cividis);
-  EXPECT_EQ(colour_map_named("blue-orange"), ColourMap::blue_orange);
-  EXPECT_FALSE(colour_map_named("jet"));
 }
 
 }  // namespace

@@ -7,10 +7,13 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
+#include "renderer/page/png.hpp"
 #include "support/picture_difference.hpp"
+#include "support/picture_reading.hpp"
 
 using namespace taut;
 
@@ -24,25 +27,34 @@ tests::PictureLimit limit_of(int argc, char** argv) {
   return limit;
 }
 
+void write(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file) {
+    throw std::runtime_error("cannot write '" + path.string() + "'");
+  }
+}
+
 int compare_files(const std::string& expected_path, const std::string& actual_path,
                   const std::filesystem::path& folder, const tests::PictureLimit& limit) {
-  const renderer::Image actual = renderer::read_png(actual_path);
-  const renderer::Image expected = renderer::read_png(expected_path);
+  const renderer::Image actual = tests::read_png(actual_path);
+  const renderer::Image expected = tests::read_png(expected_path);
   const tests::PictureDifference difference = tests::compare(expected, actual, limit);
   if (tests::passes(difference, limit)) {
     return 0;
   }
   std::printf("%s", tests::describe(difference, limit).c_str());
   if (difference.same_size) {
-    renderer::write_png(folder / "difference.png", tests::amplified_difference(expected, actual));
-    renderer::write_png(folder / "side_by_side.png", tests::side_by_side(expected, actual));
+    write(folder / "difference.png", renderer::encode_png(tests::amplified_difference(expected, actual)));
+    write(folder / "side_by_side.png", renderer::encode_png(tests::side_by_side(expected, actual)));
   }
   return 1;
 }
 
 int repack(const char* from, const char* to) {
   constexpr renderer::PngEffort smallest = {.deflate_level = 12, .filter = -1};
-  renderer::write_png(to, renderer::read_png(from), {}, smallest);
+  write(to, renderer::encode_png(tests::read_png(from), {}, smallest));
   return 0;
 }
 

@@ -5,6 +5,7 @@
 #include "app/viewer/simulation/stepped_simulation.hpp"
 #include "app/viewer/view_session.hpp"
 #include "app/viewer/viewer.hpp"
+#include "picture_reading.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -245,7 +246,7 @@ TEST(Window, APictureHasNothingOfTheWindow) {
   const renderer::Image with_panel = window.draw();
   play({key(keys::f12, true)});
   EXPECT_EQ(window.draw_scene().pixels, plain.pixels);
-  EXPECT_EQ(renderer::read_png(folder / "pinned-9x9-5-1.png").pixels, plain.pixels);
+  EXPECT_EQ(tests::read_png(folder / "pinned-9x9-5-1.png").pixels, plain.pixels);
   EXPECT_NE(window.draw().pixels, plain.pixels);
   EXPECT_EQ(with_panel.width_px, 900);
   play({PointAt{"look.stretch"}});

@@ -5,7 +5,7 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
-#include "app/base/cpu_clock.hpp"
+#include "app/base/stopwatch.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
 
@@ -87,7 +87,7 @@ class BulletEngine : public Engine {
     for (int substep = 0; substep < settings_.substeps; ++substep) {
       add_wind();
       move_pins();
-      const CpuClock clock;
+      const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
       world_.dynamics.stepSimulation(static_cast<btScalar>(substep_s_), 0);
       cost.cpu_ms += clock.elapsed_ms();
       state_.time_s += substep_s_;

@@ -1,6 +1,6 @@
 #include "app/bench/engines/taut_engine.hpp"
 
-#include "app/base/cpu_clock.hpp"
+#include "app/base/stopwatch.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {
@@ -18,7 +18,7 @@ class TautEngine : public Engine {
 
   FrameCost advance_frame() override {
     FrameCost cost;
-    const CpuClock clock;
+    const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
     simulation_.advance_frame();
     cost.cpu_ms = clock.elapsed_ms();
     const sim::FrameReport& report = simulation_.frame_report();

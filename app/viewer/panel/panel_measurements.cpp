@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -147,17 +148,9 @@ std::string size_text(const sim::Garment& garment) {
 }
 
 const char* reason_text(SlowedBy reason) {
-  switch (reason) {
-    case SlowedBy::nothing:
-      return "";
-    case SlowedBy::simulation:
-      return ", slowed by the simulation";
-    case SlowedBy::drawing:
-      return ", slowed by drawing";
-    case SlowedBy::other_programs:
-      return ", slowed by other programs";
-  }
-  return "";
+  constexpr std::array texts = {"", ", slowed by the simulation", ", slowed by drawing",
+                                ", slowed by other programs"};
+  return texts[static_cast<std::size_t>(reason)];
 }
 
 std::string speed_text(const ViewerState& state) {

@@ -8,6 +8,7 @@
 #include "app/drawing/spring_colours.hpp"
 #include "app/scene/promise.hpp"
 #include "renderer/gl/colour_target.hpp"
+#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {
@@ -18,16 +19,6 @@ constexpr float spring_width_px = 1.2F;
 constexpr renderer::Colour normal_colour = renderer::rgb(0x2E7D32);
 // Relative to the diagonal of the garment at rest.
 constexpr float normal_length = 0.012F;
-
-float diagonal(const std::vector<sim::Vec3>& positions) {
-  sim::Vec3 lower(INFINITY);
-  sim::Vec3 upper(-INFINITY);
-  for (const sim::Vec3& position : positions) {
-    lower = glm::min(lower, position);
-    upper = glm::max(upper, position);
-  }
-  return static_cast<float>(glm::distance(lower, upper));
-}
 
 bool has_room(const ViewArea& area) {
   return area.width_px >= smallest_side_px && area.height_px >= smallest_side_px;
@@ -77,7 +68,8 @@ void ViewerPicture::add_springs(const ViewerState& state, renderer::FrameView& f
 
 void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& frame) {
   const renderer::SurfaceView& surface = frame.surfaces.back();
-  const float length_m = normal_length * diagonal(state.shown->loaded->garment->mesh.positions);
+  const sim::Vec3 size_m = sim::extent_of(state.shown->loaded->garment->mesh.positions).size();
+  const float length_m = normal_length * static_cast<float>(glm::length(size_m));
   normal_points_.clear();
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
     normal_points_.push_back(surface.positions[v]);

@@ -45,23 +45,22 @@ class Line {
     return found;
   }
 
-  template <class Number>
-  Number number(const char* expected, Number lowest, Number highest) {
-    const std::string found = word(expected);
+  // The whole of a text.
+  template <class Number, class... Base>
+  Number parsed(const std::string& text, const char* expected, Base... base) const {
     Number value{};
-    const auto [stop, error] = std::from_chars(found.data(), found.data() + found.size(), value);
-    if (error != std::errc() || stop != found.data() + found.size() ||
-        !(value >= lowest && value <= highest)) {
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value, base...);
+    if (error != std::errc() || stop != end) {
       fail(expected);
     }
     return value;
   }
 
-  std::uint64_t hexadecimal(const char* expected) {
-    const std::string found = word(expected);
-    std::uint64_t value = 0;
-    const auto [stop, error] = std::from_chars(found.data(), found.data() + found.size(), value, 16);
-    if (error != std::errc() || stop != found.data() + found.size()) {
+  template <class Number>
+  Number number(const char* expected, Number lowest, Number highest) {
+    const auto value = parsed<Number>(word(expected), expected);
+    if (!(value >= lowest && value <= highest)) {
       fail(expected);
     }
     return value;
@@ -118,11 +117,9 @@ WindowEvent read_button(Line& line) {
 WindowEvent read_text(Line& line) {
   constexpr const char* expected = "text U+0041, the number of a character";
   const std::string word = line.word(expected);
-  std::uint32_t code = 0;
-  const auto [stop, error] = std::from_chars(word.data() + std::min<std::size_t>(2, word.size()),
-                                             word.data() + word.size(), code, 16);
-  if (!word.starts_with("U+") || error != std::errc() || stop != word.data() + word.size() ||
-      code > 0x10FFFF) {
+  const auto code =
+      line.parsed<std::uint32_t>(word.substr(std::min<std::size_t>(2, word.size())), expected, 16);
+  if (!word.starts_with("U+") || code > 0x10FFFF) {
     line.fail(expected);
   }
   return renderer::TextTyped{code};
@@ -194,7 +191,8 @@ class Parser {
       if (session_.frames.empty() || !frame_.events.empty()) {
         line.fail("state after a frame");
       }
-      session_.frames.back().expected_state = line.hexadecimal("state and 16 hexadecimal digits");
+      constexpr const char* expected = "state and 16 hexadecimal digits";
+      session_.frames.back().expected_state = line.parsed<std::uint64_t>(line.word(expected), expected, 16);
     } else if (auto event = read_event(line)) {
       frame_.events.push_back(std::move(*event));
     } else if (!session_.frames.empty() || !read_start(line, session_.start)) {

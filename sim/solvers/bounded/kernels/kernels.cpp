@@ -1,5 +1,6 @@
 #include "sim/solvers/bounded/kernels/kernels.hpp"
 
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -8,19 +9,8 @@
 namespace taut::sim {
 
 const char* name_of(VectorUnit unit) {
-  switch (unit) {
-    case VectorUnit::best:
-      return "best";
-    case VectorUnit::scalar:
-      return "scalar";
-    case VectorUnit::sse:
-      return "sse";
-    case VectorUnit::avx2:
-      return "avx2";
-    case VectorUnit::avx512:
-      return "avx512";
-  }
-  return "";
+  constexpr std::array names = {"best", "scalar", "sse", "avx2", "avx512"};
+  return names[static_cast<std::size_t>(unit)];
 }
 
 std::vector<VectorUnit> available_vector_units() {

@@ -53,7 +53,9 @@ TEST_F(Start, IsTheShapeThatTheSameSceneExported) {
 
 TEST_F(Start, StaysAtRestWhereTheClothWasAtRest) {
   Scene scene;
-  export_after(scene, 900);
+  scene.garment.grid.plane = sim::GridPlane::horizontal;
+  scene.pins = std::vector<PinSelector>{"top-left", "top-right"};
+  export_after(scene, 1500);
   ASSERT_TRUE(was_asleep);
   scene.garment.start = file;
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
@@ -62,7 +64,7 @@ TEST_F(Start, StaysAtRestWhereTheClothWasAtRest) {
   }
   EXPECT_TRUE(simulation.state().asleep);
   for (std::size_t v = 0; v < exported_m.size(); ++v) {
-    EXPECT_LT(glm::distance(simulation.state().current[v], exported_m[v]), 1e-4) << v;
+    EXPECT_LT(glm::distance(simulation.state().current[v], exported_m[v]), 1e-3) << v;
   }
 }
 

@@ -34,7 +34,7 @@ struct ExternalForces {
 void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span<Vec3> forces_n);
 void add_air_drag(const Garment& garment, const State& state, double air_drag_per_s,
                   std::span<Vec3> forces_n);
-/// Throws std::invalid_argument on a force on no vertex.
+/// Every force must be on a vertex that is there: see require_possible.
 void add_artificial_forces(std::span<const PointForce> artificial, std::span<Vec3> forces_n);
 
 /// All of the above and the wind.

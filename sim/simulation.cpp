@@ -15,12 +15,6 @@ void require_frame_rate(const SimulationSettings& settings) {
   }
 }
 
-void require_distance(const Surroundings& surroundings) {
-  if (!(surroundings.layer_distance_m >= 0.0)) {
-    throw std::invalid_argument("the distance of layers must be at least 0 m");
-  }
-}
-
 void require_promise(const SolverSettings& solver, const Surroundings& surroundings) {
   if (const auto* bounded = std::get_if<BoundedSettings>(&solver.method)) {
     if (const std::optional<std::string> reason = beyond_promise(*bounded, surroundings)) {
@@ -62,7 +56,7 @@ Simulation::Simulation(std::shared_ptr<const Garment> garment, std::vector<Index
       before_m_(state_.current),
       solver_(make_solver(settings.solver)) {
   require_frame_rate(settings);
-  require_distance(surroundings_);
+  require_possible(surroundings_, state_.current.size());
   require_promise(settings.solver, surroundings_);
   if (start_m) {
     begin_in(std::move(*start_m));
@@ -110,7 +104,7 @@ void Simulation::go_back_to(const State& state) {
 
 void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
-    require_distance(surroundings);
+    require_possible(surroundings, state_.current.size());
     require_promise(settings_.solver, surroundings);
     surroundings_ = surroundings;
     wake();

@@ -44,8 +44,9 @@ class Simulation {
   /// Held by `pins`. The cloth begins at rest where it was modelled, or in the shape `start_m`, positions in
   /// metres by vertex, moved within the bound where the solver promises one.
   /// Throws std::invalid_argument on settings a solver refuses, a frame rate that is not positive,
-  /// surroundings with a distance below 0 or in which the solver does not promise its bound (promise.hpp), a
-  /// pin that is no vertex, and a start with another number of vertices or a position that is not finite.
+  /// surroundings that are not possible (require_possible) or in which the solver does not promise its bound
+  /// (promise.hpp), a pin that is no vertex, and a start with another number of vertices or a position that
+  /// is not finite.
   Simulation(std::shared_ptr<const Garment> garment, std::vector<Index> pins,
              const SimulationSettings& settings, Surroundings surroundings,
              std::optional<std::vector<Vec3>> start_m = {});

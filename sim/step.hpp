@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/contact/self_collision.hpp"
+#include "sim/contact/neighbour_list.hpp"
 #include "sim/garment.hpp"
 #include "sim/pins.hpp"
 #include "sim/state.hpp"

@@ -18,6 +18,9 @@ struct PinMotion {
 /// Of every pin from where it began, in metres.
 Vec3 pin_offset(const PinMotion& motion, double time_s);
 
+/// How far all pins move from one time to another, in m.
+Vec3 pin_displacement(const PinMotion& motion, double from_s, double to_s);
+
 /// Everything that acts on the cloth from outside.
 struct Surroundings {
   ExternalForces forces;
@@ -29,6 +32,10 @@ struct Surroundings {
 
   bool operator==(const Surroundings&) const = default;
 };
+
+/// Throws std::invalid_argument on what cannot be around a garment of that many vertices: a force on a vertex
+/// or a hand at a vertex that is not there, a distance or an air drag below 0.
+void require_possible(const Surroundings& surroundings, std::size_t vertex_count);
 
 /// Whether nothing outside changes with time, so that cloth can come to rest for good.
 bool is_steady(const Surroundings& surroundings);

@@ -40,7 +40,7 @@ std::size_t index_of(const Heat& heat, const Run& run) {
   return static_cast<std::size_t>(&run - heat.runs.data());
 }
 
-Json cell_json(const Heat& heat, const std::string& engine, double bound, const BenchResults& results) {
+Json cell_json(const Heat& heat, const std::string& engine, double bound) {
   Json json = {{"bound", bound}, {"engine", engine}};
   const Run* best = best_run(heat, engine, bound);
   const Run* closest = closest_run(heat, engine, bound);
@@ -51,7 +51,7 @@ Json cell_json(const Heat& heat, const std::string& engine, double bound, const 
     json["median_ms"] = facts.median_ms;
     json["max_stretch"] = facts.stretch;
     json["max_p99_stretch"] = facts.p99_stretch;
-    json["of_arithmetic"] = facts.springs_per_s / results.arithmetic.back().rootless_springs_per_s;
+    json["of_sweep"] = facts.springs_per_s / heat.sweeps.back().springs_per_s;
     const double strong = strong_springs_per_s(heat);
     json["times_strong_springs_per_s"] = strong > 0.0 ? Json(facts.springs_per_s / strong) : Json();
   }
@@ -98,6 +98,14 @@ Json ratios_json(const Heat& heat) {
   return ratios;
 }
 
+Json sweeps_json(const Heat& heat) {
+  Json sweeps = Json::array();
+  for (const SweepSpeed& sweep : heat.sweeps) {
+    sweeps.push_back({{"vector_unit", sweep.unit}, {"springs_per_s", sweep.springs_per_s}});
+  }
+  return sweeps;
+}
+
 Json heat_json(const Heat& heat, const BenchResults& results) {
   const std::vector<std::string> engines = engines_in(results);
   Json settings = Json::object();
@@ -111,6 +119,7 @@ Json heat_json(const Heat& heat, const BenchResults& results) {
                {"base_scene", bench_base_scene},
                {"scene_settings", settings},
                {"springs", {{"structural", heat.structural_springs}, {"flexural", heat.flexural_springs}}},
+               {"sweeps", sweeps_json(heat)},
                {"cells", Json::array()},
                {"ratios", ratios_json(heat)},
                {"pareto_fronts", fronts_json(heat, engines, StretchMeasure::worst_edge)},
@@ -118,7 +127,7 @@ Json heat_json(const Heat& heat, const BenchResults& results) {
                {"runs", Json::array()}};
   for (const double bound : results.bounds) {
     for (const std::string& engine : engines) {
-      json["cells"].push_back(cell_json(heat, engine, bound, results));
+      json["cells"].push_back(cell_json(heat, engine, bound));
     }
   }
   for (const Run& run : heat.runs) {
@@ -153,20 +162,12 @@ Json machine_json(const Machine& machine) {
 }  // namespace
 
 std::string bench_json(const BenchResults& results, const Machine& machine) {
-  Json arithmetic = Json::array();
-  for (const ArithmeticLimit& limit : results.arithmetic) {
-    arithmetic.push_back({{"unit", limit.unit},
-                          {"lanes", limit.lanes},
-                          {"springs_per_s", limit.springs_per_s},
-                          {"rootless_springs_per_s", limit.rootless_springs_per_s}});
-  }
   Json json = {{"machine", machine_json(machine)},
                {"bullet", bullet_version().empty() ? Json() : Json(bullet_version())},
                {"frames", results.frames},
                {"frame_rate", results.frame_rate_hz},
                {"bounds", results.bounds},
                {"ablation", results.is_ablation},
-               {"arithmetic_limits", arithmetic},
                {"growth", growth_json(results)},
                {"heats", Json::array()}};
   for (const Heat& heat : results.heats) {

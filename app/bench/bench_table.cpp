@@ -9,15 +9,15 @@
 namespace taut::app {
 namespace {
 
-std::string line_of(const Run& run, double bound, double strong_speed, double arithmetic_speed) {
+std::string line_of(const Run& run, double bound, double strong_speed, double sweep_speed) {
   const RunFacts facts = facts_of(run);
   const std::string against_strong =
       strong_speed > 0.0 ? fmt::format("{:8.1f}x", facts.springs_per_s / strong_speed) : "        -";
   return fmt::format("{:8.2f} {:8.2f} {:9.3f} {:9.3f} {:9.3f} {:6} {:6} {:8.0f} {:6.1f}% {}  {}\n",
                      facts.median_ms, facts.mean_ms, 100.0 * facts.raw_stretch, 100.0 * facts.stretch,
                      100.0 * facts.p99_stretch, frames_over(run, bound), facts.not_certified,
-                     1e-6 * facts.springs_per_s, 100.0 * facts.springs_per_s / arithmetic_speed,
-                     against_strong, run.entrant.settings);
+                     1e-6 * facts.springs_per_s, 100.0 * facts.springs_per_s / sweep_speed, against_strong,
+                     run.entrant.settings);
 }
 
 std::string failure_of(const Run& run) {
@@ -30,11 +30,11 @@ std::string failure_of(const Run& run) {
       100.0 * facts.stretch, 100.0 * facts.p99_stretch, facts.median_ms, run.entrant.settings, end);
 }
 
-std::string cell_line(const Heat& heat, const std::string& engine, double bound, double arithmetic_speed) {
+std::string cell_line(const Heat& heat, const std::string& engine, double bound) {
   const std::string head = fmt::format("  {:>6}  {:<8}", percent(bound), title_of_engine(engine));
   const Run* best = best_run(heat, engine, bound);
   if (best != nullptr) {
-    return head + line_of(*best, bound, strong_springs_per_s(heat), arithmetic_speed);
+    return head + line_of(*best, bound, strong_springs_per_s(heat), heat.sweeps.back().springs_per_s);
   }
   const Run* closest = closest_run(heat, engine, bound);
   if (closest == nullptr) {
@@ -43,22 +43,21 @@ std::string cell_line(const Heat& heat, const std::string& engine, double bound,
   // An engine that was asked for the bound shows what it did instead; one that was not shows how close it
   // came.
   return head + (closest->entrant.bound && closest->end == RunEnd::finished
-                     ? line_of(*closest, bound, strong_springs_per_s(heat), arithmetic_speed)
+                     ? line_of(*closest, bound, strong_springs_per_s(heat), heat.sweeps.back().springs_per_s)
                      : failure_of(*closest));
 }
 
 std::string heat_table(const BenchResults& results, const Heat& heat) {
-  const double arithmetic_speed = results.arithmetic.back().rootless_springs_per_s;
   std::string text = fmt::format(
       "\n{}, {} triangles: {}\n"
-      "   bound  engine     median     mean    before     worst       p99 frames   not   million of arith-   "
+      "   bound  engine     median     mean    before     worst       p99 frames   not   million  of the   "
       "times\n"
-      "                   ms/frame ms/frame  corr., %   edge, %         %   over certif. springs/s metic  "
+      "                   ms/frame ms/frame  corr., %   edge, %         %   over certif. springs/s sweep  "
       "strong  setting\n",
       heat.scene.name, heat.size.triangles, heat.scene.meaning);
   for (const double bound : results.bounds) {
     for (const std::string& engine : engines_in(results)) {
-      text += cell_line(heat, engine, bound, arithmetic_speed);
+      text += cell_line(heat, engine, bound);
     }
   }
   return text;
@@ -90,6 +89,17 @@ std::string growth_lines(const BenchResults& results) {
                               percent(bound), title_of_engine(engine), growth->exponent, growth->sizes);
         }
       }
+    }
+  }
+  return text;
+}
+
+std::string sweep_lines(const BenchResults& results) {
+  std::string text;
+  for (const Heat& heat : results.heats) {
+    for (const SweepSpeed& sweep : heat.sweeps) {
+      text += fmt::format("  {:<8} {:>6} triangles  {:<7} {:6.0f} million springs per second\n",
+                          heat.scene.name, heat.size.triangles, sweep.unit, 1e-6 * sweep.springs_per_s);
     }
   }
   return text;
@@ -138,14 +148,7 @@ std::string bench_table(const BenchResults& results) {
   }
   text += titled("How much faster", ratios);
   text += titled("How time grows", growth_lines(results));
-  std::string limits;
-  for (const ArithmeticLimit& limit : results.arithmetic) {
-    limits += fmt::format("  {:<20} {:6.0f} million springs per second, {:6.0f} without a root\n", limit.unit,
-                          1e-6 * limit.springs_per_s, 1e-6 * limit.rootless_springs_per_s);
-  }
-  return text +
-         titled("What the arithmetic of a spring alone would allow, one core, nothing fetched or stored",
-                limits);
+  return text + titled("What the sweep of bounded alone corrects, one core", sweep_lines(results));
 }
 
 }  // namespace taut::app

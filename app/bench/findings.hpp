@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/arithmetic/arithmetic.hpp"
 #include "app/bench/cases.hpp"
 #include "app/bench/race.hpp"
+#include "app/bench/sweep_speed.hpp"
 #include "app/drawing/plots/plot.hpp"
 
 namespace taut::app {
@@ -20,6 +20,7 @@ struct Heat {
   std::size_t structural_springs = 0;
   std::size_t flexural_springs = 0;
   std::vector<Run> runs;
+  std::vector<SweepSpeed> sweeps;  ///< over this garment; the last is of the unit that frames take
 };
 
 struct BenchResults {
@@ -28,7 +29,6 @@ struct BenchResults {
   double frame_rate_hz = 60.0;
   bool is_ablation = false;
   std::vector<Heat> heats;
-  std::vector<ArithmeticLimit> arithmetic;
 };
 
 /// A run in a few numbers. All zero where there is no frame.

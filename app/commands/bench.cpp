@@ -79,7 +79,8 @@ Heat run_heat(const BenchScene& bench_scene, const BenchSize& size, const BenchO
             size,
             garment.springs.structural_count,
             garment.springs.count(sim::SpringKind::flexural),
-            {}};
+            {},
+            measure_sweep_speeds(garment)};
   RaceSettings settings;
   settings.frames =
       std::max(1, static_cast<int>(std::lround(*options.seconds * scene.simulation.frame_rate_hz)));
@@ -105,8 +106,6 @@ BenchResults run_all(const BenchOptions& options) {
   BenchResults results;
   results.bounds = options.bounds;
   results.is_ablation = options.ablation;
-  show("the processor's arithmetic");
-  results.arithmetic = measure_arithmetic_limits();
   for (const BenchScene& scene : bench_scenes()) {
     for (const BenchSize& size : bench_sizes()) {
       const auto is_wanted = [](const auto& list, const auto& item) {

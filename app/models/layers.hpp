@@ -10,7 +10,7 @@ namespace taut::app {
 
 /// A distance in metres that keeps the garment's layers apart: about the length of its edges, but less than
 /// half the way between parts that lie over one another, since what is modelled nearer than twice the
-/// distance counts as one cloth (sim/contact/self_collision.hpp). 0 where the edges are next to nothing.
+/// distance counts as one cloth (sim/contact/neighbour_list.hpp). 0 where the edges are next to nothing.
 double suitable_layer_distance(const sim::Garment& garment);
 
 /// The surroundings as the simulation needs them, with the distance of layers, the suitable one where none is

@@ -49,7 +49,7 @@ SurfacePoint nearest_surface(const Shape& shape, const Vec3& point) {
   return std::visit([&](const auto& s) { return nearest(s, point); }, shape);
 }
 
-void push_out_of_colliders(std::span<const Collider> colliders, const Material& cloth,
+void push_out_of_colliders(std::span<const Collider> colliders, const ClothSurface& cloth,
                            std::span<const double> inverse_masses_per_kg, std::span<const Vec3> current,
                            std::span<Vec3> predicted) {
   for (const Collider& collider : colliders) {

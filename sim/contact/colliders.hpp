@@ -5,7 +5,6 @@
 #include <variant>
 #include <vector>
 
-#include "sim/material.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim {
@@ -54,10 +53,16 @@ struct SurfacePoint {
 /// distance is measured at right angles to its axis, which never exceeds the true one's sphere sweep.
 SurfacePoint nearest_surface(const Shape& shape, const Vec3& point);
 
+/// What of the cloth its contact with colliders depends on.
+struct ClothSurface {
+  double thickness_m = 0.0;  ///< kept between cloth and colliders
+  double friction = 0.0;     ///< Coulomb's coefficient, where a collider has none of its own
+};
+
 /// Moves every free vertex that is predicted to be closer than the cloth is thick to a shape out along the
 /// normal, and takes back as much of its sliding since p(t) as friction allows: mu times the depth it was
 /// pushed (Coulomb's law on positions; Mueller, Heidelberger, Hennix and Ratcliff 2007).
-void push_out_of_colliders(std::span<const Collider> colliders, const Material& cloth,
+void push_out_of_colliders(std::span<const Collider> colliders, const ClothSurface& cloth,
                            std::span<const double> inverse_masses_per_kg, std::span<const Vec3> current,
                            std::span<Vec3> predicted);
 

@@ -48,7 +48,7 @@ struct FrameReport {
   bool bound_promised = false;   ///< by the solver
   bool bound_kept = true;        ///< whether it could keep its promise in this frame
   double raw_max_stretch = 0.0;  ///< before the frame's last correction, which keeps the bound
-  /// `bounded`: over the springs that are bound, with those of frames begun again and of the certificate.
+  /// `bounded`: over the springs that are bound, with those of frames begun again and of the projection.
   double sweeps = 0.0;
   /// `bounded`: about the largest stiffness against compression that time steps of this length answer to:
   /// springs of a fabric that is stiffer push back as if they had this one. Infinite where nothing limits it.

@@ -4,11 +4,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/bench/arithmetic/arithmetic.hpp"
 #include "app/bench/bench_output.hpp"
 #include "app/bench/engines/bullet_engine.hpp"
 #include "app/figures/experiments/power_law.hpp"
 #include "app/models/garment_loading.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {
@@ -184,7 +184,7 @@ TEST(BenchFindings, FitTheExponentOfGrowth) {
   EXPECT_NEAR(fit_power_law(exact).factor, 2e-6, 1e-15);
   BenchResults results;
   for (const int triangles : {1000, 8000, 64000}) {
-    results.heats.push_back({{"hanging", "", {}}, {triangles, triangles, 0}, 0, 0, {}});
+    results.heats.push_back({{"hanging", "", {}}, {triangles, triangles, 0}, 0, 0, {}, {}});
     results.heats.back().runs = {made_run("strong", {}, {1e-3 * triangles}, triangles > 9000 ? 0.5 : 0.01)};
   }
   const auto growth = growth_of(results, "hanging", "strong", 0.05);
@@ -308,20 +308,24 @@ TEST(BulletPeer, IsBlownByTheSameWind) {
   EXPECT_NEAR(bullet->positions()[12].z, drift_m, 0.02 * std::abs(drift_m));
 }
 
-TEST(Arithmetic, AllowsMoreOnWiderUnits) {
-  const std::vector<ArithmeticLimit> limits = measure_arithmetic_limits();
-  ASSERT_GE(limits.size(), 2U);
-  EXPECT_GT(limits.front().springs_per_s, 1e6);
-  EXPECT_GT(limits.front().rootless_springs_per_s, limits.front().springs_per_s);
-  EXPECT_GT(limits.back().springs_per_s, 1.5 * limits.front().springs_per_s);
+TEST(SweepSpeed, OfTheWidestUnitIsTheOneThatFramesAreMeasuredBy) {
+  sim::GridSettings grid;
+  grid.columns = grid.rows = 33;
+  const std::vector<SweepSpeed> speeds =
+      measure_sweep_speeds(sim::make_garment(sim::make_grid(grid)));
+  const std::vector<sim::VectorUnit> units = sim::available_vector_units();
+  ASSERT_EQ(speeds.size() + 1, units.size()) << "all but the best, which is one of them";
+  EXPECT_EQ(speeds.back().unit, sim::name_of(units.back()));
+  EXPECT_GT(speeds.front().springs_per_s, 1e6);
+  EXPECT_LT(speeds.back().springs_per_s, 1e10);
+  EXPECT_EQ(units.size() > 2, speeds.back().springs_per_s > 1.5 * speeds.front().springs_per_s);
 }
 
 BenchResults made_results() {
   BenchResults results;
   results.bounds = {0.05, 0.01};
   results.frames = 2;
-  results.arithmetic = {{"1 double", 1, 1e9, 2e9}};
-  results.heats.push_back({bench_scenes()[0], bench_sizes()[0], 10, 0, {}});
+  results.heats.push_back({bench_scenes()[0], bench_sizes()[0], 10, 0, {}, {{"sse", 1e9}, {"avx2", 2e9}}});
   results.heats[0].runs = {
       made_run("bounded", 0.01, {1.0, 1.0}, 0.0094), made_run("bounded", 0.05, {0.5, 0.5}, 0.0484),
       made_run("bullet", {}, {9.0, 9.0}, 0.0364), made_run("bullet", {}, {4.0, 4.0}, 0.0822),
@@ -377,8 +381,7 @@ TEST(BenchJson, HasWorstEdgeAnd99thPercentileOfEveryEngine) {
 TEST(BenchJson, SaysForEveryCellWhetherItsBoundWasKept) {
   BenchResults results;
   results.bounds = {0.05, 0.01};
-  results.arithmetic = {{"1 double", 1, 1e9, 2e9}};
-  results.heats.push_back({bench_scenes()[0], bench_sizes()[0], 10, 0, {}});
+  results.heats.push_back({bench_scenes()[0], bench_sizes()[0], 10, 0, {}, {{"sse", 1e9}, {"avx2", 2e9}}});
   results.heats[0].runs = {made_run("strong", {}, {4.0, 4.0}, 0.03),
                            made_run("strong", {}, {2.0, 2.0}, 0.07)};
   const auto json = nlohmann::json::parse(bench_json(results, {}));
@@ -390,7 +393,8 @@ TEST(BenchJson, SaysForEveryCellWhetherItsBoundWasKept) {
   EXPECT_EQ(heat["cells"][1]["kept"], false);
   EXPECT_EQ(heat["pareto_fronts"]["strong"], (nlohmann::json{1, 0}));
   EXPECT_EQ(heat["runs"][1]["frames_over"][0]["frames"], 2);
-  EXPECT_NEAR(heat["cells"][0]["of_arithmetic"].get<double>(), 1e6 / 4e-3 / 2e9, 1e-9);
+  EXPECT_NEAR(heat["cells"][0]["of_sweep"].get<double>(), 1e6 / 4e-3 / 2e9, 1e-9);
+  EXPECT_EQ(heat["sweeps"][1], (nlohmann::json{{"vector_unit", "avx2"}, {"springs_per_s", 2e9}}));
   EXPECT_EQ(heat["cells"][0]["times_strong_springs_per_s"], 0.5);
 }
 

@@ -4,46 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
-#include <numeric>
-#include <random>
 
+#include "sheets.hpp"
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "sim/solvers/bounded/bending.hpp"
-#include "sim/solvers/bounded/certificate.hpp"
 #include "sim/solvers/bounded/flexural.hpp"
-#include "sim/solvers/bounded/held_forces.hpp"
-#include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
-#include "sim/solvers/bounded/tethers.hpp"
 
 namespace taut::sim {
 namespace {
 
 using namespace bounded;
-
-Mesh sheet(Index count, double size_m) {
-  GridSettings grid;
-  grid.columns = grid.rows = count;
-  grid.width_m = grid.height_m = size_m;
-  return make_grid(grid);
-}
-
-Mesh irregular_sheet(Index count, double size_m) {
-  Mesh mesh = sheet(count, size_m);
-  mesh.quads.clear();
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> offset(-0.2, 0.2);
-  const double cell_m = size_m / (count - 1);
-  for (Vec3& p : mesh.positions) {
-    p.x += cell_m * offset(random);
-    p.y += cell_m * offset(random);
-  }
-  return mesh;
-}
 
 SimulationSettings bounded_by(double max_stretch) {
   SimulationSettings settings;
@@ -128,174 +102,6 @@ TEST(Layout, TheStartOfAFrameIsKeptToTheDigitsOfTwoSinglePrecisionNumbers) {
   }
 }
 
-/// Up to nine entries in each row, in some none.
-std::vector<std::vector<MatrixEntry>> some_entries(std::size_t size, std::mt19937& random) {
-  std::uniform_int_distribution<Index> column(0, static_cast<Index>(size) - 1);
-  std::normal_distribution<double> value(0.0, 1.0);
-  std::vector<std::vector<MatrixEntry>> rows(size);
-  for (std::vector<MatrixEntry>& entries : rows) {
-    entries.resize(column(random) % 10);
-    for (MatrixEntry& e : entries) {
-      e = {column(random), value(random)};
-    }
-  }
-  return rows;
-}
-
-TEST(Kernels, ASlicedMatrixGivesTheProductOfItsEntries) {
-  std::mt19937 random(5);
-  const std::size_t size = 1000;
-  const auto rows = some_entries(size, random);
-  const SlicedMatrix matrix = make_sliced_matrix(rows);
-  std::normal_distribution<double> metres(0.0, 1.0);
-  std::vector<double> x(size);
-  std::generate(x.begin(), x.end(), [&] { return metres(random); });
-  Rows positions(size + block_size);
-  for (std::size_t row = 0; row < size; ++row) {
-    positions[row] = row_of({x[row], 2.0 * x[row], -x[row]});
-  }
-  Rows result(size + block_size, Row{1.0F, 2.0F, 3.0F, 0.0F});
-  std::vector<double> doubles(size, 1.0);
-  kernels_for(VectorUnit::best).add_product(matrix, 0, matrix.slice_count(), positions.data(), result.data());
-  add_product(matrix, x, doubles);
-  for (std::size_t row = 0; row < size; ++row) {
-    double expected = 0.0;
-    for (const MatrixEntry& e : rows[row]) {
-      expected += e.value * (x[e.column] - x[row]);
-    }
-    EXPECT_NEAR(doubles[row], 1.0 + expected, 1e-5);
-    EXPECT_NEAR(result[row].x, 1.0 + expected, 1e-5);
-    EXPECT_NEAR(result[row].y, 2.0 + 2.0 * expected, 2e-5);
-    EXPECT_NEAR(result[row].z, 3.0 - expected, 1e-5);
-  }
-}
-
-TEST(Kernels, AllVectorUnitsGiveTheBitsOfTheScalarOne) {
-  const Garment garment = make_garment(irregular_sheet(23, 1.0));
-  Layout layout = make_layout(garment, make_pins(garment, {0, 22}));
-  std::mt19937 random(3);
-  std::normal_distribution<float> metres(0.0F, 0.02F);
-  const auto random_rows = [&] {
-    Rows rows(layout.row_count());
-    for (Row& r : rows) {
-      r = {metres(random), metres(random), metres(random), 0.0F};
-    }
-    return rows;
-  };
-  SpringLanes& springs = layout.springs;
-  for (SpringBlock& block : springs.blocks) {
-    block.short_share.fill(0.1F);
-    block.start_y.fill(0.05F);
-    std::generate(block.start_x.begin(), block.start_x.end(), [&] { return metres(random); });
-    std::generate(block.start_z.begin(), block.start_z.end(), [&] { return metres(random); });
-  }
-  const Rows start = random_rows();
-  const Rows current = random_rows();
-  const Rows previous = random_rows();
-  const StartRows start_rows = {start, random_rows()};
-  Lanes<Tether> tethers;
-  for (const Row& r : random_rows()) {
-    tethers.push_back({r.x, r.y, r.z, 0.002F});
-  }
-  const Prediction prediction = {0.99F, 1e-6F, {0.01F, 0.02F, -0.01F, 0.0F}};
-  const SlicedMatrix matrix = make_sliced_matrix(some_entries(layout.vertex_count(), random));
-  std::vector<std::uint32_t> blocks(springs.block_count());
-  std::iota(blocks.begin(), blocks.end(), 0U);
-  const AirFlow air = {{3.0F, -1.0F, 2.0F}, 0.7F, 0.03F, 0.02F, 1000.0F};
-
-  struct Results {
-    Rows swept, held, shortened, predicted, wind, product;
-    std::vector<float> ratios;
-    SpringLanes started;
-  };
-  const auto results_of = [&](VectorUnit unit) {
-    const Kernels& kernels = kernels_for(unit);
-    Results r{current, previous, current, previous, Rows(layout.triangles.lane_count()),
-              current, {},       springs};
-    kernels.sweep(springs, 0, springs.block_count(), r.swept.data());
-    kernels.shorten(springs, blocks, 1.02F, 1.8F, r.shortened.data());
-    kernels.predict(0, layout.row_count(), prediction, nullptr, start.data(), current.data(),
-                    r.predicted.data());
-    kernels.predict(0, layout.row_count(), prediction, tethers.data(), start.data(), current.data(),
-                    r.held.data());
-    kernels.start_springs(start_rows, 0, springs.block_count(), r.started);
-    kernels.wind(layout.triangles, air, 0, layout.triangles.lane_count(), start.data(), current.data(),
-                 previous.data(), r.wind.data());
-    kernels.add_product(matrix, 0, matrix.slice_count(), start.data(), r.product.data());
-    r.ratios.resize(springs.block_count());
-    kernels.largest_ratios(springs, 0, springs.block_count(), current.data(), r.ratios.data());
-    return r;
-  };
-  const auto same = [](const Rows& a, const Rows& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Row)) == 0;
-  };
-  const Results scalar = results_of(VectorUnit::scalar);
-  EXPECT_FALSE(same(scalar.swept, current));
-  EXPECT_FALSE(same(scalar.held, scalar.predicted));
-  EXPECT_FALSE(same(scalar.shortened, current));
-  for (const VectorUnit unit : available_vector_units()) {
-    const Results other = results_of(unit);
-    EXPECT_TRUE(same(other.swept, scalar.swept)) << name_of(unit);
-    EXPECT_TRUE(same(other.held, scalar.held)) << name_of(unit);
-    EXPECT_TRUE(same(other.shortened, scalar.shortened)) << name_of(unit);
-    EXPECT_TRUE(same(other.predicted, scalar.predicted)) << name_of(unit);
-    EXPECT_TRUE(same(other.wind, scalar.wind)) << name_of(unit);
-    EXPECT_TRUE(same(other.product, scalar.product)) << name_of(unit);
-    EXPECT_EQ(std::memcmp(other.started.blocks.data(), scalar.started.blocks.data(),
-                          springs.block_count() * sizeof(SpringBlock)),
-              0)
-        << name_of(unit);
-    EXPECT_EQ(other.ratios, scalar.ratios) << name_of(unit);
-  }
-}
-
-TEST(Kernels, AUnitTheProcessorLacksIsRefused) {
-  for (const VectorUnit unit : all_vector_units) {
-    const auto available = available_vector_units();
-    if (std::find(available.begin(), available.end(), unit) == available.end()) {
-      EXPECT_THROW(kernels_for(unit), std::invalid_argument);
-    }
-  }
-}
-
-TEST(Kernels, TheWindKernelIsTheWindOfTheOtherSolvers) {
-  const Garment garment = make_garment(irregular_sheet(9, 1.0));
-  const Layout layout = make_layout(garment, make_pins(garment, {}));
-  State state = make_state(garment);
-  set_time_step(state, 1e-3);
-  for (std::size_t v = 0; v < state.current.size(); ++v) {
-    const auto phase = static_cast<double>(v);
-    state.current[v] += 0.001 * Vec3(std::sin(phase), std::cos(2.0 * phase), std::sin(3.0 * phase));
-  }
-  Wind wind;
-  wind.speed_m_per_s = 8.0;
-  wind.direction = {0.5, 0.1, 1.0};
-  std::vector<Vec3> expected(state.current.size(), Vec3(0.0));
-  add_wind_forces(garment, state, wind, 2e-3, expected);
-
-  HeldForces forces(garment, make_pins(garment, {}), layout, 0.0, 1.0);
-  Motion motion;
-  motion.start_m = garment.mesh.positions;
-  for (Rows* rows : {&motion.start.high, &motion.current, &motion.previous}) {
-    rows->resize(layout.row_count());
-  }
-  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    const Index v = layout.vertex_of_row[row];
-    motion.start.high[row] = row_of(garment.mesh.positions[v]);
-    motion.current[row] = row_of(state.current[v] - garment.mesh.positions[v]);
-  }
-  ExternalForces external;
-  external.gravity_m_per_s2 = {0, 0, 0};
-  external.wind = wind;
-  Loops loops(kernels_for(VectorUnit::best), 1);
-  forces.update(garment, external, motion, 0.0, 1e-3, 2e-3, loops);
-  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    const Index v = layout.vertex_of_row[row];
-    const Vec3 force = vector_of(forces.accelerations()[row]) * garment.masses_kg[v];
-    EXPECT_LT(glm::length(force - expected[v]), 2e-4 * glm::length(expected[v])) << "vertex " << v;
-  }
-}
-
 TEST(Flexural, FlatShapesAreNotBent) {
   for (const Mesh& mesh : {sheet(7, 1.0), irregular_sheet(12, 1.0)}) {
     const Garment garment = make_garment(mesh);
@@ -369,13 +175,13 @@ double cylinder_energy_ratio(const Garment& garment, Bending& bending, double ri
                              double axis_angle_rad) {
   const Layout layout = make_layout(garment, make_pins(garment, {}));
   const std::vector<Vec3> positions = rolled(garment.mesh, axis_angle_rad);
-  Rows rows(layout.row_count());
-  Rows accelerations(layout.row_count());
+  Float4Array rows(layout.row_count());
+  Float4Array accelerations(layout.row_count());
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    rows[row] = row_of(positions[layout.vertex_of_row[row]]);
+    rows[row] = float4_of(positions[layout.vertex_of_row[row]]);
   }
-  Loops loops(kernels_for(VectorUnit::best), 1);
-  bending.add_accelerations(rows, loops, accelerations);
+  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+  bending.add_accelerations(rows, kernels, accelerations);
   double energy = 0.0;
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     const Vec3 force = garment.masses_kg[layout.vertex_of_row[row]] * vector_of(accelerations[row]);

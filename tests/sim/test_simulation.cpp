@@ -246,11 +246,32 @@ TEST(Simulation, RefusesImpossibleSettings) {
   settings = {};
   settings.frame_rate_hz = 0.0;
   EXPECT_THROW(Simulation(share(pinned_cloth()), corners, settings, {}), std::invalid_argument);
-  Surroundings unsettled;
-  unsettled.layer_distance_m = -1.0;
-  EXPECT_THROW(Simulation(share(pinned_cloth()), corners, {}, unsettled), std::invalid_argument);
-  Simulation simulation(share(pinned_cloth()), corners, {}, {});
-  EXPECT_THROW(simulation.set_surroundings(unsettled), std::invalid_argument);
+}
+
+TEST(Simulation, RefusesImpossibleSurroundingsAndKeepsTheOnesItHas) {
+  const auto refusal_of = [](const Surroundings& impossible) -> std::string {
+    EXPECT_THROW(Simulation(share(pinned_cloth()), corners, {}, impossible), std::invalid_argument);
+    Simulation simulation(share(pinned_cloth()), corners, {}, {});
+    try {
+      simulation.set_surroundings(impossible);
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(simulation.surroundings(), Surroundings{});
+      return error.what();
+    }
+    return "";
+  };
+  Surroundings surroundings;
+  surroundings.layer_distance_m = -1.0;
+  EXPECT_EQ(refusal_of(surroundings), "the distance of layers must be at least 0 m");
+  surroundings = {};
+  surroundings.forces.air_drag_per_s = -0.1;
+  EXPECT_EQ(refusal_of(surroundings), "the air drag must be at least 0 per second");
+  surroundings = {};
+  surroundings.forces.artificial_forces = {{80, {1, 2, 3}}, {81, {1, 2, 3}}};
+  EXPECT_EQ(refusal_of(surroundings), "a force acts on vertex 81, but there are only 81");
+  surroundings = {};
+  surroundings.forces.held_vertices = {{99, {}, 10.0, 1.0}};
+  EXPECT_EQ(refusal_of(surroundings), "a hand holds vertex 99, but there are only 81");
 }
 
 TEST(Simulation, RefusesWhatItsSolverDoesNotPromise) {

@@ -7,6 +7,7 @@
 
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
+#include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "sim/solvers/bounded/tethers.hpp"
 
 namespace taut::sim {
@@ -66,10 +67,10 @@ TEST(Tethers, BringVerticesBackAndMoveWithThePins) {
   const std::size_t last = layout.vertex_count() - 1;
   const double length_m = std::sqrt(tethers.lanes[last].squared_length);
   const Prediction prediction = {0.0F, 0.0F, {0.5F, 0.0F, 0.0F, 0.0F}};
-  const Rows accelerations(layout.row_count());
+  const Float4Array accelerations(layout.row_count());
   const auto hung_at = [&](double distance_m) {
-    Rows current(layout.row_count());
-    Rows predicted(layout.row_count());
+    Float4Array current(layout.row_count());
+    Float4Array predicted(layout.row_count());
     current[last].x = static_cast<float>(0.5 + distance_m);
     kernels_for(VectorUnit::scalar)
         .predict(0, layout.row_count(), prediction, tethers.lanes.data(), accelerations.data(),

@@ -133,9 +133,6 @@ TEST(ExternalForces, AddUp) {
   EXPECT_NEAR(forces[5].x, 2.0, 1e-15);
   EXPECT_NEAR(forces[5].y, 2.0 - weight, 1e-15);
   EXPECT_NEAR(forces[40].y, -garment.masses_kg[40] * 10, 1e-15);
-  external.artificial_forces = {{81, {1, 2, 3}}};
-  EXPECT_THROW(add_external_forces(garment, make_state(garment), external, 0.01, forces),
-               std::invalid_argument);
 }
 
 }  // namespace

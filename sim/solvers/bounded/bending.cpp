@@ -13,12 +13,18 @@ namespace {
 
 /// An element alone is slower than the fastest wave of all together, by about this factor.
 constexpr double wave_per_element = 2.2;
+/// Another level is made where at some vertex more of the rigidity than this part is left over.
 constexpr double least_share = 0.01;
+/// As each has a quarter of the vertices, reached by meshes of some millions of them alone.
 constexpr std::size_t most_levels = 8;
 /// So few have no folds to tell from ripples, and cost next to nothing however often they are evaluated.
 constexpr std::size_t fewest_clusters = 100;
 /// The coarsest level takes what is left, but for needles: this many times the rate of other levels.
 constexpr double coarsest_rate = 10.0;
+/// The fastest mode comes from the power method with this many steps, which comes from below and is close, as
+/// the highest modes are many and alike; its square is taken for this many times as much.
+constexpr int power_steps = 40;
+constexpr double power_margin = 1.15;
 
 /// The square of the angular frequency of one element alone.
 double squared_rate(const FlexuralElement& e, double stiffness, const Pins& pins) {
@@ -99,11 +105,6 @@ std::vector<std::vector<MatrixEntry>> acceleration_rows(const std::vector<Entry>
   }
   return rows;
 }
-
-/// By the power method with this many steps, which comes from below and is close, as the highest modes are
-/// many and alike.
-constexpr int power_steps = 40;
-constexpr double power_margin = 1.15;
 
 /// The mean over each cluster's mass of what is left to its vertices.
 std::vector<double> shares_of_clusters(const CoarseCloth& coarse, const std::vector<double>& left) {
@@ -215,26 +216,27 @@ double Bending::find_largest_rate_per_s() const {
   return std::sqrt(power_margin * eigenvalue);
 }
 
-void Bending::add_accelerations(const Rows& positions, Loops& loops, Rows& accelerations) {
-  const Row* finer = positions.data();
+void Bending::add_accelerations(const Float4Array& positions, ParallelKernels& kernels,
+                                Float4Array& accelerations) {
+  const Float4* finer = positions.data();
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     Level& level = levels_[l];
-    std::fill(level.positions.begin(), level.positions.end(), Row{});
-    std::fill(level.accelerations.begin(), level.accelerations.end(), Row{});
+    std::fill(level.positions.begin(), level.positions.end(), Float4{});
+    std::fill(level.accelerations.begin(), level.accelerations.end(), Float4{});
     for (std::size_t row = 0; row < level.cluster_of.size(); ++row) {
       add_scaled(level.positions[level.cluster_of[row]], finer[row], level.part_of_mass[row]);
     }
-    loops.add_product(level.matrix, level.positions.data(), level.accelerations.data());
+    kernels.add_product(level.matrix, level.positions.data(), level.accelerations.data());
     finer = level.positions.data();
   }
   for (std::size_t l = levels_.size(); l-- > 1;) {
     const Level& level = levels_[l];
-    Rows& onto = l == 1 ? accelerations : levels_[l - 1].accelerations;
+    Float4Array& onto = l == 1 ? accelerations : levels_[l - 1].accelerations;
     for (std::size_t row = l == 1 ? first_free_row_ : 0; row < level.cluster_of.size(); ++row) {
       add_scaled(onto[row], level.accelerations[level.cluster_of[row]], 1.0F);
     }
   }
-  loops.add_product(levels_[0].matrix, positions.data(), accelerations.data());
+  kernels.add_product(levels_[0].matrix, positions.data(), accelerations.data());
 }
 
 }  // namespace taut::sim::bounded

@@ -4,7 +4,7 @@
 
 #include "sim/pins.hpp"
 #include "sim/solvers/bounded/kernels/kernels.hpp"
-#include "sim/solvers/bounded/kernels/loops.hpp"
+#include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 
 namespace taut::sim::bounded {
@@ -33,15 +33,15 @@ class Bending {
   double largest_rate_per_s() const { return largest_rate_per_s_; }
 
   /// Adds to `accelerations` what bending does at `positions`, both by rows of the layout.
-  void add_accelerations(const Rows& positions, Loops& loops, Rows& accelerations);
+  void add_accelerations(const Float4Array& positions, ParallelKernels& kernels, Float4Array& accelerations);
 
  private:
   struct Level {
     SlicedMatrix matrix;                    ///< -W K without its diagonal: accelerations from positions
     std::vector<std::uint32_t> cluster_of;  ///< by row of the next finer level; empty in the finest
     std::vector<float> part_of_mass;        ///< likewise
-    Rows positions;                         ///< of clusters, and as many spare rows as a slice has
-    Rows accelerations;
+    Float4Array positions;                  ///< of clusters, and as many spare rows as a slice has
+    Float4Array accelerations;
   };
 
   double find_largest_rate_per_s() const;

@@ -4,13 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "sim/solvers/bounded/certificate.hpp"
-#include "sim/solvers/bounded/contacts.hpp"
-#include "sim/solvers/bounded/held_forces.hpp"
-#include "sim/solvers/bounded/kernels/loops.hpp"
-#include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/projection.hpp"
+#include "sim/solvers/bounded/step.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
-#include "sim/solvers/bounded/tethers.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
 #include "sim/solvers/bounded/within_bound.hpp"
 
@@ -20,14 +16,15 @@ using namespace bounded;
 
 namespace {
 
+/// Time steps in a frame. Fewer would do for small stiff cloths, and let fast ones pass through obstacles.
 constexpr int least_substeps = 8;
 
 /// How often layers that are too close are moved apart. At half as often they were seen to cross in a wind of
 /// 10 m/s.
 constexpr int partings_per_frame = 8;
 
-/// A certificate that costs more sweeps than this many times the substeps is not worth it: more substeps are.
-constexpr double costliest_certificate = 3.0;
+/// A projection that costs more sweeps than this many times the substeps is not worth it: more substeps are.
+constexpr double costliest_projection = 3.0;
 /// Where no more substeps are to be had, it is.
 constexpr double last_resort_sweeps = 1000.0;
 
@@ -63,28 +60,25 @@ double followed_compression(double mobility_per_kg, double time_step_s) {
 }  // namespace
 
 /// What the solver derives from a garment, and keeps from frame to frame.
-struct BoundedSolver::Cloth {
+struct BoundedSolver::Cloth : SteppedCloth {
   Cloth(const Garment& garment, const Pins& held, const BoundedSettings& settings, double frame_time_s)
-      : pins(held.vertices),
+      : SteppedCloth(garment, held, frame_time_s),
+        pins(held.vertices),
         compression_stiffness_n_per_m(garment.material.compression_stiffness_n_per_m),
-        layout(make_layout(garment, held)),
-        forces(garment, held, layout, garment.material.bending_rigidity_n_m, frame_time_s),
-        certifier(layout),
-        tethers(make_tethers(garment, layout, settings.max_stretch)),
-        mobility_per_kg(mean_mobility_per_kg(layout)) {}
+        projection(layout),
+        mobility_per_kg(mean_mobility_per_kg(layout)) {
+    if (settings.tethers && layout.pin_count > 0) {
+      tethers = make_tethers(garment, layout, settings.max_stretch);
+    }
+  }
 
   std::vector<Index> pins;
   double compression_stiffness_n_per_m;
-  Layout layout;
-  HeldForces forces;
-  Contacts contacts;
-  Certifier certifier;
+  BoundProjection projection;
   SubstepControl control{1, 1, 1};
   ThreadChoice threads;
-  Tethers tethers;
   double mobility_per_kg;
-  Motion motion;
-  Rows velocities;           ///< m/s, when the frame began
+  Float4Array velocities;    ///< m/s, when the frame began
   double shift = 0.0;        ///< of the last frame, in parts of the largest allowed
   double time_step_s = 0.0;  ///< the one the springs' short_share is made for
 };
@@ -102,8 +96,8 @@ void BoundedSolver::lay_out(const Garment& garment, const Pins& pins, const Surr
       cloth_->layout.vertex_count() == garment.mesh.positions.size()) {
     return;
   }
-  loops_ = std::make_unique<Loops>(kernels_for(settings_.vector_unit),
-                                   thread_count(settings_.threads, garment.mesh.triangles.size()));
+  kernels_ = std::make_unique<ParallelKernels>(
+      kernels_for(settings_.vector_unit), thread_count(settings_.threads, garment.mesh.triangles.size()));
   cloth_ = std::make_unique<Cloth>(garment, pins, settings_, frame_time_s);
   if (substeps_) {
     cloth_->control = SubstepControl(*substeps_, *substeps_, *substeps_);
@@ -119,17 +113,17 @@ void BoundedSolver::begin_frame(const State& state) {
   const Layout& layout = cloth_->layout;
   Motion& motion = cloth_->motion;
   motion.start_m.resize(layout.vertex_count());
-  for (Rows* rows : {&motion.current, &motion.previous, &cloth_->velocities}) {
+  for (Float4Array* rows : {&motion.current, &motion.previous, &cloth_->velocities}) {
     rows->resize(layout.row_count());
   }
   const double steps_per_s = state.time_step_s > 0.0 ? 1.0 / state.time_step_s : 0.0;
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     const Index v = layout.vertex_of_row[row];
     motion.start_m[row] = state.current[v];
-    cloth_->velocities[row] = row_of((state.current[v] - state.previous[v]) * steps_per_s);
+    cloth_->velocities[row] = float4_of((state.current[v] - state.previous[v]) * steps_per_s);
   }
   set_start(layout, state.current, motion.start);
-  loops_->start_springs(motion.start, cloth_->layout.springs);
+  kernels_->start_springs(motion.start, cloth_->layout.springs);
   start_tethers(motion.start, cloth_->tethers);
 }
 
@@ -139,8 +133,8 @@ void BoundedSolver::begin_substeps(double time_step_s) {
   Cloth& cloth = *cloth_;
   const auto h = static_cast<float>(time_step_s);
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
-    const Row& v = cloth.velocities[row];
-    cloth.motion.current[row] = Row{};
+    const Float4& v = cloth.velocities[row];
+    cloth.motion.current[row] = Float4{};
     cloth.motion.previous[row] = {-v.x * h, -v.y * h, -v.z * h, 0.0F};
   }
   if (cloth.time_step_s == time_step_s) {
@@ -156,55 +150,23 @@ void BoundedSolver::begin_substeps(double time_step_s) {
   }
 }
 
-// Step 2 of the paper, eq. (1): from `time_s` to one step later.
-void BoundedSolver::predict(const Surroundings& surroundings, double frame_began_s, double time_s,
-                            double time_step_s) {
-  Cloth& cloth = *cloth_;
-  Motion& motion = cloth.motion;
-  Prediction prediction;
-  prediction.decay = static_cast<float>(1.0 / (1.0 + surroundings.forces.air_drag_per_s * time_step_s));
-  prediction.dt_squared = static_cast<float>(time_step_s * time_step_s);
-  prediction.pins_moved = row_of(pin_offset(surroundings.pin_motion, time_s + time_step_s) -
-                                 pin_offset(surroundings.pin_motion, frame_began_s));
-  const bool is_tethered = settings_.tethers && cloth.layout.pin_count > 0;
-  loops_->predict(prediction, is_tethered ? cloth.tethers.lanes.data() : nullptr,
-                  cloth.forces.accelerations(), motion.current, motion.previous);
-  motion.previous.swap(motion.current);
-  std::fill_n(motion.current.begin(), cloth.layout.pin_count, prediction.pins_moved);
-}
-
-void BoundedSolver::sweep_springs() {
-  const SpringLanes& springs = cloth_->layout.springs;
-  for (std::size_t c = 0; c < springs.colour_count(); ++c) {
-    loops_->sweep(springs, springs.colour_begin[c], springs.colour_begin[c + 1],
-                  cloth_->motion.current.data());
-  }
-}
-
 void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
                                  double frame_time_s, int substeps) {
   Cloth& cloth = *cloth_;
-  Motion& motion = cloth.motion;
-  const Layout& layout = cloth.layout;
   const double dt = frame_time_s / substeps;
   const int updates = cloth.forces.updates_per_frame(surroundings.forces, frame_time_s);
-  const int held_substeps = std::max(1, substeps / updates);
-  const int parting_substeps = std::max(1, substeps / partings_per_frame);
+  const int substeps_per_update = std::max(1, substeps / updates);
+  const int substeps_per_parting = std::max(1, substeps / partings_per_frame);
   begin_substeps(dt);
   for (int substep = 0; substep < substeps; ++substep) {
-    const double at_s = time_s + substep * dt;
-    if (substep % parting_substeps == 0) {
-      cloth.contacts.part_layers(garment, layout, surroundings.layer_distance_m, motion);
-    }
-    // Step 2 of the paper: impose the forces on the mass points, a few times in a frame ...
-    if (substep % held_substeps == 0) {
-      cloth.forces.update(garment, surroundings.forces, motion, at_s, dt, held_substeps * dt, *loops_);
-    }
-    // ... and predict where they go, eq. (1).
-    predict(surroundings, time_s, at_s, dt);
-    // Step 3: compensate the predicted positions, eqs. (2)-(3).
-    sweep_springs();
-    cloth.contacts.push_out(garment.material, surroundings, motion);
+    TimeStep time;
+    time.frame_began_s = time_s;
+    time.time_s = time_s + substep * dt;
+    time.time_step_s = dt;
+    time.parts_layers = substep % substeps_per_parting == 0;
+    time.updates_forces = substep % substeps_per_update == 0;
+    time.update_interval_s = substeps_per_update * dt;
+    bounded::step(garment, surroundings, time, *kernels_, cloth);
   }
 }
 
@@ -213,11 +175,10 @@ void BoundedSolver::write_shape(const Surroundings& surroundings, double frame_t
   const Cloth& cloth = *cloth_;
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
     state.current[cloth.layout.vertex_of_row[row]] =
-        cloth.motion.start_m[row] + vector_of(cloth.certifier.corrected()[row]);
+        cloth.motion.start_m[row] + vector_of(cloth.projection.corrected()[row]);
   }
   // Exactly where they belong: what single precision rounds away would add up from frame to frame.
-  const Vec3 moved = pin_offset(surroundings.pin_motion, state.time_s + frame_time_s) -
-                     pin_offset(surroundings.pin_motion, state.time_s);
+  const Vec3 moved = pin_displacement(surroundings.pin_motion, state.time_s, state.time_s + frame_time_s);
   for (std::size_t row = 0; row < cloth.layout.pin_count; ++row) {
     state.current[cloth.layout.vertex_of_row[row]] = cloth.motion.start_m[row] + moved;
   }
@@ -236,45 +197,54 @@ void BoundedSolver::end_frame(double frame_time_s, int substeps, State& state) c
   state.step_count += static_cast<std::uint64_t>(substeps);
 }
 
+// From where the frame began: the time steps, and the projection of where they end onto the bound.
+ProjectionResult BoundedSolver::try_frame(const Garment& garment, const Pins& pins,
+                                          const Surroundings& surroundings, double frame_time_s,
+                                          State& state) {
+  Cloth& cloth = *cloth_;
+  const int substeps = cloth.control.substeps();
+  run_substeps(garment, surroundings, state.time_s, frame_time_s, substeps);
+  const double largest_cost = cloth.control.is_spent() ? last_resort_sweeps : costliest_projection * substeps;
+  ProjectionResult projected = cloth.projection.project(cloth.layout, cloth.motion.current,
+                                                        settings_.max_stretch, largest_cost, *kernels_);
+  write_shape(surroundings, frame_time_s, state);
+  projected.kept =
+      projected.kept || keeps_bound_in_double(garment, pins, settings_.max_stretch, state.current);
+  return projected;
+}
+
 FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pins,
                                          const Surroundings& surroundings, double frame_time_s,
                                          State& state) {
   lay_out(garment, pins, surroundings, frame_time_s);
   const auto began = std::chrono::steady_clock::now();
   Cloth& cloth = *cloth_;
-  loops_->share(cloth.threads.is_shared());
+  kernels_->share(cloth.threads.is_shared());
   begin_frame(state);
   cloth.contacts.begin_frame(garment, pins, cloth.layout, surroundings, cloth.motion, cloth.velocities,
                              frame_time_s);
   SubstepControl& control = cloth.control;
-  Certificate certificate;
+  ProjectionResult projected;
   const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
-  double largest_cost = 0.0;
   double sweeps = 0.0;
   double shift = 0.0;
   do {
-    run_substeps(garment, surroundings, state.time_s, frame_time_s, control.substeps());
-    largest_cost = control.is_spent() ? last_resort_sweeps : costliest_certificate * control.substeps();
-    certificate = cloth.certifier.certify(cloth.layout, cloth.motion.current, settings_.max_stretch,
-                                          largest_cost, *loops_);
-    sweeps += control.substeps() + certificate.cost;
-    shift = allowed_m > 0.0 ? certificate.largest_shift_m / allowed_m : 0.0;
-    write_shape(surroundings, frame_time_s, state);
-    certificate.kept =
-        certificate.kept || keeps_bound_in_double(garment, pins, settings_.max_stretch, state.current);
-  } while ((!certificate.kept || (shift > too_far && shift > further_than_before * cloth.shift)) &&
+    projected = try_frame(garment, pins, surroundings, frame_time_s, state);
+    sweeps += control.substeps() + projected.cost;
+    shift = allowed_m > 0.0 ? projected.largest_shift_m / allowed_m : 0.0;
+  } while ((!projected.kept || (shift > too_far && shift > further_than_before * cloth.shift)) &&
            control.try_more());
   cloth.shift = shift;
-  cloth.certifier.end_frame();
+  cloth.projection.end_frame();
 
   const int substeps = control.substeps();
-  control.frame_kept(certificate.cost, shift);
+  control.frame_kept(projected.cost, shift);
   end_frame(frame_time_s, substeps, state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  cloth.threads.frame_took(took.count(), loops_->take_work());
-  return {substeps,         true,
-          certificate.kept, certificate.raw_max_stretch,
-          sweeps,           followed_compression(cloth.mobility_per_kg, frame_time_s / substeps)};
+  cloth.threads.frame_took(took.count(), kernels_->take_work());
+  return {substeps,       true,
+          projected.kept, projected.raw_max_stretch,
+          sweeps,         followed_compression(cloth.mobility_per_kg, frame_time_s / substeps)};
 }
 
 }  // namespace taut::sim

@@ -7,8 +7,9 @@
 namespace taut::sim {
 
 namespace bounded {
-class Loops;
-}
+class ParallelKernels;
+struct ProjectionResult;
+}  // namespace bounded
 
 /// The strong constraint organised so that a bound on stretch is kept in every frame at any resolution.
 /// How and why: bounded.md beside this file.
@@ -30,15 +31,15 @@ class BoundedSolver : public Solver {
   void begin_substeps(double time_step_s);
   void run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
                     double frame_time_s, int substeps);
-  void predict(const Surroundings& surroundings, double frame_began_s, double time_s, double time_step_s);
-  void sweep_springs();
+  bounded::ProjectionResult try_frame(const Garment& garment, const Pins& pins,
+                                      const Surroundings& surroundings, double frame_time_s, State& state);
   void write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const;
   void end_frame(double frame_time_s, int substeps, State& state) const;
 
   BoundedSettings settings_;
   std::optional<int> substeps_;  ///< in a frame, where they are not to be chosen
   int max_substeps_;
-  std::unique_ptr<bounded::Loops> loops_;
+  std::unique_ptr<bounded::ParallelKernels> kernels_;
   std::unique_ptr<Cloth> cloth_;
 };
 

@@ -9,6 +9,7 @@ namespace taut::sim::bounded {
 namespace {
 
 constexpr Index unassigned = ~Index{0};
+/// In vertices. More makes fewer levels and leaves coarser steps between them.
 constexpr std::size_t largest_cluster = 4;
 
 class Clusters {

@@ -1,22 +1,25 @@
 #include "sim/solvers/bounded/contacts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
+
+#include "sim/contact/layers.hpp"
 
 namespace taut::sim::bounded {
 namespace {
 
-/// Speeds can grow within a frame; what comes nearer than this beyond its own reach is looked at.
+/// Vertices are looked at that could come to an obstacle within the frame: speeds can grow in it to this many
+/// times what they were, and move by this much more, in m. More looks at more of them; less lets fast ones
+/// in.
 constexpr double reach_factor = 2.0;
 constexpr double extra_reach_m = 0.02;
 
-/// The part of an overlap that one call takes away: all at once would tear at the springs.
+/// The part of an overlap that one parting takes away: all at once would tear at the springs.
 constexpr double parted_at_once = 0.3;
 
-double largest_speed(const Rows& velocities) {
+double largest_speed(const Float4Array& velocities) {
   double largest = 0.0;
-  for (const Row& v : velocities) {
+  for (const Float4& v : velocities) {
     largest = std::max(largest, glm::length(vector_of(v)));
   }
   return largest;
@@ -28,7 +31,7 @@ bool is_near_any(const std::vector<Collider>& colliders, const Vec3& position_m,
   });
 }
 
-void add(Row& row, const Vec3& v) {
+void add(Float4& row, const Vec3& v) {
   row.x += static_cast<float>(v.x);
   row.y += static_cast<float>(v.y);
   row.z += static_cast<float>(v.z);
@@ -37,8 +40,8 @@ void add(Row& row, const Vec3& v) {
 }  // namespace
 
 void Contacts::begin_frame(const Garment& garment, const Pins& pins, const Layout& layout,
-                           const Surroundings& surroundings, const Motion& motion, const Rows& velocities,
-                           double frame_time_s) {
+                           const Surroundings& surroundings, const Motion& motion,
+                           const Float4Array& velocities, double frame_time_s) {
   near_rows_.clear();
   near_inverse_masses_per_kg_.clear();
   if (surroundings.colliders.empty()) {
@@ -66,45 +69,37 @@ void Contacts::push_out(const Material& cloth, const Surroundings& surroundings,
     near_current_m_[k] = motion.start_m[row] + vector_of(motion.previous[row]);
     near_predicted_m_[k] = motion.start_m[row] + vector_of(motion.current[row]);
   }
-  push_out_of_colliders(surroundings.colliders, cloth, near_inverse_masses_per_kg_, near_current_m_,
-                        near_predicted_m_);
+  push_out_of_colliders(surroundings.colliders, {cloth.thickness_m, cloth.friction},
+                        near_inverse_masses_per_kg_, near_current_m_, near_predicted_m_);
   for (std::size_t k = 0; k < near_rows_.size(); ++k) {
     const Index row = near_rows_[k];
-    motion.current[row] = row_of(near_predicted_m_[k] - motion.start_m[row]);
+    motion.current[row] = float4_of(near_predicted_m_[k] - motion.start_m[row]);
   }
 }
 
 void Contacts::part_layers(const Garment& garment, const Layout& layout, double layer_distance_m,
                            Motion& motion) {
-  if (!(layer_distance_m > 0.0)) {
-    return;
-  }
   positions_m_.resize(layout.vertex_count());
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     positions_m_[layout.vertex_of_row[row]] = motion.start_m[row] + vector_of(motion.current[row]);
   }
   layers_.update(garment.mesh.positions, positions_m_, layer_distance_m);
+  const LayerParting little_by_little = {layer_distance_m, parted_at_once, false};
   for (const auto& [a, b] : layers_.pairs()) {
     const Index i = layout.row_of_vertex[a];
     const Index j = layout.row_of_vertex[b];
     const double w_i = layout.inverse_masses_per_kg[i];
     const double w_j = layout.inverse_masses_per_kg[j];
-    const Vec3 now_i = motion.start_m[i] + vector_of(motion.current[i]);
-    const Vec3 now_j = motion.start_m[j] + vector_of(motion.current[j]);
-    const Vec3 between = now_i - now_j;
-    const double distance_m = glm::length(between);
-    if (!(distance_m < layer_distance_m) || !(distance_m > 0.0) || !(w_i + w_j > 0.0)) {
-      continue;
+    const Vec3 now_i = vector_of(motion.current[i]);
+    const Vec3 now_j = vector_of(motion.current[j]);
+    const Vec3 between = (motion.start_m[i] + now_i) - (motion.start_m[j] + now_j);
+    const Vec3 moved = (now_i - vector_of(motion.previous[i])) - (now_j - vector_of(motion.previous[j]));
+    if (const auto parted = part(little_by_little, between, moved, w_i + w_j)) {
+      add(motion.current[i], w_i * parted->current);
+      add(motion.previous[i], w_i * parted->previous);
+      add(motion.current[j], -w_j * parted->current);
+      add(motion.previous[j], -w_j * parted->previous);
     }
-    const Vec3 direction = between / distance_m;
-    const Vec3 moved = (vector_of(motion.current[i]) - vector_of(motion.previous[i])) -
-                       (vector_of(motion.current[j]) - vector_of(motion.previous[j]));
-    const Vec3 apart = direction * (parted_at_once * (layer_distance_m - distance_m) / (w_i + w_j));
-    const Vec3 slowed = direction * (std::min(glm::dot(moved, direction), 0.0) / (w_i + w_j));
-    add(motion.current[i], w_i * apart);
-    add(motion.previous[i], w_i * (apart + slowed));
-    add(motion.current[j], -w_j * apart);
-    add(motion.previous[j], -w_j * (apart + slowed));
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/contact/self_collision.hpp"
-#include "sim/solvers/bounded/held_forces.hpp"
+#include "sim/contact/neighbour_list.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/motion.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim::bounded {
@@ -12,7 +12,7 @@ class Contacts {
  public:
   /// Finds the rows that could reach an obstacle within the frame.
   void begin_frame(const Garment& garment, const Pins& pins, const Layout& layout,
-                   const Surroundings& surroundings, const Motion& motion, const Rows& velocities,
+                   const Surroundings& surroundings, const Motion& motion, const Float4Array& velocities,
                    double frame_time_s);
 
   /// After the sweeps of each time step: out of the obstacles, with friction.

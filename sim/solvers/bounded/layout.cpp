@@ -12,6 +12,10 @@
 namespace taut::sim::bounded {
 namespace {
 
+/// In the projection onto the bound weights grow by this power of e with every spring on the way to the pins.
+/// More hands corrections down the cloth faster and leaves less of them to what is near the pins.
+constexpr double projection_weight_growth = 0.2;
+
 std::size_t bound_spring_count(const Springs& springs) {
   return springs.begin_of(SpringKind::flexural);
 }
@@ -81,9 +85,6 @@ std::vector<std::vector<SpringInRows>> coloured(const std::vector<SpringInRows>&
   return colours;
 }
 
-/// Weights grow by this power of e with every spring on the way to the pins.
-constexpr double certificate_weight_growth = 0.2;
-
 void measure_reach(const Garment& garment, Layout& layout) {
   const std::size_t count = bound_spring_count(garment.springs);
   for (const double distance_m : layout.distance_from_pins_m) {
@@ -96,13 +97,13 @@ void measure_reach(const Garment& garment, Layout& layout) {
   layout.reach_springs = total_m > 0.0 ? layout.reach_m * static_cast<double>(count) / total_m : 0.0;
 }
 
-/// The inverse weight of end i in the certificate over that of end j.
-double certificate_ratio(const SpringInRows& s, const Layout& layout) {
+/// The inverse weight of end i in the projection over that of end j.
+double projection_ratio(const SpringInRows& s, const Layout& layout) {
   const double further_m = layout.distance_from_pins_m[s.row_j] - layout.distance_from_pins_m[s.row_i];
   if (!std::isfinite(further_m) || !(layout.reach_m > 0.0)) {
     return 1.0;
   }
-  return exponential(-certificate_weight_growth * further_m * layout.reach_springs / layout.reach_m);
+  return exponential(-projection_weight_growth * further_m * layout.reach_springs / layout.reach_m);
 }
 
 /// Sets lane `lane` to a spring between two rows.
@@ -121,14 +122,14 @@ void append_colour(const std::vector<SpringInRows>& colour, const Garment& garme
   const std::size_t block_count = (colour.size() + block_size - 1) / block_size;
   lanes.blocks.resize(lanes.block_count() + block_count);
   lanes.spring.resize(begin + block_count * block_size, SpringLanes::no_spring);
-  lanes.certificate_share_i.resize(lanes.spring.size(), 0.0F);
+  lanes.projection_share_i.resize(lanes.spring.size(), 0.0F);
   for (std::size_t k = 0; k < colour.size(); ++k) {
     const SpringInRows& s = colour[k];
     const double w_i = pins.inverse_masses_per_kg[layout.vertex_of_row[s.row_i]];
     const double w_j = pins.inverse_masses_per_kg[layout.vertex_of_row[s.row_j]];
-    const double ratio = certificate_ratio(s, layout);
+    const double ratio = projection_ratio(s, layout);
     set_lane(lanes, begin + k, s.row_i, s.row_j, w_i / (w_i + w_j), garment.springs.rest_lengths_m[s.spring]);
-    lanes.certificate_share_i[begin + k] = static_cast<float>(w_i * ratio / (w_i * ratio + w_j));
+    lanes.projection_share_i[begin + k] = static_cast<float>(w_i * ratio / (w_i * ratio + w_j));
     lanes.spring[begin + k] = s.spring;
   }
   for (std::size_t lane = begin + colour.size(); lane < lanes.lane_count(); ++lane) {
@@ -178,12 +179,12 @@ void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRow
   start.low.resize(layout.row_count());
   const Vec3 origin_m = positions_m[layout.vertex_of_row[0]];
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    start.high[row] = row_of(positions_m[layout.vertex_of_row[row]] - origin_m);
+    start.high[row] = float4_of(positions_m[layout.vertex_of_row[row]] - origin_m);
   }
   // A loop of its own: GCC 12 at -O3 takes what was rounded for what was not where both are in one.
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     const Vec3 from_origin_m = positions_m[layout.vertex_of_row[row]] - origin_m;
-    start.low[row] = row_of(from_origin_m - vector_of(start.high[row]));
+    start.low[row] = float4_of(from_origin_m - vector_of(start.high[row]));
   }
 }
 

@@ -7,34 +7,42 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// The certificate may cost about as much as the substeps; much less than that and there are too many of
+/// The projection may cost about as much as the substeps; much less than that and there are too many of
 /// them. In between nothing is changed, so that hanging cloth keeps its step and comes to rest.
-constexpr double costly_certificate = 1.0;
-constexpr double cheap_certificate = 0.6;
-constexpr double small_shift = 0.6;
-constexpr double idle_certificate = 0.2;
+constexpr double costly_projection = 1.0;  ///< sweeps per time step; above it the next frame takes more steps
+constexpr double cheap_projection = 0.6;   ///< likewise; below it the next may take fewer
+constexpr double small_shift = 0.6;        ///< of the largest allowed; as above
+constexpr double idle_projection = 0.2;    ///< below both of these many fewer
 constexpr double idle_shift = 0.25;
-/// As the certificate starts from its last correction, shifts go on for some frames after they were needed.
+/// As the projection starts from its last correction, shifts go on for some frames after they were needed.
 constexpr int frames_shifts_last = 8;
-/// A certificate comes in rounds of about this many sweeps; one round is never too many.
+/// A projection comes in rounds of about this many sweeps; one round is never too many.
 constexpr double one_round = 8.0;
 /// Doubled every time fewer steps prove too few, halved when they do not: cloth about to rest is not kept
 /// awake by steps that change for ever.
 constexpr int fewest_calm_frames = 4;
 constexpr int most_calm_frames = 192;
+/// The steps of the next frame over those of the last: the further from 1, the sooner they fit and the more
+/// they change about what fits. `many_more` is for a frame that is done again.
 constexpr double fewer = 0.94;
 constexpr double many_fewer = 0.85;
 constexpr double more = 1.12;
 constexpr double many_more = 1.4;
 
-/// Measured on hanging T-shirts and sheets.
+/// What first_substeps calls c, measured on hanging T-shirts and sheets; more begins with more steps.
 constexpr double load_factor = 6.0;
-/// The certificate copes with raw stretch of about this many times the bound.
+/// The projection copes with raw stretch of about this many times the bound.
 constexpr double raw_per_bound = 6.0;
+/// Tighter bounds begin with no more steps than this one.
 constexpr double smallest_bound = 1e-4;
 
 /// Wind pulls at the pins with a part of its pressure, as most cloth turns out of it.
 constexpr double caught_wind = 0.15;
+
+/// The shift that is allowed, in parts of the cloth's reach from its pins: so much, and this part of the
+/// bound. More takes fewer steps and moves the cloth further at the end of a frame.
+constexpr double part_of_reach = 0.003;
+constexpr double part_of_bound = 0.1;
 
 double acceleration(const Garment& garment, const Surroundings& surroundings) {
   const PinMotion& motion = surroundings.pin_motion;
@@ -53,12 +61,12 @@ SubstepControl::SubstepControl(int first, int least, int most)
       substeps_(std::clamp(first, least_, most)),
       calm_frames_needed_(fewest_calm_frames) {}
 
-void SubstepControl::frame_kept(double certify_cost, double shift) {
-  const double part = certify_cost / substeps_;
-  const bool is_calm = part < cheap_certificate && shift < small_shift;
+void SubstepControl::frame_kept(double projection_cost, double shift) {
+  const double part = projection_cost / substeps_;
+  const bool is_calm = part < cheap_projection && shift < small_shift;
   calm_frames_ = is_calm ? calm_frames_ + 1 : 0;
   ++frames_since_more_;
-  const bool is_costly = certify_cost > costly_certificate * substeps_ + one_round;
+  const bool is_costly = projection_cost > costly_projection * substeps_ + one_round;
   const bool is_far = shift > 1.0 && frames_since_more_ > frames_shifts_last;
   double wanted = substeps_;
   if (is_costly || is_far) {
@@ -69,7 +77,7 @@ void SubstepControl::frame_kept(double certify_cost, double shift) {
       calm_frames_needed_ = std::max(calm_frames_needed_ / 2, fewest_calm_frames);
     }
     took_fewer_ = true;
-    const bool is_idle = part < idle_certificate && shift < idle_shift;
+    const bool is_idle = part < idle_projection && shift < idle_shift;
     wanted = std::floor(wanted * (is_idle ? many_fewer : fewer));
     calm_frames_ = 0;
   }
@@ -95,8 +103,6 @@ bool SubstepControl::try_more() {
 }
 
 double allowed_shift_m(const Layout& layout, double max_stretch) {
-  constexpr double part_of_reach = 0.003;
-  constexpr double part_of_bound = 0.1;
   return layout.reach_m * (part_of_reach + part_of_bound * max_stretch);
 }
 

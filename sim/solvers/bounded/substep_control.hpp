@@ -1,13 +1,13 @@
 #pragma once
 
 #include "sim/garment.hpp"
-#include "sim/solvers/bounded/certificate.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/projection.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim::bounded {
 
-/// Chooses how many time steps a frame is divided into: as few as leave little for the certificate to do. All
+/// Chooses how many time steps a frame is divided into: as few as leave little for the projection to do. All
 /// it goes by are counts and lengths of earlier frames, so that a run repeats itself bit for bit.
 class SubstepControl {
  public:
@@ -17,9 +17,9 @@ class SubstepControl {
   int substeps() const { return substeps_; }
   bool is_spent() const { return substeps_ >= most_; }
 
-  /// After a frame whose certificate took work worth `certify_cost` sweeps over all springs and had to move
-  /// a vertex moved by the last correction by `shift`, in parts of the largest that is allowed.
-  void frame_kept(double certify_cost, double shift);
+  /// After a frame whose projection took work worth `projection_cost` sweeps over all springs and moved no
+  /// vertex further than `shift`, in parts of the largest that is allowed.
+  void frame_kept(double projection_cost, double shift);
 
   /// More for the same frame again, because its bound could not be kept. False where the budget is spent.
   bool try_more();

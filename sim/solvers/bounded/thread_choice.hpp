@@ -1,10 +1,10 @@
 #pragma once
 
-#include "sim/solvers/bounded/kernels/team.hpp"
+#include "sim/solvers/bounded/kernels/thread_pool.hpp"
 
 namespace taut::sim::bounded {
 
-/// Whether the threads of a team share the next frame, or the caller works alone. A helper that loses its
+/// Whether the threads of a pool share the next frame, or the caller works alone. A helper that loses its
 /// processor in the middle of a chunk holds everybody up, so that two threads on a busy machine can take
 /// twice as long as one. A frame that was shared says itself what it gained: the chunks that others did,
 /// against the time the caller waited for them. Where it lost, the next frames are done alone, and more of
@@ -14,8 +14,8 @@ class ThreadChoice {
  public:
   bool is_shared() const { return frames_alone_ == 0; }
 
-  /// The last frame took that long by the clock on the wall; `work` is what its team did.
-  void frame_took(double seconds, const TeamWork& work);
+  /// The last frame took that long by the clock on the wall; `work` is what its pool did.
+  void frame_took(double seconds, const PoolWork& work);
 
  private:
   int frames_alone_ = 0;  ///< still to be done

@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 #include <span>
 
-#include "sim/solvers/bounded/certificate.hpp"
-#include "sim/solvers/bounded/kernels/loops.hpp"
+#include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/projection.hpp"
 
 namespace taut::sim {
 namespace {
@@ -16,7 +16,9 @@ constexpr double largest_cost = 1000.0;
 
 /// Shortened by this part of the bound more than is asked, so that neighbours settle.
 constexpr double aimed_part = 0.97;
+/// In double precision; what is left after so many is taken for kept apart by pins.
 constexpr int most_sweeps = 500;
+/// Below this, in m, single precision cannot tell whether a spring is too long.
 constexpr double smallest_told_apart_m = 1e-6;
 
 /// By how much the spring that is too long by most is so, in metres; 0 where none is.
@@ -58,14 +60,15 @@ void move_within_bound(const Garment& garment, const Pins& pins, const SolverSet
     return;
   }
   bounded::Layout layout = bounded::make_layout(garment, pins);
-  bounded::Loops loops(bounded::kernels_for(chosen->vector_unit), 1);
+  bounded::ParallelKernels kernels(bounded::kernels_for(chosen->vector_unit), 1);
   bounded::StartRows start;
   bounded::set_start(layout, state.current, start);
-  loops.start_springs(start, layout.springs);
-  bounded::Certifier certifier(layout);
-  certifier.certify(layout, bounded::Rows(layout.row_count()), chosen->max_stretch, largest_cost, loops);
+  kernels.start_springs(start, layout.springs);
+  bounded::BoundProjection projection(layout);
+  projection.project(layout, bounded::Float4Array(layout.row_count()), chosen->max_stretch, largest_cost,
+                     kernels);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    const Vec3 moved = bounded::vector_of(certifier.corrected()[row]);
+    const Vec3 moved = bounded::vector_of(projection.corrected()[row]);
     state.current[layout.vertex_of_row[row]] += moved;
     state.previous[layout.vertex_of_row[row]] += moved;
   }

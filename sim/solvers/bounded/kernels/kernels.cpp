@@ -27,11 +27,11 @@ namespace bounded {
 
 const Kernels& kernels_for(VectorUnit unit) {
   if (unit == VectorUnit::scalar) {
-    return scalar_kernels();
+    return emulated_kernels();
   }
   const Kernels* kernels = vector_kernels(unit);
   if (kernels == nullptr && unit == VectorUnit::best) {
-    return scalar_kernels();
+    return emulated_kernels();
   }
   if (kernels == nullptr) {
     throw std::invalid_argument(std::string("this processor has no ") + name_of(unit) +

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
+#include "sim/solvers/bounded/kernels/lanes.hpp"
 #include "sim/solvers/bounded/kernels/sliced_matrix.hpp"
 #include "sim/solvers/bounded/kernels/vector_unit.hpp"
-#include "sim/solvers/bounded/layout.hpp"
 
 namespace taut::sim::bounded {
 
@@ -16,31 +16,15 @@ struct AirFlow {
   std::array<float, 3> velocity_m_per_s = {0.0F, 0.0F, 0.0F};
   float half_density_pressure = 0.0F;  ///< 1/2 rho C_n, in kg/m^3
   float half_density_friction = 0.0F;  ///< 1/2 rho C_t
-  float time_per_density = 0.0F;       ///< the time the force is held over the cloth's density, in s m^2/kg
+  float time_per_density = 0.0F;       ///< the time the force acts over the cloth's density, in s m^2/kg
   float per_time_step = 0.0F;          ///< 1 / dt, in 1/s
-};
-
-/// Where a tether can never be reached: as long as no cloth is.
-inline constexpr float never_reached = 1e30F;
-
-struct Tether {
-  float start_x = 0.0F;  ///< from the pin to the vertex when the frame began, in m
-  float start_y = 0.0F;
-  float start_z = 0.0F;
-  float squared_length = never_reached;  ///< in m^2; `never_reached` where there is none
-};
-
-/// By row, each vertex's tether to a pin. All pins move alike.
-struct Tethers {
-  std::vector<Index> pin;  ///< row of the pin
-  Lanes<Tether> lanes;
 };
 
 /// What a prediction needs besides the cloth.
 struct Prediction {
   float decay = 1.0F;       ///< of velocities in one time step
   float dt_squared = 0.0F;  ///< in s^2
-  Row pins_moved;           ///< since the frame began, at the end of the time step
+  Float4 pins_moved;        ///< since the frame began, at the end of the time step
 };
 
 /// The loops in which the time goes. Each does the same operations on every element in the same order,
@@ -53,7 +37,7 @@ struct Kernels {
   /// than their tethers reach are brought back to where these end, by the same error as in `sweep`; `tethers`
   /// is null where there are none.
   void (*predict)(std::size_t begin, std::size_t end, const Prediction& prediction, const Tether* tethers,
-                  const Row* accelerations, const Row* current, Row* previous);
+                  const Float4* accelerations, const Float4* current, Float4* previous);
 
   /// Sets L'_start of the springs in blocks [begin, end).
   void (*start_springs)(const StartRows& start, std::size_t begin, std::size_t end, SpringLanes& springs);
@@ -62,25 +46,25 @@ struct Kernels {
   /// those too short give back a part. With L' = L'_start + d_i - d_j the relative error is taken as
   /// (|L'|^2 - |L|^2) / (|L'|^2 + |L|^2), which is (|L'| - |L|) / |L'| to the second order in the error and
   /// never above 1, without a square root (Jakobsen 2001).
-  void (*sweep)(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows);
+  void (*sweep)(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows);
 
   /// For springs longer than the bound alone, in the blocks named, all of one colour: where |L'|^2 is above
   /// `squared_bound` |L|^2, `relaxation` times what is needed.
   void (*shorten)(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
-                  float relaxation, Row* rows);
+                  float relaxation, Float4* rows);
 
   /// For each block [begin, end) the largest |L'|^2 / |L|^2 of its springs, into `squared_ratios` by block.
-  void (*largest_ratios)(const SpringLanes& springs, std::size_t begin, std::size_t end, const Row* rows,
+  void (*largest_ratios)(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
                          float* squared_ratios);
 
   /// A sixth of the doubled force of the air on each triangle of lanes [begin, end), a multiple of the block
   /// size: what each corner gets, in N. Positions are `start` + `current`; `previous` is one dt before.
   void (*wind)(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
-               const Row* start, const Row* current, const Row* previous, Row* corner_forces);
+               const Float4* start, const Float4* current, const Float4* previous, Float4* corner_forces);
 
   /// For the rows of slices [begin, end): result += sum over columns of value (x_column - x_row).
-  void (*add_product)(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
-                      Row* result);
+  void (*add_product)(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,
+                      Float4* result);
 };
 
 /// Throws std::invalid_argument on a unit this processor lacks.

@@ -6,116 +6,13 @@
 #include <hwy/highway.h>
 
 #include "sim/solvers/bounded/kernels/kernel_tables.hpp"
+#include "sim/solvers/bounded/kernels/vectors_inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace taut::sim::bounded::HWY_NAMESPACE {
 namespace {
 
 #if HWY_TARGET != HWY_SCALAR
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using FourFloats = hn::FixedTag<float, 4>;
-using Floats = hn::CappedTag<float, block_size>;
-using V = hn::Vec<Floats>;
-
-constexpr std::size_t lanes = hn::MaxLanes(Floats());
-
-/// Four vectors of rows as they are loaded, or of one coordinate each.
-struct Four {
-  V a, b, c, d;
-};
-
-/// From rows to coordinates and back: within every 128 bits a 4x4 matrix is transposed.
-HWY_INLINE Four transposed(const Four& m) {
-  const Floats f;
-  const V ac_low = hn::InterleaveLower(f, m.a, m.c);
-  const V bd_low = hn::InterleaveLower(f, m.b, m.d);
-  const V ac_high = hn::InterleaveUpper(f, m.a, m.c);
-  const V bd_high = hn::InterleaveUpper(f, m.b, m.d);
-  return {hn::InterleaveLower(f, ac_low, bd_low), hn::InterleaveUpper(f, ac_low, bd_low),
-          hn::InterleaveLower(f, ac_high, bd_high), hn::InterleaveUpper(f, ac_high, bd_high)};
-}
-
-/// The rows that begin at [0], [4], ..., counted in floats, side by side.
-template <std::size_t count>
-HWY_INLINE auto load_every_fourth(const float* rows, const std::uint32_t* at) {
-  if constexpr (count == 4) {
-    return hn::Load(FourFloats(), rows + at[0]);
-  } else {
-    return hn::Combine(hn::FixedTag<float, count>(), load_every_fourth<count / 2>(rows, at + count / 2),
-                       load_every_fourth<count / 2>(rows, at));
-  }
-}
-
-template <std::size_t count, typename Vector>
-HWY_INLINE void store_every_fourth(Vector v, float* rows, const std::uint32_t* at) {
-  if constexpr (count == 4) {
-    hn::Store(v, FourFloats(), rows + at[0]);
-  } else {
-    const hn::FixedTag<float, count / 2> half;
-    store_every_fourth<count / 2>(hn::LowerHalf(half, v), rows, at);
-    store_every_fourth<count / 2>(hn::UpperHalf(half, v), rows, at + count / 2);
-  }
-}
-
-HWY_INLINE Four load_rows(const float* rows, const std::uint32_t* at) {
-  return {load_every_fourth<lanes>(rows, at + 0), load_every_fourth<lanes>(rows, at + 1),
-          load_every_fourth<lanes>(rows, at + 2), load_every_fourth<lanes>(rows, at + 3)};
-}
-
-HWY_INLINE void store_rows(const Four& v, float* rows, const std::uint32_t* at) {
-  store_every_fourth<lanes>(v.a, rows, at + 0);
-  store_every_fourth<lanes>(v.b, rows, at + 1);
-  store_every_fourth<lanes>(v.c, rows, at + 2);
-  store_every_fourth<lanes>(v.d, rows, at + 3);
-}
-
-HWY_INLINE Four operator+(const Four& x, const Four& y) {
-  return {hn::Add(x.a, y.a), hn::Add(x.b, y.b), hn::Add(x.c, y.c), hn::Add(x.d, y.d)};
-}
-HWY_INLINE Four operator-(const Four& x, const Four& y) {
-  return {hn::Sub(x.a, y.a), hn::Sub(x.b, y.b), hn::Sub(x.c, y.c), hn::Sub(x.d, y.d)};
-}
-
-struct Triple {
-  V x, y, z;
-};
-
-HWY_INLINE Triple operator+(const Triple& p, const Triple& q) {
-  return {hn::Add(p.x, q.x), hn::Add(p.y, q.y), hn::Add(p.z, q.z)};
-}
-HWY_INLINE Triple operator-(const Triple& p, const Triple& q) {
-  return {hn::Sub(p.x, q.x), hn::Sub(p.y, q.y), hn::Sub(p.z, q.z)};
-}
-HWY_INLINE Triple operator*(const Triple& p, V s) {
-  return {hn::Mul(p.x, s), hn::Mul(p.y, s), hn::Mul(p.z, s)};
-}
-HWY_INLINE V dot(const Triple& p, const Triple& q) {
-  return hn::Add(hn::Add(hn::Mul(p.x, q.x), hn::Mul(p.y, q.y)), hn::Mul(p.z, q.z));
-}
-HWY_INLINE Triple cross(const Triple& p, const Triple& q) {
-  return {hn::Sub(hn::Mul(p.y, q.z), hn::Mul(p.z, q.y)), hn::Sub(hn::Mul(p.z, q.x), hn::Mul(p.x, q.z)),
-          hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x))};
-}
-
-HWY_INLINE Triple as_coordinates(const Four& rows) {
-  const Four m = transposed(rows);
-  return {m.a, m.b, m.c};
-}
-HWY_INLINE Four as_rows(const Triple& coordinates) {
-  return transposed({coordinates.x, coordinates.y, coordinates.z, hn::Zero(Floats())});
-}
-
-HWY_INLINE Four operator*(const Four& x, const Four& y) {
-  return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b), hn::Mul(x.c, y.c), hn::Mul(x.d, y.d)};
-}
-
-/// One number for each row, in the places of its coordinates.
-HWY_INLINE Four for_rows(V numbers) {
-  return {hn::Broadcast<0>(numbers), hn::Broadcast<1>(numbers), hn::Broadcast<2>(numbers),
-          hn::Broadcast<3>(numbers)};
-}
 
 /// L' of `lanes` springs from lane k of a block, between rows that are loaded already.
 HWY_INLINE Triple springs_between(const SpringBlock& block, std::size_t k, const Four& i, const Four& j) {
@@ -141,7 +38,7 @@ HWY_INLINE V sums_of_coordinates(V rows) {
 }
 
 /// Of a vector of rows, those further away than their tethers reach are brought back.
-HWY_INLINE V held(V rows, const Tether* tethers, V pins_moved, V is_coordinate) {
+HWY_INLINE V tethered(V rows, const Tether* tethers, V pins_moved, V is_coordinate) {
   const Floats f;
   const V tether = hn::Load(f, &tethers->start_x);
   const V from_pin = hn::And(hn::Add(hn::Sub(rows, pins_moved), tether), is_coordinate);
@@ -157,7 +54,7 @@ HWY_INLINE V held(V rows, const Tether* tethers, V pins_moved, V is_coordinate) 
 }
 
 void predict(std::size_t begin, std::size_t end, const Prediction& prediction, const Tether* tethers,
-             const Row* accelerations, const Row* current, Row* previous) {
+             const Float4* accelerations, const Float4* current, Float4* previous) {
   const Floats f;
   const V decays = hn::Set(f, prediction.decay);
   const V dts_squared = hn::Set(f, prediction.dt_squared);
@@ -165,19 +62,19 @@ void predict(std::size_t begin, std::size_t end, const Prediction& prediction, c
   alignas(16) static constexpr std::uint32_t coordinates[4] = {~0U, ~0U, ~0U, 0U};
   const V is_coordinate = hn::BitCast(f, hn::LoadDup128(hn::RebindToUnsigned<Floats>(), coordinates));
   for (std::size_t r = begin; r < end; r += lanes / 4) {
-    const V d = hn::Load(f, &current[r].x);
-    const V moved = hn::Mul(hn::Sub(d, hn::Load(f, &previous[r].x)), decays);
-    const V driven = hn::Mul(hn::Load(f, &accelerations[r].x), dts_squared);
+    const V d = hn::Load(f, floats_of(current + r));
+    const V moved = hn::Mul(hn::Sub(d, hn::Load(f, floats_of(previous + r))), decays);
+    const V driven = hn::Mul(hn::Load(f, floats_of(accelerations + r)), dts_squared);
     const V predicted = hn::Add(d, hn::Add(moved, driven));
-    hn::Store(tethers == nullptr ? predicted : held(predicted, tethers + r, pins_moved, is_coordinate), f,
-              &previous[r].x);
+    hn::Store(tethers == nullptr ? predicted : tethered(predicted, tethers + r, pins_moved, is_coordinate), f,
+              floats_of(previous + r));
   }
 }
 
 void start_springs(const StartRows& start, std::size_t begin, std::size_t end, SpringLanes& springs) {
   const Floats f;
-  const float* high = &start.high[0].x;
-  const float* low = &start.low[0].x;
+  const float* high = floats_of(start.high.data());
+  const float* low = floats_of(start.low.data());
   for (std::size_t b = begin; b < end; ++b) {
     SpringBlock& block = springs.blocks[b];
     for (std::size_t k = 0; k < block_size; k += lanes) {
@@ -191,9 +88,9 @@ void start_springs(const StartRows& start, std::size_t begin, std::size_t end, S
   }
 }
 
-void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows) {
+void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows) {
   const Floats f;
-  float* first = &rows->x;
+  float* first = floats_of(rows);
   const SpringBlock* const last = springs.blocks.data() + end;
   for (const SpringBlock* block = springs.blocks.data() + begin; block != last; ++block) {
     for (std::size_t k = 0; k < block_size; k += lanes) {
@@ -220,9 +117,9 @@ HWY_INLINE std::array<std::uint32_t, lanes> rows_from(std::size_t k) {
 }
 
 void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
-             float relaxation, Row* rows) {
+             float relaxation, Float4* rows) {
   const Floats f;
-  float* first = &rows->x;
+  float* first = floats_of(rows);
   for (const std::uint32_t b : blocks) {
     const SpringBlock& block = springs.blocks[b];
     for (std::size_t k = 0; k < block_size; k += lanes) {
@@ -239,15 +136,15 @@ void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, 
       const V divisor = hn::Add(squared_length, hn::Sqrt(hn::Mul(squared_length, limit)));
       const V fraction = hn::Mul(hn::Div(excess, divisor), hn::Set(f, relaxation));
       shorten_springs(block, k, i, j, spring, hn::IfThenElseZero(too_long, fraction),
-                      hn::Load(f, &springs.certificate_share_i[b * block_size + k]), first);
+                      hn::Load(f, &springs.projection_share_i[b * block_size + k]), first);
     }
   }
 }
 
-void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Row* rows,
+void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
                     float* squared_ratios) {
   const Floats f;
-  const float* first = &rows->x;
+  const float* first = floats_of(rows);
   for (std::size_t b = begin; b < end; ++b) {
     const SpringBlock& block = springs.blocks[b];
     V largest = hn::Zero(f);
@@ -267,15 +164,16 @@ struct LoadedCorner {
 };
 
 HWY_INLINE LoadedCorner load_corner(const TriangleLanes& triangles, std::size_t corner, std::size_t k,
-                                    const Row* start, const Row* current, const Row* previous) {
+                                    const Float4* start, const Float4* current, const Float4* previous) {
   const std::uint32_t* at = &triangles.at[corner][k];
-  const Four now = load_rows(&current->x, at);
-  return {as_coordinates(load_rows(&start->x, at) + now), as_coordinates(now - load_rows(&previous->x, at))};
+  const Four now = load_rows(floats_of(current), at);
+  return {as_coordinates(load_rows(floats_of(start), at) + now),
+          as_coordinates(now - load_rows(floats_of(previous), at))};
 }
 
-/// Half the air's density times a coefficient times a speed, as the drag over one held interval.
-HWY_INLINE V held_drag(V drag, V held) {
-  return hn::Div(drag, hn::Add(hn::Set(Floats(), 1.0F), hn::Mul(held, drag)));
+/// Half the air's density times a coefficient times a speed, as the drag over the time it acts.
+HWY_INLINE V acting_drag(V drag, V twice_per_density) {
+  return hn::Div(drag, hn::Add(hn::Set(Floats(), 1.0F), hn::Mul(twice_per_density, drag)));
 }
 
 HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const LoadedCorner& b,
@@ -294,26 +192,26 @@ HWY_INLINE Triple corner_force(const AirFlow& air, const LoadedCorner& a, const 
   const Triple along_normal = normal * u_n;
   const V pressure = hn::Mul(hn::Set(f, air.half_density_pressure), hn::Abs(u_n));
   const V friction = hn::Mul(hn::Set(f, air.half_density_friction), hn::Sqrt(dot(u, u)));
-  const V held = hn::Set(f, air.time_per_density * 2.0F);
-  const Triple per_area =
-      along_normal * held_drag(pressure, held) + (u - along_normal) * held_drag(friction, held);
+  const V twice_per_density = hn::Set(f, air.time_per_density * 2.0F);
+  const Triple per_area = along_normal * acting_drag(pressure, twice_per_density) +
+                          (u - along_normal) * acting_drag(friction, twice_per_density);
   return per_area * hn::Div(doubled_size, hn::Set(f, 6.0F));
 }
 
 void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
-          const Row* start, const Row* current, const Row* previous, Row* corner_forces) {
+          const Float4* start, const Float4* current, const Float4* previous, Float4* corner_forces) {
   for (std::size_t k = begin; k < end; k += lanes) {
     const Triple force = corner_force(air, load_corner(triangles, 0, k, start, current, previous),
                                       load_corner(triangles, 1, k, start, current, previous),
                                       load_corner(triangles, 2, k, start, current, previous));
-    store_rows(as_rows(force), &corner_forces->x, rows_from(k).data());
+    store_rows(as_rows(force), floats_of(corner_forces), rows_from(k).data());
   }
 }
 
-void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
-                 Row* result) {
+void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,
+                 Float4* result) {
   const Floats f;
-  const float* first = &positions->x;
+  const float* first = floats_of(positions);
   for (std::size_t lane = begin * block_size; lane < end * block_size; lane += lanes) {
     const std::size_t slice = lane / block_size;
     const std::uint32_t* row_at = &matrix.row_at[lane];
@@ -324,71 +222,70 @@ void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end,
       const Triple to_column = as_coordinates(load_rows(first, &matrix.column_at[e])) - x;
       sum = sum + to_column * hn::Load(f, &matrix.value[e]);
     }
-    store_rows(load_rows(&result->x, row_at) + as_rows(sum), &result->x, row_at);
+    store_rows(load_rows(floats_of(result), row_at) + as_rows(sum), floats_of(result), row_at);
   }
 }
 
-const Kernels& kernel_table() {
-  static constexpr Kernels table = {predict,        start_springs, sweep,      shorten,
-                                    largest_ratios, wind,          add_product};
-  return table;
+const Kernels* table() {
+  static constexpr Kernels kernels = {predict,        start_springs, sweep,      shorten,
+                                      largest_ratios, wind,          add_product};
+  return &kernels;
+}
+
+#else
+
+const Kernels* table() {
+  return nullptr;
 }
 
 #endif
 
 }  // namespace
-
-const Kernels* table() {
-#if HWY_TARGET == HWY_SCALAR
-  return nullptr;
-#else
-  return &kernel_table();
-#endif
-}
-
 }  // namespace taut::sim::bounded::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
 namespace taut::sim::bounded {
+
+#ifdef HWY_COMPILE_ONLY_EMU128
+
+const Kernels& emulated_kernels() {
+  return *N_EMU128::table();
+}
+
+#else
+
 namespace {
 
 HWY_EXPORT(table);
 
-bool supported(std::int64_t target) {
+[[maybe_unused]] bool supported(std::int64_t target) {
   return (hwy::SupportedTargets() & target) != 0;
 }
 
 }  // namespace
 
 const Kernels* vector_kernels(VectorUnit unit) {
-  switch (unit) {
-    case VectorUnit::best:
-      return HWY_DYNAMIC_DISPATCH(table)();
-    case VectorUnit::avx512:
 #if HWY_TARGETS & HWY_AVX3
-      return supported(HWY_AVX3) ? N_AVX3::table() : nullptr;
-#else
-      return nullptr;
-#endif
-    case VectorUnit::avx2:
-#if HWY_TARGETS & HWY_AVX2
-      return supported(HWY_AVX2) ? N_AVX2::table() : nullptr;
-#else
-      return nullptr;
-#endif
-    case VectorUnit::sse:
-#if HWY_TARGETS & HWY_SSE4
-      return supported(HWY_SSE4) ? N_SSE4::table() : nullptr;
-#else
-      return nullptr;
-#endif
-    case VectorUnit::scalar:
-      break;
+  if (unit == VectorUnit::avx512 && supported(HWY_AVX3)) {
+    return N_AVX3::table();
   }
-  return nullptr;
+#endif
+#if HWY_TARGETS & HWY_AVX2
+  if (unit == VectorUnit::avx2 && supported(HWY_AVX2)) {
+    return N_AVX2::table();
+  }
+#endif
+#if HWY_TARGETS & HWY_SSE4
+  if (unit == VectorUnit::sse && supported(HWY_SSE4)) {
+    return N_SSE4::table();
+  }
+#endif
+  return unit == VectorUnit::best ? HWY_DYNAMIC_DISPATCH(table)() : nullptr;
 }
+
+#endif
 
 }  // namespace taut::sim::bounded
 

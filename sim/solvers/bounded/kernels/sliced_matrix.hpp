@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/solvers/bounded/kernels/rows.hpp"
+#include "sim/solvers/bounded/kernels/float4.hpp"
 
 namespace taut::sim::bounded {
 

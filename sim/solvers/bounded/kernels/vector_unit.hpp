@@ -8,7 +8,7 @@ namespace taut::sim {
 /// The instructions the vector loops are made of. All give the same bits.
 enum class VectorUnit {
   best,    ///< the widest the processor has
-  scalar,  ///< one spring at a time: the reference the others are held to
+  scalar,  ///< none: 4 springs by ordinary instructions, which every processor has
   sse,     ///< 4 springs (SSSE3 or SSE4)
   avx2,    ///< 8
   avx512,  ///< 16

@@ -1,4 +1,4 @@
-#include "sim/solvers/bounded/certificate.hpp"
+#include "sim/solvers/bounded/projection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,27 +11,33 @@ namespace {
 constexpr double rounding = 2e-6;
 
 /// Over-relaxed sweeps between two looks at all springs, and then one of factor 1: where springs pull at each
-/// other, a sweep that is over-relaxed leaves some of them too long.
+/// other, a sweep that is over-relaxed leaves some of them too long. Fewer look more often, at the cost of a
+/// sweep.
 constexpr int relaxed_sweeps = 6;
 
-/// Below 2 the distance to every shape within the bound can only fall, whatever the weights (Agmon 1954).
-/// What is best for a chain of n springs is 2 / (1 + sin(pi / n)) (Young 1954); the weights make chains
-/// shorter.
-float relaxation_of(const Layout& layout) {
-  constexpr double least_springs = 16.0;
-  constexpr double most_springs = 128.0;
-  return static_cast<float>(2.0 /
-                            (1.0 + 2.0 / std::clamp(layout.reach_springs, least_springs, most_springs)));
-}
+/// Chains of springs are taken for no shorter and no longer than this, see relaxation_of. More relaxes more,
+/// which settles faster along a chain and slower across.
+constexpr double least_springs = 16.0;
+constexpr double most_springs = 128.0;
 
-/// Springs this close to the bound may get too long by the correction of others.
+/// Springs this close to the bound, in squares of lengths, may get too long by the correction of others:
+/// nearer to 1 fewer blocks are swept, in more rounds.
 constexpr float nearly = 0.995F;
 
 /// Of the last frame's correction. All of it would be fewest sweeps, but shapes would drift off.
 constexpr float kept_correction = 0.9F;
 
-/// Aims a little below what is checked: the last of a correction takes the most sweeps.
+/// Aims at this part of the bound: the last of a correction takes the most sweeps. Less is done sooner and
+/// moves the cloth further.
 constexpr double aimed_part = 0.97;
+
+/// Below 2 the distance to every shape within the bound can only fall, whatever the weights (Agmon 1954).
+/// What is best for a chain of n springs is 2 / (1 + sin(pi / n)) (Young 1954); the weights make chains
+/// shorter.
+float relaxation_of(const Layout& layout) {
+  return static_cast<float>(2.0 /
+                            (1.0 + 2.0 / std::clamp(layout.reach_springs, least_springs, most_springs)));
+}
 
 float squared_aim_of(double max_stretch) {
   const double length = (1.0 + aimed_part * max_stretch) * (1.0 - 2.0 * rounding);
@@ -40,21 +46,21 @@ float squared_aim_of(double max_stretch) {
 
 }  // namespace
 
-Certifier::Certifier(const Layout& layout)
+BoundProjection::BoundProjection(const Layout& layout)
     : relaxation_(relaxation_of(layout)),
       corrected_(layout.row_count()),
       corrections_(layout.row_count()),
       new_corrections_(layout.row_count()),
       squared_ratios_(layout.springs.block_count()) {}
 
-void Certifier::start_from_last_frame(const Rows& raw) {
+void BoundProjection::start_from_last_frame(const Float4Array& raw) {
   for (std::size_t row = 0; row < raw.size(); ++row) {
     corrected_[row] = scaled_sum(raw[row], corrections_[row], kept_correction);
   }
 }
 
-double Certifier::largest_ratio(const Layout& layout, Loops& loops) {
-  loops.largest_ratios(layout.springs, corrected_.data(), squared_ratios_.data());
+double BoundProjection::largest_ratio(const Layout& layout, ParallelKernels& kernels) {
+  kernels.largest_ratios(layout.springs, corrected_.data(), squared_ratios_.data());
   float largest = 0.0F;
   for (const float ratio : squared_ratios_) {
     // Written so that a ratio that is not a number is not passed over.
@@ -63,7 +69,7 @@ double Certifier::largest_ratio(const Layout& layout, Loops& loops) {
   return largest;
 }
 
-void Certifier::choose_long_blocks(const SpringLanes& springs, float squared_bound) {
+void BoundProjection::choose_long_blocks(const SpringLanes& springs, float squared_bound) {
   long_blocks_.clear();
   colour_begin_.assign(1, 0);
   for (std::size_t c = 0; c < springs.colour_count(); ++c) {
@@ -76,49 +82,49 @@ void Certifier::choose_long_blocks(const SpringLanes& springs, float squared_bou
   }
 }
 
-void Certifier::shorten_chosen(const Layout& layout, float squared_bound, Loops& loops) {
+void BoundProjection::shorten_chosen(const Layout& layout, float squared_bound, ParallelKernels& kernels) {
   for (int sweep = 0; sweep <= relaxed_sweeps; ++sweep) {
     const float factor = sweep < relaxed_sweeps ? relaxation_ : 1.0F;
     for (std::size_t c = 0; c + 1 < colour_begin_.size(); ++c) {
       const std::size_t count = colour_begin_[c + 1] - colour_begin_[c];
-      loops.shorten(layout.springs, std::span(long_blocks_).subspan(colour_begin_[c], count), squared_bound,
-                    factor, corrected_.data());
+      kernels.shorten(layout.springs, std::span(long_blocks_).subspan(colour_begin_[c], count), squared_bound,
+                      factor, corrected_.data());
     }
   }
 }
 
-Certificate Certifier::certify(const Layout& layout, const Rows& raw, double max_stretch, double largest_cost,
-                               Loops& loops) {
+ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
+                                          double largest_cost, ParallelKernels& kernels) {
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;
   const float squared_aim = squared_aim_of(max_stretch);
-  Certificate certificate;
+  ProjectionResult result;
   corrected_ = raw;
-  double ratio = largest_ratio(layout, loops);
-  certificate.raw_max_stretch = std::sqrt(ratio) - 1.0;
+  double ratio = largest_ratio(layout, kernels);
+  result.raw_max_stretch = std::sqrt(ratio) - 1.0;
   if (const double raw_ratio = ratio; !(raw_ratio <= squared_bound)) {
     start_from_last_frame(raw);
-    ratio = largest_ratio(layout, loops);
+    ratio = largest_ratio(layout, kernels);
     if (!(ratio <= raw_ratio)) {
       corrected_ = raw;
-      ratio = largest_ratio(layout, loops);
+      ratio = largest_ratio(layout, kernels);
     }
   }
-  while (!(ratio <= squared_bound) && certificate.cost < largest_cost && std::isfinite(ratio)) {
+  while (!(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio)) {
     choose_long_blocks(layout.springs, squared_aim);
-    shorten_chosen(layout, squared_aim, loops);
-    ratio = largest_ratio(layout, loops);
-    certificate.cost += 1.0 + (1.0 + relaxed_sweeps) * static_cast<double>(long_blocks_.size()) /
-                                  static_cast<double>(squared_ratios_.size());
+    shorten_chosen(layout, squared_aim, kernels);
+    ratio = largest_ratio(layout, kernels);
+    result.cost += 1.0 + (1.0 + relaxed_sweeps) * static_cast<double>(long_blocks_.size()) /
+                             static_cast<double>(squared_ratios_.size());
   }
   float largest_shift2 = 0.0F;
   for (std::size_t row = 0; row < raw.size(); ++row) {
-    const Row& shift = new_corrections_[row] = scaled_sum(corrected_[row], raw[row], -1.0F);
+    const Float4& shift = new_corrections_[row] = scaled_sum(corrected_[row], raw[row], -1.0F);
     largest_shift2 = std::max(largest_shift2, shift.x * shift.x + shift.y * shift.y + shift.z * shift.z);
   }
-  certificate.largest_shift_m = std::sqrt(largest_shift2);
-  certificate.kept = ratio <= squared_bound;
-  return certificate;
+  result.largest_shift_m = std::sqrt(largest_shift2);
+  result.kept = ratio <= squared_bound;
+  return result;
 }
 
 }  // namespace taut::sim::bounded

@@ -11,7 +11,7 @@
 namespace taut::sim::bounded {
 
 /// Who did what of the loops that were shared.
-struct TeamWork {
+struct PoolWork {
   std::size_t own_chunks = 0;  ///< of the caller
   std::size_t others_chunks = 0;
   double waited_s = 0.0;  ///< by the caller, for chunks that others had begun
@@ -24,19 +24,19 @@ struct TeamWork {
 /// A loop lasts some microseconds and thousands of them make a frame. So the caller never waits for a thread
 /// to begin: one that does not get a processor leaves its chunks to the others. It does wait for one that
 /// loses its processor in the middle of a chunk (see ThreadChoice).
-class Team {
+class ThreadPool {
  public:
   /// The caller is one of the threads: 1 starts none.
-  explicit Team(int threads);
-  ~Team();
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  explicit ThreadPool(int threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
 
   /// Whether loops are shared from now on, or the caller does them alone.
   void share(bool is_shared) { is_shared_ = is_shared; }
 
   /// Since the last call of this.
-  TeamWork take_work() { return std::exchange(work_, {}); }
+  PoolWork take_work() { return std::exchange(work_, {}); }
 
   /// Calls part(b, e) for chunks that cover [begin, end), of at least `least` each, and returns when all are
   /// done. `part` must not throw.
@@ -71,7 +71,7 @@ class Team {
   std::atomic<bool> is_over_{false};
   // The caller's own.
   bool is_shared_ = true;
-  TeamWork work_;
+  PoolWork work_;
   std::vector<std::thread> workers_;
 };
 

@@ -4,8 +4,6 @@
 #include <new>
 #include <vector>
 
-#include "sim/mesh/types.hpp"
-
 namespace taut::sim::bounded {
 
 /// Springs, triangles or rows of a matrix are worked on in blocks of this many, whatever number the
@@ -29,36 +27,5 @@ struct LineAligned {
 
 template <typename T>
 using Lanes = std::vector<T, LineAligned<T>>;
-
-/// Three coordinates of one vertex and an unused fourth, always 0: one load, one store. What is done to three
-/// is done to the fourth, so that a compiler does it to all at once.
-struct Row {
-  float x = 0.0F;
-  float y = 0.0F;
-  float z = 0.0F;
-  float unused = 0.0F;
-};
-
-using Rows = Lanes<Row>;
-
-inline Row row_of(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
-}
-
-inline void add_scaled(Row& sum, const Row& r, float factor) {
-  sum.x += factor * r.x;
-  sum.y += factor * r.y;
-  sum.z += factor * r.z;
-  sum.unused += factor * r.unused;
-}
-
-/// a + factor b.
-inline Row scaled_sum(const Row& a, const Row& b, float factor) {
-  return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z, a.unused + factor * b.unused};
-}
-
-inline Vec3 vector_of(const Row& r) {
-  return {r.x, r.y, r.z};
-}
 
 }  // namespace taut::sim::bounded

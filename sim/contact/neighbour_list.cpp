@@ -1,4 +1,4 @@
-#include "sim/contact/self_collision.hpp"
+#include "sim/contact/neighbour_list.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,13 +6,11 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "sim/strong_constraint.hpp"
-
 namespace taut::sim {
 namespace {
 
-/// The skin as a multiple of the thickness: more means longer lists, made less often. Most of what is near is
-/// of the same layer, so that longer lists cost more than they save.
+/// The skin as a multiple of the distance kept: more means longer lists, made less often. Most of what is
+/// near is of the same layer, so that longer lists cost more than they save.
 constexpr double skin_per_thickness = 0.35;
 
 /// No 64-bit number is larger.
@@ -127,19 +125,6 @@ void NeighbourList::update(std::span<const Vec3> rest_positions, std::span<const
   made_for_thickness_m_ = thickness_m;
   sort_into_cells(reach_m);
   collect_pairs(rest_positions, thickness_m, reach_m);
-}
-
-void push_layers_apart(std::span<const Edge> pairs, double thickness_m,
-                       std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted) {
-  for (const Edge& pair : pairs) {
-    const Vec3 between = predicted[pair[0]] - predicted[pair[1]];
-    const double squared_m = glm::dot(between, between);
-    if (squared_m < thickness_m * thickness_m) {
-      const double distance_m = std::sqrt(squared_m);
-      compensate_spring(pair, between, distance_m, distance_m - thickness_m, inverse_masses_per_kg,
-                        predicted);
-    }
-  }
 }
 
 }  // namespace taut::sim

@@ -1,8 +1,9 @@
+#include "scalar_kernels.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "sim/solvers/bounded/kernels/kernel_tables.hpp"
-#include "sim/solvers/bounded/kernels/kernels.hpp"
 
 namespace taut::sim::bounded {
 namespace {
@@ -12,13 +13,13 @@ struct Spring {
   float squared_length;
 };
 
-Row& row_at(Row* rows, std::uint32_t at) {
+Float4& row_at(Float4* rows, std::uint32_t at) {
   return rows[at / 4];
 }
 
-Spring spring_between(const SpringBlock& block, std::size_t k, const Row* rows) {
-  const Row& i = rows[block.at_i[k] / 4];
-  const Row& j = rows[block.at_j[k] / 4];
+Spring spring_between(const SpringBlock& block, std::size_t k, const Float4* rows) {
+  const Float4& i = rows[block.at_i[k] / 4];
+  const Float4& j = rows[block.at_j[k] / 4];
   const float x = (i.x - j.x) + block.start_x[k];
   const float y = (i.y - j.y) + block.start_y[k];
   const float z = (i.z - j.z) + block.start_z[k];
@@ -33,9 +34,9 @@ float shorten_along(float whole, float share_i, float& i) {
 }
 
 void shorten_spring(const SpringBlock& block, std::size_t k, const Spring& spring, float fraction,
-                    float share_i, Row* rows) {
-  Row& i = row_at(rows, block.at_i[k]);
-  Row& j = row_at(rows, block.at_j[k]);
+                    float share_i, Float4* rows) {
+  Float4& i = row_at(rows, block.at_i[k]);
+  Float4& j = row_at(rows, block.at_j[k]);
   j.x = j.x + shorten_along(spring.x * fraction, share_i, i.x);
   j.y = j.y + shorten_along(spring.y * fraction, share_i, i.y);
   j.z = j.z + shorten_along(spring.z * fraction, share_i, i.z);
@@ -45,7 +46,7 @@ float predicted(float current, float previous, float decay, float acceleration, 
   return current + ((current - previous) * decay + acceleration * dt_squared);
 }
 
-void hold(const Tether& tether, const Row& pin_moved, Row& row) {
+void hold(const Tether& tether, const Float4& pin_moved, Float4& row) {
   const float x = (row.x - pin_moved.x) + tether.start_x;
   const float y = (row.y - pin_moved.y) + tether.start_y;
   const float z = (row.z - pin_moved.z) + tether.start_z;
@@ -58,12 +59,12 @@ void hold(const Tether& tether, const Row& pin_moved, Row& row) {
 }
 
 void predict(std::size_t begin, std::size_t end, const Prediction& prediction, const Tether* tethers,
-             const Row* accelerations, const Row* current, Row* previous) {
+             const Float4* accelerations, const Float4* current, Float4* previous) {
   const auto [decay, dt_squared, pins_moved] = prediction;
   for (std::size_t r = begin; r < end; ++r) {
-    const Row& d = current[r];
-    const Row& a = accelerations[r];
-    Row& p = previous[r];
+    const Float4& d = current[r];
+    const Float4& a = accelerations[r];
+    Float4& p = previous[r];
     p = {predicted(d.x, p.x, decay, a.x, dt_squared), predicted(d.y, p.y, decay, a.y, dt_squared),
          predicted(d.z, p.z, decay, a.z, dt_squared), 0.0F};
     if (tethers != nullptr) {
@@ -86,7 +87,7 @@ void start_springs(const StartRows& start, std::size_t begin, std::size_t end, S
   }
 }
 
-void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* rows) {
+void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows) {
   for (std::size_t b = begin; b < end; ++b) {
     const SpringBlock& block = springs.blocks[b];
     for (std::size_t k = 0; k < block_size; ++k) {
@@ -99,7 +100,7 @@ void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Row* 
 }
 
 void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
-             float relaxation, Row* rows) {
+             float relaxation, Float4* rows) {
   for (const std::uint32_t b : blocks) {
     const SpringBlock& block = springs.blocks[b];
     for (std::size_t k = 0; k < block_size; ++k) {
@@ -108,14 +109,14 @@ void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, 
       const float excess = spring.squared_length - limit;
       if (excess > 0.0F) {
         const float error = excess / (spring.squared_length + std::sqrt(spring.squared_length * limit));
-        shorten_spring(block, k, spring, error * relaxation, springs.certificate_share_i[b * block_size + k],
+        shorten_spring(block, k, spring, error * relaxation, springs.projection_share_i[b * block_size + k],
                        rows);
       }
     }
   }
 }
 
-void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Row* rows,
+void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
                     float* squared_ratios) {
   for (std::size_t b = begin; b < end; ++b) {
     const SpringBlock& block = springs.blocks[b];
@@ -131,10 +132,10 @@ struct Triple {
   float x, y, z;
 };
 
-Triple sum(const Row& a, const Row& b) {
+Triple sum(const Float4& a, const Float4& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-Triple difference(const Row& a, const Row& b) {
+Triple difference(const Float4& a, const Float4& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 Triple operator+(const Triple& a, const Triple& b) {
@@ -154,7 +155,7 @@ Triple cross(const Triple& a, const Triple& b) {
 }
 
 void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
-          const Row* start, const Row* current, const Row* previous, Row* corner_forces) {
+          const Float4* start, const Float4* current, const Float4* previous, Float4* corner_forces) {
   for (std::size_t t = begin; t < end; ++t) {
     const std::uint32_t a = triangles.at[0][t] / 4;
     const std::uint32_t b = triangles.at[1][t] / 4;
@@ -175,26 +176,26 @@ void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin,
     const Triple along_normal = normal * u_n;
     const float pressure = air.half_density_pressure * std::abs(u_n);
     const float friction = air.half_density_friction * std::sqrt(dot(u, u));
-    const float held = air.time_per_density * 2.0F;
-    const Triple per_area = along_normal * (pressure / (1.0F + held * pressure)) +
-                            (u - along_normal) * (friction / (1.0F + held * friction));
+    const float twice_per_density = air.time_per_density * 2.0F;
+    const Triple per_area = along_normal * (pressure / (1.0F + twice_per_density * pressure)) +
+                            (u - along_normal) * (friction / (1.0F + twice_per_density * friction));
     const Triple share = per_area * (doubled_size / 6.0F);
     corner_forces[t] = {share.x, share.y, share.z, 0.0F};
   }
 }
 
-void add_scaled(const Triple& x, float factor, Row& total) {
+void add_scaled(const Triple& x, float factor, Float4& total) {
   total.x = total.x + x.x * factor;
   total.y = total.y + x.y * factor;
   total.z = total.z + x.z * factor;
 }
 
-void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Row* positions,
-                 Row* result) {
+void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,
+                 Float4* result) {
   for (std::size_t lane = begin * block_size; lane < end * block_size; ++lane) {
     const std::size_t slice = lane / block_size;
     const std::uint32_t row = matrix.row_at[lane] / 4;
-    Row sum;
+    Float4 sum;
     for (std::uint32_t b = matrix.begin[slice]; b < matrix.begin[slice + 1]; ++b) {
       const std::size_t entry = b * block_size + lane % block_size;
       add_scaled(difference(positions[matrix.column_at[entry] / 4], positions[row]), matrix.value[entry],

@@ -1,4 +1,4 @@
-#include "sim/solvers/bounded/kernels/team.hpp"
+#include "sim/solvers/bounded/kernels/thread_pool.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -6,13 +6,20 @@
 namespace taut::sim::bounded {
 namespace {
 
+/// Of a thread for another loop before it sleeps, and of the caller for the end of a chunk before it lets
+/// others run: some tens of microseconds, the time between two loops. More burns a processor that others
+/// could use.
 constexpr int looks_before_sleep = 4000;
 constexpr int looks_before_yield = 4000;
+/// More evens out threads of different speed and claims chunks more often.
 constexpr std::size_t chunks_per_thread = 3;
-constexpr std::uint64_t one_loop = std::uint64_t{1} << 32U;
-constexpr std::uint64_t closed = one_loop - 1;
+/// See thread_count.
 constexpr std::size_t triangles_worth_threads = 20000;
 constexpr int most_threads_unasked = 4;
+
+/// In claim_: a loop's number counts these, and a loop of that many chunks taken has none left.
+constexpr std::uint64_t one_loop = std::uint64_t{1} << 32U;
+constexpr std::uint64_t closed = one_loop - 1;
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -22,13 +29,13 @@ void pause() {
 
 }  // namespace
 
-Team::Team(int threads) {
+ThreadPool::ThreadPool(int threads) {
   for (int member = 1; member < threads; ++member) {
     workers_.emplace_back([this] { work(); });
   }
 }
 
-Team::~Team() {
+ThreadPool::~ThreadPool() {
   is_over_.store(true, std::memory_order_relaxed);
   claim_.fetch_add(one_loop, std::memory_order_release);
   claim_.notify_all();
@@ -37,7 +44,7 @@ Team::~Team() {
   }
 }
 
-void Team::run(Call call, const void* context, std::size_t begin, std::size_t end, std::size_t least) {
+void ThreadPool::run(Call call, const void* context, std::size_t begin, std::size_t end, std::size_t least) {
   const std::size_t chunks = std::min((end - begin) / least, chunks_per_thread * (workers_.size() + 1));
   const std::uint64_t loop = claim_.load(std::memory_order_relaxed) / one_loop;
   claim_.store(loop * one_loop + closed, std::memory_order_relaxed);
@@ -60,7 +67,7 @@ void Team::run(Call call, const void* context, std::size_t begin, std::size_t en
   }
 }
 
-void Team::wait_for(std::size_t chunks) {
+void ThreadPool::wait_for(std::size_t chunks) {
   const auto began = std::chrono::steady_clock::now();
   for (int looks = 0; done_.load(std::memory_order_acquire) != chunks; ++looks) {
     if (looks < looks_before_yield) {
@@ -72,7 +79,7 @@ void Team::wait_for(std::size_t chunks) {
   work_.waited_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
-void Team::work() {
+void ThreadPool::work() {
   for (;;) {
     const std::uint64_t before = claim_.load(std::memory_order_acquire);
     while (do_chunk()) {
@@ -96,7 +103,7 @@ void Team::work() {
 }
 
 /// False where no chunk is left to take.
-bool Team::do_chunk() {
+bool ThreadPool::do_chunk() {
   std::uint64_t claim = claim_.load(std::memory_order_acquire);
   for (;;) {
     const Call call = call_.load(std::memory_order_acquire);

@@ -33,10 +33,4 @@ class NeighbourList {
   std::vector<Vec3> sorted_positions_;
 };
 
-/// Moves the two vertices of every pair that is closer than the thickness apart to it, along the line
-/// between them, the lighter one more. Layers of cloth so keep from passing through each other as long as
-/// the thickness is not much less than the edges of the mesh are long.
-void push_layers_apart(std::span<const Edge> pairs, double thickness_m,
-                       std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted);
-
 }  // namespace taut::sim

@@ -4,7 +4,8 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "sim/contact/self_collision.hpp"
+#include "sim/contact/layers.hpp"
+#include "sim/contact/neighbour_list.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 
@@ -78,13 +79,30 @@ TEST(NeighbourList, LeavesOutNeighboursInTheClothItself) {
   }
 }
 
-TEST(PushLayersApart, MovesOnlyPairsThatAreTooCloseAndKeepsTheirMomentum) {
+TEST(Layers, PartingMovesOnlyPairsThatAreTooCloseAndKeepsTheirMomentum) {
   std::vector<Vec3> p = {{0, 0, 0}, {0, 0.004, 0}, {1, 0, 0}, {1, 0.02, 0}};
   const std::vector<double> inverse_masses = {1.0, 3.0, 1.0, 1.0};
-  push_layers_apart(std::vector<Edge>{{0, 1}, {2, 3}}, 0.012, inverse_masses, p);
+  part_layers(std::vector<Edge>{{0, 1}, {2, 3}}, 0.012, inverse_masses, p);
   EXPECT_NEAR(p[1].y - p[0].y, 0.012, 1e-15);
   EXPECT_NEAR(p[0].y, -0.002, 1e-15);
   EXPECT_EQ(p[3], Vec3(1, 0.02, 0));
+}
+
+TEST(Layers, PartingALittleTakesAwayTheApproachAndGivesNoSpeed) {
+  const LayerParting a_little = {0.01, 0.25, false};
+  const Vec3 between(0.0, 0.006, 0.0);
+  const Vec3 approaching(0.002, -0.003, 0.0);
+  const double w_i = 1.0;
+  const double w_j = 3.0;
+  const Parted parted = part(a_little, between, approaching, w_i + w_j).value();
+  EXPECT_NEAR((w_i + w_j) * parted.current.y, 0.25 * 0.004, 1e-15);
+  const Vec3 moved_then = approaching + (w_i + w_j) * (parted.current - parted.previous);
+  EXPECT_NEAR(moved_then.y, 0.0, 1e-15);
+  EXPECT_NEAR(moved_then.x, 0.002, 1e-15) << "what slides goes on sliding";
+  EXPECT_EQ(part(a_little, between, -approaching, 4.0)->previous, parted.current) << "nothing is drawn back";
+  EXPECT_FALSE(part(a_little, {0.01, 0.0, 0.0}, approaching, 4.0)) << "far enough";
+  EXPECT_FALSE(part(a_little, Vec3(0.0), approaching, 4.0)) << "no direction";
+  EXPECT_FALSE(part(a_little, between, approaching, 0.0)) << "both pinned";
 }
 
 /// Two loose 17x17 sheets of 0.5 m, one 0.2 m above the other, which lies on the floor, turned a little.

@@ -5,20 +5,20 @@
 #include <functional>
 #include <vector>
 
-#include "sim/solvers/bounded/kernels/team.hpp"
+#include "sim/solvers/bounded/kernels/thread_pool.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
 
 namespace taut::sim::bounded {
 namespace {
 
-TEST(Team, EveryElementIsWorkedOnOnce) {
+TEST(ThreadPool, EveryElementIsWorkedOnOnce) {
   for (const int threads : {1, 2, 3, 8}) {
-    Team team(threads);
+    ThreadPool pool(threads);
     for (int loop = 0; loop < 2000; ++loop) {
       const std::size_t begin = static_cast<std::size_t>(loop % 7);
       const std::size_t end = begin + static_cast<std::size_t>(loop * 37 % 501);
       std::vector<int> touched(600, 0);
-      team.split(begin, end, 5, [&](std::size_t b, std::size_t e) {
+      pool.split(begin, end, 5, [&](std::size_t b, std::size_t e) {
         for (std::size_t k = b; k < e; ++k) {
           ++touched[k];
         }
@@ -30,10 +30,10 @@ TEST(Team, EveryElementIsWorkedOnOnce) {
   }
 }
 
-TEST(Team, ChunksAreNotSmallerThanAskedFor) {
-  Team team(4);
+TEST(ThreadPool, ChunksAreNotSmallerThanAskedFor) {
+  ThreadPool pool(4);
   std::vector<std::size_t> size_of_chunk_at(1000, 0);
-  team.split(0, 1000, 90, [&](std::size_t b, std::size_t e) { size_of_chunk_at[b] = e - b; });
+  pool.split(0, 1000, 90, [&](std::size_t b, std::size_t e) { size_of_chunk_at[b] = e - b; });
   std::size_t total = 0;
   for (const std::size_t size : size_of_chunk_at) {
     EXPECT_TRUE(size == 0 || size >= 90) << size;
@@ -42,27 +42,27 @@ TEST(Team, ChunksAreNotSmallerThanAskedFor) {
   EXPECT_EQ(total, 1000u);
 }
 
-TEST(Team, SmallGarmentsGetOneThreadUnlessAskedOtherwise) {
+TEST(ThreadPool, SmallGarmentsGetOneThreadUnlessAskedOtherwise) {
   EXPECT_EQ(thread_count({}, 1000), 1);
   EXPECT_EQ(thread_count(3, 1000), 3);
   EXPECT_GE(thread_count({}, 100000), 1);
   EXPECT_LE(thread_count({}, 100000), 4);
 }
 
-TEST(Team, TellsWhoDidTheWork) {
+TEST(ThreadPool, TellsWhoDidTheWork) {
   for (const int threads : {1, 2, 4}) {
-    Team team(threads);
+    ThreadPool pool(threads);
     std::atomic<std::size_t> chunks = 0;
     for (int loop = 0; loop < 500; ++loop) {
-      team.split(0, 400, 10, [&](std::size_t, std::size_t) { ++chunks; });
+      pool.split(0, 400, 10, [&](std::size_t, std::size_t) { ++chunks; });
     }
-    const TeamWork work = team.take_work();
+    const PoolWork work = pool.take_work();
     EXPECT_EQ(work.own_chunks + work.others_chunks, threads > 1 ? chunks.load() : 0u);
     EXPECT_GE(work.waited_s, 0.0);
-    EXPECT_EQ(team.take_work().own_chunks, 0u) << "it was taken";
-    team.share(false);
-    team.split(0, 400, 10, [&](std::size_t, std::size_t) { ++chunks; });
-    EXPECT_EQ(team.take_work().own_chunks, 0u);
+    EXPECT_EQ(pool.take_work().own_chunks, 0u) << "it was taken";
+    pool.share(false);
+    pool.split(0, 400, 10, [&](std::size_t, std::size_t) { ++chunks; });
+    EXPECT_EQ(pool.take_work().own_chunks, 0u);
   }
 }
 

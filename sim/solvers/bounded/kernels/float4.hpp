@@ -1,0 +1,49 @@
+#pragma once
+
+#include "sim/mesh/types.hpp"
+#include "sim/solvers/bounded/kernels/blocks.hpp"
+
+namespace taut::sim::bounded {
+
+/// Three coordinates of one vertex and an unused fourth, always 0. Four floats and not three, as that is what
+/// a processor loads and stores at once; what is done to three is done to the fourth, so that a compiler does
+/// it to all together.
+struct Float4 {
+  float x = 0.0F;
+  float y = 0.0F;
+  float z = 0.0F;
+  float unused = 0.0F;
+};
+
+/// As numbers one after the other, four for each.
+inline float* floats_of(Float4* values) {
+  return reinterpret_cast<float*>(values);
+}
+inline const float* floats_of(const Float4* values) {
+  return reinterpret_cast<const float*>(values);
+}
+
+/// One for each row of the solver: see Layout.
+using Float4Array = Lanes<Float4>;
+
+inline Float4 float4_of(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
+}
+
+inline void add_scaled(Float4& sum, const Float4& x, float factor) {
+  sum.x += factor * x.x;
+  sum.y += factor * x.y;
+  sum.z += factor * x.z;
+  sum.unused += factor * x.unused;
+}
+
+/// a + factor b.
+inline Float4 scaled_sum(const Float4& a, const Float4& b, float factor) {
+  return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z, a.unused + factor * b.unused};
+}
+
+inline Vec3 vector_of(const Float4& v) {
+  return {v.x, v.y, v.z};
+}
+
+}  // namespace taut::sim::bounded

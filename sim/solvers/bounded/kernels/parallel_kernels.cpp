@@ -1,0 +1,55 @@
+#include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+/// Some microseconds of work: less is done sooner than another thread has noticed it.
+constexpr std::size_t least_blocks = 48;
+
+}  // namespace
+
+void ParallelKernels::predict(const Prediction& prediction, const Tether* tethers,
+                              const Float4* accelerations, const Float4Array& current,
+                              Float4Array& previous) {
+  pool_.split(0, current.size() / block_size, 2 * least_rows / block_size, [&](std::size_t b, std::size_t e) {
+    kernels_.predict(b * block_size, e * block_size, prediction, tethers, accelerations, current.data(),
+                     previous.data());
+  });
+}
+
+void ParallelKernels::start_springs(const StartRows& start, SpringLanes& springs) {
+  pool_.split(0, springs.block_count(), least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.start_springs(start, b, e, springs); });
+}
+
+void ParallelKernels::sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows) {
+  pool_.split(begin, end, least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.sweep(springs, b, e, rows); });
+}
+
+void ParallelKernels::shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks,
+                              float squared_bound, float relaxation, Float4* rows) {
+  pool_.split(0, blocks.size(), least_blocks, [&](std::size_t b, std::size_t e) {
+    kernels_.shorten(springs, blocks.subspan(b, e - b), squared_bound, relaxation, rows);
+  });
+}
+
+void ParallelKernels::largest_ratios(const SpringLanes& springs, const Float4* rows, float* squared_ratios) {
+  pool_.split(0, springs.block_count(), least_blocks, [&](std::size_t b, std::size_t e) {
+    kernels_.largest_ratios(springs, b, e, rows, squared_ratios);
+  });
+}
+
+void ParallelKernels::wind(const TriangleLanes& triangles, const AirFlow& air, const Float4* start,
+                           const Float4* current, const Float4* previous, Float4* corner_forces) {
+  pool_.split(0, triangles.lane_count() / block_size, least_blocks, [&](std::size_t b, std::size_t e) {
+    kernels_.wind(triangles, air, b * block_size, e * block_size, start, current, previous, corner_forces);
+  });
+}
+
+void ParallelKernels::add_product(const SlicedMatrix& matrix, const Float4* positions, Float4* result) {
+  pool_.split(0, matrix.slice_count(), least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.add_product(matrix, b, e, positions, result); });
+}
+
+}  // namespace taut::sim::bounded

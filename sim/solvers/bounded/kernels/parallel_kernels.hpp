@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+
+#include "sim/solvers/bounded/kernels/kernels.hpp"
+#include "sim/solvers/bounded/kernels/thread_pool.hpp"
+
+namespace taut::sim::bounded {
+
+/// The kernels, each shared among the threads of a pool. What each does is said there.
+class ParallelKernels {
+ public:
+  ParallelKernels(const Kernels& kernels, int threads) : kernels_(kernels), pool_(threads) {}
+
+  void share(bool is_shared) { pool_.share(is_shared); }
+  PoolWork take_work() { return pool_.take_work(); }
+
+  /// Of all rows; `tethers` may be null.
+  void predict(const Prediction& prediction, const Tether* tethers, const Float4* accelerations,
+               const Float4Array& current, Float4Array& previous);
+
+  void start_springs(const StartRows& start, SpringLanes& springs);
+
+  /// All blocks must be of one colour, here and in `shorten`.
+  void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows);
+  void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
+               float relaxation, Float4* rows);
+
+  void largest_ratios(const SpringLanes& springs, const Float4* rows, float* squared_ratios);
+  void wind(const TriangleLanes& triangles, const AirFlow& air, const Float4* start, const Float4* current,
+            const Float4* previous, Float4* corner_forces);
+  void add_product(const SlicedMatrix& matrix, const Float4* positions, Float4* result);
+
+  /// Calls part(b, e) for stretches of rows that cover [begin, end); what it does for a row must not depend
+  /// on what it does for others.
+  template <typename Part>
+  void for_rows(std::size_t begin, std::size_t end, const Part& part) {
+    pool_.split(begin, end, least_rows, part);
+  }
+
+ private:
+  static constexpr std::size_t least_rows = 2048;
+
+  const Kernels& kernels_;
+  ThreadPool pool_;
+};
+
+}  // namespace taut::sim::bounded

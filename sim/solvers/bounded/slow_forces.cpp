@@ -1,0 +1,132 @@
+#include "sim/solvers/bounded/slow_forces.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "sim/hand.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+/// Of all slow forces. Fewer cost less and let the wind lag behind the cloth.
+constexpr int least_updates_per_frame = 3;
+/// How far the wind blows from one update to the next, in m: it turns with the cloth, by about as much
+/// whenever it has blown this far. Less changed how a shirt flies in a wind of 10 m/s by less than its own
+/// turbulence does.
+constexpr double wind_update_m = 0.042;
+
+/// The fastest bending mode in radians per interval between updates, which is stable while its square is
+/// below 2 (see add_bending). At 1.3 the cloth was seen to tremble, as sweeps come in between; less costs
+/// more updates.
+constexpr double largest_rate_times_interval = 0.95;
+
+/// Waves of bending faster than this, in radians per frame, are slowed down. More asks for more updates.
+constexpr double fastest_bending_per_frame = 2.2;
+
+AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s,
+                 double interval_s) {
+  const Vec3 velocity = wind_velocity(wind, time_s);
+  AirFlow air;
+  air.velocity_m_per_s = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
+                          static_cast<float>(velocity.z)};
+  const double half_density = 0.5 * air_density_kg_per_m3;
+  air.half_density_pressure = static_cast<float>(half_density * wind.pressure_coefficient);
+  air.half_density_friction = static_cast<float>(half_density * wind.friction_coefficient);
+  air.time_per_density = static_cast<float>(interval_s / garment.material.areal_density_kg_per_m2);
+  air.per_time_step = static_cast<float>(1.0 / time_step_s);
+  return air;
+}
+
+}  // namespace
+
+SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& layout,
+                       double bending_rigidity_n_m, double frame_time_s)
+    : layout_(layout),
+      bending_(garment, pins, layout, bending_rigidity_n_m, fastest_bending_per_frame / frame_time_s),
+      accelerations_(layout.row_count()),
+      corner_forces_n_(layout.triangles.lane_count()),
+      positions_(layout.row_count()) {}
+
+int SlowForces::updates_per_frame(const ExternalForces& external, double frame_time_s) const {
+  const double for_wind = external.wind.speed_m_per_s * frame_time_s / wind_update_m;
+  const double for_bending = bending_.largest_rate_per_s() * frame_time_s / largest_rate_times_interval;
+  // Vertices of next to no mass would ask for any number.
+  constexpr double most = 1e6;
+  const double wanted = std::ceil(std::max(for_wind, for_bending));
+  return std::max(least_updates_per_frame, static_cast<int>(wanted < most ? wanted : most));
+}
+
+void SlowForces::add_gravity_and_artificial(const ExternalForces& external) {
+  const Float4 gravity = float4_of(external.gravity_m_per_s2);
+  std::fill(accelerations_.begin(),
+            accelerations_.begin() + static_cast<std::ptrdiff_t>(layout_.vertex_count()), gravity);
+  for (const PointForce& f : external.artificial_forces) {
+    assert(f.vertex < layout_.vertex_count());
+    const Index row = layout_.row_of_vertex[f.vertex];
+    add_scaled(accelerations_[row], float4_of(f.force_n), layout_.inverse_masses_per_kg[row]);
+  }
+}
+
+// A hand's spring is implicit over the time from one update to the next.
+void SlowForces::add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion,
+                          double time_step_s, double interval_s) {
+  for (const HeldVertex& held : external.held_vertices) {
+    assert(held.vertex < layout_.vertex_count());
+    const Index row = layout_.row_of_vertex[held.vertex];
+    const double mass_kg = garment.masses_kg[held.vertex];
+    const Vec3 moved = vector_of(motion.current[row]);
+    const Vec3 velocity_m_per_s = (moved - vector_of(motion.previous[row])) / time_step_s;
+    if (mass_kg > 0.0) {
+      add_scaled(
+          accelerations_[row],
+          float4_of(hand_force(held, mass_kg, motion.start_m[row] + moved, velocity_m_per_s, interval_s)),
+          layout_.inverse_masses_per_kg[row]);
+    }
+  }
+}
+
+void SlowForces::add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
+                          double time_step_s, double interval_s, ParallelKernels& kernels) {
+  const TriangleLanes& triangles = layout_.triangles;
+  kernels.wind(triangles, air_flow(garment, wind, time_s, time_step_s, interval_s), motion.start.high.data(),
+               motion.current.data(), motion.previous.data(), corner_forces_n_.data());
+  kernels.for_rows(0, layout_.vertex_count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      Float4 force_n;
+      for (std::uint32_t k = triangles.corner_begin[row]; k < triangles.corner_begin[row + 1]; ++k) {
+        add_scaled(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
+      }
+      add_scaled(accelerations_[row], force_n, layout_.inverse_masses_per_kg[row]);
+    }
+  });
+}
+
+// Bending is taken not at x but at x + v interval, where the cloth will be when the interval ends. With a =
+// rate^2 interval^2 of a mode the step from interval to interval has the determinant 1 - a/2 and the trace 2
+// - 3a/2: stable for a < 2, and damping where bending at x itself would feed the motion.
+void SlowForces::add_bending(const Motion& motion, double ahead, ParallelKernels& kernels) {
+  const auto factor = static_cast<float>(ahead);
+  kernels.for_rows(0, layout_.vertex_count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const Float4& d = motion.current[row];
+      const Float4& p = motion.previous[row];
+      const Float4& x = motion.start.high[row];
+      positions_[row] = {x.x + (d.x + (d.x - p.x) * factor), x.y + (d.y + (d.y - p.y) * factor),
+                         x.z + (d.z + (d.z - p.z) * factor), 0.0F};
+    }
+  });
+  bending_.add_accelerations(positions_, kernels, accelerations_);
+}
+
+void SlowForces::update(const Garment& garment, const ExternalForces& external, const Motion& motion,
+                        double time_s, double time_step_s, double interval_s, ParallelKernels& kernels) {
+  add_gravity_and_artificial(external);
+  add_hand(garment, external, motion, time_step_s, interval_s);
+  add_wind(garment, external.wind, motion, time_s, time_step_s, interval_s, kernels);
+  if (!bending_.empty()) {
+    add_bending(motion, interval_s / time_step_s, kernels);
+  }
+}
+
+}  // namespace taut::sim::bounded

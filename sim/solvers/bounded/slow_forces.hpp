@@ -1,0 +1,45 @@
+#pragma once
+
+#include "sim/forces.hpp"
+#include "sim/solvers/bounded/bending.hpp"
+#include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/motion.hpp"
+
+namespace taut::sim::bounded {
+
+/// Forces that change slowly against a time step: gravity, wind, bending, artificial forces and those of
+/// hands. They are evaluated at a few times in a frame and stay as they are in between (multiple time steps,
+/// as the slow forces of Tuckerman, Berne and Martyna 1992).
+class SlowForces {
+ public:
+  /// `layout` has to outlive this.
+  SlowForces(const Garment& garment, const Pins& pins, const Layout& layout, double bending_rigidity_n_m,
+             double frame_time_s);
+
+  /// How often a frame the forces have to be evaluated so that keeping them in between is stable.
+  int updates_per_frame(const ExternalForces& external, double frame_time_s) const;
+
+  /// Evaluates all forces as accelerations by row, in m/s^2, for the next `interval_s`.
+  /// Artificial forces and hands must be on vertices that are there.
+  void update(const Garment& garment, const ExternalForces& external, const Motion& motion, double time_s,
+              double time_step_s, double interval_s, ParallelKernels& kernels);
+
+  const Float4* accelerations() const { return accelerations_.data(); }
+
+ private:
+  void add_gravity_and_artificial(const ExternalForces& external);
+  void add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion,
+                double time_step_s, double interval_s);
+  void add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
+                double time_step_s, double interval_s, ParallelKernels& kernels);
+  void add_bending(const Motion& motion, double ahead, ParallelKernels& kernels);
+
+  const Layout& layout_;
+  Bending bending_;
+  Float4Array accelerations_;
+  Float4Array corner_forces_n_;
+  Float4Array positions_;
+};
+
+}  // namespace taut::sim::bounded

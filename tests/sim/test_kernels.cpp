@@ -1,0 +1,241 @@
+// The loops in which the time of the solver that keeps a bound goes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+#include <random>
+
+#include "scalar_kernels.hpp"
+#include "sheets.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/slow_forces.hpp"
+#include "sim/verlet.hpp"
+
+namespace taut::sim {
+namespace {
+
+using namespace bounded;
+
+/// Up to nine entries in each row, in some none.
+std::vector<std::vector<MatrixEntry>> some_entries(std::size_t size, std::mt19937& random) {
+  std::uniform_int_distribution<Index> column(0, static_cast<Index>(size) - 1);
+  std::normal_distribution<double> value(0.0, 1.0);
+  std::vector<std::vector<MatrixEntry>> rows(size);
+  for (std::vector<MatrixEntry>& entries : rows) {
+    entries.resize(column(random) % 10);
+    for (MatrixEntry& e : entries) {
+      e = {column(random), value(random)};
+    }
+  }
+  return rows;
+}
+
+TEST(Kernels, ASlicedMatrixGivesTheProductOfItsEntries) {
+  std::mt19937 random(5);
+  const std::size_t size = 1000;
+  const auto rows = some_entries(size, random);
+  const SlicedMatrix matrix = make_sliced_matrix(rows);
+  std::normal_distribution<double> metres(0.0, 1.0);
+  std::vector<double> x(size);
+  std::generate(x.begin(), x.end(), [&] { return metres(random); });
+  Float4Array positions(size + block_size);
+  for (std::size_t row = 0; row < size; ++row) {
+    positions[row] = float4_of({x[row], 2.0 * x[row], -x[row]});
+  }
+  Float4Array result(size + block_size, Float4{1.0F, 2.0F, 3.0F, 0.0F});
+  std::vector<double> doubles(size, 1.0);
+  kernels_for(VectorUnit::best).add_product(matrix, 0, matrix.slice_count(), positions.data(), result.data());
+  add_product(matrix, x, doubles);
+  for (std::size_t row = 0; row < size; ++row) {
+    double expected = 0.0;
+    for (const MatrixEntry& e : rows[row]) {
+      expected += e.value * (x[e.column] - x[row]);
+    }
+    EXPECT_NEAR(doubles[row], 1.0 + expected, 1e-5);
+    EXPECT_NEAR(result[row].x, 1.0 + expected, 1e-5);
+    EXPECT_NEAR(result[row].y, 2.0 + 2.0 * expected, 2e-5);
+    EXPECT_NEAR(result[row].z, 3.0 - expected, 1e-5);
+  }
+}
+
+/// All that kernels read, at random, of a sheet with two pins.
+struct Inputs {
+  Inputs();
+  Float4Array random_rows();
+
+  Garment garment = make_garment(irregular_sheet(23, 1.0));
+  Layout layout = make_layout(garment, make_pins(garment, {0, 22}));
+  std::mt19937 random{3};
+  std::normal_distribution<float> metres{0.0F, 0.02F};
+  Float4Array start = random_rows();
+  Float4Array current = random_rows();
+  Float4Array previous = random_rows();
+  StartRows start_rows = {start, random_rows()};
+  Lanes<Tether> tethers;
+  Prediction prediction = {0.99F, 1e-6F, {0.01F, 0.02F, -0.01F, 0.0F}};
+  AirFlow air = {{3.0F, -1.0F, 2.0F}, 0.7F, 0.03F, 0.02F, 1000.0F};
+  SlicedMatrix matrix = make_sliced_matrix(some_entries(layout.vertex_count(), random));
+};
+
+Inputs::Inputs() {
+  for (SpringBlock& block : layout.springs.blocks) {
+    block.short_share.fill(0.1F);
+    block.start_y.fill(0.05F);
+    std::generate(block.start_x.begin(), block.start_x.end(), [&] { return metres(random); });
+    std::generate(block.start_z.begin(), block.start_z.end(), [&] { return metres(random); });
+  }
+  for (const Float4& r : random_rows()) {
+    tethers.push_back({r.x, r.y, r.z, 0.002F});
+  }
+}
+
+Float4Array Inputs::random_rows() {
+  Float4Array rows(layout.row_count());
+  for (Float4& r : rows) {
+    r = {metres(random), metres(random), metres(random), 0.0F};
+  }
+  return rows;
+}
+
+/// What kernels make of it, by the name of the kernel.
+std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inputs& in) {
+  const SpringLanes& springs = in.layout.springs;
+  std::vector<std::uint32_t> blocks(springs.block_count());
+  std::iota(blocks.begin(), blocks.end(), 0U);
+  std::map<std::string, Float4Array> results = {{"sweep", in.current},
+                                                {"shorten", in.current},
+                                                {"predict", in.previous},
+                                                {"predict with tethers", in.previous},
+                                                {"add_product", in.current},
+                                                {"wind", Float4Array(in.layout.triangles.lane_count())},
+                                                {"largest_ratios", Float4Array((blocks.size() + 3) / 4)}};
+  kernels.sweep(springs, 0, blocks.size(), results["sweep"].data());
+  kernels.shorten(springs, blocks, 1.02F, 1.8F, results["shorten"].data());
+  kernels.predict(0, in.layout.row_count(), in.prediction, nullptr, in.start.data(), in.current.data(),
+                  results["predict"].data());
+  kernels.predict(0, in.layout.row_count(), in.prediction, in.tethers.data(), in.start.data(),
+                  in.current.data(), results["predict with tethers"].data());
+  kernels.add_product(in.matrix, 0, in.matrix.slice_count(), in.start.data(), results["add_product"].data());
+  kernels.wind(in.layout.triangles, in.air, 0, in.layout.triangles.lane_count(), in.start.data(),
+               in.current.data(), in.previous.data(), results["wind"].data());
+  kernels.largest_ratios(springs, 0, blocks.size(), in.current.data(),
+                         floats_of(results["largest_ratios"].data()));
+  return results;
+}
+
+template <typename T>
+bool same_bits(const Lanes<T>& a, const Lanes<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+TEST(Kernels, EveryVectorUnitGivesTheBitsOfTheScalarLoops) {
+  const Inputs in;
+  const auto expected = results_of(scalar_kernels(), in);
+  EXPECT_FALSE(same_bits(expected.at("sweep"), in.current));
+  EXPECT_FALSE(same_bits(expected.at("shorten"), in.current));
+  EXPECT_FALSE(same_bits(expected.at("predict"), expected.at("predict with tethers")));
+  for (const VectorUnit unit : available_vector_units()) {
+    for (const auto& [kernel, result] : results_of(kernels_for(unit), in)) {
+      EXPECT_TRUE(same_bits(result, expected.at(kernel))) << kernel << " of " << name_of(unit);
+    }
+  }
+}
+
+TEST(Kernels, EveryVectorUnitStartsSpringsWithTheBitsOfTheScalarLoops) {
+  const Inputs in;
+  const auto started = [&](const Kernels& kernels) {
+    SpringLanes springs = in.layout.springs;
+    kernels.start_springs(in.start_rows, 0, springs.block_count(), springs);
+    return springs.blocks;
+  };
+  EXPECT_FALSE(same_bits(started(scalar_kernels()), in.layout.springs.blocks));
+  for (const VectorUnit unit : available_vector_units()) {
+    EXPECT_TRUE(same_bits(started(kernels_for(unit)), started(scalar_kernels()))) << name_of(unit);
+  }
+}
+
+TEST(Kernels, AUnitTheProcessorLacksIsRefused) {
+  for (const VectorUnit unit : all_vector_units) {
+    const auto available = available_vector_units();
+    if (std::find(available.begin(), available.end(), unit) == available.end()) {
+      EXPECT_THROW(kernels_for(unit), std::invalid_argument);
+    }
+  }
+}
+
+TEST(Kernels, ThePredictionIsThatOfTheOtherSolvers) {
+  const Inputs in;
+  const double time_step_s = 0.002;
+  const std::size_t count = in.layout.vertex_count();
+  const std::vector<double> inverse_masses_per_kg(count, 4.0);
+  std::vector<Vec3> previous, current, forces_n, expected(count);
+  for (std::size_t row = 0; row < count; ++row) {
+    previous.push_back(vector_of(in.previous[row]));
+    current.push_back(vector_of(in.current[row]));
+    forces_n.push_back(1e3 * vector_of(in.start[row]));
+  }
+  predict_positions(previous, current, forces_n, inverse_masses_per_kg, time_step_s, expected);
+  Float4Array accelerations;
+  for (const Float4& start : in.start) {
+    accelerations.push_back(float4_of(4e3 * vector_of(start)));
+  }
+  const Prediction airless = {1.0F, static_cast<float>(time_step_s * time_step_s), {}};
+  for (const VectorUnit unit : available_vector_units()) {
+    Float4Array predicted = in.previous;
+    kernels_for(unit).predict(0, in.layout.row_count(), airless, nullptr, accelerations.data(),
+                              in.current.data(), predicted.data());
+    for (std::size_t row = 0; row < count; ++row) {
+      ASSERT_LT(glm::distance(vector_of(predicted[row]), expected[row]), 2e-8) << name_of(unit) << ' ' << row;
+    }
+  }
+}
+
+TEST(Kernels, TheWindKernelIsTheWindOfTheOtherSolvers) {
+  const Garment garment = make_garment(irregular_sheet(9, 1.0));
+  const Pins no_pins = make_pins(garment, {});
+  const Layout layout = make_layout(garment, no_pins);
+  State state = make_state(garment);
+  set_time_step(state, 1e-3);
+  for (std::size_t v = 0; v < state.current.size(); ++v) {
+    const auto phase = static_cast<double>(v);
+    state.current[v] += 0.001 * Vec3(std::sin(phase), std::cos(2.0 * phase), std::sin(3.0 * phase));
+  }
+  Wind wind;
+  wind.speed_m_per_s = 8.0;
+  wind.direction = {0.5, 0.1, 1.0};
+  std::vector<Vec3> expected(state.current.size(), Vec3(0.0));
+  add_wind_forces(garment, state, wind, 2e-3, expected);
+
+  SlowForces forces(garment, no_pins, layout, 0.0, 1.0);
+  Motion motion;
+  motion.start_m = garment.mesh.positions;
+  for (Float4Array* rows : {&motion.start.high, &motion.current, &motion.previous}) {
+    rows->resize(layout.row_count());
+  }
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    const Index v = layout.vertex_of_row[row];
+    motion.start.high[row] = float4_of(garment.mesh.positions[v]);
+    motion.current[row] = float4_of(state.current[v] - garment.mesh.positions[v]);
+  }
+  ExternalForces external;
+  external.gravity_m_per_s2 = {0, 0, 0};
+  external.wind = wind;
+  for (const VectorUnit unit : available_vector_units()) {
+    ParallelKernels kernels(kernels_for(unit), 1);
+    forces.update(garment, external, motion, 0.0, 1e-3, 2e-3, kernels);
+    for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+      const Index v = layout.vertex_of_row[row];
+      const Vec3 force = vector_of(forces.accelerations()[row]) * garment.masses_kg[v];
+      EXPECT_LT(glm::length(force - expected[v]), 2e-4 * glm::length(expected[v]))
+          << name_of(unit) << ", vertex " << v;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace taut::sim

@@ -14,8 +14,15 @@ namespace taut::renderer {
 
 namespace {
 
-// A box without extent is taken as one of a millimetre.
+// Half the least side of a box, m. A smaller box counts as a cube of this size.
 constexpr float smallest_half_m = 0.0005F;
+// Least distance of the near plane, share of the eye's distance. Smaller shows what is closer to the eye,
+// larger keeps more depth precision.
+constexpr float least_near_share = 0.02F;
+// How far the near plane is in front of the target and the far plane behind it, radii of the box. More shows
+// more around the box, less keeps more depth precision.
+constexpr float near_radii = 2.0F;
+constexpr float far_radii = 20.0F;
 
 // The axes of a camera that looks along -back.
 struct Axes {
@@ -63,13 +70,13 @@ Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const g
 
 void check(const Box& box, const Framing& framing, float aspect) {
   if (!is_near(box)) {
-    throw std::invalid_argument("frame_box: the box is inside out, or reaches farther than 1e9 m");
+    throw std::invalid_argument("camera framing: the box is inside out, or reaches farther than 1e9 m");
   }
   if (!(std::isfinite(aspect) && aspect > 0.0F)) {
-    throw std::invalid_argument("frame_box: the aspect has to be a positive number");
+    throw std::invalid_argument("camera framing: the aspect has to be a positive number");
   }
   if (!(framing.margin >= 0.0F && framing.margin <= 0.49F)) {
-    throw std::invalid_argument("frame_box: the margin has to be from 0 to 0.49");
+    throw std::invalid_argument("camera framing: the margin has to be from 0 to 0.49");
   }
 }
 
@@ -87,8 +94,8 @@ Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const 
   camera.eye = camera.target + distance * axes.back;
   camera.vertical_fov_rad = framing.vertical_fov_rad;
   const float radius = glm::length(half);
-  camera.near_m = std::max(0.02F * distance, distance - 2.0F * radius);
-  camera.far_m = distance + 20.0F * radius;
+  camera.near_m = std::max(least_near_share * distance, distance - near_radii * radius);
+  camera.far_m = distance + far_radii * radius;
   return camera;
 }
 
@@ -124,20 +131,20 @@ Box united(const Box& a, const Box& b) {
   return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
 }
 
-Camera frame_box(const Box& box, const Framing& framing, float aspect) {
+Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect) {
   check(box, framing, aspect);
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
   const glm::vec3 half = glm::max(0.5F * (box.upper - box.lower), glm::vec3{smallest_half_m});
   return fitted(corners_of({-half, half}), middle, half, framing, aspect);
 }
 
-Camera frame_points(std::span<const glm::vec3> points, const Framing& framing, float aspect) {
+Camera fit_camera_to_points(std::span<const glm::vec3> points, const Framing& framing, float aspect) {
   const Box box = bounding_box(points);
   check(box, framing, aspect);
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
   const glm::vec3 half = 0.5F * (box.upper - box.lower);
   if (std::max({half.x, half.y, half.z}) < smallest_half_m) {
-    return frame_box(box, framing, aspect);
+    return fit_camera_to_box(box, framing, aspect);
   }
   std::vector<glm::vec3> from_middle(points.begin(), points.end());
   for (glm::vec3& point : from_middle) {

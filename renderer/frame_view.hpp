@@ -11,130 +11,130 @@
 
 namespace taut::renderer {
 
-// Everything here is a view: the spans belong to the caller and have to live until SceneRenderer::draw
-// returns.
+// The spans of these structs belong to the caller. They must live until SceneRenderer::draw returns.
+// SceneRenderer checks their lengths, indices and values (frame_check.hpp).
 
-/// How a surface meets the light.
+/// The material of a surface.
 struct SurfaceStyle {
-  Colour outside_colour = rgb(0x3F6FA8);  ///< seen where triangles run counter-clockwise
-  Colour inside_colour = rgb(0xD9A066);   ///< seen on the other side
-  float roughness = 0.75F;                ///< 0.05 glossy to 1 matt; of the highlight
-  float sheen = 0.4F;                     ///< 0 to 1; the soft bright fringe of cotton at grazing angles
-  float translucency = 0.12F;             ///< 0 to 1; light that comes through from the other side
-  float weave = 1.0F;  ///< 0 none to 1; contrast of the knit, seen where material coordinates are given
+  Colour outside_colour = rgb(0x3F6FA8);  ///< of the side from which triangles are counter-clockwise
+  Colour inside_colour = rgb(0xD9A066);   ///< of the other side
+  float roughness = 0.75F;                ///< of the highlight; 0.05 glossy to 1 matt, clamped
+  float sheen = 0.4F;          ///< 0 to 1; brightness of the fringe at grazing angles, as cotton has
+  float translucency = 0.12F;  ///< 0 to 1; share of the key light that passes through
+  float weave = 1.0F;          ///< 0 to 1; contrast of the knit, 0 for none; needs material coordinates
 };
 
-/// Numbers shown as colours instead of the style's colours, on both sides.
+/// One scalar per vertex, shown through a colour map on both sides instead of the style's colours.
 struct ScalarColours {
-  std::span<const float> values;  ///< one for each position
-  float minimum = 0.0F;           ///< shown as the lower end of the map
-  float maximum = 1.0F;           ///< shown as the upper end; has to be above minimum
+  std::span<const float> values;  ///< n, one per vertex of the surface; a NaN is drawn grey
+  float minimum = 0.0F;           ///< has the colour at the lower end of the map
+  float maximum = 1.0F;           ///< has the colour at the upper end; above minimum
   ColourMap map = ColourMap::viridis;
 };
 
-/// Edges drawn over a surface, visible from both sides.
+/// Edges drawn over a surface, on both sides.
 struct Wireframe {
-  std::span<const std::uint32_t> edges;  ///< two indices into the surface's positions for each line
+  std::span<const std::uint32_t> edges;  ///< two vertex indices per edge, each below n
   Colour colour = rgb(0x1A1A1A);
-  float width_px = 1.0F;  ///< in pixels of the finished picture, may be fractional
+  float width_px = 1.0F;  ///< pixels of the finished picture; may be a fraction
   float opacity = 0.6F;   ///< 0 to 1
 };
 
-/// Triangles with smooth normals.
+/// Triangles with smooth normals. n = number of vertices = positions.size().
 struct SurfaceView {
-  std::span<const glm::vec3> positions;      ///< metres
-  std::span<const glm::vec3> normals;        ///< unit, one for each position, on the outside
-  std::span<const std::uint32_t> triangles;  ///< three indices each
-  /// Where each position lies in the material, metres: the garment's rest positions. Carries the weave, which
-  /// moves with the cloth; empty: smooth.
+  std::span<const glm::vec3> positions;      ///< n, metres, world space
+  std::span<const glm::vec3> normals;        ///< n, of unit length, pointing outside
+  std::span<const std::uint32_t> triangles;  ///< three vertex indices per triangle, each below n
+  /// n or none, metres: the rest position of each vertex, at which the weave is evaluated. None: no weave.
   std::span<const glm::vec3> material_coordinates;
   SurfaceStyle style;
   std::optional<ScalarColours> scalars;
   std::optional<Wireframe> wireframe;
   bool casts_shadow = true;
-  bool filled = true;  ///< false: the wireframe alone, see-through
+  bool filled = true;  ///< false: only the wireframe is drawn, and no shadow
 };
 
-/// Separate line segments, in front of a surface they lie on.
+/// Line segments. A segment that lies on a surface is drawn in front of it.
 struct LineView {
-  std::span<const glm::vec3> points;  ///< two for each segment, metres
-  std::span<const Colour> colours;    ///< one for each point, or one for all
-  float width_px = 1.5F;              ///< in pixels of the finished picture
+  std::span<const glm::vec3> points;  ///< two per segment, metres, world space
+  std::span<const Colour> colours;    ///< one per point, or one for all
+  float width_px = 1.5F;              ///< pixels of the finished picture
   float opacity = 1.0F;               ///< 0 to 1
-  bool hidden_by_surfaces = true;     ///< false: always on top
+  bool hidden_by_surfaces = true;     ///< false: drawn over all surfaces
 };
 
-/// Shaded balls, e.g. pins.
+/// Shaded spheres of one size and colour, e.g. pins.
 struct SphereView {
-  std::span<const glm::vec3> centres;  ///< metres
-  float radius_m = 0.01F;
+  std::span<const glm::vec3> centres;  ///< metres, world space
+  float radius_m = 0.01F;              ///< above 0
   Colour colour = rgb(0xC0392B);
   bool casts_shadow = true;
 };
 
-/// Round flat marks of constant size on the picture, e.g. mass points of a diagram.
+/// Flat discs that always face the camera, e.g. the mass points of a diagram.
 struct PointView {
-  std::span<const glm::vec3> centres;  ///< metres
-  std::span<const Colour> colours;     ///< one for each centre, or one for all
-  float diameter_px = 6.0F;            ///< in pixels of the finished picture
-  bool hidden_by_surfaces = true;
+  std::span<const glm::vec3> centres;  ///< metres, world space
+  std::span<const Colour> colours;     ///< one per centre, or one for all
+  float diameter_px = 6.0F;            ///< pixels of the finished picture
+  bool hidden_by_surfaces = true;      ///< false: drawn over all surfaces
 };
 
-/// Three lights of a photographer's studio. Directions point from the scene towards the light, in world
-/// space, and need not be of unit length; strengths are relative to a surface facing the key light.
+/// Three-point lighting: key, fill and rim light, all at infinity. Directions point from the scene to the
+/// light, in world space, and may have any length above 0. Strength 1 is that of the default key light.
 struct Lighting {
   glm::vec3 towards_key{-0.55F, 0.95F, 0.75F};
   glm::vec3 towards_fill{0.90F, 0.25F, 0.60F};
   glm::vec3 towards_rim{0.35F, 0.60F, -1.0F};
-  float key = 1.0F;  ///< the only light with a shadow
-  float fill = 0.22F;
-  float rim = 0.30F;
-  float ambient = 0.42F;  ///< from the sky of the studio and, weaker, from its floor
-  float penumbra = 1.0F;  ///< softness of the shadow's edge; 0 is as hard as the shadow map allows
+  float key = 1.0F;       ///< strength; the only light that casts shadows
+  float fill = 0.22F;     ///< strength
+  float rim = 0.30F;      ///< strength
+  float ambient = 0.42F;  ///< strength of the light from all around: strong from above, weak from below
+  float penumbra = 1.0F;  ///< softness of the shadow's edge, relative to a large softbox; 0: hard
 };
 
-/// The same studio turned to the camera: key from the upper left of the picture, fill from the right, rim
-/// from behind.
+/// Returns the default lighting turned around +y to the camera: key from the upper left of the picture, fill
+/// from the right, rim from behind.
 Lighting studio_lighting(const Camera& camera);
 
-/// What is behind and below. Above the horizon the two colours blend upwards; the ground blends into the
-/// lower one.
+/// The background: a gradient from lower_colour at the middle of the picture to upper_colour above. The floor
+/// has lower_colour and blends into the background at its edge.
 struct Backdrop {
   Colour upper_colour = rgb(0xDDE1E6);
   Colour lower_colour = rgb(0xF4F4F2);
   bool plain = false;  ///< true: lower_colour everywhere, without a ground (a diagram, a cut-out)
 };
 
-/// One picture's worth of things to draw.
+/// All that is drawn of one frame (one moment of the simulation).
 struct FrameView {
   std::vector<SurfaceView> surfaces;
   std::vector<LineView> lines;
   std::vector<SphereView> spheres;
   std::vector<PointView> points;
-  std::optional<float>
-      ground_height_m;  ///< y of the studio floor, which receives shadows; none: backdrop alone
+  /// y of the floor, which receives shadows. None: no floor.
+  std::optional<float> ground_height_m;
   Camera camera;
   Lighting lighting;
   Backdrop backdrop;
 };
 
-/// How the picture is made. The defaults are for publication. What a window lowers first when the machine is
-/// too slow, dearest first: samples to 1 (a third of the time), sky_directions to 12 (a tenth; folds get a
-/// little blotchy), shadows to false.
+/// Size and quality of a picture. The defaults are for publication. On a slow machine lower first what costs
+/// most: samples to 1 saves a third of the time, sky_directions to 12 a tenth (folds get blotchy), then
+/// shadows to false.
 struct PictureSettings {
-  int width_px = 1280;
-  int height_px = 720;
-  int samples = 4;        ///< multisampling: 1, or 4 for anything above where the context offers as many
-  int supersampling = 1;  ///< drawn this many times as wide and high, then averaged in linear light; 1 to 8
-  bool shadows = true;
-  /// Side of the square shadow map, 256 to 8192; less is taken where the picture is too small to show it.
+  int width_px = 1280;    ///< 1 to 16384
+  int height_px = 720;    ///< 1 to 16384
+  int samples = 4;        ///< per pixel, 1 to 64; above 1 counts as 4, or as 1 where the context has no 4
+  int supersampling = 1;  ///< 1 to 8; drawn this many times as wide and high, then averaged in linear light
+  bool shadows = true;    ///< of the key light
+  /// Side of the square shadow map in texels, 256 to 8192. A small picture uses a smaller map. Larger is
+  /// sharper.
   int shadow_map_px = 2048;
-  /// With one sample: side of the square of drawn pixels that are shaded as one, 1 or 2. Outlines stay sharp.
+  /// 1, or 2 to shade squares of 2 by 2 pixels as one; outlines stay sharp. Only with one sample.
   int shading_px = 1;
-  /// Taps that soften a shadow's edge in each pixel, 1 to 64; fewer are grainy.
+  /// Shadow map look-ups per pixel in a soft shadow's edge, 1 to 64. Fewer give grainy edges.
   int shadow_taps = 16;
-  /// Directions that test how much sky each vertex sees, 0 to 64; odd numbers count as the next even one, 0:
-  /// no ambient occlusion.
+  /// Directions in which each vertex is tested for ambient occlusion, 0 to 64. 0: no occlusion. Odd numbers
+  /// count as the next even one. Fewer give blotchy folds.
   int sky_directions = 24;
 };
 

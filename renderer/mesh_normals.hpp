@@ -6,16 +6,17 @@
 
 namespace taut::renderer {
 
-/// How much each triangle counts in the normal of a vertex.
+/// The weight of each triangle's normal in the normal of a vertex.
 enum class NormalWeight {
-  area,   ///< cheapest; good where triangles are of like size
-  angle,  ///< by the triangle's angle at the vertex (Thuermer and Wuethrich 1998): independent of how a face
-          ///< is cut
+  area,   ///< the triangle's area; cheapest, good where triangles have like sizes
+  angle,  ///< the triangle's angle at the vertex (Thuermer and Wuethrich 1998), which does not depend on how
+          ///< a face is triangulated
 };
 
-/// Smooth unit normals, one for each position. `triangles` holds three indices a triangle, counter-clockwise
-/// seen from outside. Degenerate triangles count nothing; a vertex without any gets +y. Needs
-/// normals.size() == positions.size() and indices within range (asserted).
+/// Fills `normals` with one unit normal per vertex. n = number of vertices = positions.size(). `triangles`
+/// holds three vertex indices per triangle, counter-clockwise seen from outside. Triangles without area are
+/// ignored. A vertex without any other triangle gets +y. Requires normals.size() == n and indices below n
+/// (asserted).
 void vertex_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles,
                     std::span<glm::vec3> normals, NormalWeight weight = NormalWeight::angle);
 

@@ -6,16 +6,18 @@
 
 namespace taut::renderer {
 
-/// Triangles that own their arrays, for things that are not cloth: colliders, stands, pins.
+/// A triangle mesh that owns its arrays, for colliders and pins. n = number of vertices = positions.size().
 struct TriangleMesh {
-  std::vector<glm::vec3> positions;      ///< metres
-  std::vector<glm::vec3> normals;        ///< unit, one for each position
-  std::vector<std::uint32_t> triangles;  ///< three indices each, counter-clockwise seen from outside
+  std::vector<glm::vec3> positions;      ///< n, metres
+  std::vector<glm::vec3> normals;        ///< n, of unit length, pointing outside
+  std::vector<std::uint32_t> triangles;  ///< three vertex indices each, counter-clockwise seen from outside
 };
 
-/// `segments` counts around the axis, at least 3; half as many are used from pole to pole.
+/// Returns a sphere of latitude rings. `segments`: vertices per ring, at least 3; there are half as many
+/// rings.
 TriangleMesh make_sphere(const glm::vec3& centre, float radius_m, int segments = 48);
-/// A cylinder from a to b with half spheres on its ends.
+/// Returns a cylinder from a to b (metres) with half spheres on its ends; a sphere when a equals b.
+/// `segments` as in make_sphere.
 TriangleMesh make_capsule(const glm::vec3& a, const glm::vec3& b, float radius_m, int segments = 48);
 
 }  // namespace taut::renderer

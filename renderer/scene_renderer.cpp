@@ -6,16 +6,16 @@
 #include "renderer/frame_check.hpp"
 #include "renderer/gl/bindings.hpp"
 #include "renderer/gl/frame_block.hpp"
-#include "renderer/gl/layer_target.hpp"
 #include "renderer/gl/picture_target.hpp"
+#include "renderer/gl/visibility_buffer.hpp"
 #include "renderer/light/studio_light.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
-#include "renderer/passes/drawn_area.hpp"
 #include "renderer/passes/mark_pass.hpp"
 #include "renderer/passes/merged_spheres.hpp"
 #include "renderer/passes/resolve_pass.hpp"
+#include "renderer/passes/screen_bounds.hpp"
 #include "renderer/passes/surface_pass.hpp"
-#include "renderer/trial_frame.hpp"
+#include "renderer/warm_up_frame.hpp"
 
 namespace taut::renderer {
 
@@ -46,9 +46,9 @@ PixelRect place_of(const Tile& tile, const PictureSettings& settings) {
   return {tile.x_px, settings.height_px - tile.y_px - tile.height_px, tile.width_px, tile.height_px};
 }
 
-// Pieces of an area that the layer has room for.
+// Tiles of an area that fit into the visibility buffer.
 std::vector<Tile> tiles_of(const Tile& area, int supersampling) {
-  const int side_px = LayerTarget::max_side_px / supersampling;
+  const int side_px = VisibilityBuffer::max_side_px / supersampling;
   std::vector<Tile> tiles;
   for (int y = 0; y < area.height_px; y += side_px) {
     for (int x = 0; x < area.width_px; x += side_px) {
@@ -69,12 +69,12 @@ struct SceneRenderer::Parts {
   BackdropPass backdrop_pass;
   MarkPass mark_pass;
   PictureTarget picture;
-  LayerTarget layer;
+  VisibilityBuffer visibility;
   ResolvePass resolve_pass;
   PictureTarget large;  // a supersampled tile
   Buffer block_buffer;
-  std::vector<TriangleMesh> balls;
-  std::vector<SurfaceView> surfaces;  // those of the frame and the balls
+  std::vector<TriangleMesh> sphere_meshes;
+  std::vector<SurfaceView> surfaces;  // those of the frame and the sphere meshes
 
   explicit Parts(Context& made);
   void draw(const FrameView& frame, const PictureSettings& settings);
@@ -91,9 +91,9 @@ struct SceneRenderer::Parts {
   void draw_supersampled(FrameBlock& block, const FrameView& frame, const PictureSettings& settings);
   void draw_behind(GLuint framebuffer, const FrameBlock& block, const FrameView& frame,
                    const PictureSettings& settings);
-  void see_things(const PixelRect& place, const FrameView& frame, const PictureSettings& settings);
-  void shade_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
-                    const FrameView& frame, const PictureSettings& settings);
+  void draw_visibility(const PixelRect& place, const FrameView& frame, const PictureSettings& settings);
+  void shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
+                                const FrameView& frame, const PictureSettings& settings);
   void draw_marks(const FrameView& frame);
 };
 
@@ -105,7 +105,7 @@ SceneRenderer::Parts::Parts(Context& made)
       backdrop_pass(gl, embedded_shaders()),
       mark_pass(gl, embedded_shaders()),
       picture(gl),
-      layer(gl),
+      visibility(gl),
       resolve_pass(gl, embedded_shaders()),
       large(gl),
       block_buffer(gl) {
@@ -131,10 +131,10 @@ void SceneRenderer::Parts::reset_state() const {
 
 void SceneRenderer::Parts::collect_surfaces(const FrameView& frame) {
   surfaces = frame.surfaces;
-  balls.reserve(frame.spheres.size());
+  sphere_meshes.reserve(frame.spheres.size());
   for (const SphereView& spheres : frame.spheres) {
-    balls.push_back(merged_spheres(spheres));
-    surfaces.push_back(view_of(balls.back(), spheres));
+    sphere_meshes.push_back(merged_spheres(spheres));
+    surfaces.push_back(view_of(sphere_meshes.back(), spheres));
   }
 }
 
@@ -156,26 +156,27 @@ void SceneRenderer::Parts::draw_marks(const FrameView& frame) {
 }
 
 // `place` is the tile's in the framebuffer.
-void SceneRenderer::Parts::see_things(const PixelRect& place, const FrameView& frame,
-                                      const PictureSettings& settings) {
-  layer.begin(place.width_px, place.height_px, settings.samples);
+void SceneRenderer::Parts::draw_visibility(const PixelRect& place, const FrameView& frame,
+                                           const PictureSettings& settings) {
+  visibility.begin(place.width_px, place.height_px, settings.samples);
   if (sees_floor(frame) && reaches_below(*frame.ground_height_m, frame, surfaces)) {
     backdrop_pass.draw_floor_depth();
   }
-  surface_pass.draw_seen(has_marks(frame));
+  surface_pass.draw_visibility(has_marks(frame));
 }
 
-// What see_things() saw last. Marks have edges of their own between pixels: they are drawn apart and laid
-// over.
-void SceneRenderer::Parts::shade_things(GLuint framebuffer, const PixelRect& place, const FrameBlock& block,
-                                        const FrameView& frame, const PictureSettings& settings) {
-  surface_pass.shade(layer, framebuffer, block, place, settings.shading_px > 1);
+// What draw_visibility() saw last. Marks have edges of their own between pixels: they are drawn apart and
+// blended over.
+void SceneRenderer::Parts::shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place,
+                                                    const FrameBlock& block, const FrameView& frame,
+                                                    const PictureSettings& settings) {
+  surface_pass.shade(visibility, framebuffer, block, place, settings.shading_px > 1);
   if (!has_marks(frame)) return;
-  layer.begin_marks();
+  visibility.begin_marks();
   draw_marks(frame);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
-  resolve_pass.draw(layer.marks(), layer.samples(), 1, {place.x_px, place.y_px});
+  resolve_pass.draw(visibility.marks(), visibility.samples(), 1, {place.x_px, place.y_px});
 }
 
 void SceneRenderer::Parts::set_tile_of(FrameBlock& block, const FrameView& frame,
@@ -200,16 +201,16 @@ void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& blo
 }
 
 // What is behind has no edges that more samples would smooth, and things seldom fill the picture: only the
-// part that they can touch is drawn with many samples, and laid over.
+// part that they can touch is drawn with many samples, and blended over.
 // The first tile is looked at while the light is still being gathered.
 void SceneRenderer::Parts::draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame,
                                       const PictureSettings& settings, std::future<void>& light_gathered) {
   const Tile whole{0, 0, settings.width_px, settings.height_px};
   set_tile(block, frame.camera, settings, whole);
-  const std::vector<Tile> tiles = tiles_of(drawn_area(frame, surfaces, block.world_to_clip, settings), 1);
+  const std::vector<Tile> tiles = tiles_of(screen_bounds(frame, surfaces, block.world_to_clip, settings), 1);
   if (!tiles.empty()) {
     set_tile_of(block, frame, settings, tiles.front());
-    see_things(place_of(tiles.front(), settings), frame, settings);
+    draw_visibility(place_of(tiles.front(), settings), frame, settings);
     gl.Flush();
   }
   await(light_gathered);
@@ -218,8 +219,8 @@ void SceneRenderer::Parts::draw_whole(GLuint framebuffer, FrameBlock& block, con
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     const PixelRect place = place_of(tiles[i], settings);
     set_tile_of(block, frame, settings, tiles[i]);
-    if (i > 0) see_things(place, frame, settings);
-    shade_things(framebuffer, place, block, frame, settings);
+    if (i > 0) draw_visibility(place, frame, settings);
+    shade_surfaces_and_marks(framebuffer, place, block, frame, settings);
   }
 }
 
@@ -233,8 +234,8 @@ void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView&
     large.begin(large_px.x, large_px.y);
     draw_behind(large.framebuffer(), block, frame, settings);
     const PixelRect all{0, 0, large_px.x, large_px.y};
-    see_things(all, frame, settings);
-    shade_things(large.framebuffer(), all, block, frame, settings);
+    draw_visibility(all, frame, settings);
+    shade_surfaces_and_marks(large.framebuffer(), all, block, frame, settings);
     const PixelRect place = place_of(tile, settings);
     gl.BindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer());
     gl.Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
@@ -246,14 +247,14 @@ void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView&
 std::future<void> SceneRenderer::Parts::begin(FrameBlock& block, const FrameView& frame,
                                               const PictureSettings& settings) {
   reset_state();
-  balls.clear();
+  sphere_meshes.clear();
   collect_surfaces(frame);
   light.begin(block, frame, surfaces, settings);
   std::future<void> light_gathered = std::async(std::launch::async, [this, own = block] {
-    light.look(own);
+    light.draw_maps(own);
     surface_pass.gather(surfaces, light);
   });
-  surface_pass.place(surfaces);
+  surface_pass.upload_positions(surfaces);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, block_buffer.name());
   return light_gathered;
 }
@@ -261,7 +262,7 @@ std::future<void> SceneRenderer::Parts::begin(FrameBlock& block, const FrameView
 void SceneRenderer::Parts::await(std::future<void>& light_gathered) {
   light_gathered.get();
   light.upload();
-  surface_pass.upload();
+  surface_pass.upload_surfaces();
   light.bind();
 }
 
@@ -296,31 +297,31 @@ void SceneRenderer::Parts::end() {
 
 SceneRenderer::SceneRenderer(Context& context) {
   context.make_current();
-  parts = std::make_unique<Parts>(context);
+  parts_ = std::make_unique<Parts>(context);
 }
 
 SceneRenderer::~SceneRenderer() {
   try {
-    parts->context.make_current();
+    parts_->context.make_current();
   } catch (const ContextError&) {
     // Deleting names without their context is undefined; they go when the process does.
-    static_cast<void>(parts.release());
+    static_cast<void>(parts_.release());
   }
 }
 
-void SceneRenderer::prepare(const PictureSettings& settings, bool numbers) {
+void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {
   check_settings(settings);
-  parts->context.make_current();
-  const TrialFrame trial;
-  parts->draw(trial.view(numbers), TrialFrame::small(settings));
+  parts_->context.make_current();
+  const WarmUpFrame warm_up;
+  parts_->draw(warm_up.view(scalars), WarmUpFrame::small(settings));
 }
 
 Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& settings) {
   check_frame(frame);
   check_settings(settings);
-  parts->context.make_current();
-  parts->draw(frame, settings);
-  return parts->picture.read();
+  parts_->context.make_current();
+  parts_->draw(frame, settings);
+  return parts_->picture.read();
 }
 
 bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings) {
@@ -331,23 +332,23 @@ bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const 
   }
   check_frame(frame);
   check_settings(settings);
-  parts->context.make_current();
-  parts->draw_straight_to(framebuffer, frame, settings);
+  parts_->context.make_current();
+  parts_->draw_straight_to(framebuffer, frame, settings);
   return false;
 }
 
 void SceneRenderer::draw_kept(const FrameView& frame, const PictureSettings& settings) {
   check_frame(frame);
   check_settings(settings);
-  parts->context.make_current();
-  parts->draw(frame, settings);
+  parts_->context.make_current();
+  parts_->draw(frame, settings);
 }
 
 void SceneRenderer::show_kept(unsigned framebuffer, int width_px, int height_px) const {
-  parts->context.make_current();
-  parts->gl.Disable(GL_SCISSOR_TEST);
-  parts->picture.show(framebuffer, width_px, height_px);
-  check_errors(parts->gl, "showing the picture");
+  parts_->context.make_current();
+  parts_->gl.Disable(GL_SCISSOR_TEST);
+  parts_->picture.show(framebuffer, width_px, height_px);
+  check_errors(parts_->gl, "showing the picture");
 }
 
 }  // namespace taut::renderer

@@ -4,6 +4,16 @@
 
 namespace taut::renderer {
 
+namespace {
+
+// Where the lamps stand, relative to the camera: x right, y up, z from the scene towards the camera. Higher
+// makes shadows shorter, farther to the side shows more of the folds.
+constexpr glm::vec3 key_lamp{-0.60F, 1.15F, 0.60F};
+constexpr glm::vec3 fill_lamp{0.95F, 0.30F, 0.55F};
+constexpr glm::vec3 rim_lamp{0.45F, 0.60F, -1.0F};
+
+}  // namespace
+
 Lighting studio_lighting(const Camera& camera) {
   const glm::vec3 back = camera.eye - camera.target;
   // Lamps stand on the floor of the studio: they follow the camera around, not up and down.
@@ -12,9 +22,12 @@ Lighting studio_lighting(const Camera& camera) {
   const glm::vec3 right{towards.z, 0.0F, -towards.x};
   const glm::vec3 up{0.0F, 1.0F, 0.0F};
   Lighting lighting;
-  lighting.towards_key = -0.60F * right + 1.15F * up + 0.60F * towards;
-  lighting.towards_fill = 0.95F * right + 0.30F * up + 0.55F * towards;
-  lighting.towards_rim = 0.45F * right + 0.60F * up - 1.0F * towards;
+  const auto in_world = [&](const glm::vec3& lamp) {
+    return lamp.x * right + lamp.y * up + lamp.z * towards;
+  };
+  lighting.towards_key = in_world(key_lamp);
+  lighting.towards_fill = in_world(fill_lamp);
+  lighting.towards_rim = in_world(rim_lamp);
   return lighting;
 }
 

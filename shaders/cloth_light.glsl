@@ -1,5 +1,18 @@
 // What of the studio's light comes back from cloth.
 
+// Share of the key light that cloth reflects.
+const float key_reflected = 0.80;
+// How far light reaches around the edge of a form, cosine: larger lamps reach farther.
+const float key_wrap = 0.15;
+const float fill_wrap = 0.3;
+// Ambient light of a side that sees nothing of the sky, shares of that of one that sees all: by what it sees, and by
+// what is closed of what it could see. Closed folds lose more than their share, so that they read beside lit ones.
+const float closed_ambient = 0.25;
+const float closed_fold = 0.7;
+// The fringe's share of the light from all around, and of the key light.
+const float fringe_strength = 0.85;
+const float fringe_key = 0.6;
+
 // What arrives from all around with nothing in the way, as SkyLight has it.
 float open_sky(vec3 normal) { return 0.75 + 0.25 * normal.y; }
 
@@ -37,17 +50,16 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, float open, Finish fini
   float key_light = towards_key.w * key;
   float facing = max(dot(normal, towards_eye), 0.0);
   float grazing = (1.0 - facing) * (1.0 - facing) * (1.0 - facing);
-  float direct = 0.80 * key_light * wrapped(key_cosine, 0.15);
-  float through = 0.80 * key_light * finish.translucency * max(-key_cosine, 0.0);
+  float direct = key_reflected * key_light * wrapped(key_cosine, key_wrap);
+  float through = key_reflected * key_light * finish.translucency * max(-key_cosine, 0.0);
   // The fill has no shadow map; what is closed to the sky is closed to it too.
   float openness = clamp(open / max(open_sky(normal), 0.05), 0.0, 1.0);
-  float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), 0.3) * openness;
-  // Closed folds lose more than their share, so that they read beside lit ones.
-  float around = upper_colour.w * mix(0.25, 1.0, open) * mix(0.7, 1.0, openness);
+  float fill = towards_fill.w * wrapped(dot(normal, towards_fill.xyz), fill_wrap) * openness;
+  float around = upper_colour.w * mix(closed_ambient, 1.0, open) * mix(closed_fold, 1.0, openness);
   float rim = towards_rim.w * grazing * max(dot(normal, towards_rim.xyz), 0.0) * openness;
   Light light;
   light.diffuse = direct + through + fill + around;
-  light.fringe = rim + finish.sheen * grazing * 0.85 * (around + 0.6 * direct + fill);
+  light.fringe = rim + finish.sheen * grazing * fringe_strength * (around + fringe_key * direct + fill);
   light.gloss = key_light * max(key_cosine, 0.0) * highlight(normal, towards_key.xyz, towards_eye, finish.roughness);
   return light;
 }

@@ -25,7 +25,8 @@ layout(std140) uniform Frame {
 // Direction from the eye through a place of the tile in drawn pixels; not of unit length.
 vec3 ray_through(vec2 place) { return ray_corner.xyz + place.x * ray_across.xyz + place.y * ray_up.xyz; }
 
-const float pi = 3.14159265358979;
+// Linear light above which highlights are compressed. Lower keeps more of them, and shows less true colours.
+const float knee = 0.65;
 
 vec3 srgb_to_linear(vec3 encoded) {
   return mix(encoded / 12.92, pow((encoded + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), encoded));
@@ -50,7 +51,6 @@ vec3 linear_to_srgb(vec3 linear) {
 // Exact below the knee, so that colours that carry data stay what the legend says; above it the brightest channel
 // approaches 1 and takes the others along, so that highlights keep their hue.
 vec3 tone_mapped(vec3 linear) {
-  const float knee = 0.65;
   float peak = max(max(linear.r, linear.g), max(linear.b, 1e-4));
   float over = max(peak - knee, 0.0) / (1.0 - knee);
   float mapped = peak > knee ? knee + (1.0 - knee) * over / (1.0 + over) : peak;

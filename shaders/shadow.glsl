@@ -3,7 +3,19 @@
 uniform sampler2DShadow shadow_compare;
 uniform sampler2D shadow_depth;
 
+// Look-ups that search for blockers. More finds narrow ones, and costs time in every pixel that may be in shadow.
 const int search_taps = 6;
+// Narrowest search and narrowest blur, texels of the map. Narrower shows the map's texels.
+const float narrowest_search = 2.5;
+const float narrowest_blur = 1.5;
+// How far a point is moved along its normal, texels: on a surface that faces the light, and what a grazing one adds.
+// More lifts the shadow off what casts it, less gives acne.
+const float lift_facing = 0.6;
+const float lift_grazing = 1.8;
+// A blocker has to be nearer than the point by this, texels. Less gives acne.
+const float blocker_allowance = 0.5;
+// What a wide filter on a slanted surface allows for the surface itself, texels for a texel of radius.
+const float slope_allowance = 0.15;
 
 // Interleaved gradient noise (Jimenez 2014): neighbours differ as much as possible, so the eye averages them.
 // Around a square instead of a circle, then back to length 1: near enough to all directions alike.
@@ -25,16 +37,16 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
     vec2 tap = place.xy + search_radius * disc_radius(i, search_taps) * direction;
     float depth = textureLod(shadow_depth, tap, 0.0).r;
     direction = golden_turn * direction;
-    float closer = step(depth, place.z - 0.5 * shadow.x / shadow.z);
+    float closer = step(depth, place.z - blocker_allowance * shadow.x / shadow.z);
     blockers += closer;
     depth_sum += closer * depth;
     ++i;
   } while (i < (open ? search_taps : 0));
   blockers = open ? blockers : 0.0;
   float gap = place.z - depth_sum / max(blockers, 1.0);
-  float radius = clamp(gap * depth_to_uv, 1.5 * shadow.y, shadow_blur.x * shadow.y);
+  float radius = clamp(gap * depth_to_uv, narrowest_blur * shadow.y, shadow_blur.x * shadow.y);
   // A wide filter on a slanted surface would meet the surface itself: the allowance grows with the radius.
-  float allowance = (radius / shadow.y) * 0.15 * slope * shadow.x / shadow.z;
+  float allowance = (radius / shadow.y) * slope_allowance * slope * shadow.x / shadow.z;
   // The search reaches farther than the filter: where it finds nothing but blockers, so would the filter.
 #ifdef FLOOR
   int filter_taps = int(shadow_blur.z);
@@ -57,14 +69,14 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
 // 1 in the light, 0 in the shadow; 1 unless `asked`. `normal` points to the lit side.
 float key_visibility(vec3 position, vec3 normal, bool asked) {
   // Along the normal rather than towards the light: grazing surfaces need it most, and a thin cloth keeps its
-  // shadow attached. More would lift the shadow off, less gives acne.
+  // shadow attached.
   float cosine = dot(normal, towards_key.xyz);
   float slope = sqrt(max(1.0 - cosine * cosine, 0.0));
-  vec3 lifted = position + normal * shadow.x * (0.6 + 1.8 * slope);
+  vec3 lifted = position + normal * shadow.x * (lift_facing + lift_grazing * slope);
   vec3 place = (world_to_shadow * vec4(lifted, 1.0)).xyz;
   place.z = min(place.z, 1.0);
   float depth_to_uv = shadow.z * shadow.w / shadow.x * shadow.y;  // blur radius per unit of depth between
-  float search_radius = clamp(place.z * depth_to_uv, 2.5 * shadow.y, shadow_blur.x * shadow.y);
+  float search_radius = clamp(place.z * depth_to_uv, narrowest_search * shadow.y, shadow_blur.x * shadow.y);
   vec4 to_bounds = vec4(place.xy - shadow_bounds.xy, shadow_bounds.zw - place.xy);
   bool open = asked && shadow.w > 0.0 && all(greaterThan(to_bounds, vec4(-search_radius)));
   return searched_visibility(place, slope, search_radius, depth_to_uv, open);

@@ -1,8 +1,8 @@
 #version 330 core
 #include "frame.glsl"
-#include "tables.glsl"
+#include "surface_buffers.glsl"
 #include "weave.glsl"
-#ifdef OPEN  // some triangle here may be in light and shadow
+#ifdef PARTIAL_SHADOW  // some triangle here may be in light and shadow
 #include "shadow.glsl"
 #endif
 #include "cloth_light.glsl"
@@ -10,11 +10,11 @@
 // are drawn would work on more pixels outside than inside.
 uniform ivec4 corner;  // xy: where the tile starts in the framebuffer, px
 #ifdef MULTISAMPLED
-uniform usampler2DMS seen_map;  // four samples
+uniform usampler2DMS visibility_buffer;  // four samples
 uniform vec4 samples_x;         // where they are in a pixel, 0..1
 uniform vec4 samples_y;
 #else
-uniform usampler2D seen_map;
+uniform usampler2D visibility_buffer;
 #endif
 uniform sampler2D scalar_maps;  // one row each
 layout(location = 0) out vec4 colour;  // linear, premultiplied; encoded with one sample
@@ -38,9 +38,9 @@ const float shaded_px = 1.0;
 // Where a ray meets the triangle (Moeller and Trumbore 1997).
 Spot spot_on(uvec3 corners, vec3 ray) {
   ivec3 first = 3 * ivec3(corners);
-  vec4 a = texelFetch(vertex_table, first.x);
-  vec4 b = texelFetch(vertex_table, first.y);
-  vec4 c = texelFetch(vertex_table, first.z);
+  vec4 a = texelFetch(vertex_data, first.x);
+  vec4 b = texelFetch(vertex_data, first.y);
+  vec4 c = texelFetch(vertex_data, first.z);
   vec3 ab = b.xyz - a.xyz;
   vec3 ac = c.xyz - a.xyz;
   vec3 from_a = eye.xyz - a.xyz;
@@ -55,12 +55,12 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   place = clamp(place, 0.0, 1.0);
   place /= max(place.x + place.y, 1.0);
 
-  vec4 na = texelFetch(vertex_table, first.x + 1);
-  vec4 nb = texelFetch(vertex_table, first.y + 1) - na;
-  vec4 nc = texelFetch(vertex_table, first.z + 1) - na;
-  vec4 ma = texelFetch(vertex_table, first.x + 2);
-  vec4 mb = texelFetch(vertex_table, first.y + 2) - ma;
-  vec4 mc = texelFetch(vertex_table, first.z + 2) - ma;
+  vec4 na = texelFetch(vertex_data, first.x + 1);
+  vec4 nb = texelFetch(vertex_data, first.y + 1) - na;
+  vec4 nc = texelFetch(vertex_data, first.z + 1) - na;
+  vec4 ma = texelFetch(vertex_data, first.x + 2);
+  vec4 mb = texelFetch(vertex_data, first.y + 2) - ma;
+  vec4 mc = texelFetch(vertex_data, first.z + 2) - ma;
   vec4 n = na + place.x * nb + place.y * nc;
   vec4 m = ma + place.x * mb + place.y * mc;
   Spot spot;
@@ -73,7 +73,7 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   return spot;
 }
 
-vec3 data_colour(float scalar, float row) {
+vec3 scalar_colour(float scalar, float row) {
   vec2 size = vec2(textureSize(scalar_maps, 0));
   vec2 place = vec2(clamp(scalar, 0.0, 1.0) * (size.x - 1.0), row) + 0.5;
   return scalar < -0.5 ? vec3(0.21) : textureLod(scalar_maps, place / size, 0.0).rgb;
@@ -82,17 +82,17 @@ vec3 data_colour(float scalar, float row) {
 // Linear light.
 vec3 shaded(uvec4 corners, bool front, vec3 ray) {
   Spot spot = spot_on(corners.xyz, ray);
-  int look = 3 * int(corners.w >> 2u);
+  int material = 3 * int(corners.w >> 2u);
   uint key = corners.w & 3u;
-  vec4 outside = texelFetch(look_table, look);
-  vec4 inside = texelFetch(look_table, look + 1);
-  vec4 rest = texelFetch(look_table, look + 2);
+  vec4 outside = texelFetch(material_data, material);
+  vec4 inside = texelFetch(material_data, material + 1);
+  vec4 rest = texelFetch(material_data, material + 2);
   vec3 towards_eye = normalize(eye.xyz - spot.world);
   vec3 normal = front ? spot.normal : -spot.normal;
   // Near a silhouette an interpolated normal can turn away from the eye; it is brought back to grazing.
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
   float lit = float(key);
-#ifdef OPEN
+#ifdef PARTIAL_SHADOW
   vec3 lit_side = dot(normal, towards_key.xyz) >= 0.0 ? normal : -normal;
   float found = key_visibility(spot.world, lit_side, key == 2u);
   lit = key == 2u ? found : lit;
@@ -103,11 +103,11 @@ vec3 shaded(uvec4 corners, bool front, vec3 ray) {
   vec3 cloth =
       base * light.diffuse * weave_brightness(spot.material, spot.material_across, spot.material_up, rest.y) +
       mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
-#ifdef DATA
+#ifdef SCALARS
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
   // A dark colour cannot show form by getting darker, so a little light from the edges is added.
-  vec3 data = data_colour(spot.material.x, rest.z) * mix(1.0, light.diffuse / 1.15, 0.5) + vec3(0.1 * light.fringe);
-  return tone_mapped(rest.z < 0.0 ? cloth : data);
+  vec3 shown = scalar_colour(spot.material.x, rest.z) * mix(1.0, light.diffuse / 1.15, 0.5) + vec3(0.1 * light.fringe);
+  return tone_mapped(rest.z < 0.0 ? cloth : shown);
 #else
   return tone_mapped(cloth);
 #endif
@@ -119,15 +119,15 @@ bool share_a_corner(uvec3 a, uvec3 b) {
 }
 
 // Whether a sample shows the surface that `first` is part of: triangles around one vertex, from the same side.
-bool continues(uint sample_seen, uint first, uvec3 corners) {
-  uvec3 others = texelFetch(triangle_table, max(triangle_of(sample_seen), 0)).xyz;
-  return sample_seen != 0u && is_front(sample_seen) == is_front(first) && share_a_corner(others, corners);
+bool continues(uint sample_visible, uint first, uvec3 corners) {
+  uvec3 others = texelFetch(triangle_data, max(triangle_of(sample_visible), 0)).xyz;
+  return sample_visible != 0u && is_front(sample_visible) == is_front(first) && share_a_corner(others, corners);
 }
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - corner.xy;
-  uvec4 left = uvec4(texelFetch(seen_map, pixel, 0).r, texelFetch(seen_map, pixel, 1).r,
-                     texelFetch(seen_map, pixel, 2).r, texelFetch(seen_map, pixel, 3).r);
+  uvec4 left = uvec4(texelFetch(visibility_buffer, pixel, 0).r, texelFetch(visibility_buffer, pixel, 1).r,
+                     texelFetch(visibility_buffer, pixel, 2).r, texelFetch(visibility_buffer, pixel, 3).r);
   vec4 sum = vec4(0.0);
   do {
     bvec3 none = equal(left.xyz, uvec3(0u));
@@ -135,7 +135,7 @@ void main() {
     uint first = left[i];
     // Through the sample, not the pixel's middle, which the triangle may miss.
     vec3 ray = ray_through(vec2(pixel) + vec2(samples_x[i], samples_y[i]));
-    uvec4 corners = texelFetch(triangle_table, max(triangle_of(first), 0));
+    uvec4 corners = texelFetch(triangle_data, max(triangle_of(first), 0));
     bvec4 same = bvec4(continues(left.x, first, corners.xyz), continues(left.y, first, corners.xyz),
                        continues(left.z, first, corners.xyz), continues(left.w, first, corners.xyz));
     sum += 0.25 * dot(vec4(same), vec4(1.0)) * vec4(shaded(corners, is_front(first), ray), 1.0);
@@ -149,18 +149,18 @@ void main() {
 #ifdef HALVED
   // Whichever of the four sees something stands for all that do; surface_halved.frag keeps their outline.
   pixel *= 2;
-  uvec4 four = uvec4(texelFetch(seen_map, pixel, 0).r, texelFetch(seen_map, pixel + ivec2(1, 0), 0).r,
-                     texelFetch(seen_map, pixel + ivec2(0, 1), 0).r, texelFetch(seen_map, pixel + ivec2(1, 1), 0).r);
+  uvec4 four = uvec4(texelFetch(visibility_buffer, pixel, 0).r, texelFetch(visibility_buffer, pixel + ivec2(1, 0), 0).r,
+                     texelFetch(visibility_buffer, pixel + ivec2(0, 1), 0).r, texelFetch(visibility_buffer, pixel + ivec2(1, 1), 0).r);
   bvec3 none = equal(four.xyz, uvec3(0u));
   int i = !none.x ? 0 : !none.y ? 1 : !none.z ? 2 : 3;
-  uint seen = four[i];
+  uint visible = four[i];
   pixel += ivec2(i & 1, i >> 1);
 #else
-  uint seen = texelFetch(seen_map, pixel, 0).r;
+  uint visible = texelFetch(visibility_buffer, pixel, 0).r;
 #endif
-  if (seen == 0u) discard;
+  if (visible == 0u) discard;
   vec3 ray = ray_through(vec2(pixel) + 0.5);
-  vec3 light = shaded(texelFetch(triangle_table, triangle_of(seen)), is_front(seen), ray);
+  vec3 light = shaded(texelFetch(triangle_data, triangle_of(visible)), is_front(visible), ray);
   colour = vec4(linear_to_srgb_fast(light), 1.0);
 }
 #endif

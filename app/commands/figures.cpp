@@ -27,11 +27,11 @@ constexpr renderer::PngEffort effort = {.deflate_level = 6, .filter = 4};
 class FigureWriter {
  public:
   explicit FigureWriter(const FiguresOptions& options)
-      : options_(options), studio_(options.backend, options.scale) {}
+      : options_(options), offscreen_(options.backend, options.scale) {}
 
   void write(const Figure& figure, const Results& results) {
     throw_if_interrupted();
-    const Drawing drawing = figure.draw(results, studio_);
+    const Drawing drawing = figure.draw(results, offscreen_);
     renderer::Image picture = to_image(drawing, options_.scale);
     const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
     write_file(noted(figure.name + ".png"), renderer::encode_png(picture, texts, effort));
@@ -48,7 +48,7 @@ class FigureWriter {
   }
 
   void write_report(const Results& results) {
-    const Report report = make_report(results, drawn_, studio_.gl_renderer());
+    const Report report = make_report(results, drawn_, offscreen_.gl_renderer());
     write_text_file(noted("claims.json"), report.claims_json);
     write_text_file(noted("report.html"), report.html);
     tell();
@@ -76,7 +76,7 @@ class FigureWriter {
   }
 
   const FiguresOptions& options_;
-  StudioDoor studio_;
+  LazyOffscreenRenderer offscreen_;
   std::vector<DrawnFigure> drawn_;
   std::vector<std::filesystem::path> written_;
 };

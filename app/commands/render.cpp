@@ -14,7 +14,7 @@
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/studio.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
@@ -169,11 +169,11 @@ std::vector<int> frames_left(const Job& job, const PictureOutput& output, const 
   return left;
 }
 
-std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Studio& studio,
+std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, OffscreenRenderer& offscreen,
                               PictureOutput& output, const PictureOrigin& origin, std::span<const int> frames,
                               Progress& progress) {
   progress.begin("preparing the first frame");
-  GarmentPainter painter(studio.renderer(), job.scene, simulation.garment(), simulation.pins().vertices);
+  GarmentPainter painter(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices);
   FrameOutputs outputs;
   outputs.pictures = frames;
   outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions) { return painter.draw(positions); };
@@ -199,30 +199,31 @@ int run(const RenderOptions& options) {
   std::future<LoadedGarment> garment = std::async(std::launch::async, [&] {
     return load_garment(job.scene, [&](const std::string& stage) { progress.begin(stage); });
   });
-  Studio studio(options.backend);
+  OffscreenRenderer offscreen(options.backend);
   const PictureStyle& style = job.scene.picture;
-  studio.renderer().prepare(style.settings, style.surface == SurfaceLook::stretch);
+  offscreen.renderer().prepare(style.settings, style.surface == SurfaceLook::stretch);
   const LoadedGarment loaded = garment.get();
   progress.hide();
   print_remarks(job.scene, loaded);
   sim::Simulation simulation = make_simulation(job.scene, loaded);
-  const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene), studio.gl_renderer()};
+  const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene),
+                                offscreen.gl_renderer()};
   const std::vector<int> frames = options.resume ? frames_left(job, output, origin) : job.frames;
   if (frames.size() < job.frames.size()) {
     fmt::print("there already: {} of {}\n", job.frames.size() - frames.size(),
                counted(job.frames.size(), "frame"));
   }
-  const std::vector<FrameRecord> records = draw(job, simulation, studio, output, origin, frames, progress);
+  const std::vector<FrameRecord> records = draw(job, simulation, offscreen, output, origin, frames, progress);
   progress.begin("finishing " + job.output);
   const std::string written = output.finish();
   progress.hide();
 
   if (job.again && options.overrides.empty()) {
-    compare_with_record(job, records, studio.gl_renderer());
+    compare_with_record(job, records, offscreen.gl_renderer());
   }
   if (!options.statistics.empty()) {
     write_statistics(options.statistics, {job.scene, simulation.garment(), simulation.pins().vertices.size(),
-                                          studio.gl_renderer(), records});
+                                          offscreen.gl_renderer(), records});
     fmt::print("wrote {}\n", options.statistics.string());
   }
   fmt::print("{}\n", written);

@@ -91,7 +91,7 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
 
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect) {
   renderer::Camera camera =
-      renderer::frame_box(scene.camera.box.value_or(reach), scene.camera.framing, aspect);
+      renderer::fit_camera_to_box(scene.camera.box.value_or(reach), scene.camera.framing, aspect);
   if (scene.camera.eye) {
     camera.eye = *scene.camera.eye;
     camera.target = *scene.camera.target;

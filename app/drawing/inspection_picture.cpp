@@ -14,7 +14,7 @@
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/inspection_marks.hpp"
 #include "app/drawing/inspection_views.hpp"
-#include "app/drawing/studio.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
 
 namespace taut::app {
 namespace {
@@ -32,11 +32,11 @@ const renderer::Colour outside_colour = renderer::rgb(0xE8EDF2);
 const renderer::Colour inside_colour = renderer::rgb(0xF3DFC0);
 const renderer::Colour pin_colour = renderer::rgb(0xC0392B);
 
-renderer::Image draw_side(Studio& studio, DrawnScene& scene, const LoadedGarment& loaded,
+renderer::Image draw_side(OffscreenRenderer& offscreen, DrawnScene& scene, const LoadedGarment& loaded,
                           const std::vector<InspectionMarks>& all) {
   scene.picture.cloth.outside_colour = outside_colour;
   scene.picture.cloth.inside_colour = inside_colour;
-  GarmentPainter painter(studio.renderer(), scene, *loaded.garment, loaded.pins);
+  GarmentPainter painter(offscreen.renderer(), scene, *loaded.garment, loaded.pins);
   renderer::FrameView frame = painter.view(loaded.garment->mesh.positions);
   frame.backdrop.plain = true;
   frame.backdrop.lower_colour = renderer::rgb(0xFFFFFF);
@@ -59,7 +59,7 @@ renderer::Image draw_side(Studio& studio, DrawnScene& scene, const LoadedGarment
                              .hidden_by_surfaces = !marks.seen_through});
     }
   }
-  return studio.renderer().draw(frame, scene.picture.settings);
+  return offscreen.renderer().draw(frame, scene.picture.settings);
 }
 
 // The longest of 1, 2 and 5 times a power of ten that takes at most a quarter of a panel.
@@ -195,7 +195,7 @@ MarkWidths mark_widths(const Inspection& inspection, float px_per_m) {
 
 renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded,
                                 const DrawnScene& scene, const std::string& backend) {
-  Studio studio(backend);
+  OffscreenRenderer offscreen(backend);
   InspectionViews views = inspection_views(scene, *loaded.garment, loaded.pins);
   const std::vector<InspectionMarks> all = inspection_marks(loaded, mark_widths(inspection, views.px_per_m));
   const std::vector<LegendRow> legend = legend_of(all, loaded.pins.size());
@@ -209,7 +209,7 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   caption.horizontal = renderer::HorizontalAlign::centre;
   for (std::size_t k = 0; k < views.sides.size(); ++k) {
     const float x_px = border_px + static_cast<float>(k) * (panel_px + gap_px);
-    canvas.image(x_px, header_px, draw_side(studio, views.sides[k].scene, loaded, all));
+    canvas.image(x_px, header_px, draw_side(offscreen, views.sides[k].scene, loaded, all));
     canvas.text(x_px + 0.5F * panel_px, below_px + row_px, views.sides[k].name, caption);
   }
   draw_bar(canvas, border_px + 12.0F, below_px + row_px, views.px_per_m);

@@ -60,7 +60,8 @@ glm::vec2 seen_size(std::span<const glm::vec3> points, const renderer::Camera& c
 int panel_height_px(std::span<const glm::vec3> points) {
   float width = 0.0F, height = 0.0F;
   for (const float azimuth_rad : azimuths_rad) {
-    const glm::vec2 size = seen_size(points, renderer::frame_points(points, framing_of(azimuth_rad), 1.0F));
+    const glm::vec2 size =
+        seen_size(points, renderer::fit_camera_to_points(points, framing_of(azimuth_rad), 1.0F));
     width = std::max(width, size.x);
     height = std::max(height, size.y);
   }
@@ -98,7 +99,7 @@ InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& ga
   std::array<renderer::Camera, azimuths_rad.size()> cameras;
   float distance_m = 0.0F;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
-    cameras[k] = renderer::frame_points(points, framing_of(azimuths_rad[k]), aspect);
+    cameras[k] = renderer::fit_camera_to_points(points, framing_of(azimuths_rad[k]), aspect);
     distance_m = std::max(distance_m, glm::distance(cameras[k].eye, cameras[k].target));
   }
   // All from as far as the side that needs it.

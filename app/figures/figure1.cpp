@@ -108,7 +108,7 @@ void draw_legend_row(renderer::Canvas& canvas, float centre_px, float y_px) {
 }  // namespace
 
 // The mass-spring model and its three types of springs: a regular grid, and a patch of a triangle model.
-Drawing draw_figure1(const Results& results, StudioDoor&) {
+Drawing draw_figure1(const Results& results, LazyOffscreenRenderer&) {
   const CaptionStyle style;
   const float legend_px = 100.0F, gap_px = 60.0F;
   Drawing drawing;

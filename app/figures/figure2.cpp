@@ -20,13 +20,13 @@ void read_figure2(const std::filesystem::path& folder, Results& results) {
 }
 
 // Simulation of cloth falling under the effect of gravity.
-Drawing draw_figure2(const Results& results, StudioDoor& studio) {
+Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen) {
   const Recording& fall = results.fall->frames;
   std::vector<PrintedMoment> moments;
   for (const Moment& moment : fall.moments) {
     moments.push_back({&fall, &moment, false});
   }
-  Prints prints = print_moments(studio, moments, {720, 620});
+  Prints prints = print_moments(offscreen, moments, {720, 620});
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const FrameRecord& record = moments[i].moment->record;

@@ -115,7 +115,7 @@ void read_figure3(const std::filesystem::path& folder, Results& results) {
 }
 
 // Iterative convergence of a single mass point of the cloth of figure 2.
-Drawing draw_figure3(const Results& results, StudioDoor&) {
+Drawing draw_figure3(const Results& results, LazyOffscreenRenderer&) {
   const StepRecording fall = *results.fall;
   const CaptionStyle style;
   const Plot plot = convergence_plot(fall);

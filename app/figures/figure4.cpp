@@ -105,7 +105,7 @@ void read_figure4(const std::filesystem::path& folder, Results& results) {
 }
 
 // Over-stretching: the same cloth, held by its upper corners, with two limits of stretch; below, where.
-Drawing draw_figure4(const Results& results, StudioDoor& studio) {
+Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen) {
   std::vector<PrintedMoment> moments;
   for (const bool shows_stretch : {false, true}) {
     for (const auto& recording : results.pinned) {
@@ -115,7 +115,7 @@ Drawing draw_figure4(const Results& results, StudioDoor& studio) {
   Moment unstretched;
   unstretched.positions = results.pinned[0]->garment->mesh.positions;
   moments.push_back({&*results.pinned[0], &unstretched, true, false});
-  Prints prints = print_moments(studio, moments, picture_size);
+  Prints prints = print_moments(offscreen, moments, picture_size);
   const renderer::Colour shade = shade_of(prints.pictures.back());
   moments.pop_back();
   std::vector<Panel> panels;

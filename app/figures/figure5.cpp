@@ -28,12 +28,12 @@ void read_figure5(const std::filesystem::path& folder, Results& results) {
 }
 
 // The T-shirt without wind and in two winds.
-Drawing draw_figure5(const Results& results, StudioDoor& studio) {
+Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
   std::vector<PrintedMoment> moments;
   for (const auto& recording : results.shirts) {
     moments.push_back({&*recording, &recording->last(), false});
   }
-  Prints prints = print_moments(studio, moments, {980, 860});
+  Prints prints = print_moments(offscreen, moments, {980, 860});
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const double speed_m_per_s = moments[i].recording->scene.surroundings.forces.wind.speed_m_per_s;

@@ -113,7 +113,7 @@ void read_figure6(const std::filesystem::path& folder, Results& results) {
 }
 
 // Section IV: what a frame costs for models of different precision.
-Drawing draw_figure6(const Results& results, StudioDoor&) {
+Drawing draw_figure6(const Results& results, LazyOffscreenRenderer&) {
   const std::vector<FrameTimes> times = results.frame_times;
   const Plot plot = frame_time_plot(times);
   const CaptionStyle style;

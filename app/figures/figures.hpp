@@ -6,7 +6,7 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/figures/experiments/experiments.hpp"
-#include "app/figures/studio_door.hpp"
+#include "app/figures/lazy_offscreen_renderer.hpp"
 
 namespace taut::app {
 
@@ -15,7 +15,7 @@ struct Figure {
   std::string name;   ///< "fig2"
   std::string title;  ///< what it shows, for the report
   std::vector<Experiment> needs;
-  Drawing (*draw)(const Results&, StudioDoor&);
+  Drawing (*draw)(const Results&, LazyOffscreenRenderer&);
   /// What it is drawn from, as tables NAME.csv and NAME_shapes.csv; none where it is not measured.
   std::string (*csv)(const Results&) = nullptr;
   std::string (*shapes_csv)(const Results&) = nullptr;
@@ -24,13 +24,13 @@ struct Figure {
   bool needs_frame_times = false;
 };
 
-Drawing draw_figure1(const Results& results, StudioDoor& studio);
-Drawing draw_figure2(const Results& results, StudioDoor& studio);
-Drawing draw_figure3(const Results& results, StudioDoor& studio);
-Drawing draw_figure4(const Results& results, StudioDoor& studio);
-Drawing draw_figure5(const Results& results, StudioDoor& studio);
-Drawing draw_figure6(const Results& results, StudioDoor& studio);
-Drawing draw_figure7(const Results& results, StudioDoor& studio);
+Drawing draw_figure1(const Results& results, LazyOffscreenRenderer& offscreen);
+Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen);
+Drawing draw_figure3(const Results& results, LazyOffscreenRenderer& offscreen);
+Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen);
+Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen);
+Drawing draw_figure6(const Results& results, LazyOffscreenRenderer& offscreen);
+Drawing draw_figure7(const Results& results, LazyOffscreenRenderer& offscreen);
 std::string figure2_csv(const Results& results);
 std::string figure3_csv(const Results& results);
 std::string figure4_csv(const Results& results);

@@ -111,9 +111,10 @@ void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::ve
 
 }  // namespace
 
-Prints print_moments(StudioDoor& studio, std::span<const PrintedMoment> moments, const PictureSize& size) {
+Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
+                     const PictureSize& size) {
   const auto scaled = [&](int length_px) {
-    return std::max(1, static_cast<int>(std::lround(static_cast<float>(length_px) * studio.scale())));
+    return std::max(1, static_cast<int>(std::lround(static_cast<float>(length_px) * offscreen.scale())));
   };
   const renderer::Camera camera = camera_for(moments, size);
   Prints prints;
@@ -122,7 +123,7 @@ Prints print_moments(StudioDoor& studio, std::span<const PrintedMoment> moments,
     DrawnScene scene = scene_for_print(moment, {scaled(size.width_px), scaled(size.height_px)});
     scene.camera.eye = camera.eye;
     scene.camera.target = camera.target;
-    GarmentPainter painter(studio.open().renderer(), scene, *moment.recording->garment,
+    GarmentPainter painter(offscreen.open().renderer(), scene, *moment.recording->garment,
                            moment.recording->pins);
     prints.pictures.push_back(painter.draw(moment.moment->positions));
   }

@@ -6,7 +6,7 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/figures/experiments/recording.hpp"
-#include "app/figures/studio_door.hpp"
+#include "app/figures/lazy_offscreen_renderer.hpp"
 #include "renderer/page/image.hpp"
 
 namespace taut::app {
@@ -26,7 +26,7 @@ struct PrintedMoment {
 
 /// Pictures from one camera, and how long a metre is in them at the distance of what they show.
 struct Prints {
-  PictureSize size;  ///< in the figure; the pictures have as many times more pixels as the studio door says
+  PictureSize size;  ///< in the figure; pictures have LazyOffscreenRenderer::scale() times as many pixels
   std::vector<renderer::Image> pictures;
   float metre_px = 0.0F;
 };
@@ -38,7 +38,8 @@ inline constexpr renderer::ColourMap printed_stretch_colours = renderer::ColourM
 
 /// Draws the moments from the direction of the first one's scene, as large as all of them and their shadows
 /// on the floor allow.
-Prints print_moments(StudioDoor& studio, std::span<const PrintedMoment> moments, const PictureSize& size);
+Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
+                     const PictureSize& size);
 
 /// A picture in a figure, with its text below.
 struct Panel {

@@ -23,17 +23,17 @@ std::string gl_string(const GladGLContext& gl, GLenum name) {
 
 }  // namespace
 
-Context::Context() : table(new GladGLContext{}, [](GladGLContext* gl) { delete gl; }) {}
+Context::Context() : table_(new GladGLContext{}, [](GladGLContext* gl) { delete gl; }) {}
 
 void Context::load(Lookup lookup) {
-  const int version = gladLoadGLContext(table.get(), lookup);
+  const int version = gladLoadGLContext(table_.get(), lookup);
   if (version < GLAD_MAKE_VERSION(3, 3)) {
     throw ContextError("OpenGL 3.3 is needed, this context has " +
                        std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
                        std::to_string(GLAD_VERSION_MINOR(version)));
   }
-  renderer_string = gl_string(*table, GL_RENDERER);
-  version_string = gl_string(*table, GL_VERSION);
+  renderer_ = gl_string(*table_, GL_RENDERER);
+  version_ = gl_string(*table_, GL_VERSION);
 }
 
 std::vector<std::string> context_names() {

@@ -15,46 +15,47 @@ struct ContextError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An OpenGL 3.3 core context and the functions that belong to it. Nothing is drawn to the context itself:
-/// pictures are made in framebuffer objects, so a context without a window is as good as one with.
+/// An OpenGL 3.3 core context and its functions. Pictures are drawn to framebuffer objects, so a context
+/// needs no window.
 class Context {
  public:
   virtual ~Context() = default;
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  /// Binds the context to the calling thread. Throws ContextError.
+  /// Makes the context current in the calling thread. Throws ContextError when the system refuses.
   virtual void make_current() = 0;
 
-  /// The function table, valid while the context lives.
-  const GladGLContext& gl() const { return *table; }
-  /// The loader that made it: "osmesa", ...
+  /// Returns the OpenGL functions. Valid while the context lives; call them only while it is current.
+  const GladGLContext& gl() const { return *table_; }
+  /// Returns how the context was made: "osmesa", "egl" or "window".
   virtual std::string_view loader() const = 0;
-  /// GL_RENDERER, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
-  const std::string& renderer() const { return renderer_string; }
-  /// GL_VERSION, e.g. "4.5 (Core Profile) Mesa 22.3.6".
-  const std::string& version() const { return version_string; }
+  /// Returns GL_RENDERER, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
+  const std::string& renderer() const { return renderer_; }
+  /// Returns GL_VERSION, e.g. "4.5 (Core Profile) Mesa 22.3.6".
+  const std::string& version() const { return version_; }
 
  protected:
   using Procedure = void (*)();
   using Lookup = Procedure (*)(const char* name);
 
   Context();
-  /// Fills the table and the strings; the context has to be current. Throws ContextError when a function of
-  /// OpenGL 3.3 is missing.
+  /// Loads the OpenGL functions through `lookup`. The context must be current. Throws ContextError when it
+  /// offers less than OpenGL 3.3.
   void load(Lookup lookup);
 
  private:
-  std::unique_ptr<GladGLContext, void (*)(GladGLContext*)> table;
-  std::string renderer_string;
-  std::string version_string;
+  std::unique_ptr<GladGLContext, void (*)(GladGLContext*)> table_;
+  std::string renderer_;
+  std::string version_;
 };
 
-/// Names create_context takes apart from "auto", best first.
+/// Returns the names create_context accepts besides "auto", in the order "auto" tries them.
 std::vector<std::string> context_names();
 
-/// A current context without a window, by the name of its loader; "auto" takes the first that works. Needs no
-/// display. Throws ContextError saying what was tried and why each failed.
+/// Returns a current context without a window. Needs no display. `name` is one of context_names(), or "auto"
+/// for the first that works. Throws ContextError with what was tried and why each failed, or with the known
+/// names when `name` is unknown.
 std::unique_ptr<Context> create_context(std::string_view name = "auto");
 
 }  // namespace taut::renderer

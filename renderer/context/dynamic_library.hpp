@@ -9,8 +9,9 @@
 
 namespace taut::renderer {
 
-/// The first of the names that the system's linker finds. Throws ContextError with the linker's reason for
-/// the first. Never closed: Mesa leaves thread-local destructors behind that run when the program ends.
+/// Opens the first of these shared libraries that the dynamic linker finds and returns its handle. Throws
+/// ContextError with the linker's reason for the first name. The library is never closed: Mesa leaves
+/// thread-local destructors behind that run when the program ends.
 inline void* open_library(std::initializer_list<const char*> names) {
   std::string reason;
   for (const char* name : names) {
@@ -20,7 +21,7 @@ inline void* open_library(std::initializer_list<const char*> names) {
   throw ContextError(reason);
 }
 
-/// Throws ContextError when the library has no such function.
+/// Sets `function` to a function of an open library. Throws ContextError when it has none of that name.
 template <typename Function>
 void find_function(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(dlsym(library, name));

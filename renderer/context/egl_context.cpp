@@ -57,15 +57,15 @@ Library load_library() {
 /// Without any surface: Mesa's own rasteriser or a graphics card, whichever the system offers.
 class EglContext final : public Context {
  public:
-  EglContext() : library(load_library()) {
-    display = library.get_platform_display(egl_platform_surfaceless, nullptr, nullptr);
-    if (display == nullptr || library.initialize(display, nullptr, nullptr) == 0) {
+  EglContext() : library_(load_library()) {
+    display_ = library_.get_platform_display(egl_platform_surfaceless, nullptr, nullptr);
+    if (display_ == nullptr || library_.initialize(display_, nullptr, nullptr) == 0) {
       throw ContextError("EGL offers no display without a surface");
     }
     try {
       create();
       make_current();
-      load(library.lookup);
+      load(library_.lookup);
     } catch (...) {
       release();
       throw;
@@ -76,8 +76,8 @@ class EglContext final : public Context {
 
   void make_current() override {
     // The API is a setting of the thread, not of the context.
-    if (library.bind_api(egl_opengl_api) == 0 ||
-        library.make_current(display, nullptr, nullptr, handle) == 0) {
+    if (library_.bind_api(egl_opengl_api) == 0 ||
+        library_.make_current(display_, nullptr, nullptr, handle_) == 0) {
       throw ContextError("eglMakeCurrent failed");
     }
   }
@@ -93,25 +93,25 @@ class EglContext final : public Context {
         egl_context_core_profile_bit, egl_none};
     Handle config = nullptr;
     std::int32_t count = 0;
-    if (library.bind_api(egl_opengl_api) == 0 ||
-        library.choose_config(display, config_attributes.data(), &config, 1, &count) == 0 || count == 0) {
+    if (library_.bind_api(egl_opengl_api) == 0 ||
+        library_.choose_config(display_, config_attributes.data(), &config, 1, &count) == 0 || count == 0) {
       throw ContextError("EGL offers no configuration for OpenGL");
     }
-    handle = library.create_context(display, config, nullptr, context_attributes.data());
-    if (handle == nullptr) throw ContextError("EGL offers no OpenGL 3.3 core context");
+    handle_ = library_.create_context(display_, config, nullptr, context_attributes.data());
+    if (handle_ == nullptr) throw ContextError("EGL offers no OpenGL 3.3 core context");
   }
 
   void release() {
-    if (handle != nullptr) {
-      library.make_current(display, nullptr, nullptr, nullptr);
-      library.destroy_context(display, handle);
+    if (handle_ != nullptr) {
+      library_.make_current(display_, nullptr, nullptr, nullptr);
+      library_.destroy_context(display_, handle_);
     }
-    library.terminate(display);
+    library_.terminate(display_);
   }
 
-  Library library;
-  Handle display = nullptr;
-  Handle handle = nullptr;
+  Library library_;
+  Handle display_ = nullptr;
+  Handle handle_ = nullptr;
 };
 
 }  // namespace

@@ -6,11 +6,11 @@
 
 namespace taut::renderer {
 
-// One function for each way to get a context; each returns it current or throws ContextError with the reason.
+// Each function returns a new context, current in the calling thread, or throws ContextError with the reason.
 
-/// Mesa's off-screen library (removed from Mesa in 25.1, so it may be absent at run time).
+/// Returns a context of libOSMesa, Mesa's off-screen library. Mesa 25.1 removed it, so it may be absent.
 std::unique_ptr<Context> create_osmesa_context();
-/// EGL without a surface: needs neither a display nor a window system.
+/// Returns a context of EGL without a surface. Needs neither a display nor a window system.
 std::unique_ptr<Context> create_egl_context();
 
 }  // namespace taut::renderer

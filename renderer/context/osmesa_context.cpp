@@ -39,7 +39,7 @@ Library load_library() {
 
 class OsMesaContext final : public Context {
  public:
-  OsMesaContext() : library(load_library()) {
+  OsMesaContext() : library_(load_library()) {
     const std::array<int, 11> attributes{osmesa_format,
                                          GL_RGBA,
                                          osmesa_depth_bits,
@@ -51,21 +51,21 @@ class OsMesaContext final : public Context {
                                          osmesa_minor_version,
                                          3,
                                          0};
-    handle = library.create(attributes.data(), nullptr);
-    if (handle == nullptr) throw ContextError("OSMesa offers no OpenGL 3.3 core context");
+    handle_ = library_.create(attributes.data(), nullptr);
+    if (handle_ == nullptr) throw ContextError("OSMesa offers no OpenGL 3.3 core context");
     try {
       make_current();
-      load(library.lookup);
+      load(library_.lookup);
     } catch (...) {
-      library.destroy(handle);
+      library_.destroy(handle_);
       throw;
     }
   }
 
-  ~OsMesaContext() override { library.destroy(handle); }
+  ~OsMesaContext() override { library_.destroy(handle_); }
 
   void make_current() override {
-    if (library.make_current(handle, pixels.data(), GL_UNSIGNED_BYTE, side_px, side_px) == 0) {
+    if (library_.make_current(handle_, pixels_.data(), GL_UNSIGNED_BYTE, side_px, side_px) == 0) {
       throw ContextError("OSMesaMakeCurrent failed");
     }
   }
@@ -75,9 +75,9 @@ class OsMesaContext final : public Context {
  private:
   // OSMesa insists on memory to draw to; everything is drawn in framebuffer objects instead.
   static constexpr int side_px = 16;
-  std::array<unsigned char, 4 * side_px * side_px> pixels{};
-  Library library;
-  Handle handle = nullptr;
+  std::array<unsigned char, 4 * side_px * side_px> pixels_{};
+  Library library_;
+  Handle handle_ = nullptr;
 };
 
 }  // namespace

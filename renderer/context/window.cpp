@@ -37,40 +37,40 @@ class GlfwWindow final : public Window {
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    handle = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
-    if (handle == nullptr) fail("no window with OpenGL 3.3");
+    handle_ = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
+    if (handle_ == nullptr) fail("no window with OpenGL 3.3");
     try {
       make_current();
       load(glfwGetProcAddress);
     } catch (...) {
-      glfwDestroyWindow(handle);
+      glfwDestroyWindow(handle_);
       throw;
     }
     glfwSwapInterval(1);
-    reset_status = reinterpret_cast<ResetStatus>(glfwGetProcAddress("glGetGraphicsResetStatusARB"));
-    glfwSetWindowUserPointer(handle, this);
+    reset_status_ = reinterpret_cast<ResetStatus>(glfwGetProcAddress("glGetGraphicsResetStatusARB"));
+    glfwSetWindowUserPointer(handle_, this);
     watch();
   }
 
-  ~GlfwWindow() override { glfwDestroyWindow(handle); }
+  ~GlfwWindow() override { glfwDestroyWindow(handle_); }
 
   void make_current() override {
-    glfwMakeContextCurrent(handle);
-    if (glfwGetCurrentContext() != handle) fail("the window's context cannot be used");
+    glfwMakeContextCurrent(handle_);
+    if (glfwGetCurrentContext() != handle_) fail("the window's context cannot be used");
   }
 
   std::string_view loader() const override { return "window"; }
 
   Resized framebuffer_size() const override {
     Resized size;
-    glfwGetFramebufferSize(handle, &size.width_px, &size.height_px);
+    glfwGetFramebufferSize(handle_, &size.width_px, &size.height_px);
     return size;
   }
 
   double content_scale() const override {
     float x = 1.0F;
     float y = 1.0F;
-    glfwGetWindowContentScale(handle, &x, &y);
+    glfwGetWindowContentScale(handle_, &x, &y);
     return std::max(x, y);
   }
 
@@ -80,21 +80,21 @@ class GlfwWindow final : public Window {
     } else {
       glfwPollEvents();
     }
-    return std::exchange(events, {});
+    return std::exchange(events_, {});
   }
 
-  void present() override { glfwSwapBuffers(handle); }
-  bool take_damage() override { return std::exchange(is_damaged, false); }
-  bool is_asked_to_close() const override { return glfwWindowShouldClose(handle) == GLFW_TRUE; }
-  bool is_lost() const override { return reset_status != nullptr && reset_status() != GL_NO_ERROR; }
-  void set_title(const std::string& title) override { glfwSetWindowTitle(handle, title.c_str()); }
-  void set_clipboard(const std::string& text) override { glfwSetClipboardString(handle, text.c_str()); }
+  void present() override { glfwSwapBuffers(handle_); }
+  bool take_damage() override { return std::exchange(is_damaged_, false); }
+  bool is_asked_to_close() const override { return glfwWindowShouldClose(handle_) == GLFW_TRUE; }
+  bool is_lost() const override { return reset_status_ != nullptr && reset_status_() != GL_NO_ERROR; }
+  void set_title(const std::string& title) override { glfwSetWindowTitle(handle_, title.c_str()); }
+  void set_clipboard(const std::string& text) override { glfwSetClipboardString(handle_, text.c_str()); }
 
  private:
   using ResetStatus = unsigned (*)();
 
   static void note(GLFWwindow* window, WindowEvent event) {
-    static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->events.push_back(std::move(event));
+    static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->events_.push_back(std::move(event));
   }
 
   // The display reports positions in its own units, which are not always pixels.
@@ -107,39 +107,39 @@ class GlfwWindow final : public Window {
   }
 
   void watch() {
-    glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int, int action, int) {
+    glfwSetKeyCallback(handle_, [](GLFWwindow* window, int key, int, int action, int) {
       if (key != GLFW_KEY_UNKNOWN) note(window, KeyChanged{key, action != GLFW_RELEASE});
     });
-    glfwSetCharCallback(handle,
+    glfwSetCharCallback(handle_,
                         [](GLFWwindow* window, unsigned character) { note(window, TextTyped{character}); });
     glfwSetCursorPosCallback(
-        handle, [](GLFWwindow* window, double x, double y) { note(window, moved(window, x, y)); });
-    glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int) {
+        handle_, [](GLFWwindow* window, double x, double y) { note(window, moved(window, x, y)); });
+    glfwSetMouseButtonCallback(handle_, [](GLFWwindow* window, int button, int action, int) {
       if (button <= GLFW_MOUSE_BUTTON_MIDDLE) {
         note(window, ButtonChanged{static_cast<PointerButton>(button), action == GLFW_PRESS});
       }
     });
-    glfwSetScrollCallback(handle, [](GLFWwindow* window, double x, double y) {
+    glfwSetScrollCallback(handle_, [](GLFWwindow* window, double x, double y) {
       note(window, WheelTurned{x, y});
     });
-    glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
+    glfwSetDropCallback(handle_, [](GLFWwindow* window, int count, const char** paths) {
       for (int i = 0; i < count; ++i) note(window, FileDropped{paths[i]});
     });
-    glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* window, int width, int height) {
+    glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* window, int width, int height) {
       note(window, Resized{width, height});
     });
-    glfwSetWindowRefreshCallback(handle, [](GLFWwindow* window) {
-      static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->is_damaged = true;
+    glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* window) {
+      static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->is_damaged_ = true;
     });
     glfwSetWindowContentScaleCallback(
-        handle, [](GLFWwindow* window, float x, float y) { note(window, ScaleChanged{std::max(x, y)}); });
+        handle_, [](GLFWwindow* window, float x, float y) { note(window, ScaleChanged{std::max(x, y)}); });
   }
 
-  Library library;
-  GLFWwindow* handle = nullptr;
-  ResetStatus reset_status = nullptr;
-  std::vector<WindowEvent> events;
-  bool is_damaged = false;
+  Library library_;
+  GLFWwindow* handle_ = nullptr;
+  ResetStatus reset_status_ = nullptr;
+  std::vector<WindowEvent> events_;
+  bool is_damaged_ = false;
 };
 
 }  // namespace

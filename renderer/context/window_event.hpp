@@ -5,8 +5,8 @@
 
 namespace taut::renderer {
 
-/// Keys are numbered as GLFW does: letters, digits and signs by the capital ASCII character on a US keyboard,
-/// others by the names below.
+/// Key codes of GLFW. Printable keys have the ASCII code of the capital letter on a US keyboard; the others
+/// are below.
 namespace keys {
 inline constexpr int space = 32;
 inline constexpr int period = 46;
@@ -35,23 +35,26 @@ inline constexpr int right_alt = 346;
 inline constexpr int last = 348;
 }  // namespace keys
 
+/// A mouse button.
 enum class PointerButton { left, right, middle };
 
+/// A key was pressed, repeated or released.
 struct KeyChanged {
-  int key = 0;
-  bool down = false;  ///< also told again while a key that is held repeats
+  int key = 0;        ///< one of `keys`, or an ASCII code
+  bool down = false;  ///< true for a press and for every repeat
 
   bool operator==(const KeyChanged&) const = default;
 };
 
-/// A character that was typed, as the keyboard's layout has it.
+/// A character was typed.
 struct TextTyped {
-  char32_t character = 0;
+  char32_t character = 0;  ///< Unicode code point
 
   bool operator==(const TextTyped&) const = default;
 };
 
-/// In pixels of the framebuffer from its upper left corner; outside the window while a button is held.
+/// The pointer moved. Framebuffer pixels from its upper left corner; beyond the window while a button is
+/// down.
 struct PointerMoved {
   double x_px = 0.0;
   double y_px = 0.0;
@@ -59,6 +62,7 @@ struct PointerMoved {
   bool operator==(const PointerMoved&) const = default;
 };
 
+/// A mouse button was pressed or released.
 struct ButtonChanged {
   PointerButton button = PointerButton::left;
   bool down = false;
@@ -66,7 +70,7 @@ struct ButtonChanged {
   bool operator==(const ButtonChanged&) const = default;
 };
 
-/// In notches of the wheel, up and right positive.
+/// The wheel was turned, in notches; right (x) and up (y) are positive.
 struct WheelTurned {
   double x = 0.0;
   double y = 0.0;
@@ -74,14 +78,14 @@ struct WheelTurned {
   bool operator==(const WheelTurned&) const = default;
 };
 
-/// A file was dragged onto the window and let go.
+/// A file was dropped on the window.
 struct FileDropped {
-  std::string path;
+  std::string path;  ///< UTF-8
 
   bool operator==(const FileDropped&) const = default;
 };
 
-/// Of the framebuffer; both are 0 while a window is minimised.
+/// The framebuffer has a new size in pixels; 0 by 0 while the window is minimised.
 struct Resized {
   int width_px = 0;
   int height_px = 0;
@@ -89,14 +93,14 @@ struct Resized {
   bool operator==(const Resized&) const = default;
 };
 
-/// How much larger than on a plain display things have to be drawn to be read as well.
+/// The display's scale changed; see Window::content_scale.
 struct ScaleChanged {
   double scale = 1.0;
 
   bool operator==(const ScaleChanged&) const = default;
 };
 
-/// What a person does to a window.
+/// One event of a window.
 using WindowEvent = std::variant<KeyChanged, TextTyped, PointerMoved, ButtonChanged, WheelTurned, FileDropped,
                                  Resized, ScaleChanged>;
 

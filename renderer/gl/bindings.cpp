@@ -10,12 +10,12 @@ void bind_shared_inputs(const Program& program) {
   program.set("ground_light", static_cast<int>(ground_light_unit));
   program.set("scalar_maps", static_cast<int>(scalar_maps_unit));
   program.set("drawn", static_cast<int>(drawn_unit));
-  program.set("seen_map", static_cast<int>(seen_unit));
+  program.set("visibility_buffer", static_cast<int>(visibility_unit));
   program.set("halved", static_cast<int>(halved_unit));
   program.set("floor_shadow", static_cast<int>(floor_shadow_unit));
-  program.set("vertex_table", static_cast<int>(vertex_table_unit));
-  program.set("triangle_table", static_cast<int>(triangle_table_unit));
-  program.set("look_table", static_cast<int>(look_table_unit));
+  program.set("vertex_data", static_cast<int>(vertex_data_unit));
+  program.set("triangle_data", static_cast<int>(triangle_data_unit));
+  program.set("material_data", static_cast<int>(material_data_unit));
 }
 
 }  // namespace taut::renderer

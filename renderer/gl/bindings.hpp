@@ -4,7 +4,7 @@
 
 namespace taut::renderer {
 
-// Which slot of the context each shared input of the shaders uses; one place, so that passes agree.
+// The binding point of the uniform block and the texture unit of each sampler that several passes share.
 
 inline constexpr unsigned frame_block_binding = 0;
 
@@ -13,15 +13,15 @@ inline constexpr unsigned shadow_depth_unit = 1;
 inline constexpr unsigned ground_light_unit = 2;
 inline constexpr unsigned scalar_maps_unit = 3;
 inline constexpr unsigned drawn_unit = 4;
-inline constexpr unsigned seen_unit = 5;
-inline constexpr unsigned vertex_table_unit = 6;
-inline constexpr unsigned triangle_table_unit = 7;
-inline constexpr unsigned look_table_unit = 8;
+inline constexpr unsigned visibility_unit = 5;
+inline constexpr unsigned vertex_data_unit = 6;
+inline constexpr unsigned triangle_data_unit = 7;
+inline constexpr unsigned material_data_unit = 8;
 inline constexpr unsigned floor_shadow_unit = 9;
 inline constexpr unsigned halved_unit = 10;
 inline constexpr unsigned unit_count = 11;
 
-/// Connects a program's uniform blocks and samplers to these slots.
+/// Sets the uniform block and the samplers of a program to these bindings and leaves the program in use.
 void bind_shared_inputs(const Program& program);
 
 }  // namespace taut::renderer

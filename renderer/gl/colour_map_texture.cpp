@@ -8,6 +8,7 @@ namespace taut::renderer {
 
 namespace {
 
+// Texels for each colour map. Fewer shift colours by more than a step of 255.
 constexpr int width = 256;
 constexpr std::array rows{ColourMap::viridis, ColourMap::blue_orange};
 
@@ -26,17 +27,17 @@ std::vector<std::uint8_t> texels() {
 }  // namespace
 
 const Texture& ColourMapTexture::texture() {
-  if (made) return *made;
-  made.emplace(*gl);
-  gl->BindTexture(GL_TEXTURE_2D, made->name());
-  gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl->TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, width, static_cast<GLsizei>(rows.size()), 0, GL_RGB,
-                 GL_UNSIGNED_BYTE, texels().data());
-  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  return *made;
+  if (made_) return *made_;
+  made_.emplace(*gl_);
+  gl_->BindTexture(GL_TEXTURE_2D, made_->name());
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, width, static_cast<GLsizei>(rows.size()), 0, GL_RGB,
+                  GL_UNSIGNED_BYTE, texels().data());
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return *made_;
 }
 
 }  // namespace taut::renderer

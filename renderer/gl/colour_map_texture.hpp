@@ -7,17 +7,19 @@
 
 namespace taut::renderer {
 
-/// All colour maps as the rows of one texture, made when first asked for.
+/// A texture with one colour map per row, made at the first call of texture().
 class ColourMapTexture {
  public:
-  explicit ColourMapTexture(const GladGLContext& context) : gl(&context) {}
+  /// The context must be current and outlive this object.
+  explicit ColourMapTexture(const GladGLContext& context) : gl_(&context) {}
+  /// Returns the row of a map, counted from 0.
   static int row_of(ColourMap map) { return static_cast<int>(map); }
-  /// May change what is bound to the active texture unit.
+  /// Returns the texture. The first call binds it to the active texture unit.
   const Texture& texture();
 
  private:
-  const GladGLContext* gl;
-  std::optional<Texture> made;
+  const GladGLContext* gl_;
+  std::optional<Texture> made_;
 };
 
 }  // namespace taut::renderer

@@ -13,27 +13,27 @@ struct ColourTarget::Parts {
 
 ColourTarget::ColourTarget(Context& context) {
   context.make_current();
-  parts = std::make_unique<Parts>(context);
+  parts_ = std::make_unique<Parts>(context);
 }
 
 ColourTarget::~ColourTarget() {
   try {
-    parts->context.make_current();
+    parts_->context.make_current();
   } catch (const ContextError&) {
     // Deleting names without their context is undefined; they go when the process does.
-    static_cast<void>(parts.release());
+    static_cast<void>(parts_.release());
   }
 }
 
 unsigned ColourTarget::framebuffer(int width_px, int height_px) {
-  parts->picture.begin(width_px, height_px);
-  return parts->picture.framebuffer();
+  parts_->picture.begin(width_px, height_px);
+  return parts_->picture.framebuffer();
 }
 
 void ColourTarget::copy_part_to(unsigned framebuffer, int x_px, int y_px, int width_px, int height_px) const {
-  const GladGLContext& gl = parts->context.gl();
+  const GladGLContext& gl = parts_->context.gl();
   gl.Disable(GL_SCISSOR_TEST);
-  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, parts->picture.framebuffer());
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, parts_->picture.framebuffer());
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   gl.BlitFramebuffer(x_px, y_px, x_px + width_px, y_px + height_px, x_px, y_px, x_px + width_px,
                      y_px + height_px, GL_COLOR_BUFFER_BIT, GL_NEAREST);

@@ -7,35 +7,36 @@
 
 namespace taut::renderer {
 
-/// A framebuffer object of finished, encoded colours: for SceneRenderer::draw_to where the window is not the
-/// target.
+/// A framebuffer object of sRGB-encoded colours in a plain RGBA8 texture, to be drawn to by
+/// SceneRenderer::draw_to.
 class ColourTarget {
  public:
-  /// The context has to outlive the target.
+  /// Makes the context current. The context must outlive the target. Throws ContextError.
   explicit ColourTarget(Context& context);
   ~ColourTarget();
   ColourTarget(const ColourTarget&) = delete;
   ColourTarget& operator=(const ColourTarget&) = delete;
 
-  /// The framebuffer's name, with room for this size. Throws ContextError.
+  /// Returns the framebuffer's name. Its texture is reallocated when the size differs. Throws ContextError.
   unsigned framebuffer(int width_px, int height_px);
 
-  /// Copies a part of what was drawn to the same place of another framebuffer (0: the window); `x_px` and
-  /// `y_px` are its lower left corner, from that of the picture.
+  /// Copies a rectangle to the same place of another framebuffer (0: the window). (x_px, y_px) is the lower
+  /// left corner of the rectangle, counted from that of the picture. Throws ContextError.
   void copy_part_to(unsigned framebuffer, int x_px, int y_px, int width_px, int height_px) const;
 
  private:
   struct Parts;
-  std::unique_ptr<Parts> parts;
+  std::unique_ptr<Parts> parts_;
 };
 
-/// The lower left part of a framebuffer (0: the window), as RGB.
+/// Returns the lower left width_px by height_px of a framebuffer (0: the window) as RGB, top row first.
+/// Throws ContextError.
 Image read_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px);
 
-/// Fills a framebuffer with grey. 0 is black, 1 white.
+/// Fills a framebuffer with grey, 0 black to 1 white.
 void clear_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px, float grey);
 
-/// Waits until everything asked for is drawn, so that a clock tells the truth.
+/// Waits until all drawing commands have been executed (glFinish), e.g. before a clock is read.
 void finish_drawing(Context& context);
 
 }  // namespace taut::renderer

@@ -27,6 +27,11 @@ constexpr float floor_taps = 1.75F;
 constexpr float texels_for_pixel = 1.4F;
 // Less shows as dots in narrow penumbrae, however small the picture.
 constexpr int least_shadow_map_px = 1024;
+// Reach of the floor's light texture beyond the scene's radius, share of the scene's height above the floor:
+// a thing up high darkens a wider and fainter patch. Less cuts that patch off, more makes it coarser.
+constexpr float light_reach = 1.5F;
+// Extent of the backdrop's gradient above the middle of the picture, share of the field of view.
+constexpr float gradient_extent = 0.65F;
 
 glm::vec4 light(const glm::vec3& towards, float strength) {
   const float length = glm::length(towards);
@@ -63,8 +68,7 @@ void set_ground(FrameBlock& block, const FrameView& frame, const std::optional<B
   const float height = frame.ground_height_m.value_or(0.0F);
   const float radius = radius_of(box);
   block.ground = {middle.x, height, middle.z, floor_radius * radius};
-  // A thing up high darkens a wider and fainter patch; beyond that the floor sees the whole sky.
-  const float reach = radius + 1.5F * std::max(middle.y - height, 0.0F);
+  const float reach = radius + light_reach * std::max(middle.y - height, 0.0F);
   block.ground_light_area = {middle.x - reach, middle.z - reach, 0.5F / reach, 0.5F / reach};
 }
 
@@ -124,7 +128,8 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   const glm::vec3 forward = glm::normalize(frame.camera.target - frame.camera.eye);
   const float pitch = std::asin(std::clamp(forward.y, -1.0F, 1.0F));
   block.backdrop_horizon = {
-      std::sin(pitch), std::sin(std::min(pitch + 0.65F * frame.camera.vertical_fov_rad, 1.57F)), 0.0F, 0.0F};
+      std::sin(pitch), std::sin(std::min(pitch + gradient_extent * frame.camera.vertical_fov_rad, 1.57F)),
+      0.0F, 0.0F};
   return block;
 }
 

@@ -9,7 +9,8 @@
 
 namespace taut::renderer {
 
-/// What every shader of a frame shares: the std140 block `Frame` of shaders/frame.glsl, member by member.
+/// The uniforms that all shaders share: the std140 block `Frame` of shaders/frame.glsl, which gives each
+/// member's meaning and unit.
 struct FrameBlock {
   glm::mat4 world_to_clip;
   glm::mat4 world_to_shadow;
@@ -31,7 +32,7 @@ struct FrameBlock {
   glm::vec4 ray_up;
 };
 
-/// A part of the picture that is drawn at once, in pixels of the finished picture; y counts from the top.
+/// A part of the picture that is drawn at once. Pixels of the finished picture, y from its top.
 struct Tile {
   int x_px = 0;
   int y_px = 0;
@@ -39,7 +40,7 @@ struct Tile {
   int height_px = 0;
 };
 
-/// A rectangle of drawn pixels of a target, counted from its lower left corner.
+/// A rectangle of a framebuffer. Its pixels, y from the lower edge.
 struct PixelRect {
   int x_px = 0;
   int y_px = 0;
@@ -47,23 +48,23 @@ struct PixelRect {
   int height_px = 0;
 };
 
-/// Side of the shadow map: what the settings allow, or less where the picture is too small to show a
-/// difference.
+/// Returns the side of the shadow map in texels: settings.shadow_map_px, or less for a small picture, which
+/// could not show the difference.
 int shadow_map_side(const PictureSettings& settings);
 
-/// `casters` is the box around everything that throws a shadow; none when nothing does. The block is complete
-/// but for what depends on the tile.
+/// Returns the block but for shadow_bounds and what depends on the tile. `casters`: the box around all shadow
+/// casters, metres; none when there are none.
 FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& settings,
                             const std::optional<Box>& casters);
 
-/// Fills in where in the shadow map the casters are.
+/// Sets shadow_bounds to the bounds of the casters in the shadow map.
 void set_shadow_bounds(FrameBlock& block, std::span<const SurfaceView* const> casters);
 
-/// Fills in what depends on the tile.
+/// Sets world_to_clip, viewport and the rays for a tile.
 void set_tile(FrameBlock& block, const Camera& camera, const PictureSettings& settings, const Tile& tile);
 
-/// An orthographic view of the sphere around the box, from the given direction: world to 0..1 in all three
-/// axes. Depth grows away from where `towards` points.
+/// Returns the matrix of an orthographic view of the sphere around the box, from world to 0..1 in all three
+/// axes. `towards` is the unit direction to the viewer; depth (z) grows away from it.
 glm::mat4 world_to_unit_cube(const Box& box, const glm::vec3& towards);
 
 }  // namespace taut::renderer

@@ -33,13 +33,13 @@ void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const T
   gl.BindTexture(target, texture.name());
 }
 
-void begin_laying_over(const GladGLContext& gl) {
+void begin_blending_over(const GladGLContext& gl) {
   gl.Enable(GL_FRAMEBUFFER_SRGB);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void end_laying_over(const GladGLContext& gl) {
+void end_blending_over(const GladGLContext& gl) {
   gl.Disable(GL_BLEND);
   gl.Disable(GL_FRAMEBUFFER_SRGB);
 }

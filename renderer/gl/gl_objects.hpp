@@ -9,29 +9,30 @@
 
 namespace taut::renderer {
 
-/// An OpenGL name that deletes itself; the context has to be current then. One template for the kinds that
-/// are made and deleted alike.
+/// Owns an OpenGL object of the kind that Create makes and Delete deletes. The context must be current in the
+/// constructor and the destructor.
 template <auto Create, auto Delete>
 class GlObject {
  public:
-  explicit GlObject(const GladGLContext& context) : gl(&context) { (gl->*Create)(1, &object); }
+  explicit GlObject(const GladGLContext& context) : gl_(&context) { (gl_->*Create)(1, &object_); }
   ~GlObject() {
-    if (object != 0) (gl->*Delete)(1, &object);
+    if (object_ != 0) (gl_->*Delete)(1, &object_);
   }
-  GlObject(GlObject&& other) noexcept : gl(other.gl), object(std::exchange(other.object, 0)) {}
+  GlObject(GlObject&& other) noexcept : gl_(other.gl_), object_(std::exchange(other.object_, 0)) {}
   GlObject& operator=(GlObject&& other) noexcept {
-    std::swap(gl, other.gl);
-    std::swap(object, other.object);
+    std::swap(gl_, other.gl_);
+    std::swap(object_, other.object_);
     return *this;
   }
   GlObject(const GlObject&) = delete;
   GlObject& operator=(const GlObject&) = delete;
 
-  GLuint name() const { return object; }
+  /// Returns the object's OpenGL name.
+  GLuint name() const { return object_; }
 
  private:
-  const GladGLContext* gl;
-  GLuint object = 0;
+  const GladGLContext* gl_;
+  GLuint object_ = 0;
 };
 
 using Buffer = GlObject<&GladGLContext::GenBuffers, &GladGLContext::DeleteBuffers>;
@@ -41,26 +42,27 @@ using Framebuffer = GlObject<&GladGLContext::GenFramebuffers, &GladGLContext::De
 using Renderbuffer = GlObject<&GladGLContext::GenRenderbuffers, &GladGLContext::DeleteRenderbuffers>;
 using Sampler = GlObject<&GladGLContext::GenSamplers, &GladGLContext::DeleteSamplers>;
 
-/// Replaces the contents; the driver hands out new memory instead of waiting for the last frame.
+/// Replaces a buffer's contents. The driver hands out new memory rather than wait for the last picture.
 template <typename Value>
 void upload(const GladGLContext& gl, GLenum target, const Buffer& buffer, std::span<const Value> values) {
   gl.BindBuffer(target, buffer.name());
   gl.BufferData(target, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), GL_STREAM_DRAW);
 }
 
-/// A float attribute of the bound vertex array, read from `buffer` without gaps. divisor 1: one value for
-/// each instance.
+/// Sets a float attribute of the bound vertex array. Stride and offset are in floats. divisor 1: one value
+/// per instance instead of per vertex.
 void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffer, int components,
                    int stride_floats, int offset_floats, GLuint divisor = 0);
 
+/// Binds a texture to a texture unit, which becomes the active one.
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture);
 
-/// Between the two, fragments are linear light, premultiplied with alpha, and laid over what an sRGB-encoded
-/// framebuffer holds.
-void begin_laying_over(const GladGLContext& gl);
-void end_laying_over(const GladGLContext& gl);
+/// Begin and end blending with the "over" operator (Porter and Duff 1984): fragments are premultiplied linear
+/// light, the framebuffer is sRGB-encoded.
+void begin_blending_over(const GladGLContext& gl);
+void end_blending_over(const GladGLContext& gl);
 
-/// Throws ContextError naming `stage` when OpenGL has recorded an error, or the bound framebuffer is
+/// Throw ContextError naming `stage` when OpenGL has recorded an error, or when the bound framebuffer is
 /// incomplete.
 void check_errors(const GladGLContext& gl, const char* stage);
 void check_framebuffer(const GladGLContext& gl, const char* stage);

@@ -5,12 +5,12 @@
 namespace taut::renderer {
 
 const Program& LazyProgram::use() {
-  if (!program) {
-    program.emplace(*gl, files, vertex, fragment, defines);
-    bind_shared_inputs(*program);
+  if (!program_) {
+    program_.emplace(*gl_, files_, vertex_, fragment_, defines_);
+    bind_shared_inputs(*program_);
   }
-  program->use();
-  return *program;
+  program_->use();
+  return *program_;
 }
 
 }  // namespace taut::renderer

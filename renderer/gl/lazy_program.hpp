@@ -8,29 +8,29 @@
 
 namespace taut::renderer {
 
-/// A program that is compiled when it is first used: a picture needs few of all there are. The names, and
-/// what `files` looks at, have to outlive it.
+/// A Program that is compiled at its first use, since a picture needs few of all programs. The arguments are
+/// as those of Program; what they point at must outlive this object.
 class LazyProgram {
  public:
   LazyProgram(const GladGLContext& context, std::span<const ShaderFile> shader_files,
               std::string_view vertex_file, std::string_view fragment_file,
               std::span<const std::string_view> define_names = {})
-      : gl(&context),
-        files(shader_files),
-        vertex(vertex_file),
-        fragment(fragment_file),
-        defines(define_names) {}
+      : gl_(&context),
+        files_(shader_files),
+        vertex_(vertex_file),
+        fragment_(fragment_file),
+        defines_(define_names) {}
 
-  /// Connected to the shared inputs of bindings.hpp and in use. Throws ShaderError.
+  /// Returns the program, bound as in bindings.hpp and in use. Throws ShaderError.
   const Program& use();
 
  private:
-  const GladGLContext* gl;
-  std::span<const ShaderFile> files;
-  std::string_view vertex;
-  std::string_view fragment;
-  std::span<const std::string_view> defines;
-  std::optional<Program> program;
+  const GladGLContext* gl_;
+  std::span<const ShaderFile> files_;
+  std::string_view vertex_;
+  std::string_view fragment_;
+  std::span<const std::string_view> defines_;
+  std::optional<Program> program_;
 };
 
 }  // namespace taut::renderer

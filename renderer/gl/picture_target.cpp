@@ -7,44 +7,44 @@
 namespace taut::renderer {
 
 PictureTarget::PictureTarget(const GladGLContext& context, GLenum stored_as)
-    : gl(&context), format(stored_as), finished(context) {}
+    : gl_(&context), format_(stored_as), finished_(context) {}
 
 void PictureTarget::begin(int width_px, int height_px) {
-  if (width_px != picture_width_px || height_px != picture_height_px) allocate(width_px, height_px);
+  if (width_px != width_px_ || height_px != height_px_) allocate(width_px, height_px);
   bind();
 }
 
 void PictureTarget::bind() const {
-  gl->BindFramebuffer(GL_FRAMEBUFFER, finished.name());
-  gl->Viewport(0, 0, picture_width_px, picture_height_px);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, finished_.name());
+  gl_->Viewport(0, 0, width_px_, height_px_);
 }
 
 void PictureTarget::allocate(int width_px, int height_px) {
-  picture_width_px = picture_height_px = 0;
-  colour.emplace(*gl);
-  bind_texture(*gl, drawn_unit, GL_TEXTURE_2D, *colour);
-  gl->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width_px, height_px, 0, GL_RGBA,
-                 GL_UNSIGNED_BYTE, nullptr);
-  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  gl->BindFramebuffer(GL_FRAMEBUFFER, finished.name());
-  gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour->name(), 0);
-  check_errors(*gl, "making the picture's buffers");
-  check_framebuffer(*gl, "finished picture");
-  picture_width_px = width_px;
-  picture_height_px = height_px;
+  width_px_ = height_px_ = 0;
+  colour_.emplace(*gl_);
+  bind_texture(*gl_, drawn_unit, GL_TEXTURE_2D, *colour_);
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format_), width_px, height_px, 0, GL_RGBA,
+                  GL_UNSIGNED_BYTE, nullptr);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, finished_.name());
+  gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_->name(), 0);
+  check_errors(*gl_, "making the picture's buffers");
+  check_framebuffer(*gl_, "finished picture");
+  width_px_ = width_px;
+  height_px_ = height_px;
 }
 
 Image PictureTarget::read() const {
-  return read_framebuffer(*gl, finished.name(), picture_width_px, picture_height_px);
+  return read_framebuffer(*gl_, finished_.name(), width_px_, height_px_);
 }
 
 void PictureTarget::show(GLuint target, int width_px, int height_px) const {
-  const bool is_same_size = width_px == picture_width_px && height_px == picture_height_px;
-  gl->BindFramebuffer(GL_READ_FRAMEBUFFER, finished.name());
-  gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
-  gl->BlitFramebuffer(0, 0, picture_width_px, picture_height_px, 0, 0, width_px, height_px,
-                      GL_COLOR_BUFFER_BIT, is_same_size ? GL_NEAREST : GL_LINEAR);
-  gl->BindFramebuffer(GL_FRAMEBUFFER, target);
+  const bool is_same_size = width_px == width_px_ && height_px == height_px_;
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, finished_.name());
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+  gl_->BlitFramebuffer(0, 0, width_px_, height_px_, 0, 0, width_px, height_px, GL_COLOR_BUFFER_BIT,
+                       is_same_size ? GL_NEAREST : GL_LINEAR);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, target);
 }
 
 Image read_framebuffer(const GladGLContext& gl, GLuint framebuffer, int width_px, int height_px) {

@@ -11,31 +11,36 @@ namespace taut::renderer {
 /// where the eye does.
 class PictureTarget {
  public:
-  /// GL_SRGB8_ALPHA8: OpenGL encodes where it is told to; GL_RGBA8: what is drawn is encoded already.
+  /// The context must be current and outlive this object. GL_SRGB8_ALPHA8: OpenGL encodes while
+  /// GL_FRAMEBUFFER_SRGB is enabled. GL_RGBA8: what is drawn is encoded already.
   explicit PictureTarget(const GladGLContext& context, GLenum stored_as = GL_SRGB8_ALPHA8);
 
-  /// Binds it at the size given; what was in it stays undefined until it is drawn.
+  /// Binds the framebuffer at a size in pixels. Its contents are undefined. Throws ContextError.
   void begin(int width_px, int height_px);
+  /// Binds the framebuffer at its present size.
   void bind() const;
-  GLuint framebuffer() const { return finished.name(); }
-  const Texture& texture() const { return *colour; }
-  /// The picture, top row first.
+  /// Returns the framebuffer's name.
+  GLuint framebuffer() const { return finished_.name(); }
+  /// Returns the picture's texture; begin() must have been called.
+  const Texture& texture() const { return *colour_; }
+  /// Returns the picture as RGB, top row first.
   Image read() const;
-  /// Copies the picture, stretched to this size, to the lower left part of a framebuffer.
+  /// Copies the picture, stretched to width_px by height_px, to the lower left corner of a framebuffer.
   void show(GLuint target, int width_px, int height_px) const;
 
  private:
   void allocate(int width_px, int height_px);
 
-  const GladGLContext* gl;
-  GLenum format;
-  std::optional<Texture> colour;
-  Framebuffer finished;
-  int picture_width_px = 0;
-  int picture_height_px = 0;
+  const GladGLContext* gl_;
+  GLenum format_;
+  std::optional<Texture> colour_;
+  Framebuffer finished_;
+  int width_px_ = 0;
+  int height_px_ = 0;
 };
 
-/// The lower left part of a framebuffer, top row first, as RGB.
+/// Returns the lower left width_px by height_px of a framebuffer as RGB, top row first. The context must be
+/// current.
 Image read_framebuffer(const GladGLContext& gl, GLuint framebuffer, int width_px, int height_px);
 
 }  // namespace taut::renderer

@@ -130,57 +130,49 @@ struct Stage {
 Program::Program(const GladGLContext& context, std::span<const ShaderFile> files,
                  std::string_view vertex_file, std::string_view fragment_file,
                  std::span<const std::string_view> defines)
-    : gl(&context) {
+    : gl_(&context) {
   std::string define_lines;
   for (const std::string_view define : defines) define_lines += "#define " + std::string(define) + "\n";
   const Stage vertex(context, GL_VERTEX_SHADER, files, vertex_file, define_lines);
   const Stage fragment(context, GL_FRAGMENT_SHADER, files, fragment_file, define_lines);
-  program = gl->CreateProgram();
-  gl->AttachShader(program, vertex.shader);
-  gl->AttachShader(program, fragment.shader);
-  gl->LinkProgram(program);
+  program_ = gl_->CreateProgram();
+  gl_->AttachShader(program_, vertex.shader);
+  gl_->AttachShader(program_, fragment.shader);
+  gl_->LinkProgram(program_);
   GLint linked = GL_FALSE;
-  gl->GetProgramiv(program, GL_LINK_STATUS, &linked);
+  gl_->GetProgramiv(program_, GL_LINK_STATUS, &linked);
   if (linked == GL_TRUE) return;
-  const std::string log = info_log(program, gl->GetProgramiv, gl->GetProgramInfoLog);
-  gl->DeleteProgram(program);
+  const std::string log = info_log(program_, gl_->GetProgramiv, gl_->GetProgramInfoLog);
+  gl_->DeleteProgram(program_);
   throw ShaderError("the shaders '" + std::string(vertex_file) + "' and '" + std::string(fragment_file) +
                     "' do not link:\n  " + log);
 }
 
 Program::~Program() {
-  if (program != 0) gl->DeleteProgram(program);
+  if (program_ != 0) gl_->DeleteProgram(program_);
 }
 
-Program::Program(Program&& other) noexcept : gl(other.gl), program(std::exchange(other.program, 0)) {}
+Program::Program(Program&& other) noexcept : gl_(other.gl_), program_(std::exchange(other.program_, 0)) {}
 
 void Program::use() const {
-  gl->UseProgram(program);
+  gl_->UseProgram(program_);
 }
 
 void Program::set(const char* uniform, int value) const {
-  gl->Uniform1i(gl->GetUniformLocation(program, uniform), value);
-}
-
-void Program::set(const char* uniform, const glm::vec3& value) const {
-  gl->Uniform3fv(gl->GetUniformLocation(program, uniform), 1, glm::value_ptr(value));
+  gl_->Uniform1i(gl_->GetUniformLocation(program_, uniform), value);
 }
 
 void Program::set(const char* uniform, const glm::vec4& value) const {
-  gl->Uniform4fv(gl->GetUniformLocation(program, uniform), 1, glm::value_ptr(value));
+  gl_->Uniform4fv(gl_->GetUniformLocation(program_, uniform), 1, glm::value_ptr(value));
 }
 
 void Program::set(const char* uniform, const glm::ivec4& value) const {
-  gl->Uniform4iv(gl->GetUniformLocation(program, uniform), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* uniform, const glm::mat4& value) const {
-  gl->UniformMatrix4fv(gl->GetUniformLocation(program, uniform), 1, GL_FALSE, glm::value_ptr(value));
+  gl_->Uniform4iv(gl_->GetUniformLocation(program_, uniform), 1, glm::value_ptr(value));
 }
 
 void Program::bind_block(const char* block, unsigned binding) const {
-  const GLuint index = gl->GetUniformBlockIndex(program, block);
-  if (index != GL_INVALID_INDEX) gl->UniformBlockBinding(program, index, binding);
+  const GLuint index = gl_->GetUniformBlockIndex(program_, block);
+  if (index != GL_INVALID_INDEX) gl_->UniformBlockBinding(program_, index, binding);
 }
 
 }  // namespace taut::renderer

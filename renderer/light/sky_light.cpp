@@ -12,8 +12,8 @@
 #include <numbers>
 
 #include "renderer/gl/frame_block.hpp"
-#include "renderer/light/depth_map.hpp"
-#include "renderer/light/triangle_spans.hpp"
+#include "renderer/light/rasterise_triangle.hpp"
+#include "renderer/light/shadow_map.hpp"
 #include "renderer/page/whole_number.hpp"
 
 namespace taut::renderer {
@@ -25,6 +25,17 @@ constexpr int map_px = 128;
 constexpr std::size_t texels = static_cast<std::size_t>(map_px) * map_px;
 // Brightness of the studio's floor against its ceiling, as seen by the underside of things.
 constexpr float floor_brightness = 0.5F;
+// Distance from a surface at which its occlusion is tested, texels of the map along the box's diagonal. Less
+// lets a surface occlude itself, more loses narrow folds.
+constexpr float lift_texels = 1.5F;
+// Blur of the floor's shadow, times the cone that a direction stands for: above 1, so that neighbouring
+// directions run into each other. Less shows single shadows, more loses the contact.
+constexpr float floor_blur = 1.5F;
+// Narrowest blur, texels of the map, and widest, share of the map's side.
+constexpr float narrowest_blur_texels = 1.5F;
+constexpr float widest_blur = 0.45F;
+// Where the floor's light starts to fade out towards the edge of its texture, share of half its side.
+constexpr float fade_start = 0.75F;
 // Width of the window in which a vertex looks, texels: its edges count in part, so that nothing jumps.
 constexpr int window = 5;
 
@@ -65,9 +76,9 @@ WindowAxis window_axis(float middle_px) {
 using FourNumbers = float __attribute__((vector_size(16)));
 using FourMasks = std::int32_t __attribute__((vector_size(16)));
 
-FourNumbers four_at(const float* numbers) {
+FourNumbers four_at(const float* values) {
   FourNumbers four;
-  std::memcpy(&four, numbers, sizeof four);
+  std::memcpy(&four, values, sizeof four);
   return four;
 }
 
@@ -97,15 +108,15 @@ float open_share(const std::vector<float>& map, const glm::vec3& place) {
 
 }  // namespace
 
-void SkyLight::look(std::span<const SurfaceView* const> casters, const std::optional<Box>& box,
-                    int directions) {
-  pairs.resize(box ? static_cast<std::size_t>((directions + 1) / 2) : 0);
-  if (pairs.empty()) return;
-  const auto count = static_cast<int>(pairs.size());
-  lift_m = 1.5F * glm::length(box->upper - box->lower) / static_cast<float>(map_px);
-  cone_tangent = share_of_sphere(2 * count);
+void SkyLight::draw_maps(std::span<const SurfaceView* const> casters, const std::optional<Box>& box,
+                         int directions) {
+  pairs_.resize(box ? static_cast<std::size_t>((directions + 1) / 2) : 0);
+  if (pairs_.empty()) return;
+  const auto count = static_cast<int>(pairs_.size());
+  lift_m_ = lift_texels * glm::length(box->upper - box->lower) / static_cast<float>(map_px);
+  cone_tangent_ = share_of_sphere(2 * count);
   for (int i = 0; i < count; ++i) {
-    Pair& pair = pairs[static_cast<std::size_t>(i)];
+    Pair& pair = pairs_[static_cast<std::size_t>(i)];
     pair.towards = upper_direction(i, count);
     pair.world_to_map = world_to_unit_cube(*box, pair.towards);
     draw(pair, casters);
@@ -116,14 +127,14 @@ void SkyLight::draw(Pair& pair, std::span<const SurfaceView* const> casters) {
   pair.nearest.assign(texels, 1.0F);
   pair.farthest.assign(texels, 0.0F);
   for (const SurfaceView* caster : casters) {
-    project_to_map(pair.world_to_map, map_px, caster->positions, projected);
+    project_to_map(pair.world_to_map, map_px, caster->positions, projected_);
     for (std::size_t i = 0; i + 2 < caster->triangles.size(); i += 3) {
-      const glm::vec3& a = projected[caster->triangles[i]];
-      const glm::vec3& b = projected[caster->triangles[i + 1]];
-      const glm::vec3& c = projected[caster->triangles[i + 2]];
+      const glm::vec3& a = projected_[caster->triangles[i]];
+      const glm::vec3& b = projected_[caster->triangles[i + 1]];
+      const glm::vec3& c = projected_[caster->triangles[i + 2]];
       const float least = std::min({a.z, b.z, c.z});
       const float greatest = std::max({a.z, b.z, c.z});
-      triangle_spans(a, b, c, map_px, [&](const TriangleSpan& span) {
+      rasterise_triangle(a, b, c, map_px, [&](const TriangleSpan& span) {
         const int row = span.row * map_px;
         for (int column = span.first; column <= span.last; ++column) {
           const float depth =
@@ -139,15 +150,15 @@ void SkyLight::draw(Pair& pair, std::span<const SurfaceView* const> casters) {
 
 void SkyLight::gather(const SurfaceView& surface, std::vector<glm::vec2>& light) {
   light.assign(surface.positions.size(), glm::vec2{0.0F});
-  if (pairs.empty()) {
+  if (pairs_.empty()) {
     std::transform(surface.normals.begin(), surface.normals.end(), light.begin(),
                    [](const glm::vec3& normal) {
                      return glm::vec2{open_sky(normal.y), open_sky(-normal.y)};
                    });
     return;
   }
-  for (const Pair& pair : pairs) gather_pair(pair, surface, light);
-  for (glm::vec2& share : light) share *= 2.0F / static_cast<float>(pairs.size());
+  for (const Pair& pair : pairs_) gather_pair(pair, surface, light);
+  for (glm::vec2& share : light) share *= 2.0F / static_cast<float>(pairs_.size());
 }
 
 // Each direction lights one side, and starts from that side.
@@ -157,7 +168,7 @@ void SkyLight::gather_pair(const Pair& pair, const SurfaceView& surface,
   for (std::size_t i = 0; i < light.size(); ++i) {
     const glm::vec3& normal = surface.normals[i];
     const float cosine = glm::dot(normal, pair.towards);
-    const glm::vec3 lift = std::copysign(lift_m, cosine) * normal;
+    const glm::vec3 lift = std::copysign(lift_m_, cosine) * normal;
     const glm::vec3 upper{to_map * glm::vec4{surface.positions[i] + lift, 1.0F}};
     const glm::vec3 lower{to_map * glm::vec4{surface.positions[i] - lift, 1.0F}};
     const float from_above = open_share<true>(pair.nearest, upper);
@@ -170,7 +181,7 @@ void SkyLight::gather_pair(const Pair& pair, const SurfaceView& surface,
 // Sums over rectangles from the map's corner (Crow 1984) of what is between a direction and the floor.
 void SkyLight::sum_up(const Pair& pair, float height_m) {
   constexpr std::size_t row_length = map_px + 1;
-  sums.assign(row_length * row_length, 0.0F);
+  sums_.assign(row_length * row_length, 0.0F);
   const glm::mat4 map_to_world = glm::inverse(pair.world_to_map);
   const float texel = 1.0F / static_cast<float>(map_px);
   for (std::size_t y = 0; y < map_px; ++y) {
@@ -181,7 +192,7 @@ void SkyLight::sum_up(const Pair& pair, float height_m) {
       const float floor_depth = (height_m - start_m) / map_to_world[2].y;
       const float depth = pair.nearest[y * map_px + x];
       row_sum += depth < 1.0F && depth < floor_depth ? 1.0F : 0.0F;
-      sums[(y + 1) * row_length + x + 1] = sums[y * row_length + x + 1] + row_sum;
+      sums_[(y + 1) * row_length + x + 1] = sums_[y * row_length + x + 1] + row_sum;
     }
   }
 }
@@ -193,7 +204,7 @@ float SkyLight::floor_blocked(const glm::vec2& middle_px, float radius_px) const
   const auto sum_to = [&](float x, float y) {
     const int column = whole_within(x, 0, map_px - 1);
     const int row = whole_within(y, 0, map_px - 1);
-    const float* corner = sums.data() + row * (map_px + 1) + column;
+    const float* corner = sums_.data() + row * (map_px + 1) + column;
     const glm::vec2 part{x - static_cast<float>(column), y - static_cast<float>(row)};
     const float near = glm::mix(corner[0], corner[1], part.x);
     const float far = glm::mix(corner[map_px + 1], corner[map_px + 2], part.x);
@@ -206,22 +217,22 @@ float SkyLight::floor_blocked(const glm::vec2& middle_px, float radius_px) const
 
 // A direction stands for a whole cone of sky, so its shadow softens with the distance to what casts it. That
 // distance is taken as if all casters stood in the middle of the map: searching for them gives every spot
-// another softness, which shows as clouds. Wider than the cone, so that neighbouring directions run into each
-// other.
+// another softness, which shows as clouds.
 void SkyLight::gather_floor(const glm::vec4& area, float height_m, std::vector<float>& light) {
   constexpr std::size_t count = static_cast<std::size_t>(floor_px) * floor_px;
-  light.assign(count, pairs.empty() ? 1.0F : 0.0F);
+  light.assign(count, pairs_.empty() ? 1.0F : 0.0F);
   float all = 0.0F;
-  for (const Pair& pair : pairs) {
+  for (const Pair& pair : pairs_) {
     sum_up(pair, height_m);
     const float weight = pair.towards.y;
     all += weight;
     for (std::size_t i = 0; i < count; ++i) {
       const glm::vec2 place = (glm::vec2{i % floor_px, i / floor_px} + 0.5F) / static_cast<float>(floor_px);
       const glm::vec2 spot = glm::vec2{area} + place / glm::vec2{area.z, area.w};
-      const glm::vec3 seen{pair.world_to_map * glm::vec4{spot.x, height_m + 0.5F * lift_m, spot.y, 1.0F}};
+      const glm::vec3 seen{pair.world_to_map * glm::vec4{spot.x, height_m + 0.5F * lift_m_, spot.y, 1.0F}};
       const float texel = 1.0F / static_cast<float>(map_px);
-      const float radius = std::clamp(1.5F * cone_tangent * (seen.z - 0.5F), 1.5F * texel, 0.45F);
+      const float radius = std::clamp(floor_blur * cone_tangent_ * (seen.z - 0.5F),
+                                      narrowest_blur_texels * texel, widest_blur);
       const float blocked = floor_blocked(glm::vec2{seen} / texel, radius / texel);
       light[i] += weight * (1.0F - blocked);
     }
@@ -230,7 +241,7 @@ void SkyLight::gather_floor(const glm::vec4& area, float height_m, std::vector<f
     // The texture ends somewhere; fading out beforehand hides where.
     const glm::vec2 place = (glm::vec2{i % floor_px, i / floor_px} + 0.5F) / static_cast<float>(floor_px);
     const glm::vec2 edge = glm::abs(2.0F * place - 1.0F);
-    const float fade = glm::smoothstep(0.75F, 1.0F, std::max(edge.x, edge.y));
+    const float fade = glm::smoothstep(fade_start, 1.0F, std::max(edge.x, edge.y));
     if (all > 0.0F) light[i] = glm::mix(light[i] / all, 1.0F, fade);
   }
 }

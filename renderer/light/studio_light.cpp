@@ -52,99 +52,99 @@ MapArea united(const MapArea& a, const MapArea& b) {
 }  // namespace
 
 StudioLight::StudioLight(const GladGLContext& context)
-    : gl(&context), shadow_texture(context), floor_texture(context), compare(context), plain(context) {
-  set_up(*gl, compare, GL_LINEAR);
-  gl->SamplerParameteri(compare.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  gl->SamplerParameteri(compare.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  set_up(*gl, plain, GL_NEAREST);
-  set_up_floor(*gl, floor_texture);
+    : gl_(&context), shadow_texture_(context), floor_texture_(context), compare_(context), plain_(context) {
+  set_up(*gl_, compare_, GL_LINEAR);
+  gl_->SamplerParameteri(compare_.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl_->SamplerParameteri(compare_.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  set_up(*gl_, plain_, GL_NEAREST);
+  set_up_floor(*gl_, floor_texture_);
 }
 
 void StudioLight::begin(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,
                         const PictureSettings& settings) {
-  casters = casters_among(surfaces);
-  casters_box = box_around(casters);
+  casters_ = casters_among(surfaces);
+  casters_box_ = box_around(casters_);
   // A map of everything would show nothing of what is near.
-  if (casters_box && !is_near(*casters_box)) {
-    casters.clear();
-    casters_box.reset();
+  if (casters_box_ && !is_near(*casters_box_)) {
+    casters_.clear();
+    casters_box_.reset();
   }
-  block = make_frame_block(frame, settings, casters_box);
-  if (!settings.shadows) casters.clear();
-  set_shadow_bounds(block, casters);
-  shadow_side_px = shadow_map_side(settings);
-  sky_directions = settings.sky_directions;
-  has_floor = frame.ground_height_m && !frame.backdrop.plain;
+  block = make_frame_block(frame, settings, casters_box_);
+  if (!settings.shadows) casters_.clear();
+  set_shadow_bounds(block, casters_);
+  shadow_side_px_ = shadow_map_side(settings);
+  sky_directions_ = settings.sky_directions;
+  has_floor_ = frame.ground_height_m && !frame.backdrop.plain;
 }
 
-void StudioLight::look(const FrameBlock& block) {
+void StudioLight::draw_maps(const FrameBlock& block) {
   // The two look at the same casters and share nothing else.
   std::future<void> shadows = std::async(std::launch::async, [&] { draw_shadow_map(block); });
-  sky_light.look(casters, casters.empty() ? std::nullopt : casters_box, sky_directions);
-  if (has_floor) sky_light.gather_floor(block.ground_light_area, block.ground.y, floor_light);
+  sky_light_.draw_maps(casters_, casters_.empty() ? std::nullopt : casters_box_, sky_directions_);
+  if (has_floor_) sky_light_.gather_floor(block.ground_light_area, block.ground.y, floor_light_);
   shadows.get();
-  key_decision.look(shadow_map, block);
+  shadow_classifier_.set_shadow_map(shadow_map_, block);
 }
 
 void StudioLight::gather(const SurfaceView& surface, SurfaceLight& light) {
-  key_decision.decide(surface, light.key);
-  sky_light.gather(surface, light.sky);
+  shadow_classifier_.classify(surface, light.key);
+  sky_light_.gather(surface, light.sky);
 }
 
 void StudioLight::draw_shadow_map(const FrameBlock& block) {
-  shadow_map.resize(shadow_side_px);
-  shadow_map.clear();
-  for (const SurfaceView* caster : casters) {
-    shadow_map.draw(block.world_to_shadow, caster->positions, caster->triangles);
+  shadow_map_.resize(shadow_side_px_);
+  shadow_map_.clear();
+  for (const SurfaceView* caster : casters_) {
+    shadow_map_.draw(block.world_to_shadow, caster->positions, caster->triangles);
   }
 }
 
 void StudioLight::upload_shadow_map() {
-  const int side_px = shadow_map.side_px();
-  bind_texture(*gl, shadow_depth_unit, GL_TEXTURE_2D, shadow_texture);
-  if (allocated_px != side_px) {
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, side_px, side_px, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                   nullptr);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    allocated_px = side_px;
-    uploaded = {glm::ivec2{0}, glm::ivec2{side_px}};
+  const int side_px = shadow_map_.side_px();
+  bind_texture(*gl_, shadow_depth_unit, GL_TEXTURE_2D, shadow_texture_);
+  if (allocated_px_ != side_px) {
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, side_px, side_px, 0, GL_DEPTH_COMPONENT,
+                    GL_FLOAT, nullptr);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    allocated_px_ = side_px;
+    uploaded_ = {glm::ivec2{0}, glm::ivec2{side_px}};
   }
-  const MapArea changed = united(uploaded, shadow_map.drawn());
+  const MapArea changed = united(uploaded_, shadow_map_.drawn());
   const glm::ivec2 size_px = changed.upper - changed.lower;
-  gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  gl->PixelStorei(GL_UNPACK_ROW_LENGTH, side_px);
-  gl->TexSubImage2D(GL_TEXTURE_2D, 0, changed.lower.x, changed.lower.y, size_px.x, size_px.y,
-                    GL_DEPTH_COMPONENT, GL_FLOAT,
-                    shadow_map.depths().data() + changed.lower.y * side_px + changed.lower.x);
-  gl->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  uploaded = shadow_map.drawn();
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, side_px);
+  gl_->TexSubImage2D(GL_TEXTURE_2D, 0, changed.lower.x, changed.lower.y, size_px.x, size_px.y,
+                     GL_DEPTH_COMPONENT, GL_FLOAT,
+                     shadow_map_.depths().data() + changed.lower.y * side_px + changed.lower.x);
+  gl_->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  uploaded_ = shadow_map_.drawn();
 }
 
 void StudioLight::upload() {
   upload_shadow_map();
-  if (!has_floor) return;
-  bind_texture(*gl, ground_light_unit, GL_TEXTURE_2D, floor_texture);
-  gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R16F, SkyLight::floor_px, SkyLight::floor_px, 0, GL_RED, GL_FLOAT,
-                 floor_light.data());
+  if (!has_floor_) return;
+  bind_texture(*gl_, ground_light_unit, GL_TEXTURE_2D, floor_texture_);
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R16F, SkyLight::floor_px, SkyLight::floor_px, 0, GL_RED, GL_FLOAT,
+                  floor_light_.data());
 }
 
 void StudioLight::bind() const {
-  bind_texture(*gl, shadow_compare_unit, GL_TEXTURE_2D, shadow_texture);
-  bind_texture(*gl, shadow_depth_unit, GL_TEXTURE_2D, shadow_texture);
-  bind_texture(*gl, ground_light_unit, GL_TEXTURE_2D, floor_texture);
-  gl->BindSampler(shadow_compare_unit, compare.name());
-  gl->BindSampler(shadow_depth_unit, plain.name());
+  bind_texture(*gl_, shadow_compare_unit, GL_TEXTURE_2D, shadow_texture_);
+  bind_texture(*gl_, shadow_depth_unit, GL_TEXTURE_2D, shadow_texture_);
+  bind_texture(*gl_, ground_light_unit, GL_TEXTURE_2D, floor_texture_);
+  gl_->BindSampler(shadow_compare_unit, compare_.name());
+  gl_->BindSampler(shadow_depth_unit, plain_.name());
 }
 
 void StudioLight::unbind() const {
   for (unsigned unit = 0; unit < unit_count; ++unit) {
-    gl->BindSampler(unit, 0);
-    gl->ActiveTexture(GL_TEXTURE0 + unit);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
-    gl->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
-    gl->BindTexture(GL_TEXTURE_BUFFER, 0);
+    gl_->BindSampler(unit, 0);
+    gl_->ActiveTexture(GL_TEXTURE0 + unit);
+    gl_->BindTexture(GL_TEXTURE_2D, 0);
+    gl_->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+    gl_->BindTexture(GL_TEXTURE_BUFFER, 0);
   }
-  gl->ActiveTexture(GL_TEXTURE0);
+  gl_->ActiveTexture(GL_TEXTURE0);
 }
 
 }  // namespace taut::renderer

@@ -6,56 +6,57 @@
 
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/gl/gl_objects.hpp"
-#include "renderer/light/depth_map.hpp"
-#include "renderer/light/key_decision.hpp"
+#include "renderer/light/shadow_classifier.hpp"
+#include "renderer/light/shadow_map.hpp"
 #include "renderer/light/sky_light.hpp"
-#include "renderer/light/surface_tables.hpp"
+#include "renderer/light/surface_buffers.hpp"
 
 namespace taut::renderer {
 
-/// The light of one frame: what the key light and the studio around it reach. Shaders read it from textures,
-/// vertices are told theirs.
+/// The light of one frame: the key light's shadow map and the ambient light. Surfaces get values per triangle
+/// and per vertex, shaders read the shadow map and the floor's light from textures.
 class StudioLight {
  public:
+  /// The context must be current and outlive this object.
   explicit StudioLight(const GladGLContext& context);
 
-  /// Completes `block` but for what depends on the tile. The surfaces have to live until the light is
-  /// uploaded.
+  /// Starts a frame: sets `block` but for what depends on the tile. The surfaces must live until upload().
   void begin(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,
              const PictureSettings& settings);
-  /// Looks at everything that casts a shadow. Needs no context, so that another thread may do it, as it may
-  /// `gather`.
-  void look(const FrameBlock& block);
-  /// What arrives at each vertex of a surface.
+  /// Draws the shadow map and the maps of the ambient light. `block` is that of begin(). Calls no OpenGL, so
+  /// that another thread may call it.
+  void draw_maps(const FrameBlock& block);
+  /// Fills `light` for one surface, after draw_maps(). Calls no OpenGL.
   void gather(const SurfaceView& surface, SurfaceLight& light);
-  /// Hands over what shaders read.
+  /// Uploads the textures that shaders read.
   void upload();
 
+  /// Binds textures and samplers to their units.
   void bind() const;
-  /// Nothing may be left of the textures and samplers for whoever draws next.
+  /// Unbinds all textures and samplers, so that other users of the context find none.
   void unbind() const;
 
  private:
   void draw_shadow_map(const FrameBlock& block);
   void upload_shadow_map();
 
-  const GladGLContext* gl;
-  DepthMap shadow_map;
-  KeyDecision key_decision;
-  SkyLight sky_light;
-  Texture shadow_texture;
-  Texture floor_texture;
-  Sampler compare;  // how much of a neighbourhood is farther than a value
-  Sampler plain;    // the depth itself
+  const GladGLContext* gl_;
+  ShadowMap shadow_map_;
+  ShadowClassifier shadow_classifier_;
+  SkyLight sky_light_;
+  Texture shadow_texture_;
+  Texture floor_texture_;
+  Sampler compare_;  // how much of a neighbourhood is farther than a value
+  Sampler plain_;    // the depth itself
   // Of the frame.
-  std::vector<const SurfaceView*> casters;
-  std::optional<Box> casters_box;
-  int shadow_side_px = 0;
-  int sky_directions = 0;
-  bool has_floor = false;
-  int allocated_px = 0;
-  MapArea uploaded;  // what the shadow texture holds apart from nothing
-  std::vector<float> floor_light;
+  std::vector<const SurfaceView*> casters_;
+  std::optional<Box> casters_box_;
+  int shadow_side_px_ = 0;
+  int sky_directions_ = 0;
+  bool has_floor_ = false;
+  int allocated_px_ = 0;
+  MapArea uploaded_;  // what the shadow texture holds apart from nothing
+  std::vector<float> floor_light_;
 };
 
 }  // namespace taut::renderer

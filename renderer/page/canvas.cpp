@@ -98,15 +98,15 @@ struct Canvas::Surface {
   }
 };
 
-Canvas::Canvas(std::unique_ptr<Surface> made) : surface(std::move(made)) {}
+Canvas::Canvas(std::unique_ptr<Surface> made) : surface_(std::move(made)) {}
 Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
-Canvas::Canvas(int width_px, int height_px, Colour background) : surface(std::make_unique<Surface>()) {
-  surface->width_px = width_px;
-  surface->height_px = height_px;
-  surface->start_image(background);
+Canvas::Canvas(int width_px, int height_px, Colour background) : surface_(std::make_unique<Surface>()) {
+  surface_->width_px = width_px;
+  surface_->height_px = height_px;
+  surface_->start_image(background);
 }
 
 Canvas::Canvas(const Image& image) : Canvas(image.width_px, image.height_px) {
@@ -138,14 +138,14 @@ Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch) {
 }
 
 int Canvas::width_px() const {
-  return surface->width_px;
+  return surface_->width_px;
 }
 int Canvas::height_px() const {
-  return surface->height_px;
+  return surface_->height_px;
 }
 
 TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
-  cairo_t* pen = surface->pen.get();
+  cairo_t* pen = surface_->pen.get();
   select_font(pen, style);
   cairo_text_extents_t extents;
   cairo_text_extents(pen, std::string(text).c_str(), &extents);
@@ -157,9 +157,9 @@ TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
 
 void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle& style) {
   const TextSize size = measure(text, style);
-  cairo_t* pen = surface->pen.get();
+  cairo_t* pen = surface_->pen.get();
   set_colour(pen, style.colour);
-  const float baseline = surface->on_whole_pixel(y_px + vertical_shift(style.vertical, size));
+  const float baseline = surface_->on_whole_pixel(y_px + vertical_shift(style.vertical, size));
   cairo_move_to(pen, static_cast<double>(x_px + horizontal_shift(style.horizontal, size)),
                 static_cast<double>(baseline));
   cairo_show_text(pen, std::string(text).c_str());
@@ -168,7 +168,7 @@ void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle
 }
 
 void Canvas::line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px) {
-  cairo_t* pen = surface->pen.get();
+  cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour);
   cairo_set_line_width(pen, static_cast<double>(thickness_px));
   cairo_move_to(pen, static_cast<double>(x0_px), static_cast<double>(y0_px));
@@ -178,7 +178,7 @@ void Canvas::line(float x0_px, float y0_px, float x1_px, float y1_px, Colour col
 
 void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
                        float thickness_px) {
-  cairo_t* pen = surface->pen.get();
+  cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour);
   cairo_set_line_width(pen, static_cast<double>(thickness_px));
   cairo_rectangle(pen, static_cast<double>(x_px), static_cast<double>(y_px), static_cast<double>(width_px),
@@ -188,7 +188,7 @@ void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, 
 
 void Canvas::fill_rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
                             float opacity) {
-  cairo_t* pen = surface->pen.get();
+  cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour, opacity);
   cairo_rectangle(pen, static_cast<double>(x_px), static_cast<double>(y_px), static_cast<double>(width_px),
                   static_cast<double>(height_px));
@@ -196,7 +196,7 @@ void Canvas::fill_rectangle(float x_px, float y_px, float width_px, float height
 }
 
 void Canvas::circle(float x_px, float y_px, float radius_px, Colour colour, float opacity) {
-  cairo_t* pen = surface->pen.get();
+  cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour, opacity);
   cairo_arc(pen, static_cast<double>(x_px), static_cast<double>(y_px), static_cast<double>(radius_px), 0.0,
             2.0 * std::numbers::pi);
@@ -209,11 +209,11 @@ void Canvas::image(float x_px, float y_px, const Image& image) {
 
 void Canvas::image(float x_px, float y_px, float width_px, float height_px, const Image& image) {
   const SurfaceHandle source = to_cairo(image);
-  cairo_t* pen = surface->pen.get();
+  cairo_t* pen = surface_->pen.get();
   cairo_save(pen);
   cairo_translate(pen, static_cast<double>(x_px), static_cast<double>(y_px));
-  const bool as_is = surface->has_as_many_pixels(width_px, image.width_px) &&
-                     surface->has_as_many_pixels(height_px, image.height_px);
+  const bool as_is = surface_->has_as_many_pixels(width_px, image.width_px) &&
+                     surface_->has_as_many_pixels(height_px, image.height_px);
   cairo_scale(pen, static_cast<double>(width_px) / image.width_px,
               static_cast<double>(height_px) / image.height_px);
   cairo_set_source_surface(pen, source.get(), 0.0, 0.0);
@@ -224,18 +224,18 @@ void Canvas::image(float x_px, float y_px, float width_px, float height_px, cons
 }
 
 Image Canvas::to_image() const {
-  if (surface->is_pdf) throw std::logic_error("a PDF has no pixels");
-  return from_cairo(surface->surface.get());
+  if (surface_->is_pdf) throw std::logic_error("a PDF has no pixels");
+  return from_cairo(surface_->surface.get());
 }
 
 std::vector<std::uint8_t> Canvas::finish_pdf() {
-  if (!surface->is_pdf) throw std::logic_error("an image is no PDF");
-  cairo_surface_finish(surface->surface.get());
-  const cairo_status_t status = cairo_surface_status(surface->surface.get());
+  if (!surface_->is_pdf) throw std::logic_error("an image is no PDF");
+  cairo_surface_finish(surface_->surface.get());
+  const cairo_status_t status = cairo_surface_status(surface_->surface.get());
   if (status != CAIRO_STATUS_SUCCESS) {
     throw std::runtime_error(std::string("cannot make a PDF: ") + cairo_status_to_string(status));
   }
-  return std::move(surface->pdf_bytes);
+  return std::move(surface_->pdf_bytes);
 }
 
 }  // namespace taut::renderer

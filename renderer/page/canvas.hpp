@@ -9,33 +9,36 @@
 
 namespace taut::renderer {
 
+/// Which part of a text its x or y is the position of.
 enum class HorizontalAlign { left, centre, right };
 enum class VerticalAlign { top, middle, baseline, bottom };
 
 /// DejaVu Sans.
 struct TextStyle {
-  float size_px = 16.0F;  ///< of the em square
+  float size_px = 16.0F;  ///< height of the em square, pixels
   Colour colour{0.1F};
   bool bold = false;
   HorizontalAlign horizontal = HorizontalAlign::left;
   VerticalAlign vertical = VerticalAlign::baseline;
 };
 
-/// What a line of text occupies, measured from the font, in pixels.
+/// The size of a line of text as its font gives it, in pixels.
 struct TextSize {
-  float width_px = 0.0F;   ///< how far the pen advances
-  float ascent_px = 0.0F;  ///< above the baseline
-  float descent_px = 0.0F;
+  float width_px = 0.0F;    ///< advance width
+  float ascent_px = 0.0F;   ///< above the baseline
+  float descent_px = 0.0F;  ///< below the baseline, positive
 };
 
-/// Two-dimensional drawing: text, lines, rectangles and pictures, over an image or into a PDF. The origin is
-/// the upper left corner, x to the right, y down, in pixels; whole numbers are pixel edges. Text is UTF-8,
-/// one line.
+/// Two-dimensional drawing of text, lines, rectangles and images, over an image or into a PDF. Coordinates
+/// are pixels from the upper left corner, x to the right, y down; whole numbers are pixel edges. Text is one
+/// line of UTF-8. Opacity is 0 to 1.
 class Canvas {
  public:
+  /// An empty canvas of the background's colour. Throws std::runtime_error when Cairo cannot make it.
   Canvas(int width_px, int height_px, Colour background = Colour{1.0F});
+  /// A canvas that starts as a copy of the image.
   explicit Canvas(const Image& image);
-  /// What is drawn on this canvas is that of a canvas of this width and height, on `scale` times as many
+  /// Returns a white canvas with coordinates of width_px by height_px, whose image has `scale` times as many
   /// pixels each way, rounded.
   static Canvas scaled(int width_px, int height_px, float scale);
   /// One page; text stays text. Throws std::runtime_error where Cairo cannot make it.
@@ -44,23 +47,30 @@ class Canvas {
   Canvas(Canvas&&) noexcept;
   Canvas& operator=(Canvas&&) noexcept;
 
+  /// Return the size in coordinates of the canvas, before any scale.
   int width_px() const;
   int height_px() const;
 
+  /// Returns the size of a text drawn in this style.
   TextSize measure(std::string_view text, const TextStyle& style) const;
+  /// Draws a text with its aligned point, as the style has it, at (x_px, y_px).
   void text(float x_px, float y_px, std::string_view text, const TextStyle& style = {});
+  /// Draws a line between two points; its middle runs through them.
   void line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px = 1.0F);
+  /// Draws the outline of a rectangle with this upper left corner, the line's middle on its border.
   void rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
                  float thickness_px = 1.0F);
+  /// Fills a rectangle with this upper left corner.
   void fill_rectangle(float x_px, float y_px, float width_px, float height_px, Colour colour,
                       float opacity = 1.0F);
+  /// Fills a circle around (x_px, y_px).
   void circle(float x_px, float y_px, float radius_px, Colour colour, float opacity = 1.0F);
-  /// At its own size, its upper left corner at x, y.
+  /// Draws an image at its own size, its upper left corner at (x_px, y_px).
   void image(float x_px, float y_px, const Image& image);
-  /// Scaled to the given size; pixel by pixel where it has that many of them.
+  /// Draws an image scaled to width_px by height_px. It is copied without filtering where the sizes agree.
   void image(float x_px, float y_px, float width_px, float height_px, const Image& image);
 
-  /// The pixels so far, as RGB. Not for a PDF (throws std::logic_error).
+  /// Returns what has been drawn, as RGB. Throws std::logic_error for a PDF.
   Image to_image() const;
   /// The PDF file, after which nothing more can be drawn. Throws std::runtime_error where Cairo could not
   /// make it, and std::logic_error for an image.
@@ -69,7 +79,7 @@ class Canvas {
  private:
   struct Surface;
   explicit Canvas(std::unique_ptr<Surface> made);
-  std::unique_ptr<Surface> surface;
+  std::unique_ptr<Surface> surface_;
 };
 
 }  // namespace taut::renderer

@@ -5,30 +5,31 @@
 
 namespace taut::renderer {
 
-/// Red, green, blue as a colour picker shows them: sRGB-encoded, each 0 to 1. Every colour that crosses the
-/// interface of this library is of this kind; shading converts to linear light by itself.
+/// Red, green and blue, sRGB-encoded, each 0 to 1. Every colour in this library's interface is encoded;
+/// shading converts it to linear light.
 using Colour = glm::vec3;
 
-/// 0xRRGGBB to Colour.
+/// Returns the colour 0xRRGGBB.
 constexpr Colour rgb(std::uint32_t hex) {
   return {static_cast<float>((hex >> 16U) & 255U) / 255.0F, static_cast<float>((hex >> 8U) & 255U) / 255.0F,
           static_cast<float>(hex & 255U) / 255.0F};
 }
 
-/// The transfer function of IEC 61966-2-1 for one channel, 0 to 1; values outside are clamped.
+/// Return one channel through the transfer function of sRGB (IEC 61966-2-1) and back. Arguments are clamped
+/// to 0..1.
 float srgb_to_linear(float encoded);
 float linear_to_srgb(float linear);
 
-/// All three channels in linear light.
+/// Returns the colour in linear light, each channel 0 to 1.
 glm::vec3 linear_light(const Colour& colour);
 
-/// Colour maps whose lightness tells the order to every reader, colour-blind or printing in grey.
+/// Colour maps ordered by lightness, so that they can be read in grey and by colour-blind readers.
 enum class ColourMap {
   viridis,      ///< dark violet to yellow, lightness rises throughout
   blue_orange,  ///< diverging: blue below, near white in the middle, orange above
 };
 
-/// Colour at position t of the map; t is clamped to 0..1, and a NaN gives a neutral grey.
+/// Returns the colour at position t of the map. t is clamped to 0..1; NaN gives a neutral grey.
 Colour colour_at(ColourMap map, float t);
 
 }  // namespace taut::renderer

@@ -7,14 +7,15 @@
 
 namespace taut::renderer {
 
-/// Pixels in memory: rows from top to bottom, without padding, `channels` bytes each. Colour is sRGB-encoded,
-/// alpha (if there is one) is straight, not premultiplied.
+/// Pixels in memory: rows from top to bottom, without padding, `channels` bytes per pixel. Colour is
+/// sRGB-encoded; alpha is not premultiplied.
 struct Image {
   int width_px = 0;
   int height_px = 0;
   int channels = 3;  ///< 3 = RGB, 4 = RGBA
   std::vector<std::uint8_t> pixels;
 
+  /// Return the first byte of a pixel; 0 <= x_px < width_px, 0 <= y_px < height_px.
   std::uint8_t* at(int x_px, int y_px) { return pixels.data() + offset(x_px, y_px); }
   const std::uint8_t* at(int x_px, int y_px) const { return pixels.data() + offset(x_px, y_px); }
 
@@ -26,8 +27,8 @@ struct Image {
   }
 };
 
-/// A black (and, with four channels, transparent) image. Throws std::invalid_argument unless both sizes are
-/// positive and there are 3 or 4 channels.
+/// Returns a black (with four channels, transparent) image. Throws std::invalid_argument unless both sizes
+/// are positive and there are 3 or 4 channels.
 Image make_image(int width_px, int height_px, int channels = 3);
 
 }  // namespace taut::renderer

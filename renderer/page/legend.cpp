@@ -42,13 +42,14 @@ void draw_bar(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
   const int rows = static_cast<int>(std::ceil(place.bar_height_px));
   // Rows need not lie on whole pixels: each goes on below, and the bar to under its frame, so that what is
   // behind shines through no seam.
-  constexpr float under_frame = 0.5F;
+  constexpr float under_border = 0.5F;
   for (int row = 0; row < rows; ++row) {
     const float y = static_cast<float>(row);
     const float t = 1.0F - (y + 0.5F) / place.bar_height_px;
-    const float top = row == 0 ? -under_frame : y;
-    canvas.fill_rectangle(place.x_px - under_frame, place.y_px + top, place.bar_width_px + 2.0F * under_frame,
-                          place.bar_height_px - top + under_frame, colour_at(legend.map, t));
+    const float top = row == 0 ? -under_border : y;
+    canvas.fill_rectangle(place.x_px - under_border, place.y_px + top,
+                          place.bar_width_px + 2.0F * under_border, place.bar_height_px - top + under_border,
+                          colour_at(legend.map, t));
   }
   canvas.rectangle(place.x_px - 0.5F, place.y_px - 0.5F, place.bar_width_px + 1.0F,
                    place.bar_height_px + 1.0F, place.text.colour);

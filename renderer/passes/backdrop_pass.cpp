@@ -14,6 +14,14 @@ namespace taut::renderer {
 
 namespace {
 
+// How much more than its bounds the shaded part of the floor holds, drawn px: the floor's shader moves its
+// points along the normal before it looks them up. Less cuts the shadow off.
+constexpr float shadow_margin_px = 4.0F;
+// How far the floor's depth is pushed back, in units of glPolygonOffset. Less lets it show through cloth that
+// lies on it.
+constexpr float floor_offset_factor = 2.0F;
+constexpr float floor_offset_units = 8.0F;
+
 // Drawn pixels for a cell of the grid: larger blurs the floor's light where it is seen at a slant, smaller
 // costs time.
 int cell_px(int tile_height_px, BackdropGrid fineness) {
@@ -28,7 +36,7 @@ int cell_px(int tile_height_px, BackdropGrid fineness) {
   throw std::invalid_argument("not a grid of the backdrop");
 }
 
-// Drawn pixels for a texel of the floor's shadow.
+// Drawn pixels for a texel of the floor's shadow. More is faster and blurs the shadow's edge.
 int shadow_texel_px(int tile_height_px) {
   return std::clamp(tile_height_px / 360, 1, 2);
 }
@@ -59,11 +67,10 @@ PixelRect shaded_floor(const FrameBlock& block) {
     lower = glm::min(lower, pixel);
     upper = glm::max(upper, pixel);
   }
-  // A few pixels more: the floor's shader lifts its points before it looks them up.
-  const int left = whole_within(std::floor(lower.x - 4.0F), 0, all.width_px);
-  const int bottom = whole_within(std::floor(lower.y - 4.0F), 0, all.height_px);
-  const int right = whole_within(std::ceil(upper.x + 4.0F), left, all.width_px);
-  const int top = whole_within(std::ceil(upper.y + 4.0F), bottom, all.height_px);
+  const int left = whole_within(std::floor(lower.x - shadow_margin_px), 0, all.width_px);
+  const int bottom = whole_within(std::floor(lower.y - shadow_margin_px), 0, all.height_px);
+  const int right = whole_within(std::ceil(upper.x + shadow_margin_px), left, all.width_px);
+  const int top = whole_within(std::ceil(upper.y + shadow_margin_px), bottom, all.height_px);
   return {left, bottom, right - left, top - bottom};
 }
 
@@ -79,29 +86,29 @@ std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& s
 BackdropPass::CoarseMap::CoarseMap(const GladGLContext& context) : texture(context) {}
 
 BackdropPass::BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files)
-    : gl(&context),
-      lit(context, files, "backdrop_grid.vert", "backdrop.frag"),
-      floor_shadow(context, files, "fullscreen.vert", "floor_shadow.frag", with_floor),
-      shaded(context, files, "backdrop_grid.vert", "backdrop.frag", with_shadow),
-      floor_depth(context, files, "ground.vert", "depth.frag"),
-      shadow_map(context),
-      shadow_framebuffer(context),
-      no_arrays(context) {}
+    : gl_(&context),
+      lit_(context, files, "backdrop_grid.vert", "backdrop.frag"),
+      floor_shadow_(context, files, "fullscreen.vert", "floor_shadow.frag", with_floor),
+      shaded_(context, files, "backdrop_grid.vert", "backdrop.frag", with_shadow),
+      floor_depth_(context, files, "ground.vert", "depth.frag"),
+      floor_shadow_map_(context),
+      shadow_framebuffer_(context),
+      no_arrays_(context) {}
 
 // To be called with the framebuffer bound that it is to be attached to.
 void BackdropPass::allocate(CoarseMap& map, const glm::ivec2& size_px, GLint format,
                             GLenum attachment) const {
   if (size_px == map.size_px) return;
   map.size_px = size_px;
-  gl->ActiveTexture(GL_TEXTURE0 + floor_shadow_unit);
-  gl->BindTexture(GL_TEXTURE_2D, map.texture.name());
-  gl->TexImage2D(GL_TEXTURE_2D, 0, format, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl_->ActiveTexture(GL_TEXTURE0 + floor_shadow_unit);
+  gl_->BindTexture(GL_TEXTURE_2D, map.texture.name());
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, format, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-    gl->TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
+    gl_->TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
   }
-  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, map.texture.name(), 0);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  gl_->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, map.texture.name(), 0);
 }
 
 void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bool floor,
@@ -113,65 +120,64 @@ void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bo
   const glm::vec2 across =
       fineness == BackdropGrid::coarsest ? glm::vec2{size_px} / static_cast<float>(cell) : glm::vec2{cells};
   program.set("grid", glm::vec4{across, floor ? 1.0F : 0.0F, 0.0F});
-  gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (cells.x + 1), cells.y);
+  gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (cells.x + 1), cells.y);
 }
 
 void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& part) {
   const int texel = shadow_texel_px(static_cast<int>(block.viewport.y));
   const glm::ivec2 size_px = (glm::ivec2{part.width_px, part.height_px} + texel - 1) / texel;
-  gl->BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer.name());
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.name());
   // Its size changes with every step of a garment: it only grows.
-  const glm::ivec2 roomy_px = glm::max(size_px, shadow_map.size_px);
-  if (roomy_px != shadow_map.size_px) {
-    allocate(shadow_map, roomy_px, GL_R8, GL_COLOR_ATTACHMENT0);
-    check_framebuffer(*gl, "floor's shadow");
+  const glm::ivec2 roomy_px = glm::max(size_px, floor_shadow_map_.size_px);
+  if (roomy_px != floor_shadow_map_.size_px) {
+    allocate(floor_shadow_map_, roomy_px, GL_R8, GL_COLOR_ATTACHMENT0);
+    check_framebuffer(*gl_, "floor's shadow");
   }
-  gl->Viewport(0, 0, size_px.x, size_px.y);
-  floor_shadow.use().set("coarse", glm::vec4{static_cast<float>(part.x_px), static_cast<float>(part.y_px),
-                                             static_cast<float>(texel), 0.0F});
-  gl->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_->Viewport(0, 0, size_px.x, size_px.y);
+  floor_shadow_.use().set("coarse", glm::vec4{static_cast<float>(part.x_px), static_cast<float>(part.y_px),
+                                              static_cast<float>(texel), 0.0F});
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void BackdropPass::draw_shaded(const FrameBlock& block, const PixelRect& part, BackdropGrid fineness) {
   const auto texel = static_cast<float>(shadow_texel_px(static_cast<int>(block.viewport.y)));
-  const glm::vec2 scale = 1.0F / (texel * glm::vec2{shadow_map.size_px});
-  bind_texture(*gl, floor_shadow_unit, GL_TEXTURE_2D, shadow_map.texture);
-  gl->Scissor(part.x_px, part.y_px, part.width_px, part.height_px);
-  const Program& program = shaded.use();
+  const glm::vec2 scale = 1.0F / (texel * glm::vec2{floor_shadow_map_.size_px});
+  bind_texture(*gl_, floor_shadow_unit, GL_TEXTURE_2D, floor_shadow_map_.texture);
+  gl_->Scissor(part.x_px, part.y_px, part.width_px, part.height_px);
+  const Program& program = shaded_.use();
   program.set("shaded_part", glm::vec4{scale, -scale * glm::vec2{part.x_px, part.y_px}});
   draw_grid(program, block, true, fineness);
 }
 
 void BackdropPass::draw_floor_depth() {
-  // Behind cloth that lies on it.
-  gl->Enable(GL_POLYGON_OFFSET_FILL);
-  gl->PolygonOffset(2.0F, 8.0F);
-  gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  floor_depth.use();
-  gl->BindVertexArray(no_arrays.name());
-  gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl->Disable(GL_POLYGON_OFFSET_FILL);
+  gl_->Enable(GL_POLYGON_OFFSET_FILL);
+  gl_->PolygonOffset(floor_offset_factor, floor_offset_units);
+  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  floor_depth_.use();
+  gl_->BindVertexArray(no_arrays_.name());
+  gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 void BackdropPass::draw(GLuint framebuffer, const FrameBlock& block, bool floor, BackdropGrid fineness) {
-  gl->Disable(GL_DEPTH_TEST);
-  gl->BindVertexArray(no_arrays.name());
+  gl_->Disable(GL_DEPTH_TEST);
+  gl_->BindVertexArray(no_arrays_.name());
   const PixelRect part = floor ? shaded_floor(block) : PixelRect{};
   const bool any_shadow = part.width_px > 0 && part.height_px > 0;
   if (any_shadow) draw_floor_shadow(block, part);
-  gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   const glm::ivec2 size_px{block.viewport};
-  gl->Viewport(0, 0, size_px.x, size_px.y);
-  gl->Enable(GL_SCISSOR_TEST);
-  const Program& program = lit.use();
+  gl_->Viewport(0, 0, size_px.x, size_px.y);
+  gl_->Enable(GL_SCISSOR_TEST);
+  const Program& program = lit_.use();
   for (const PixelRect& band : bands_around(any_shadow ? part : PixelRect{}, size_px)) {
-    gl->Scissor(band.x_px, band.y_px, band.width_px, band.height_px);
+    gl_->Scissor(band.x_px, band.y_px, band.width_px, band.height_px);
     if (band.width_px > 0 && band.height_px > 0) draw_grid(program, block, floor, fineness);
   }
   if (any_shadow) draw_shaded(block, part, fineness);
-  gl->Disable(GL_SCISSOR_TEST);
-  gl->Enable(GL_DEPTH_TEST);
+  gl_->Disable(GL_SCISSOR_TEST);
+  gl_->Enable(GL_DEPTH_TEST);
 }
 
 }  // namespace taut::renderer

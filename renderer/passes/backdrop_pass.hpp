@@ -9,25 +9,27 @@
 
 namespace taut::renderer {
 
-/// The part of the tile in which the key light's shadow may fall on the floor; the block has to be complete.
+/// Returns the part of the tile in which the key light's shadow may fall on the floor, drawn pixels. The
+/// block must be complete.
 PixelRect shaded_floor(const FrameBlock& block);
 
-/// What of a target of that size is left without the part: below, to its left and right, above.
+/// Returns the four rectangles that cover a target of size_px but for `part`: below, left, right, above.
 std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& size_px);
 
-/// How closely what is behind is worked out, and blended between; fine costs more.
+/// Size of the grid at whose vertices the background is shaded. Fine costs more.
 enum class BackdropGrid { fine, coarse, coarsest };
 
-/// What is behind everything: the backdrop and the studio's floor.
+/// Draws the background: the backdrop and the floor with its shadow.
 class BackdropPass {
  public:
+  /// The context must be current and outlive this object. `files`: all shaders.
   BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files);
 
-  /// Draws the tile the block is for into `framebuffer`, without looking at depth. `floor`: whether there is
-  /// one to be seen. The block `Frame` and the light's textures have to be bound.
+  /// Draws the block's tile to the lower left corner of a framebuffer, without the depth test. `floor`:
+  /// whether the floor is visible. The block `Frame` and the light's textures must be bound.
   void draw(GLuint framebuffer, const FrameBlock& block, bool floor, BackdropGrid fineness);
 
-  /// Draws the floor's depth alone, so that it hides what is below it.
+  /// Draws only the floor's depth, so that it hides what is below. The block `Frame` must be bound.
   void draw_floor_depth();
 
  private:
@@ -42,14 +44,14 @@ class BackdropPass {
   void draw_floor_shadow(const FrameBlock& block, const PixelRect& part);
   void draw_shaded(const FrameBlock& block, const PixelRect& part, BackdropGrid fineness);
 
-  const GladGLContext* gl;
-  LazyProgram lit;
-  LazyProgram floor_shadow;
-  LazyProgram shaded;
-  LazyProgram floor_depth;
-  CoarseMap shadow_map;
-  Framebuffer shadow_framebuffer;
-  VertexArray no_arrays;
+  const GladGLContext* gl_;
+  LazyProgram lit_;
+  LazyProgram floor_shadow_;
+  LazyProgram shaded_;
+  LazyProgram floor_depth_;
+  CoarseMap floor_shadow_map_;
+  Framebuffer shadow_framebuffer_;
+  VertexArray no_arrays_;
 };
 
 }  // namespace taut::renderer

@@ -10,9 +10,9 @@ namespace taut::renderer {
 
 namespace {
 
-constexpr std::uint8_t nothing = 0;
-constexpr std::uint8_t decided = 1;
-constexpr std::uint8_t open_to_shadow = 2;
+constexpr std::uint8_t no_surface = 0;
+constexpr std::uint8_t uniform_shadow = 1;
+constexpr std::uint8_t partial_shadow = 2;
 
 // The square a coordinate lies in, one pixel's rounding aside.
 int square_of(float coordinate_px, int count) {
@@ -22,38 +22,38 @@ int square_of(float coordinate_px, int count) {
 
 }  // namespace
 
-void CoveredSquares::find(const SurfaceTables& tables, const glm::mat4& world_to_clip,
+void CoveredSquares::find(const SurfaceBuffers& surfaces, const glm::mat4& world_to_clip,
                           const glm::ivec2& size_px) {
-  tile_px = size_px;
-  squares = (size_px + side_px - 1) / side_px;
-  kinds.assign(static_cast<std::size_t>(squares.x) * static_cast<std::size_t>(squares.y), nothing);
-  projected.clear();
-  for (const SurfaceTables::Vertex& vertex : tables.all_vertices()) {
+  tile_px_ = size_px;
+  squares_ = (size_px + side_px - 1) / side_px;
+  kinds_.assign(static_cast<std::size_t>(squares_.x) * static_cast<std::size_t>(squares_.y), no_surface);
+  projected_.clear();
+  for (const SurfaceBuffers::Vertex& vertex : surfaces.all_vertices()) {
     const glm::vec4 clip = world_to_clip * glm::vec4{glm::vec3{vertex.place}, 1.0F};
     const bool seen = clip.w > 1e-6F;
     const glm::vec2 place =
         seen ? (0.5F + 0.5F * glm::vec2{clip} / clip.w) * glm::vec2{size_px} : glm::vec2{0};
-    projected.emplace_back(place, seen ? 1.0F : 0.0F);
+    projected_.emplace_back(place, seen ? 1.0F : 0.0F);
   }
-  for (const glm::uvec4& triangle : tables.all_triangles()) {
-    const glm::vec3& a = projected[triangle.x];
-    const glm::vec3& b = projected[triangle.y];
-    const glm::vec3& c = projected[triangle.z];
-    const std::uint8_t kind = SurfaceTables::is_open(triangle) ? open_to_shadow : decided;
+  for (const glm::uvec4& triangle : surfaces.all_triangles()) {
+    const glm::vec3& a = projected_[triangle.x];
+    const glm::vec3& b = projected_[triangle.y];
+    const glm::vec3& c = projected_[triangle.z];
+    const std::uint8_t kind = SurfaceBuffers::is_partial(triangle) ? partial_shadow : uniform_shadow;
     if (a.z + b.z + c.z == 0.0F) continue;
     if (a.z * b.z * c.z == 0.0F) return mark_all();
     const glm::vec2 lower = glm::vec2{glm::min(a, glm::min(b, c))} - 1.0F;
     const glm::vec2 upper = glm::vec2{glm::max(a, glm::max(b, c))} + 1.0F;
-    mark({square_of(lower.x, squares.x), square_of(lower.y, squares.y), square_of(upper.x, squares.x),
-          square_of(upper.y, squares.y)},
+    mark({square_of(lower.x, squares_.x), square_of(lower.y, squares_.y), square_of(upper.x, squares_.x),
+          square_of(upper.y, squares_.y)},
          kind);
   }
 }
 
 void CoveredSquares::mark(const glm::ivec4& box, std::uint8_t kind) {
-  for (int y = std::max(box.y, 0); y <= std::min(box.w, squares.y - 1); ++y) {
-    for (int x = std::max(box.x, 0); x <= std::min(box.z, squares.x - 1); ++x) {
-      std::uint8_t& own = kinds[static_cast<std::size_t>(y * squares.x + x)];
+  for (int y = std::max(box.y, 0); y <= std::min(box.w, squares_.y - 1); ++y) {
+    for (int x = std::max(box.x, 0); x <= std::min(box.z, squares_.x - 1); ++x) {
+      std::uint8_t& own = kinds_[static_cast<std::size_t>(y * squares_.x + x)];
       own = std::max(own, kind);
     }
   }
@@ -61,31 +61,31 @@ void CoveredSquares::mark(const glm::ivec4& box, std::uint8_t kind) {
 
 // A triangle that reaches behind the eye may be anywhere.
 void CoveredSquares::mark_all() {
-  std::fill(kinds.begin(), kinds.end(), open_to_shadow);
+  std::fill(kinds_.begin(), kinds_.end(), partial_shadow);
 }
 
 void CoveredSquares::add_run(int first, int end, int row) {
   const auto clip = [&](int x, int y) {
-    return 2.0F * glm::vec2{std::min(x * side_px, tile_px.x), std::min(y * side_px, tile_px.y)} /
-               glm::vec2{tile_px} -
+    return 2.0F * glm::vec2{std::min(x * side_px, tile_px_.x), std::min(y * side_px, tile_px_.y)} /
+               glm::vec2{tile_px_} -
            1.0F;
   };
   const glm::vec2 lower_left = clip(first, row);
   const glm::vec2 lower_right = clip(end, row);
   const glm::vec2 upper_left = clip(first, row + 1);
   const glm::vec2 upper_right = clip(end, row + 1);
-  triangles.insert(triangles.end(),
-                   {lower_left, lower_right, upper_right, lower_left, upper_right, upper_left});
+  triangles_.insert(triangles_.end(),
+                    {lower_left, lower_right, upper_right, lower_left, upper_right, upper_left});
 }
 
-const std::vector<glm::vec2>& CoveredSquares::corners(bool open) {
-  const std::uint8_t wanted = open ? open_to_shadow : decided;
-  triangles.clear();
-  for (int row = 0; row < squares.y; ++row) {
-    const std::uint8_t* own = kinds.data() + static_cast<std::ptrdiff_t>(row) * squares.x;
-    for (int x = 0; x < squares.x;) {
+const std::vector<glm::vec2>& CoveredSquares::corners(bool partial) {
+  const std::uint8_t wanted = partial ? partial_shadow : uniform_shadow;
+  triangles_.clear();
+  for (int row = 0; row < squares_.y; ++row) {
+    const std::uint8_t* own = kinds_.data() + static_cast<std::ptrdiff_t>(row) * squares_.x;
+    for (int x = 0; x < squares_.x;) {
       const int first = x;
-      while (x < squares.x && own[x] == wanted) ++x;
+      while (x < squares_.x && own[x] == wanted) ++x;
       if (x > first) {
         add_run(first, x, row);
       } else {
@@ -93,7 +93,7 @@ const std::vector<glm::vec2>& CoveredSquares::corners(bool open) {
       }
     }
   }
-  return triangles;
+  return triangles_;
 }
 
 }  // namespace taut::renderer

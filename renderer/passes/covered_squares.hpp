@@ -5,22 +5,23 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "renderer/light/surface_tables.hpp"
+#include "renderer/light/surface_buffers.hpp"
 
 namespace taut::renderer {
 
-/// Which squares of a tile surfaces can touch: a software rasteriser shades pixels where nothing is to be
-/// seen as slowly as others, so only these are shaded.
+/// The squares of a tile's grid that surfaces can touch. Only these are shaded: a software rasteriser takes
+/// as long for a pixel without a surface as for any other.
 class CoveredSquares {
  public:
-  /// Looks at all triangles of the tables; `world_to_clip` is the tile's, its size is in drawn pixels.
-  void find(const SurfaceTables& tables, const glm::mat4& world_to_clip, const glm::ivec2& size_px);
+  /// Marks the squares that the bounding rectangles of the triangles touch. `world_to_clip` is that of the
+  /// tile, size_px its size in drawn pixels.
+  void find(const SurfaceBuffers& surfaces, const glm::mat4& world_to_clip, const glm::ivec2& size_px);
 
-  /// Corners of triangles in clip space that cover the squares in which some triangle is open to the key
-  /// light's shadow, or those in which all are decided.
-  const std::vector<glm::vec2>& corners(bool open);
+  /// Returns the corners, three per triangle, of triangles in clip space that cover the marked squares: those
+  /// with a triangle of KeyVisibility::partial, or else those without. Valid until the next call.
+  const std::vector<glm::vec2>& corners(bool partial);
 
-  /// Side of a square, drawn pixels. Smaller fits closer, and is more to draw.
+  /// Side of a square, drawn pixels. Smaller shades fewer pixels without a surface, but draws more squares.
   static constexpr int side_px = 16;
 
  private:
@@ -28,11 +29,11 @@ class CoveredSquares {
   void mark_all();
   void add_run(int first, int end, int row);
 
-  glm::ivec2 tile_px{0};
-  glm::ivec2 squares{0};
-  std::vector<std::uint8_t> kinds;   // of each square: nothing, decided or open
-  std::vector<glm::vec3> projected;  // scratch: pixels, z: 0 behind the eye
-  std::vector<glm::vec2> triangles;  // scratch
+  glm::ivec2 tile_px_{0};
+  glm::ivec2 squares_{0};
+  std::vector<std::uint8_t> kinds_;   // of each square: no surface, uniform or partial shadow
+  std::vector<glm::vec3> projected_;  // scratch: pixels, z: 0 behind the eye
+  std::vector<glm::vec2> triangles_;  // scratch
 };
 
 }  // namespace taut::renderer

@@ -27,65 +27,65 @@ const Colour& pick(std::span<const Colour> colours, std::size_t i) {
 }  // namespace
 
 MarkPass::MarkPass(const GladGLContext& context, std::span<const ShaderFile> files)
-    : gl(&context),
-      line(context, files, "line.vert", "line.frag"),
-      point(context, files, "point.vert", "point.frag"),
-      line_arrays(context),
-      line_buffer(context),
-      point_arrays(context),
-      point_buffer(context) {
+    : gl_(&context),
+      line_(context, files, "line.vert", "line.frag"),
+      point_(context, files, "point.vert", "point.frag"),
+      line_arrays_(context),
+      line_buffer_(context),
+      point_arrays_(context),
+      point_buffer_(context) {
   constexpr int line_floats = sizeof(Segment) / sizeof(float);
-  gl->BindVertexArray(line_arrays.name());
+  gl_->BindVertexArray(line_arrays_.name());
   for (int i = 0; i < 4; ++i) {
-    set_attribute(*gl, static_cast<GLuint>(i), line_buffer, 3, line_floats, 3 * i, 1);
+    set_attribute(*gl_, static_cast<GLuint>(i), line_buffer_, 3, line_floats, 3 * i, 1);
   }
   constexpr int point_floats = sizeof(Point) / sizeof(float);
-  gl->BindVertexArray(point_arrays.name());
+  gl_->BindVertexArray(point_arrays_.name());
   for (int i = 0; i < 2; ++i) {
-    set_attribute(*gl, static_cast<GLuint>(i), point_buffer, 3, point_floats, 3 * i, 1);
+    set_attribute(*gl_, static_cast<GLuint>(i), point_buffer_, 3, point_floats, 3 * i, 1);
   }
-  gl->BindVertexArray(0);
+  gl_->BindVertexArray(0);
 }
 
 void MarkPass::draw_wireframe(std::span<const glm::vec3> positions, const Wireframe& wireframe) {
-  segments.clear();
+  segments_.clear();
   for (std::size_t i = 0; i + 1 < wireframe.edges.size(); i += 2) {
-    segments.push_back({positions[wireframe.edges[i]], positions[wireframe.edges[i + 1]], wireframe.colour,
-                        wireframe.colour});
+    segments_.push_back({positions[wireframe.edges[i]], positions[wireframe.edges[i + 1]], wireframe.colour,
+                         wireframe.colour});
   }
-  set_depth_test(*gl, true);
+  set_depth_test(*gl_, true);
   draw_segments(wireframe.width_px, wireframe.opacity);
 }
 
 void MarkPass::draw_lines(const LineView& lines) {
-  segments.clear();
+  segments_.clear();
   for (std::size_t i = 0; i + 1 < lines.points.size(); i += 2) {
-    segments.push_back(
+    segments_.push_back(
         {lines.points[i], lines.points[i + 1], pick(lines.colours, i), pick(lines.colours, i + 1)});
   }
-  set_depth_test(*gl, lines.hidden_by_surfaces);
+  set_depth_test(*gl_, lines.hidden_by_surfaces);
   draw_segments(lines.width_px, lines.opacity);
 }
 
 void MarkPass::draw_segments(float width_px, float opacity) {
-  if (segments.empty()) return;
-  gl->BindVertexArray(line_arrays.name());
-  upload(*gl, GL_ARRAY_BUFFER, line_buffer, std::span<const Segment>(segments));
-  line.use().set("mark", glm::vec4{width_px, opacity, lift, 0.0F});
-  gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(segments.size()));
+  if (segments_.empty()) return;
+  gl_->BindVertexArray(line_arrays_.name());
+  upload(*gl_, GL_ARRAY_BUFFER, line_buffer_, std::span<const Segment>(segments_));
+  line_.use().set("mark", glm::vec4{width_px, opacity, lift, 0.0F});
+  gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(segments_.size()));
 }
 
 void MarkPass::draw_points(const PointView& points) {
   if (points.centres.empty()) return;
-  marks.clear();
+  marks_.clear();
   for (std::size_t i = 0; i < points.centres.size(); ++i) {
-    marks.push_back({points.centres[i], pick(points.colours, i)});
+    marks_.push_back({points.centres[i], pick(points.colours, i)});
   }
-  set_depth_test(*gl, points.hidden_by_surfaces);
-  gl->BindVertexArray(point_arrays.name());
-  upload(*gl, GL_ARRAY_BUFFER, point_buffer, std::span<const Point>(marks));
-  point.use().set("mark", glm::vec4{points.diameter_px, 1.0F, point_lift, 0.0F});
-  gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(marks.size()));
+  set_depth_test(*gl_, points.hidden_by_surfaces);
+  gl_->BindVertexArray(point_arrays_.name());
+  upload(*gl_, GL_ARRAY_BUFFER, point_buffer_, std::span<const Point>(marks_));
+  point_.use().set("mark", glm::vec4{points.diameter_px, 1.0F, point_lift, 0.0F});
+  gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(marks_.size()));
 }
 
 }  // namespace taut::renderer

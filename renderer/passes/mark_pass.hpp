@@ -9,12 +9,14 @@
 
 namespace taut::renderer {
 
-/// Lines, wireframes and points: widths in pixels, soft edges, blended over what is there already.
+/// Draws marks: lines, wireframes and points of constant width in pixels, with antialiased edges.
 class MarkPass {
  public:
+  /// The context must be current and outlive this object. `files`: all shaders.
   MarkPass(const GladGLContext& context, std::span<const ShaderFile> files);
 
-  /// Expects blending and the depth test to be on and depth writes off.
+  /// Draw marks over the bound framebuffer. Blending must be on and depth writes off; the block `Frame` must
+  /// be bound. They switch the depth test.
   void draw_wireframe(std::span<const glm::vec3> positions, const Wireframe& wireframe);
   void draw_lines(const LineView& lines);
   void draw_points(const PointView& points);
@@ -32,15 +34,15 @@ class MarkPass {
   };
   void draw_segments(float width_px, float opacity);
 
-  const GladGLContext* gl;
-  LazyProgram line;
-  LazyProgram point;
-  VertexArray line_arrays;
-  Buffer line_buffer;
-  VertexArray point_arrays;
-  Buffer point_buffer;
-  std::vector<Segment> segments;  // scratch
-  std::vector<Point> marks;       // scratch
+  const GladGLContext* gl_;
+  LazyProgram line_;
+  LazyProgram point_;
+  VertexArray line_arrays_;
+  Buffer line_buffer_;
+  VertexArray point_arrays_;
+  Buffer point_buffer_;
+  std::vector<Segment> segments_;  // scratch
+  std::vector<Point> marks_;       // scratch
 };
 
 }  // namespace taut::renderer

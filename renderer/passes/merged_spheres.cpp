@@ -4,8 +4,8 @@ namespace taut::renderer {
 
 namespace {
 
-// A few large ones need a round outline, many small ones need to be cheap: a row of pins has more triangles
-// than the garment it holds.
+// Segments of each sphere. A few large ones need a round outline, many small ones need to be cheap: a row of
+// pins has more triangles than the garment it holds.
 int segments_of_each(std::size_t count) {
   if (count <= 8) return 64;
   return count <= 24 ? 20 : 12;

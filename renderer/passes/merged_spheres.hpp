@@ -5,10 +5,10 @@
 
 namespace taut::renderer {
 
-/// All balls of one group in one mesh.
+/// Returns the spheres of one group as one mesh.
 TriangleMesh merged_spheres(const SphereView& spheres);
 
-/// The mesh as a surface with the looks of the group; the mesh has to outlive it.
+/// Returns the mesh as a surface with the group's colour. The mesh must outlive the view.
 SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres);
 
 }  // namespace taut::renderer

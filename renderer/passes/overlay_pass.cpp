@@ -66,21 +66,21 @@ void OverlayPass::Parts::draw_part(const OverlayPart& part, int width_px, int he
 
 OverlayPass::OverlayPass(Context& context) {
   context.make_current();
-  parts = std::make_unique<Parts>(context);
+  parts_ = std::make_unique<Parts>(context);
 }
 
 OverlayPass::~OverlayPass() {
   try {
-    parts->context.make_current();
+    parts_->context.make_current();
   } catch (const ContextError&) {
     // Deleting names without their context is undefined; they go when the process does.
-    static_cast<void>(parts.release());
+    static_cast<void>(parts_.release());
   }
 }
 
 void OverlayPass::set_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage) {
-  const GladGLContext& gl = parts->gl;
-  bind_texture(gl, 0, GL_TEXTURE_2D, parts->coverage);
+  const GladGLContext& gl = parts_->gl;
+  bind_texture(gl, 0, GL_TEXTURE_2D, parts_->coverage);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width_px, height_px, 0, GL_RED, GL_UNSIGNED_BYTE, coverage.data());
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
@@ -91,20 +91,20 @@ void OverlayPass::set_coverage(int width_px, int height_px, std::span<const std:
 }
 
 void OverlayPass::draw(unsigned framebuffer, int width_px, int height_px, const OverlayView& overlay) {
-  const GladGLContext& gl = parts->gl;
-  parts->set_state();
+  const GladGLContext& gl = parts_->gl;
+  parts_->set_state();
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.Viewport(0, 0, width_px, height_px);
-  parts->program.use();
-  parts->program.set("pixels_to_clip", glm::vec4{2.0F / static_cast<float>(width_px),
-                                                 -2.0F / static_cast<float>(height_px), -1.0F, 1.0F});
-  parts->program.set("coverage", 0);
+  parts_->program.use();
+  parts_->program.set("pixels_to_clip", glm::vec4{2.0F / static_cast<float>(width_px),
+                                                  -2.0F / static_cast<float>(height_px), -1.0F, 1.0F});
+  parts_->program.set("coverage", 0);
   gl.BindSampler(0, 0);
-  bind_texture(gl, 0, GL_TEXTURE_2D, parts->coverage);
-  gl.BindVertexArray(parts->arrays.name());
-  upload(gl, GL_ARRAY_BUFFER, parts->vertices, overlay.vertices);
-  upload(gl, GL_ELEMENT_ARRAY_BUFFER, parts->indices, overlay.indices);
-  for (const OverlayPart& part : overlay.parts) parts->draw_part(part, width_px, height_px);
+  bind_texture(gl, 0, GL_TEXTURE_2D, parts_->coverage);
+  gl.BindVertexArray(parts_->arrays.name());
+  upload(gl, GL_ARRAY_BUFFER, parts_->vertices, overlay.vertices);
+  upload(gl, GL_ELEMENT_ARRAY_BUFFER, parts_->indices, overlay.indices);
+  for (const OverlayPart& part : overlay.parts) parts_->draw_part(part, width_px, height_px);
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_BLEND);
   gl.BindVertexArray(0);

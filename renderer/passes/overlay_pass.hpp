@@ -10,48 +10,49 @@
 
 namespace taut::renderer {
 
-/// A corner of a flat triangle.
+/// A vertex of a user interface's triangles.
 struct OverlayVertex {
-  glm::vec2 position_px;       ///< from the upper left corner of the picture
-  glm::vec2 coverage_place;    ///< 0..1 in the coverage map
-  std::uint32_t colour_rgba8;  ///< red in the lowest byte; sRGB-encoded, straight alpha
+  glm::vec2 position_px;       ///< pixels right of and below the picture's upper left corner
+  glm::vec2 coverage_place;    ///< texture coordinates in the coverage map, 0..1
+  std::uint32_t colour_rgba8;  ///< red in the lowest byte; sRGB-encoded, not premultiplied
 };
 
-/// Consecutive triangles that share a clip rectangle.
+/// Consecutive triangles with one clip rectangle.
 struct OverlayPart {
-  glm::ivec2 clip_lower_px;  ///< upper left corner
-  glm::ivec2 clip_upper_px;  ///< lower right corner; nothing is drawn where it is not beyond the other
-  std::size_t first_index = 0;
-  std::size_t index_count = 0;
-  std::size_t first_vertex = 0;  ///< added to every index
+  glm::ivec2 clip_lower_px;      ///< upper left corner, pixels
+  glm::ivec2 clip_upper_px;      ///< lower right corner, excluded; no larger than the other: nothing is drawn
+  std::size_t first_index = 0;   ///< in OverlayView::indices
+  std::size_t index_count = 0;   ///< three per triangle
+  std::size_t first_vertex = 0;  ///< in OverlayView::vertices; added to every index
 };
 
-/// Triangles of a user interface, drawn over what is there. The spans belong to the caller.
+/// The triangles of a user interface. The spans belong to the caller and must live until draw() returns.
 struct OverlayView {
   std::span<const OverlayVertex> vertices;
   std::span<const std::uint16_t> indices;
   std::vector<OverlayPart> parts;
 };
 
-/// Draws user interfaces: triangles with blended colours and the letters of one coverage map. Blends encoded
-/// colours, as user interfaces are designed.
+/// Draws a user interface over a picture: coloured triangles whose alpha is multiplied by a coverage map,
+/// which holds the letters. Blends sRGB-encoded colours, as user interfaces are designed for.
 class OverlayPass {
  public:
-  /// The context has to outlive the pass. Throws ShaderError.
+  /// Makes the context current. The context must outlive the pass. Throws ContextError and ShaderError.
   explicit OverlayPass(Context& context);
   ~OverlayPass();
   OverlayPass(const OverlayPass&) = delete;
   OverlayPass& operator=(const OverlayPass&) = delete;
 
-  /// One byte for each pixel, rows from the top; a vertex without letters points at a byte of 255.
+  /// Sets the coverage map: width_px * height_px bytes, top row first, 255 for full coverage. Throws
+  /// ContextError.
   void set_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage);
 
-  /// Draws to a framebuffer of the caller (0: the window) of this size. Throws ContextError.
+  /// Draws to a framebuffer of the caller (0: the window) of width_px by height_px. Throws ContextError.
   void draw(unsigned framebuffer, int width_px, int height_px, const OverlayView& overlay);
 
  private:
   struct Parts;
-  std::unique_ptr<Parts> parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace taut::renderer

@@ -8,21 +8,22 @@
 
 namespace taut::renderer {
 
-/// Averages what was drawn with several samples, or larger, and lays it over the bound framebuffer.
+/// Averages samples and supersampled pixels and blends the result over the bound framebuffer.
 class ResolvePass {
  public:
+  /// The context must be current and outlive this object. `files`: all shaders.
   ResolvePass(const GladGLContext& context, std::span<const ShaderFile> files);
 
-  /// `drawn` is sRGB-encoded and premultiplied with alpha in linear light, where it is averaged over
-  /// `samples` and over squares of `supersampling` pixels. The viewport is its place and starts at
-  /// `corner_px`.
+  /// Averages `drawn` in linear light over its `samples` and over squares of `supersampling` pixels. `drawn`
+  /// is sRGB-encoded and was premultiplied in linear light. The viewport must be its place in the
+  /// framebuffer; `corner_px` is the viewport's lower left corner.
   void draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px);
 
  private:
-  const GladGLContext* gl;
-  LazyProgram one;
-  LazyProgram many;
-  VertexArray no_arrays;
+  const GladGLContext* gl_;
+  LazyProgram one_;
+  LazyProgram many_;
+  VertexArray no_arrays_;
 };
 
 }  // namespace taut::renderer

@@ -29,11 +29,11 @@ glm::vec2 extent_on_picture(const Box& box, const Camera& camera, float aspect) 
   return extent;
 }
 
-TEST(FrameBox, FillsThePictureUpToTheMarginFromEverySide) {
+TEST(FitCameraToBox, FillsThePictureUpToTheMarginFromEverySide) {
   for (const float aspect : {0.5F, 1.0F, 16.0F / 9.0F, 4.0F}) {
     for (const float azimuth : {0.0F, 0.7F, 2.0F, 4.5F}) {
       for (const float elevation : {-0.4F, 0.0F, 0.5F, 1.2F}) {
-        const Camera camera = frame_box(shirt, {azimuth, elevation, 0.5F, 0.1F}, aspect);
+        const Camera camera = fit_camera_to_box(shirt, {azimuth, elevation, 0.5F, 0.1F}, aspect);
         const glm::vec2 extent = extent_on_picture(shirt, camera, aspect);
         EXPECT_NEAR(std::max(extent.x, extent.y), 0.8F, 1e-3F)
             << aspect << " " << azimuth << " " << elevation;
@@ -42,32 +42,32 @@ TEST(FrameBox, FillsThePictureUpToTheMarginFromEverySide) {
   }
 }
 
-TEST(FrameBox, AzimuthZeroLooksFromPlusZAndAQuarterTurnFromPlusX) {
-  const Camera front = frame_box(shirt, {0.0F, 0.0F, 0.5F, 0.1F}, 1.0F);
+TEST(FitCameraToBox, AzimuthZeroLooksFromPlusZAndAQuarterTurnFromPlusX) {
+  const Camera front = fit_camera_to_box(shirt, {0.0F, 0.0F, 0.5F, 0.1F}, 1.0F);
   EXPECT_GT(front.eye.z, 1.0F);
   EXPECT_NEAR(front.eye.x, front.target.x, 1e-4F);
-  const Camera side = frame_box(shirt, {1.5707963F, 0.0F, 0.5F, 0.1F}, 1.0F);
+  const Camera side = fit_camera_to_box(shirt, {1.5707963F, 0.0F, 0.5F, 0.1F}, 1.0F);
   EXPECT_GT(side.eye.x, 1.0F);
   EXPECT_NEAR(side.eye.z, side.target.z, 1e-4F);
 }
 
-TEST(FrameBox, TakesABoxWithoutExtent) {
-  const Camera camera = frame_box({glm::vec3{1.0F}, glm::vec3{1.0F}}, {}, 1.0F);
+TEST(FitCameraToBox, TakesABoxWithoutExtent) {
+  const Camera camera = fit_camera_to_box({glm::vec3{1.0F}, glm::vec3{1.0F}}, {}, 1.0F);
   EXPECT_TRUE(std::isfinite(camera.eye.z));
   EXPECT_GT(camera.eye.z, 1.0F);
   EXPECT_GT(camera.near_m, 0.0F);
 }
 
-TEST(FrameBox, RefusesWhatHasNoAnswer) {
+TEST(FitCameraToBox, RefusesWhatHasNoAnswer) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(frame_box({{0.0F, nan, 0.0F}, {1.0F, 1.0F, 1.0F}}, {}, 1.0F), std::invalid_argument);
-  EXPECT_THROW(frame_box({{1.0F, 1.0F, 1.0F}, {0.0F, 0.0F, 0.0F}}, {}, 1.0F), std::invalid_argument);
-  EXPECT_THROW(frame_box(shirt, {}, 0.0F), std::invalid_argument);
-  EXPECT_THROW(frame_box(shirt, {0.0F, 0.0F, 0.5F, 0.5F}, 1.0F), std::invalid_argument);
+  EXPECT_THROW(fit_camera_to_box({{0.0F, nan, 0.0F}, {1.0F, 1.0F, 1.0F}}, {}, 1.0F), std::invalid_argument);
+  EXPECT_THROW(fit_camera_to_box({{1.0F, 1.0F, 1.0F}, {0.0F, 0.0F, 0.0F}}, {}, 1.0F), std::invalid_argument);
+  EXPECT_THROW(fit_camera_to_box(shirt, {}, 0.0F), std::invalid_argument);
+  EXPECT_THROW(fit_camera_to_box(shirt, {0.0F, 0.0F, 0.5F, 0.5F}, 1.0F), std::invalid_argument);
 }
 
 // A ball fills less of a picture than the box around it.
-TEST(FramePoints, FillsThePictureUpToTheMargin) {
+TEST(FitCameraToPoints, FillsThePictureUpToTheMargin) {
   std::vector<glm::vec3> points;
   for (int i = 0; i < 400; ++i) {
     const float height = 1.0F - 2.0F * (static_cast<float>(i) + 0.5F) / 400.0F;
@@ -76,7 +76,7 @@ TEST(FramePoints, FillsThePictureUpToTheMargin) {
     points.emplace_back(5.0F + radius * std::cos(turn), height, radius * std::sin(turn));
   }
   for (const float aspect : {0.5F, 2.0F}) {
-    const Camera camera = frame_points(points, {0.7F, 0.4F, 0.5F, 0.1F}, aspect);
+    const Camera camera = fit_camera_to_points(points, {0.7F, 0.4F, 0.5F, 0.1F}, aspect);
     float extent = 0.0F;
     for (const glm::vec3& point : points) {
       const glm::vec4 clip = camera.projection(aspect) * camera.view() * glm::vec4{point, 1.0F};
@@ -86,9 +86,9 @@ TEST(FramePoints, FillsThePictureUpToTheMargin) {
   }
 }
 
-TEST(FramePoints, TakesOnePointAndRefusesNone) {
-  EXPECT_TRUE(std::isfinite(frame_points(std::array{glm::vec3{1.0F}}, {}, 1.0F).eye.z));
-  EXPECT_THROW(frame_points({}, {}, 1.0F), std::invalid_argument);
+TEST(FitCameraToPoints, TakesOnePointAndRefusesNone) {
+  EXPECT_TRUE(std::isfinite(fit_camera_to_points(std::array{glm::vec3{1.0F}}, {}, 1.0F).eye.z));
+  EXPECT_THROW(fit_camera_to_points({}, {}, 1.0F), std::invalid_argument);
 }
 
 TEST(BoundingBox, HoldsEveryPoint) {

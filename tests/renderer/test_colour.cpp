@@ -7,7 +7,7 @@
 namespace taut::renderer {
 namespace {
 
-TEST(Srgb, KnownValues) {
+TEST(Srgb, MatchesKnownValues) {
   // IEC 61966-2-1: 18 % grey and one value on the straight part near black.
   EXPECT_NEAR(linear_to_srgb(0.18F), 0.46136F, 1e-4F);
   EXPECT_NEAR(linear_to_srgb(0.001F), 0.01292F, 1e-6F);

@@ -2,15 +2,15 @@
 #include <functional>
 #include <limits>
 
-#include "renderer/light/depth_map.hpp"
-#include "renderer/light/key_decision.hpp"
+#include "renderer/light/rasterise_triangle.hpp"
+#include "renderer/light/shadow_classifier.hpp"
+#include "renderer/light/shadow_map.hpp"
 #include "renderer/light/sky_light.hpp"
-#include "renderer/light/triangle_spans.hpp"
 #include "renderer/mesh_normals.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
 #include "renderer/passes/covered_squares.hpp"
-#include "renderer/passes/drawn_area.hpp"
 #include "renderer/passes/merged_spheres.hpp"
+#include "renderer/passes/screen_bounds.hpp"
 #include "scene_support.hpp"
 
 // Cloth that flew apart: every part of the renderer that looks at positions is handed some that are anywhere
@@ -52,7 +52,7 @@ TEST(LostPositions, NoSpanLeavesTheSquare) {
   for_each_runaway([&](const Runaway& cloth) {
     for (const float scale : {1.0F, 16.0F}) {
       const auto at = [&](std::size_t i) { return scale * glm::vec3{cloth.positions[i]}; };
-      triangle_spans(at(0), at(1), at(2), side_px, [&](const TriangleSpan& span) {
+      rasterise_triangle(at(0), at(1), at(2), side_px, [&](const TriangleSpan& span) {
         EXPECT_TRUE(span.row >= 0 && span.row < side_px) << span.row;
         EXPECT_TRUE(span.first >= 0 && span.last < side_px) << span.first << " to " << span.last;
       });
@@ -60,9 +60,9 @@ TEST(LostPositions, NoSpanLeavesTheSquare) {
   });
 }
 
-TEST(LostPositions, ADepthMapIsClearWhereItSaysSo) {
+TEST(LostPositions, AShadowMapIsClearOutsideItsBounds) {
   for_each_runaway([](const Runaway& cloth) {
-    DepthMap map;
+    ShadowMap map;
     map.resize(32);
     map.draw(glm::mat4{1.0F}, cloth.positions, cloth.triangles);
     const MapArea& drawn = map.drawn();
@@ -75,13 +75,13 @@ TEST(LostPositions, ADepthMapIsClearWhereItSaysSo) {
 }
 
 // With the box of what is lost, and with that of what is near.
-TEST(LostPositions, TheSkyIsLookedAtFromAnywhere) {
+TEST(LostPositions, AmbientLightTakesAnyPosition) {
   for_each_runaway([](const Runaway& cloth) {
     const SurfaceView view = cloth.view();
     const std::array casters{&view};
     for (const Box& box : {bounding_box(cloth.positions), Box{glm::vec3{-1.0F}, glm::vec3{1.0F}}}) {
       SkyLight sky;
-      sky.look(casters, box, 6);
+      sky.draw_maps(casters, box, 6);
       std::vector<glm::vec2> light;
       sky.gather(view, light);
       EXPECT_EQ(light.size(), cloth.positions.size());
@@ -94,7 +94,7 @@ TEST(LostPositions, TheSkyIsLookedAtFromAnywhere) {
   });
 }
 
-TEST(LostPositions, TheKeyLightDecides) {
+TEST(LostPositions, TrianglesAreClassified) {
   for_each_runaway([](const Runaway& cloth) {
     const SurfaceView view = cloth.view();
     const std::array casters{&view};
@@ -104,14 +104,14 @@ TEST(LostPositions, TheKeyLightDecides) {
       FrameBlock block = make_frame_block(frame, PictureSettings{}, box);
       set_shadow_bounds(block, casters);
       set_tile(block, frame.camera, PictureSettings{}, {0, 0, 1280, 720});
-      DepthMap map;
+      ShadowMap map;
       map.resize(64);
       map.draw(block.world_to_shadow, cloth.positions, cloth.triangles);
-      KeyDecision decision;
-      decision.look(map, block);
-      std::vector<KeyLight> decided;
-      decision.decide(view, decided);
-      EXPECT_EQ(decided.size(), 2U);
+      ShadowClassifier classifier;
+      classifier.set_shadow_map(map, block);
+      std::vector<KeyVisibility> visibility;
+      classifier.classify(view, visibility);
+      EXPECT_EQ(visibility.size(), 2U);
       const PixelRect floor = shaded_floor(block);
       EXPECT_TRUE(floor.x_px >= 0 && floor.width_px >= 0 && floor.x_px + floor.width_px <= 1280);
       EXPECT_TRUE(floor.y_px >= 0 && floor.height_px >= 0 && floor.y_px + floor.height_px <= 720);
@@ -119,7 +119,7 @@ TEST(LostPositions, TheKeyLightDecides) {
   });
 }
 
-TEST(LostPositions, TheDrawnAreaIsOfThePicture) {
+TEST(LostPositions, ScreenBoundsStayInThePicture) {
   const Camera camera = front_camera();
   const glm::mat4 to_clip = camera.projection(1.5F) * camera.view();
   for_each_runaway([&](const Runaway& cloth) {
@@ -127,7 +127,7 @@ TEST(LostPositions, TheDrawnAreaIsOfThePicture) {
     frame.lines.push_back({.points = cloth.positions, .colours = {}});
     frame.points.push_back({.centres = cloth.positions, .colours = {}});
     const std::array surfaces{cloth.view()};
-    const Tile area = drawn_area(frame, surfaces, to_clip, small_picture());
+    const Tile area = screen_bounds(frame, surfaces, to_clip, small_picture());
     EXPECT_TRUE(area.x_px >= 0 && area.width_px >= 0 && area.x_px + area.width_px <= 96);
     EXPECT_TRUE(area.y_px >= 0 && area.height_px >= 0 && area.y_px + area.height_px <= 64);
     static_cast<void>(reaches_below(0.0F, frame, surfaces));
@@ -144,7 +144,7 @@ TEST(LostPositions, NormalsStayOfUnitLength) {
   });
 }
 
-TEST(LostPositions, ACameraIsFoundOrTheBoxIsRefused) {
+TEST(LostPositions, ACameraFitsOrTheBoxIsRefused) {
   for_each_runaway([](const Runaway& cloth) {
     const Box box = bounding_box(cloth.positions);
     const auto see = [&](const std::function<Camera()>& framed) {
@@ -155,26 +155,26 @@ TEST(LostPositions, ACameraIsFoundOrTheBoxIsRefused) {
         EXPECT_FALSE(is_near(box));
       }
     };
-    see([&] { return frame_box(box, {}, 1.5F); });
-    see([&] { return frame_points(cloth.positions, {}, 1.5F); });
+    see([&] { return fit_camera_to_box(box, {}, 1.5F); });
+    see([&] { return fit_camera_to_points(cloth.positions, {}, 1.5F); });
   });
 }
 
-struct LostPictures : SceneRendererTest {
-  SurfaceTables tables{context->gl()};
+struct LostPicturesTest : SceneRendererTest {
+  SurfaceBuffers surfaces{context->gl()};
 };
 
-TEST_F(LostPictures, SquaresThatAreCoveredAreOfTheTile) {
+TEST_F(LostPicturesTest, CoveredSquaresStayInTheTile) {
   const Camera camera = front_camera();
   const glm::mat4 to_clip = camera.projection(1.5F) * camera.view();
   CoveredSquares squares;
   for_each_runaway([&](const Runaway& cloth) {
-    tables.clear();
-    tables.add(cloth.view(), {{KeyLight::light, KeyLight::open}, std::vector<glm::vec2>(4)}, -1);
+    surfaces.clear();
+    surfaces.add(cloth.view(), {{KeyVisibility::lit, KeyVisibility::partial}, std::vector<glm::vec2>(4)}, -1);
     for (const glm::mat4& matrix : {to_clip, glm::mat4{1.0F}}) {
-      squares.find(tables, matrix, {96, 64});
-      for (const bool open : {false, true}) {
-        for (const glm::vec2& corner : squares.corners(open)) {
+      squares.find(surfaces, matrix, {96, 64});
+      for (const bool partial : {false, true}) {
+        for (const glm::vec2& corner : squares.corners(partial)) {
           EXPECT_TRUE(std::abs(corner.x) <= 1.0F && std::abs(corner.y) <= 1.0F);
         }
       }
@@ -184,7 +184,7 @@ TEST_F(LostPictures, SquaresThatAreCoveredAreOfTheTile) {
 
 // Whole pictures, with all that may be in one. What is not finite is refused by name; what is far is drawn,
 // and what is near beside it is seen.
-TEST_F(LostPictures, AreDrawnOrRefused) {
+TEST_F(LostPicturesTest, AreDrawnOrRefused) {
   for (const float far : {1e5F, 1e9F, 1e12F, 1e30F, largest, inf, nan}) {
     const Runaway cloth({far, -far, far}, 2);
     FrameView frame = triangle_frame();
@@ -211,7 +211,7 @@ TEST_F(LostPictures, AreDrawnOrRefused) {
   }
 }
 
-TEST_F(LostPictures, ACameraThatIsTooFarIsRefused) {
+TEST_F(LostPicturesTest, ACameraThatIsTooFarIsRefused) {
   for (const float far : {1e10F, 1e30F, inf, nan}) {
     FrameView frame = triangle_frame();
     frame.camera.eye.x = far;

@@ -261,11 +261,11 @@ TEST_F(SceneRendererTest, PreparingChangesNoPicture) {
   const Sheet sheet;
   FrameView frame = sheet.frame();
   const std::array<float, 4> values{0.0F, 0.3F, 0.6F, 1.0F};
-  for (const bool numbers : {false, true}) {
-    if (numbers) frame.surfaces[0].scalars = ScalarColours{values};
+  for (const bool scalars : {false, true}) {
+    if (scalars) frame.surfaces[0].scalars = ScalarColours{values};
     const Image expected = renderer.draw(frame, small_picture());
     SceneRenderer other(*context);
-    other.prepare(small_picture(), numbers);
+    other.prepare(small_picture(), scalars);
     EXPECT_EQ(other.draw(frame, small_picture()).pixels, expected.pixels);
   }
 }
@@ -302,8 +302,8 @@ TEST_F(SceneRendererTest, ShadingTwoByTwoPixelsAsOneKeepsOutlinesAndNearlyAllCol
   settings.samples = 1;
   settings.width_px = 480;
   settings.height_px = 320;
-  for (const bool numbers : {false, true}) {
-    if (numbers) frame.surfaces[0].scalars = ScalarColours{values};
+  for (const bool scalars : {false, true}) {
+    if (scalars) frame.surfaces[0].scalars = ScalarColours{values};
     settings.shading_px = 1;
     const Image fine = renderer.draw(frame, settings);
     settings.shading_px = 2;
@@ -315,18 +315,18 @@ TEST_F(SceneRendererTest, ShadingTwoByTwoPixelsAsOneKeepsOutlinesAndNearlyAllCol
         const std::uint8_t* a = fine.at(x, y);
         const std::uint8_t* b = halved.at(x, y);
         ASSERT_EQ(a[0] == 255 && a[1] == 0 && a[2] == 255, b[0] == 255 && b[1] == 0 && b[2] == 255)
-            << x << "," << y << " numbers " << numbers;
+            << x << "," << y << " scalars " << scalars;
         const int difference = std::abs(a[1] - b[1]);
         far += difference > 12 ? 1 : 0;
         near += difference > 0 ? 1 : 0;
       }
     }
     EXPECT_GT(near, 100);
-    EXPECT_LT(far, 600) << "numbers " << numbers;
+    EXPECT_LT(far, 600) << "scalars " << scalars;
   }
 }
 
-TEST_F(SceneRendererTest, TheFirstPictureOfNumbersIsAsTheSecond) {
+TEST_F(SceneRendererTest, TheFirstPictureOfScalarsIsAsTheSecond) {
   FrameView frame = triangle_frame();
   const std::array<float, 3> values{0.0F, 0.5F, 1.0F};
   frame.surfaces[0].scalars = ScalarColours{values};

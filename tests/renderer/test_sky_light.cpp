@@ -36,14 +36,14 @@ glm::vec2 light_at(SkyLight& sky, const glm::vec3& point) {
 
 TEST(SkyLight, AnOpenSkyIsWholeAboveAndHalfBelow) {
   SkyLight sky;
-  sky.look({}, std::nullopt, 24);
+  sky.draw_maps({}, std::nullopt, 24);
   EXPECT_NEAR(light_at(sky, {}).x, 1.0F, 1e-5F);
   EXPECT_NEAR(light_at(sky, {}).y, 0.5F, 1e-5F);
   // With directions the same is a sum.
   const Sheet sheet(0.0F);
   const SurfaceView view = sheet.view();
   const std::array casters{&view};
-  sky.look(casters, bounding_box(sheet.positions), 64);
+  sky.draw_maps(casters, bounding_box(sheet.positions), 64);
   EXPECT_NEAR(light_at(sky, {}).x, 1.0F, 0.1F) << "a sheet is hardly in its own way";
   EXPECT_NEAR(light_at(sky, {}).y, 0.5F, 0.05F);
 }
@@ -55,7 +55,7 @@ TEST(SkyLight, WhatIsBetweenTwoSheetsIsDark) {
   const SurfaceView high_view = high.view();
   const std::array casters{&low_view, &high_view};
   SkyLight sky;
-  sky.look(casters, united(bounding_box(low.positions), bounding_box(high.positions)), 64);
+  sky.draw_maps(casters, united(bounding_box(low.positions), bounding_box(high.positions)), 64);
   EXPECT_LT(light_at(sky, {}).x, 0.3F);
   EXPECT_GT(light_at(sky, {}).y, 0.45F);
   EXPECT_GT(light_at(sky, {0, 0.2F, 0}).x, 0.9F);
@@ -67,7 +67,7 @@ TEST(SkyLight, TheFloorIsDarkestUnderneathAndUndisturbedByWhatIsBelowIt) {
   const SurfaceView view = sheet.view();
   const std::array casters{&view};
   SkyLight sky;
-  sky.look(casters, bounding_box(sheet.positions), 24);
+  sky.draw_maps(casters, bounding_box(sheet.positions), 24);
   const glm::vec4 area{-2.0F, -2.0F, 0.25F, 0.25F};
   constexpr std::size_t side = SkyLight::floor_px;
   std::vector<float> light;

@@ -62,7 +62,7 @@ TEST_F(WeaveTest, FadesBeforeItCouldAlias) {
   }
 }
 
-TEST_F(WeaveTest, ColoursThatCarryNumbersStaySmooth) {
+TEST_F(WeaveTest, ColoursOfScalarsStaySmooth) {
   constexpr std::array values{0.5F, 0.5F, 0.5F};
   FrameView frame = triangle_frame();
   frame.surfaces[0].scalars = ScalarColours{values};

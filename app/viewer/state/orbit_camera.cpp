@@ -59,7 +59,7 @@ void OrbitCamera::zoom(float notches, const glm::vec2& point_px, const ViewArea&
 }
 
 void OrbitCamera::frame(const renderer::Box& box, const ViewArea& area) {
-  const renderer::Camera framed = renderer::frame_box(
+  const renderer::Camera framed = renderer::fit_camera_to_box(
       box, {azimuth_rad_, elevation_rad_, vertical_fov_rad_, frame_margin}, area.aspect());
   move_target(framed.target);
   distance_m_ = std::clamp(glm::distance(framed.eye, framed.target), nearest_m, farthest_m);

@@ -1,10 +1,10 @@
-#include "renderer/light/key_decision.hpp"
+#include "renderer/light/shadow_classifier.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "renderer/light/triangle_spans.hpp"
+#include "renderer/light/rasterise_triangle.hpp"
 
 namespace taut::renderer {
 
@@ -35,25 +35,25 @@ glm::vec2 slope_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
 
 }  // namespace
 
-void KeyDecision::look(const DepthMap& casters, const FrameBlock& block) {
-  map = &casters;
+void ShadowClassifier::set_shadow_map(const ShadowMap& casters, const FrameBlock& block) {
+  map_ = &casters;
   const bool any = casters.drawn().lower != casters.drawn().upper;
-  side_m = !any || block.shadow.w <= 0.0F ? 0.0F : block.shadow.z;
-  world_to_map = block.world_to_shadow;
-  softness_m = block.shadow_blur.x * block.shadow.x;
-  sharpest_m = sharpest_texels * block.shadow.x;
-  tangent = block.shadow.w;
+  side_m_ = !any || block.shadow.w <= 0.0F ? 0.0F : block.shadow.z;
+  world_to_map_ = block.world_to_shadow;
+  softness_m_ = block.shadow_blur.x * block.shadow.x;
+  sharpest_m_ = sharpest_texels * block.shadow.x;
+  tangent_ = block.shadow.w;
 }
 
-float KeyDecision::penumbra_m(float gap) const {
-  return std::clamp(gap * side_m * tangent, std::min(sharpest_m, softness_m), softness_m);
+float ShadowClassifier::penumbra_m(float gap) const {
+  return std::clamp(gap * side_m_ * tangent_, std::min(sharpest_m_, softness_m_), softness_m_);
 }
 
-KeyDecision::Sight KeyDecision::sight_of(Corners corners) const {
-  const glm::vec3& a = projected[corners[0]];
-  const glm::vec3& b = projected[corners[1]];
-  const glm::vec3& c = projected[corners[2]];
-  const int side_px = map->side_px();
+ShadowClassifier::Sight ShadowClassifier::sight_of(Corners corners) const {
+  const glm::vec3& a = projected_[corners[0]];
+  const glm::vec3& b = projected_[corners[1]];
+  const glm::vec3& c = projected_[corners[2]];
+  const int side_px = map_->side_px();
   const float sample = static_cast<float>(stride) / static_cast<float>(side_px);
   const glm::vec2 slope = slope_of(a, b, c) / sample;
   const float steepness = glm::length(slope);
@@ -66,8 +66,8 @@ KeyDecision::Sight KeyDecision::sight_of(Corners corners) const {
     sight.lit += hidden ? 0 : 1;
     sight.widest_gap = std::max(sight.widest_gap, gap);
   };
-  const float* depths = map->depths().data();
-  triangle_spans(a, b, c, side_px / stride, [&](const TriangleSpan& span) {
+  const float* depths = map_->depths().data();
+  rasterise_triangle(a, b, c, side_px / stride, [&](const TriangleSpan& span) {
     const float* row = depths + static_cast<std::ptrdiff_t>(span.row * stride) * side_px;
     for (int column = span.first; column <= span.last; ++column) {
       look_at(span.depth + span.depth_step * static_cast<float>(column) - row[column * stride]);
@@ -75,47 +75,50 @@ KeyDecision::Sight KeyDecision::sight_of(Corners corners) const {
   });
   if (sight.lit + sight.dark == 0) {
     const glm::vec3 middle = (a + b + c) / 3.0F;
-    look_at(middle.z - map->depth_at(glm::vec2{middle} * sample));
+    look_at(middle.z - map_->depth_at(glm::vec2{middle} * sample));
   }
   return sight;
 }
 
 // Every triangle with itself alone.
-void KeyDecision::compare(const SurfaceView& surface, std::vector<KeyLight>& decided) {
-  project_to_map(world_to_map, map->side_px() / stride, surface.positions, projected);
-  penumbrae_m.resize(decided.size());
-  for (std::size_t i = 0; i < decided.size(); ++i) {
+void ShadowClassifier::compare(const SurfaceView& surface, std::vector<KeyVisibility>& visibility) {
+  project_to_map(world_to_map_, map_->side_px() / stride, surface.positions, projected_);
+  penumbrae_m_.resize(visibility.size());
+  for (std::size_t i = 0; i < visibility.size(); ++i) {
     const Sight sight = sight_of(Corners(&surface.triangles[3 * i], 3));
-    const KeyLight whole = sight.dark == 0 ? KeyLight::light : KeyLight::shadow;
-    decided[i] = sight.lit > 0 && sight.dark > 0 ? KeyLight::open : whole;
-    penumbrae_m[i] = sight.dark == 0 ? 0.0F : penumbra_m(sight.widest_gap);
+    const KeyVisibility whole = sight.dark == 0 ? KeyVisibility::lit : KeyVisibility::shadowed;
+    visibility[i] = sight.lit > 0 && sight.dark > 0 ? KeyVisibility::partial : whole;
+    penumbrae_m_[i] = sight.dark == 0 ? 0.0F : penumbra_m(sight.widest_gap);
   }
 }
 
 // Penumbrae start at vertices which both light and shadow touch.
-void KeyDecision::find_edges(std::span<const std::uint32_t> triangles, const std::vector<KeyLight>& decided) {
-  std::fill(touched.begin(), touched.end(), std::uint8_t{0});
+void ShadowClassifier::find_shadow_edges(std::span<const std::uint32_t> triangles,
+                                         const std::vector<KeyVisibility>& visibility) {
+  std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const KeyLight own = decided[i / 3];
-    touched[triangles[i]] |= own == KeyLight::shadow ? by_shadow : own == KeyLight::light ? by_light : 3;
+    const KeyVisibility own = visibility[i / 3];
+    touched_[triangles[i]] |= own == KeyVisibility::shadowed ? by_shadow
+                              : own == KeyVisibility::lit    ? by_light
+                                                             : 3;
   }
-  std::fill(reaches_m.begin(), reaches_m.end(), 0.0F);
+  std::fill(reaches_m_.begin(), reaches_m_.end(), 0.0F);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const std::uint32_t vertex = triangles[i];
-    if (touched[vertex] == (by_light | by_shadow)) {
-      reaches_m[vertex] = std::max(reaches_m[vertex], penumbrae_m[i / 3]);
+    if (touched_[vertex] == (by_light | by_shadow)) {
+      reaches_m_[vertex] = std::max(reaches_m_[vertex], penumbrae_m_[i / 3]);
     }
   }
 }
 
-void KeyDecision::spread(const SurfaceView& surface) {
+void ShadowClassifier::spread(const SurfaceView& surface) {
   bool changed = true;
   const auto pass_on = [&](std::uint32_t from, std::uint32_t to) {
-    if (reaches_m[from] <= reaches_m[to]) return;
+    if (reaches_m_[from] <= reaches_m_[to]) return;
     const float edge_m = glm::distance(surface.positions[from], surface.positions[to]);
-    const float left_m = reaches_m[from] - straightness * edge_m;
-    if (left_m <= reaches_m[to]) return;
-    reaches_m[to] = left_m;
+    const float left_m = reaches_m_[from] - straightness * edge_m;
+    if (left_m <= reaches_m_[to]) return;
+    reaches_m_[to] = left_m;
     changed = true;
   };
   for (int round = 0; round < most_rounds && changed; ++round) {
@@ -129,16 +132,16 @@ void KeyDecision::spread(const SurfaceView& surface) {
   }
 }
 
-void KeyDecision::decide(const SurfaceView& surface, std::vector<KeyLight>& decided) {
-  decided.assign(surface.triangles.size() / 3, KeyLight::light);
-  if (side_m <= 0.0F) return;
-  compare(surface, decided);
-  touched.resize(surface.positions.size());
-  reaches_m.resize(surface.positions.size());
-  find_edges(surface.triangles, decided);
+void ShadowClassifier::classify(const SurfaceView& surface, std::vector<KeyVisibility>& visibility) {
+  visibility.assign(surface.triangles.size() / 3, KeyVisibility::lit);
+  if (side_m_ <= 0.0F) return;
+  compare(surface, visibility);
+  touched_.resize(surface.positions.size());
+  reaches_m_.resize(surface.positions.size());
+  find_shadow_edges(surface.triangles, visibility);
   spread(surface);
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    if (reaches_m[surface.triangles[i]] > 0.0F) decided[i / 3] = KeyLight::open;
+    if (reaches_m_[surface.triangles[i]] > 0.0F) visibility[i / 3] = KeyVisibility::partial;
   }
 }
 

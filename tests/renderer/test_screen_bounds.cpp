@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "renderer/passes/drawn_area.hpp"
+#include "renderer/passes/screen_bounds.hpp"
 
 namespace taut::renderer {
 namespace {
@@ -32,42 +32,42 @@ void expect_holds(const Tile& area, float left, float top, float right, float bo
   near(area.y_px + area.height_px, bottom);
 }
 
-TEST(DrawnArea, HoldsSurfacesLinesAndPointsAndLittleElse) {
+TEST(ScreenBounds, HoldsSurfacesLinesAndPointsAndLittleElse) {
   FrameView frame;
   SurfaceView surface;
   surface.positions = corners;
   const std::array surfaces{surface};
-  expect_holds(drawn_area(frame, surfaces, flat, large_picture()), 400.0F, 125.0F, 650.0F, 225.0F);
+  expect_holds(screen_bounds(frame, surfaces, flat, large_picture()), 400.0F, 125.0F, 650.0F, 225.0F);
   LineView lines;
   lines.points = std::span(corners).first(2);
   lines.width_px = 60.0F;
   frame.lines.push_back(lines);
-  expect_holds(drawn_area(frame, {}, flat, large_picture()), 340.0F, 165.0F, 710.0F, 285.0F);
+  expect_holds(screen_bounds(frame, {}, flat, large_picture()), 340.0F, 165.0F, 710.0F, 285.0F);
   frame.lines.clear();
   PointView points;
   points.centres = std::span(corners).last(1);
   points.diameter_px = 80.0F;
   frame.points.push_back(points);
-  expect_holds(drawn_area(frame, {}, flat, large_picture()), 570.0F, 45.0F, 730.0F, 205.0F);
+  expect_holds(screen_bounds(frame, {}, flat, large_picture()), 570.0F, 45.0F, 730.0F, 205.0F);
 }
 
-TEST(DrawnArea, IsEmptyWithoutAnythingAndOutsideThePicture) {
-  EXPECT_EQ(drawn_area({}, {}, flat, large_picture()).width_px, 0);
+TEST(ScreenBounds, IsEmptyWithoutAnythingAndOutsideThePicture) {
+  EXPECT_EQ(screen_bounds({}, {}, flat, large_picture()).width_px, 0);
   std::array<glm::vec3, 3> outside = corners;
   for (glm::vec3& corner : outside) corner.x += 5.0F;
   SurfaceView surface;
   surface.positions = outside;
   const std::array surfaces{surface};
-  EXPECT_LE(drawn_area({}, surfaces, flat, large_picture()).width_px, 8);
+  EXPECT_LE(screen_bounds({}, surfaces, flat, large_picture()).width_px, 8);
 }
 
-TEST(DrawnArea, IsEverythingWhenSomethingIsBehindTheEye) {
+TEST(ScreenBounds, IsEverythingWhenSomethingIsBehindTheEye) {
   glm::mat4 behind{1.0F};
   behind[3][3] = -1.0F;
   SurfaceView surface;
   surface.positions = corners;
   const std::array surfaces{surface};
-  const Tile area = drawn_area({}, surfaces, behind, large_picture());
+  const Tile area = screen_bounds({}, surfaces, behind, large_picture());
   EXPECT_EQ(area.width_px, 1000);
   EXPECT_EQ(area.height_px, 500);
 }

@@ -1,17 +1,17 @@
-#include "renderer/trial_frame.hpp"
+#include "renderer/warm_up_frame.hpp"
 
 #include <algorithm>
 
 namespace taut::renderer {
 
-FrameView TrialFrame::view(bool numbers) const {
+FrameView WarmUpFrame::view(bool scalars) const {
   FrameView frame;
   SurfaceView surface;
-  surface.positions = positions;
-  surface.normals = normals;
-  surface.triangles = triangles;
-  surface.material_coordinates = positions;
-  if (numbers) surface.scalars = ScalarColours{scalars};
+  surface.positions = positions_;
+  surface.normals = normals_;
+  surface.triangles = triangles_;
+  surface.material_coordinates = positions_;
+  if (scalars) surface.scalars = ScalarColours{scalars_};
   frame.surfaces.push_back(surface);
   frame.ground_height_m = -0.5F;
   frame.camera.eye = {0.0F, 3.0F, 4.0F};
@@ -19,7 +19,7 @@ FrameView TrialFrame::view(bool numbers) const {
   return frame;
 }
 
-PictureSettings TrialFrame::small(const PictureSettings& settings) {
+PictureSettings WarmUpFrame::small(const PictureSettings& settings) {
   PictureSettings less = settings;
   less.width_px = less.height_px = 64;
   less.shadow_map_px = 256;

@@ -10,12 +10,12 @@
 
 namespace taut::renderer {
 
-/// Pixels of one row whose centres lie in a triangle, and their depth.
+/// A span of scanline rasterisation: the pixels of one row whose centres lie in a triangle.
 struct TriangleSpan {
   int row = 0;
-  int first = 0;            ///< column
-  int last = 0;             ///< column, included
-  float depth = 0.0F;       ///< at column 0
+  int first = 0;            ///< first column
+  int last = 0;             ///< last column, included
+  float depth = 0.0F;       ///< at the centre of column 0
   float depth_step = 0.0F;  ///< from column to column
 };
 
@@ -35,11 +35,12 @@ inline RowCut row_cut(const glm::vec3& from, const glm::vec3& to, bool counter_c
 
 }  // namespace detail
 
-/// Calls `fill` with every span of a triangle on a square of side_px; x and y in pixels, z is the depth.
-/// Neighbours may share the pixels on their edge, but never leave a gap. Of both windings.
-/// A triangle may be anywhere, or nowhere: no span leaves the square.
+/// Calls `fill` with every span of a triangle on a square of side_px. Corners: x and y in pixels, z the
+/// depth. The winding does not matter. Neighbours may share pixels on their edge, but never leave a gap.
+/// Spans are clipped to the square, also for corners that are not finite.
 template <typename Fill>
-void triangle_spans(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, int side_px, Fill&& fill) {
+void rasterise_triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, int side_px,
+                        Fill&& fill) {
   // A hair to spare on every side, px.
   constexpr float spare = 1e-3F;
   const auto first_centre = [side_px](float edge) { return whole_within(edge + 0.5F - spare, 0, side_px); };

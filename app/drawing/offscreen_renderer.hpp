@@ -8,11 +8,11 @@
 
 namespace taut::app {
 
-/// A place to draw without a window.
-class Studio {
+/// A scene renderer and the OpenGL context it draws in, without a window.
+class OffscreenRenderer {
  public:
   /// `backend` as in renderer::create_context. Throws renderer::ContextError.
-  explicit Studio(const std::string& backend)
+  explicit OffscreenRenderer(const std::string& backend)
       : context_(renderer::create_context(backend)), renderer_(*context_) {}
 
   renderer::SceneRenderer& renderer() { return renderer_; }

@@ -2,21 +2,21 @@
 
 #include <array>
 
-#include "renderer/light/depth_map.hpp"
+#include "renderer/light/shadow_map.hpp"
 
 namespace taut::renderer {
 namespace {
 
 constexpr std::array<std::uint32_t, 6> two_triangles{0, 1, 2, 0, 2, 3};
 
-DepthMap map_of(int side_px) {
-  DepthMap map;
+ShadowMap map_of(int side_px) {
+  ShadowMap map;
   map.resize(side_px);
   return map;
 }
 
-TEST(DepthMap, FillsTheCentresInsideAndKeepsTheNearest) {
-  DepthMap map = map_of(8);
+TEST(ShadowMap, FillsTheCentresInsideAndKeepsTheNearest) {
+  ShadowMap map = map_of(8);
   const std::array<glm::vec3, 4> far{{{0, 0, 0.8F}, {1, 0, 0.8F}, {1, 1, 0.8F}, {0, 1, 0.8F}}};
   const std::array<glm::vec3, 4> near{
       {{0.25F, 0.25F, 0.2F}, {0.75F, 0.25F, 0.6F}, {0.75F, 0.75F, 0.6F}, {0.25F, 0.75F, 0.2F}}};
@@ -34,8 +34,8 @@ TEST(DepthMap, FillsTheCentresInsideAndKeepsTheNearest) {
   for (const float depth : map.depths()) EXPECT_EQ(depth, 1.0F);
 }
 
-TEST(DepthMap, WindingDoesNotMatterAndNothingLeavesTheMap) {
-  DepthMap map = map_of(8);
+TEST(ShadowMap, WindingDoesNotMatterAndNothingLeavesTheMap) {
+  ShadowMap map = map_of(8);
   const std::array<glm::vec3, 3> large{{{-9, -9, 0.5F}, {-9, 9, 0.5F}, {20, 0, 0.5F}}};
   constexpr std::array<std::uint32_t, 3> triangle{0, 1, 2};
   map.draw(glm::mat4{1.0F}, large, triangle);
@@ -47,8 +47,8 @@ TEST(DepthMap, WindingDoesNotMatterAndNothingLeavesTheMap) {
   EXPECT_EQ(map.depth_at({0.99F, 0.99F}), 0.5F);
 }
 
-TEST(DepthMap, NoGapsBetweenNeighboursAndNoTroubleWithNeedles) {
-  DepthMap map = map_of(64);
+TEST(ShadowMap, LeavesNoGapsBetweenNeighboursAndTakesNeedles) {
+  ShadowMap map = map_of(64);
   const std::array<glm::vec3, 5> fan{
       {{0, 0, 0.5F}, {1, 0, 0.5F}, {1, 1, 0.5F}, {0, 1, 0.5F}, {0.3137F, 0.7171F, 0.5F}}};
   constexpr std::array<std::uint32_t, 15> triangles{0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 2, 2, 4};
@@ -56,8 +56,8 @@ TEST(DepthMap, NoGapsBetweenNeighboursAndNoTroubleWithNeedles) {
   for (const float depth : map.depths()) EXPECT_NEAR(depth, 0.5F, 1e-5F);
 }
 
-TEST(DepthMap, FillsNothingOutsideATriangle) {
-  DepthMap map = map_of(64);
+TEST(ShadowMap, FillsNothingOutsideATriangle) {
+  ShadowMap map = map_of(64);
   const std::array<glm::vec3, 3> corner{{{0.1F, 0.1F, 0.5F}, {0.9F, 0.2F, 0.5F}, {0.3F, 0.8F, 0.5F}}};
   constexpr std::array<std::uint32_t, 3> triangle{0, 1, 2};
   map.draw(glm::mat4{1.0F}, corner, triangle);

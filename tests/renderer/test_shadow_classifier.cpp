@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/light/key_decision.hpp"
+#include "renderer/light/shadow_classifier.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
 #include "scene_support.hpp"
 
@@ -49,17 +49,17 @@ struct TwoSheets {
     const Box box = united(bounding_box(low.positions), bounding_box(high.positions));
     block = make_frame_block(frame, PictureSettings{}, box);
   }
-  std::vector<KeyLight> decided() {
+  std::vector<KeyVisibility> visibility() {
     const std::array casters{&frame.surfaces[0], &frame.surfaces[1]};
-    DepthMap map;
+    ShadowMap map;
     map.resize(1024);
     for (const SurfaceView* caster : casters) {
       map.draw(block.world_to_shadow, caster->positions, caster->triangles);
     }
-    KeyDecision decision;
-    decision.look(map, block);
-    std::vector<KeyLight> triangles;
-    decision.decide(frame.surfaces[0], triangles);
+    ShadowClassifier classifier;
+    classifier.set_shadow_map(map, block);
+    std::vector<KeyVisibility> triangles;
+    classifier.classify(frame.surfaces[0], triangles);
     return triangles;
   }
   // Of a triangle of the large sheet: how far its nearest and its farthest corner are from the middle, as
@@ -75,77 +75,77 @@ struct TwoSheets {
   }
 };
 
-TEST(KeyDecision, FineMeshKnowsLightShadowAndTheirEdge) {
+TEST(ShadowClassifier, AFineMeshHasLightShadowAndTheirEdge) {
   TwoSheets scene(50);
-  const std::vector<KeyLight> decided = scene.decided();
-  for (std::size_t i = 0; i < decided.size(); ++i) {
+  const std::vector<KeyVisibility> visibility = scene.visibility();
+  for (std::size_t i = 0; i < visibility.size(); ++i) {
     const glm::vec2 reach_m = scene.reach_m(i);
     if (reach_m.y < 0.16F) {
-      EXPECT_EQ(decided[i], KeyLight::shadow) << reach_m.y;
+      EXPECT_EQ(visibility[i], KeyVisibility::shadowed) << reach_m.y;
     }
     if (reach_m.x > 0.24F) {
-      EXPECT_EQ(decided[i], KeyLight::light) << reach_m.x;
+      EXPECT_EQ(visibility[i], KeyVisibility::lit) << reach_m.x;
     }
     // The edge is at 0.2; the penumbra reaches as far as the widest blur.
     if (reach_m.x < 0.2F && reach_m.y > 0.2F) {
-      EXPECT_EQ(decided[i], KeyLight::open) << reach_m.x;
+      EXPECT_EQ(visibility[i], KeyVisibility::partial) << reach_m.x;
     }
   }
-  EXPECT_GT(std::count(decided.begin(), decided.end(), KeyLight::shadow), 300);
-  EXPECT_LT(std::count(decided.begin(), decided.end(), KeyLight::open), 700);
+  EXPECT_GT(std::count(visibility.begin(), visibility.end(), KeyVisibility::shadowed), 300);
+  EXPECT_LT(std::count(visibility.begin(), visibility.end(), KeyVisibility::partial), 700);
 }
 
 // The mesh is finer than the penumbra is wide.
-TEST(KeyDecision, PenumbraSpreadsOverSeveralTriangles) {
+TEST(ShadowClassifier, PenumbraSpreadsOverSeveralTriangles) {
   TwoSheets scene(200);
-  const std::vector<KeyLight> decided = scene.decided();
+  const std::vector<KeyVisibility> visibility = scene.visibility();
   const float blur_m = scene.block.shadow_blur.x * scene.block.shadow.x;
   ASSERT_GT(blur_m, 0.011F);
-  for (std::size_t i = 0; i < decided.size(); ++i) {
+  for (std::size_t i = 0; i < visibility.size(); ++i) {
     const glm::vec2 reach_m = scene.reach_m(i);
     if (std::abs(reach_m.x - 0.2F) < 0.8F * blur_m) {
-      EXPECT_EQ(decided[i], KeyLight::open) << reach_m.x;
+      EXPECT_EQ(visibility[i], KeyVisibility::partial) << reach_m.x;
     }
   }
 }
 
 // What is close above throws a sharp shadow, which reaches less far.
-TEST(KeyDecision, FewerTrianglesAreOpenWhereTheShadowIsSharp) {
-  const auto open_among = [](const std::vector<KeyLight>& decided) {
-    return std::count(decided.begin(), decided.end(), KeyLight::open);
+TEST(ShadowClassifier, FewerTrianglesArePartialWhereTheShadowIsSharp) {
+  const auto partial_among = [](const std::vector<KeyVisibility>& visibility) {
+    return std::count(visibility.begin(), visibility.end(), KeyVisibility::partial);
   };
   TwoSheets close(100, 0.02F);
   TwoSheets apart(100, 0.3F);
-  const auto sharp = open_among(close.decided());
+  const auto sharp = partial_among(close.visibility());
   EXPECT_GT(sharp, 200);
-  EXPECT_LT(sharp, 0.8 * static_cast<double>(open_among(apart.decided())));
+  EXPECT_LT(sharp, 0.8 * static_cast<double>(partial_among(apart.visibility())));
 }
 
 // The shadow lies between the vertices, where they cannot see it.
-TEST(KeyDecision, CoarseMeshLeavesItToThePixels) {
+TEST(ShadowClassifier, ACoarseMeshIsPartial) {
   TwoSheets scene(1);
-  for (const KeyLight triangle : scene.decided()) EXPECT_EQ(triangle, KeyLight::open);
+  for (const KeyVisibility triangle : scene.visibility()) EXPECT_EQ(triangle, KeyVisibility::partial);
 }
 
 // Its sides rise in front of its bottom's plane, but nothing is between them and the light.
-TEST(KeyDecision, AValleyIsWhollyInTheLight) {
+TEST(ShadowClassifier, AValleyIsWhollyInTheLight) {
   TwoSheets scene(50);
   for (glm::vec3& p : scene.low.positions) p.y = 2.0F * p.x * p.x - 0.3F;
   for (glm::vec3& p : scene.high.positions) p += glm::vec3{2.0F, -0.3F, 0.0F};
   const Box box = united(bounding_box(scene.low.positions), bounding_box(scene.high.positions));
   scene.block = make_frame_block(scene.frame, PictureSettings{}, box);
-  for (const KeyLight triangle : scene.decided()) EXPECT_EQ(triangle, KeyLight::light);
+  for (const KeyVisibility triangle : scene.visibility()) EXPECT_EQ(triangle, KeyVisibility::lit);
 }
 
-TEST(KeyDecision, WithoutCastersEverythingIsInTheLight) {
+TEST(ShadowClassifier, WithoutCastersEverythingIsInTheLight) {
   TwoSheets scene(4);
-  KeyDecision decision;
-  const DepthMap nothing;
-  decision.look(nothing, scene.block);
-  std::vector<KeyLight> decided;
-  decision.decide(scene.frame.surfaces[0], decided);
-  EXPECT_EQ(decided.size(), 32U);
-  for (const KeyLight triangle : decided) EXPECT_EQ(triangle, KeyLight::light);
+  ShadowClassifier classifier;
+  const ShadowMap nothing;
+  classifier.set_shadow_map(nothing, scene.block);
+  std::vector<KeyVisibility> visibility;
+  classifier.classify(scene.frame.surfaces[0], visibility);
+  EXPECT_EQ(visibility.size(), 32U);
+  for (const KeyVisibility triangle : visibility) EXPECT_EQ(triangle, KeyVisibility::lit);
 }
 
 TEST(ShadedFloor, HoldsTheShadowAndLittleElse) {

@@ -46,6 +46,12 @@ void ByteReader::require_end() const {
   }
 }
 
+void ByteReader::require_seal() {
+  const std::uint64_t hash = fnv1a(fnv1a_of_nothing, bytes_.substr(0, at_));
+  get("the hash of all bytes before", hash, hash);
+  require_end();
+}
+
 std::string_view ByteReader::take(const char* what, std::size_t size) {
   if (size > bytes_.size() - at_) {
     refuse(at_, what,

@@ -59,6 +59,9 @@ class ByteWriter {
   /// Its length, and then the text.
   void put_text(std::string_view text);
 
+  /// The hash of all bytes so far. Nothing may come behind it.
+  void seal() { put(fnv1a(fnv1a_of_nothing, bytes_)); }
+
   const std::string& bytes() const { return bytes_; }
 
  private:
@@ -98,6 +101,8 @@ class ByteReader {
   /// As long as the expected text, and the same.
   void require_text(const char* what, std::string_view expected);
   void require_end() const;
+  /// The hash of all bytes so far, and the end.
+  void require_seal();
 
  private:
   std::string_view take(const char* what, std::size_t size);

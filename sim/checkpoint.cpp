@@ -116,7 +116,7 @@ std::string encode(const Checkpoint& checkpoint, const Garment& garment) {
   put_report(checkpoint.report, out);
   out.put_text(checkpoint.solver);
   out.put_text(checkpoint.solver_memory);
-  out.put(fnv1a(fnv1a_of_nothing, out.bytes()));
+  out.seal();
   return out.bytes();
 }
 
@@ -136,10 +136,7 @@ Checkpoint decode(std::string_view bytes, const Garment& garment) {
   checkpoint.report = get_report(in);
   checkpoint.solver = in.get_text("the solver");
   checkpoint.solver_memory = in.get_text("the solver's memory");
-  const std::size_t hashed = bytes.size() - std::min(bytes.size(), sizeof(std::uint64_t));
-  const std::uint64_t hash = fnv1a(fnv1a_of_nothing, bytes.substr(0, hashed));
-  in.get("the hash of all bytes before", hash, hash);
-  in.require_end();
+  in.require_seal();
   return checkpoint;
 }
 

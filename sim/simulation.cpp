@@ -138,17 +138,6 @@ void Simulation::restore(const Checkpoint& checkpoint) {
   report_ = checkpoint.report;
 }
 
-void Simulation::go_back_to(const State& state) {
-  const std::size_t count = garment_->mesh.positions.size();
-  if (state.current.size() != count || state.previous.size() != count) {
-    throw std::invalid_argument("a state of another garment cannot be gone back to");
-  }
-  state_ = state;
-  state_.predicted.resize(count);
-  start_solver();
-  before_m_ = state_.current;
-}
-
 void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
     require_possible(surroundings, state_.current.size());

@@ -71,10 +71,6 @@ class Simulation {
   /// of another solver; nothing has changed then.
   void restore(const Checkpoint& checkpoint);
 
-  /// Goes on from a state that this garment was in. What a solver remembers of earlier frames is not part of
-  /// a state: it begins anew.
-  void go_back_to(const State& state);
-
   const Garment& garment() const { return *garment_; }
   std::shared_ptr<const Garment> shared_garment() const { return garment_; }
   const Pins& pins() const { return pins_; }

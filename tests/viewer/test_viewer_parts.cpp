@@ -206,9 +206,9 @@ SnapshotPtr snapshot_of(const std::shared_ptr<const LoadedScene>& loaded, std::u
   Snapshot snapshot;
   snapshot.serial = serial;
   snapshot.loaded = loaded;
-  sim::State state;
-  state.current.resize(3);
-  snapshot.state = std::make_shared<const sim::State>(std::move(state));
+  sim::Checkpoint checkpoint;
+  checkpoint.state.current.resize(3);
+  snapshot.checkpoint = std::make_shared<const sim::Checkpoint>(std::move(checkpoint));
   snapshot.record.frame = frame;
   return std::make_shared<const Snapshot>(snapshot);
 }

@@ -13,6 +13,8 @@ constexpr std::string_view magic = "TAUTSAVE";
 constexpr std::uint32_t version = 1;
 
 constexpr double largest = std::numeric_limits<double>::max();
+/// No run lasts for thirty years. Gusts count their periods.
+constexpr double longest_s = 1e9;
 
 std::uint64_t hash_of_rest(const Garment& garment) {
   ByteWriter rest;
@@ -64,8 +66,8 @@ std::vector<Vec3> get_shape(const char* what, std::size_t count, ByteReader& in)
 
 State get_state(std::size_t vertex_count, ByteReader& in) {
   State state;
-  state.time_s = in.get("the time", 0.0, largest);
-  state.time_step_s = in.get("the time step", 0.0, largest);
+  state.time_s = in.get("the time", 0.0, longest_s);
+  state.time_step_s = in.get("the time step", 0.0, longest_s);
   state.step_count = in.get<std::uint64_t>("the number of steps");
   state.quiet_frames = in.get("the number of quiet frames", 0, most_counted);
   state.asleep = in.get_bool("whether the cloth sleeps");

@@ -53,7 +53,7 @@ void append_section(std::string& text, const std::string& section, const ValueTa
     }
   }
   for (const auto& [key, value] : table) {
-    if (value.table() != nullptr) {
+    if (value.table() != nullptr && is_set(value)) {
       const std::string name = section.empty() ? key : section + '.' + key;
       text += "\n[" + name + "]\n";
       append_section(text, name, *value.table());

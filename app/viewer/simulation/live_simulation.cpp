@@ -67,9 +67,11 @@ void LiveSimulation::note_shape() {
 void LiveSimulation::apply(const SimulationCommand& command) {
   try {
     std::visit([this](const auto& asked) { perform(asked); }, command);
-    note_shape();  // most commands wake cloth that slept
   } catch (const std::exception& error) {
     tell(error.what(), true);
+  }
+  if (!stopped_) {
+    note_shape();  // whatever was done of the command; most wake cloth that slept
   }
 }
 

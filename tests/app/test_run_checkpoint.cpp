@@ -112,17 +112,17 @@ TEST(RunCheckpoint, IsWhereASceneBegins) {
     simulation.advance_frame();
   }
   write_run_checkpoint(folder / "moment", small_run(simulation));
-  scene.start = "moment";
+  scene.checkpoint = "moment";
   const auto file = folder.write("kept.toml", scene_text(scene, GarmentNaming::full_path));
   const DrawnScene kept = read_scene_file(file);
-  EXPECT_EQ(kept.start, folder / "moment");
+  EXPECT_EQ(kept.checkpoint, folder / "moment");
   sim::Simulation begun = make_simulation(kept, load_garment(kept));
   EXPECT_EQ(go_to_start(kept, begun), 7);
   EXPECT_EQ(sim::hash(begun.state()), sim::hash(simulation.state()));
   EXPECT_EQ(go_to_start(find_scene("pinned-9x9-5", {}), begun), 0);
   EXPECT_EQ(sim::hash(begun.state()), sim::hash(simulation.state()));
   const std::vector<Override> none = {parse_override("start.checkpoint=\"\"")};
-  EXPECT_TRUE(read_scene_file(file, none).start.empty());
+  EXPECT_TRUE(read_scene_file(file, none).checkpoint.empty());
 }
 
 }  // namespace

@@ -27,13 +27,30 @@ Surroundings storm() {
 }
 
 Garment sheet() {
-  return make_garment(make_grid({.columns = 13, .rows = 11}), {}, {0, 12});
+  return make_garment(make_grid({.columns = 13, .rows = 11}));
 }
 
 /// Hangs over its middle row as over a line, so that two layers meet.
 Garment cloth_on_a_line() {
   const Mesh lying = make_grid({.columns = 13, .rows = 11, .plane = GridPlane::horizontal});
-  return make_garment(lying, {}, {65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77});
+  return make_garment(lying);
+}
+
+const std::vector<Index> corners = {0, 12};
+const std::vector<Index> middle_row = {65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77};
+
+SolverSettings solver_of(SolverKind kind) {
+  switch (kind) {
+    case SolverKind::ideal:
+      return {.method = IdealSettings{}};
+    case SolverKind::provot:
+      return {.method = ProvotSettings{.max_stretch = 0.1}};
+    case SolverKind::strong:
+      return {.method = StrongSettings{}};
+    case SolverKind::bounded:
+      break;
+  }
+  return {.method = BoundedSettings{.max_stretch = 0.002}};
 }
 
 struct Case {
@@ -51,8 +68,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 
 SimulationSettings settings_of(const Case& c) {
   SimulationSettings settings;
-  settings.solver.kind = c.solver;
-  settings.solver.max_stretch = c.solver == SolverKind::provot ? 0.1 : 0.002;
+  settings.solver = solver_of(c.solver);
   settings.rest = {4e-3, 30};
   return settings;
 }
@@ -83,7 +99,7 @@ class GoingOn : public testing::TestWithParam<Case> {
   /// showed.
   void expect_same(const std::string& bytes, int from, const std::vector<Shown>& expected) const {
     const Garment garment = GetParam().garment();
-    Simulation simulation(garment, settings_of(GetParam()), GetParam().surroundings);
+    Simulation simulation(share(garment), middle_row, settings_of(GetParam()), GetParam().surroundings);
     simulation.restore(decode(bytes, garment));
     EXPECT_EQ(encode(simulation.save(), garment), bytes);
     for (int frame = from; frame < GetParam().frames; ++frame) {
@@ -96,7 +112,7 @@ class GoingOn : public testing::TestWithParam<Case> {
 
 TEST_P(GoingOn, FromAnyFrameGivesTheSameBits) {
   const Garment garment = GetParam().garment();
-  Simulation simulation(garment, settings_of(GetParam()), GetParam().surroundings);
+  Simulation simulation(share(garment), middle_row, settings_of(GetParam()), GetParam().surroundings);
   std::vector<Shown> shown;
   std::vector<std::string> saved;
   for (int frame = 0; frame < GetParam().frames; ++frame) {
@@ -126,8 +142,8 @@ INSTANTIATE_TEST_SUITE_P(Checkpoint, GoingOn, testing::ValuesIn(cases));
 
 std::string saved_in_a_storm(SolverKind solver) {
   SimulationSettings settings;
-  settings.solver.kind = solver;
-  Simulation simulation(sheet(), settings, storm());
+  settings.solver = solver_of(solver);
+  Simulation simulation(share(sheet()), corners, settings, storm());
   for (int frame = 0; frame < 5; ++frame) {
     simulation.advance_frame();
   }
@@ -137,8 +153,8 @@ std::string saved_in_a_storm(SolverKind solver) {
 /// What is said of bytes that are no checkpoint of a sheet in a storm.
 std::string refusal(const std::string& bytes, SolverKind solver = SolverKind::bounded) {
   SimulationSettings settings;
-  settings.solver.kind = solver;
-  Simulation simulation(sheet(), settings, storm());
+  settings.solver = solver_of(solver);
+  Simulation simulation(share(sheet()), corners, settings, storm());
   const auto before = hash(simulation.state());
   try {
     simulation.restore(decode(bytes, simulation.garment()));
@@ -186,7 +202,7 @@ TEST(Checkpoint, DoesNoHarmWhateverItsBytesAre) {
   for (const SolverKind solver : {SolverKind::strong, SolverKind::bounded}) {
     const std::string whole = saved_in_a_storm(solver);
     SimulationSettings settings;
-    settings.solver.kind = solver;
+    settings.solver = solver_of(solver);
     settings.solver.max_substeps = 40;
     int taken = 0;
     for (std::size_t at = 44; at + 8 < whole.size(); at += at % 8 == 7 ? 89 : 1) {
@@ -194,7 +210,7 @@ TEST(Checkpoint, DoesNoHarmWhateverItsBytesAre) {
       forged[at] = static_cast<char>(forged[at] ^ 0x40);
       const auto hash_bytes = little_endian(fnv1a(fnv1a_of_nothing, forged));
       forged.append(hash_bytes.data(), hash_bytes.size());
-      Simulation simulation(sheet(), settings, storm());
+      Simulation simulation(share(sheet()), corners, settings, storm());
       try {
         simulation.restore(decode(forged, simulation.garment()));
         ++taken;
@@ -215,8 +231,8 @@ TEST(Checkpoint, SaysWhatIsWrong) {
   EXPECT_EQ(refusal(later), "byte 8, the version: found 2, expected 1");
   EXPECT_EQ(refusal(saved_in_a_storm(SolverKind::strong)),
             "what the solver 'strong' remembers, expected 'bounded'");
-  const Garment other = make_garment(make_grid({}), {}, {0, 8});
-  const Simulation simulation(other, {}, {});
+  const Garment other = make_garment(make_grid({}));
+  const Simulation simulation(share(other), corners, {}, {});
   EXPECT_EQ(refusal(encode(simulation.save(), other)),
             "byte 12, the garment's number of vertices: found 81, expected 143");
 }
@@ -224,16 +240,16 @@ TEST(Checkpoint, SaysWhatIsWrong) {
 TEST(Checkpoint, BelongsToTheGarmentAtRest) {
   GridSettings narrower{.columns = 13, .rows = 11};
   narrower.width_m *= 0.999;
-  const Garment other = make_garment(make_grid(narrower), {}, {0, 12});
-  const Simulation simulation(other, {}, {});
+  const Garment other = make_garment(make_grid(narrower));
+  const Simulation simulation(share(other), corners, {}, {});
   EXPECT_NE(refusal(encode(simulation.save(), other)).find("the hash of the garment at rest"),
             std::string::npos);
 }
 
 TEST(Checkpoint, OfAnotherSizeIsNotTakenOver) {
-  const Garment small = make_garment(make_grid({}), {}, {0, 8});
-  Simulation simulation(sheet(), {}, {});
-  EXPECT_THROW(simulation.restore(Simulation(small, {}, {}).save()), BadBytes);
+  const Garment small = make_garment(make_grid({}));
+  Simulation simulation(share(sheet()), corners, {}, {});
+  EXPECT_THROW(simulation.restore(Simulation(share(small), {0, 8}, {}, {}).save()), BadBytes);
 }
 
 }  // namespace

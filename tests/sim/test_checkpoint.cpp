@@ -4,7 +4,7 @@
 
 #include "sim/bytes.hpp"
 #include "sim/checkpoint.hpp"
-#include "sim/contact/self_collision.hpp"
+#include "sim/contact/neighbour_list.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 

@@ -78,7 +78,8 @@ void add_scene_arguments(CLI::App& command, Options& options, const std::string&
   command.add_option("SCENE", options.scene, scenes)->required();
   add_garment_arguments(command, options.overrides);
   command.add_option("--stats", options.statistics,
-                     "write measurements of every frame to this file, .json or .csv (taut help stats)");
+                     "write measurements of every frame to this file, .jsonl or .csv, as they come (taut help "
+                     "stats)");
 }
 
 void add_backend(CLI::App& command, std::string& backend) {
@@ -166,12 +167,27 @@ std::function<Command()> add_simulate(CLI::App& app) {
       "write the shape of each of these frames, pattern such as shapes/{frame:04}.obj, or of the "
       "last of them, such as end.obj");
   command->add_flag("--quiet", options->quiet, "print nothing but warnings and errors");
-  command->add_flag("--json", options->json,
-                    "print what --stats writes as JSON, and nothing else; remarks go to standard error");
+  command->add_flag(
+      "--json", options->json,
+      "print what --stats writes as JSON lines, and nothing else; remarks go to standard error");
+  command->add_option("--checkpoint", options->checkpoint,
+                      "save the run to this file now and then, at its end, and when it is interrupted "
+                      "(SIGTERM, SIGINT), which "
+                      "ends it with exit code 75");
+  command
+      ->add_option("--checkpoint-every", options->checkpoint_every, "save it after so many frames")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_option(
+      "--resume", options->resume,
+      "go on from such a file with the same bits, and save to it where --checkpoint names no other; --stats "
+      "and --export go on where they stopped");
   command->footer(
       "Examples:\n  taut simulate pinned-9x9-5\n"
       "  taut simulate tshirt-gravity --frames :60 --set solver.substeps=40 --stats run.csv\n"
-      "  taut simulate my-dress.obj --quiet --export end.obj\n");
+      "  taut simulate my-dress.obj --quiet --export end.obj\n"
+      "  taut simulate my-dress.obj --stats run.jsonl --checkpoint run.checkpoint\n"
+      "  taut simulate my-dress.obj --stats run.jsonl --resume run.checkpoint\n");
   return [options] { return Command(*options); };
 }
 
@@ -255,7 +271,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   app.require_subcommand(1);
   app.footer(
       "taut help COMMAND says more. Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a promised bound was "
-      "exceeded or the run diverged.");
+      "exceeded or the run diverged, 75 stopped, but saved: it can be resumed.");
   const std::vector<std::function<Command()>> commands = {
       add_figures(app), add_render(app), add_simulate(app),     add_view(app), add_inspect(app),
       add_bench(app),   add_scenes(app), add_import_model(app), add_help(app)};

@@ -16,7 +16,7 @@ bool is_drawn(int frame, const FrameOutputs& outputs) {
 FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOutputs& outputs) {
   FrameInWork work;
   const ProcessorStopwatch simulating;
-  if (frame > 0) {
+  if (frame > outputs.start_frame) {
     simulation.advance_frame();
   }
   const double sim_ms = simulating.elapsed_ms();
@@ -51,7 +51,15 @@ void write_frame(FrameInWork& work, const FrameOutputs& outputs) {
 std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
                                     const FrameOutputs& outputs) {
   std::vector<FrameRecord> records;
-  int next_frame = outputs.with_frame_0 || is_drawn(0, outputs) ? 0 : 1;
+  const bool hands_out_start = outputs.with_start || is_drawn(outputs.start_frame, outputs);
+  int next_frame = outputs.start_frame + (hands_out_start ? 0 : 1);
+  const bool overlaps = outputs.overlap && outputs.pictures.size() > 1;
+  // Frames that wait between two stages are given up, but in turn there are none.
+  const auto give_up_if_interrupted = [overlaps] {
+    if (overlaps) {
+      throw_if_interrupted();
+    }
+  };
 
   FrameStages stages;
   stages.simulate = [&]() -> std::optional<FrameInWork> {
@@ -60,13 +68,13 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
                                    : std::optional(simulate_frame(simulation, next_frame++, outputs));
   };
   stages.draw = [&](FrameInWork& work) {
-    throw_if_interrupted();
+    give_up_if_interrupted();
     if (is_drawn(work.record.frame, outputs)) {
       draw_frame(work, outputs);
     }
   };
   stages.write = [&](FrameInWork& work) {
-    throw_if_interrupted();
+    give_up_if_interrupted();
     if (is_drawn(work.record.frame, outputs)) {
       write_frame(work, outputs);
     }
@@ -75,7 +83,7 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
       outputs.report(work.record);
     }
   };
-  if (outputs.overlap && outputs.pictures.size() > 1) {
+  if (overlaps) {
     run_overlapped(stages);
   } else {
     run_in_turn(stages);

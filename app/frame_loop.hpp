@@ -13,7 +13,8 @@ namespace taut::app {
 /// What becomes of the frames of a run; every part may be left empty.
 struct FrameOutputs {
   std::span<const int> pictures;  ///< frames to be drawn, ascending
-  bool with_frame_0 = false;      ///< hands out the cloth as it was modelled too, drawn or not
+  int start_frame = 0;            ///< where the simulation is
+  bool with_start = false;        ///< hands out the start frame too, drawn or not
   /// Called on the thread that called run_frames.
   std::function<renderer::Image(const std::vector<sim::Vec3>& positions)> draw_positions;
   /// This and report are called frame after frame, but not always on the caller's thread. The record lacks
@@ -25,10 +26,11 @@ struct FrameOutputs {
   bool overlap = true;
 };
 
-/// Simulates frames 1 to `last_frame`; frame n is the cloth n / frame rate seconds after the clock started,
-/// frame 0 the cloth as it was modelled. Returns what was measured of every frame from 1 on, and of frame 0
-/// where that is drawn or asked for. Throws sim::Diverged, Interrupted and what the outputs throw; the
-/// pictures written before are complete.
+/// Simulates the frames after the start frame up to `last_frame`; frame n is the cloth n / frame rate seconds
+/// after the clock started, frame 0 the cloth as it was modelled. Returns what was
+/// measured of these, and of the start frame where that is drawn or asked for. Throws sim::Diverged,
+/// Interrupted and what the outputs throw; the pictures written before are complete. Without overlap, an
+/// interrupted run has handed out every frame that it has simulated.
 std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame, const FrameOutputs& outputs);
 
 }  // namespace taut::app

@@ -37,6 +37,13 @@ void require_shape(const Garment& garment, std::span<const Vec3> positions_m) {
   }
 }
 
+void require_equal(const char* what, std::size_t found, std::size_t expected) {
+  if (found != expected) {
+    throw BadBytes("a checkpoint with " + std::to_string(found) + ' ' + what + ", expected " +
+                   std::to_string(expected));
+  }
+}
+
 }  // namespace
 
 Diverged::Diverged(Index vertex, double time_s)
@@ -91,15 +98,44 @@ void Simulation::start_solver() {
   wake();
 }
 
-void Simulation::go_back_to(const State& state) {
-  const std::size_t count = garment_->mesh.positions.size();
-  if (state.current.size() != count || state.previous.size() != count) {
-    throw std::invalid_argument("a state of another garment cannot be gone back to");
+Checkpoint Simulation::save() const {
+  ByteWriter memory;
+  solver_->save(*garment_, pins_, memory);
+  Checkpoint saved;
+  saved.state = state_;
+  saved.state.predicted.clear();
+  saved.before_m = before_m_;
+  if (is_rest_judged(state_)) {
+    saved.quiet_since_m = quiet_since_m_;
   }
-  state_ = state;
+  saved.report = report_;
+  saved.solver = name_of(kind_of(settings_.solver.method));
+  saved.solver_memory = memory.bytes();
+  return saved;
+}
+
+void Simulation::restore(const Checkpoint& checkpoint) {
+  const std::size_t count = garment_->mesh.positions.size();
+  require_equal("positions", checkpoint.state.current.size(), count);
+  require_equal("previous positions", checkpoint.state.previous.size(), count);
+  require_equal("positions one frame ago", checkpoint.before_m.size(), count);
+  require_equal("positions of rest", checkpoint.quiet_since_m.size(),
+                is_rest_judged(checkpoint.state) ? count : 0);
+  const std::string solver = name_of(kind_of(settings_.solver.method));
+  if (checkpoint.solver != solver) {
+    throw BadBytes("what the solver '" + checkpoint.solver + "' remembers, expected '" + solver + '\'');
+  }
+  std::unique_ptr<Solver> restored = make_solver(settings_.solver);
+  ByteReader memory(checkpoint.solver_memory);
+  restored->restore(*garment_, pins_, surroundings_, frame_time_s(), memory);
+  memory.require_end();
+
+  solver_ = std::move(restored);
+  state_ = checkpoint.state;
   state_.predicted.resize(count);
-  start_solver();
-  before_m_ = state_.current;
+  before_m_ = checkpoint.before_m;
+  quiet_since_m_ = checkpoint.quiet_since_m;
+  report_ = checkpoint.report;
 }
 
 void Simulation::set_surroundings(const Surroundings& surroundings) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sim/checkpoint.hpp"
 #include "sim/garment.hpp"
 #include "sim/measures.hpp"
 #include "sim/pins.hpp"
@@ -63,9 +64,12 @@ class Simulation {
   /// Throws std::invalid_argument on a pin that is no vertex; nothing has changed then.
   void set_pins(std::vector<Index> pins);
 
-  /// Goes on from a state that this garment was in. What a solver remembers of earlier frames is not part of
-  /// a state: it begins anew.
-  void go_back_to(const State& state);
+  /// All that decides the frames to come, but for garment, pins, settings and surroundings.
+  Checkpoint save() const;
+  /// Goes on from there with the same bits, where garment, pins, settings and surroundings are those of the
+  /// simulation that was saved. Throws BadBytes on a checkpoint of a garment with more or fewer vertices or
+  /// of another solver; nothing has changed then.
+  void restore(const Checkpoint& checkpoint);
 
   const Garment& garment() const { return *garment_; }
   std::shared_ptr<const Garment> shared_garment() const { return garment_; }

@@ -1,19 +1,17 @@
 #include "sim/state.hpp"
 
-#include <bit>
 #include <utility>
+
+#include "sim/bytes.hpp"
 
 namespace taut::sim {
 namespace {
 
 std::uint64_t hash_onto(std::uint64_t hash, const std::vector<Vec3>& positions) {
-  constexpr std::uint64_t fnv_prime = 0x100000001B3ULL;
   for (const Vec3& p : positions) {
     for (int axis = 0; axis < 3; ++axis) {
-      const auto bits = std::bit_cast<std::uint64_t>(p[axis]);
-      for (int shift = 0; shift < 64; shift += 8) {
-        hash = (hash ^ ((bits >> shift) & 0xFF)) * fnv_prime;
-      }
+      const auto bytes = little_endian(p[axis]);
+      hash = fnv1a(hash, {bytes.data(), bytes.size()});
     }
   }
   return hash;
@@ -50,8 +48,7 @@ Vec3 velocity(const State& state, Index vertex) {
 }
 
 std::uint64_t hash(const State& state) {
-  constexpr std::uint64_t fnv_offset_basis = 0xCBF29CE484222325ULL;
-  return hash_onto(hash_onto(fnv_offset_basis, state.current), state.previous);
+  return hash_onto(hash_onto(fnv1a_of_nothing, state.current), state.previous);
 }
 
 }  // namespace taut::sim

@@ -25,7 +25,7 @@ class SpringResponse {
   virtual void compensate(const Garment& garment, const Pins& pins, State& state) const = 0;
 };
 
-/// What steps hand on to each other besides the state; none of it changes a result.
+/// What steps hand on to each other besides the state.
 struct StepBuffers {
   std::vector<Vec3> forces_n;  ///< one per vertex; all zero when a step begins and when it ends
   NeighbourList layers;

@@ -10,6 +10,9 @@ inline constexpr int exit_wrong_usage = 2;
 inline constexpr int exit_promise_broken =
     3;  ///< a frame exceeds what its solver promised, or a run diverged
 
+inline constexpr int exit_can_be_resumed =
+    75;  ///< stopped, and saved: sysexits.h calls it a temporary failure
+
 /// A file or a scene is not as it has to be.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;

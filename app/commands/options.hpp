@@ -56,6 +56,12 @@ struct SimulateOptions {
   bool quiet = false;
   std::vector<Override> overrides;
   std::filesystem::path statistics;
+  std::filesystem::path checkpoint;  ///< where the run is saved; empty: to `resume`, if that is given
+  int checkpoint_every = 60;         ///< frames
+  std::filesystem::path resume;      ///< what an earlier run saved; empty: from the scene's start
+
+  /// Empty: the run is not saved.
+  const std::filesystem::path& saved_to() const { return checkpoint.empty() ? resume : checkpoint; }
 };
 
 struct ViewOptions {

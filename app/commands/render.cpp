@@ -22,7 +22,8 @@
 #include "app/output/frame_range.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/picture_record.hpp"
-#include "app/output/run_report.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "app/output/statistics_file.hpp"
 #include "app/output/video_writer.hpp"
 #include "renderer/page/png.hpp"
 
@@ -171,16 +172,21 @@ std::vector<int> frames_left(const Job& job, const PictureOutput& output, const 
 
 std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, OffscreenRenderer& offscreen,
                               PictureOutput& output, const PictureOrigin& origin, std::span<const int> frames,
-                              Progress& progress) {
+                              std::optional<StatisticsFile>& statistics, Progress& progress) {
   progress.begin("preparing the first frame");
   GarmentPainter painter(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices);
   FrameOutputs outputs;
   outputs.pictures = frames;
+  outputs.start_frame = go_to_start(job.scene, simulation);
+  require_begun(outputs.start_frame, job.frames.front());
   outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions) { return painter.draw(positions); };
   outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
     output.write(origin, record, picture);
   };
   outputs.report = [&](const FrameRecord& record) {
+    if (statistics) {
+      statistics->add(record);
+    }
     progress.show(fmt::format("frame {} of {}, stretch {:.2f} %", record.frame, job.frames.back(),
                               100.0 * record.stretch.max));
   };
@@ -192,7 +198,10 @@ std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Offsc
 int run(const RenderOptions& options) {
   const Job job = job_of(options);
   PictureOutput output(job);
-  prepare_statistics(options.statistics);
+  if (!options.statistics.empty()) {
+    statistics_format(options.statistics);
+    prepare_folder_of(options.statistics);
+  }
 
   Progress progress(job.scene.name);
   // Starting OpenGL and compiling shaders takes as long as reading a model.
@@ -213,7 +222,18 @@ int run(const RenderOptions& options) {
     fmt::print("there already: {} of {}\n", job.frames.size() - frames.size(),
                counted(job.frames.size(), "frame"));
   }
-  const std::vector<FrameRecord> records = draw(job, simulation, offscreen, output, origin, frames, progress);
+  std::optional<StatisticsFile> statistics;
+  if (!options.statistics.empty()) {
+    const RunDescription description = {job.scene, simulation.garment(), simulation.pins().vertices.size(),
+                                        offscreen.gl_renderer()};
+    statistics.emplace(options.statistics, description, std::nullopt);
+  }
+  const std::vector<FrameRecord> records =
+      draw(job, simulation, offscreen, output, origin, frames, statistics, progress);
+  RunSummary summary;
+  for (const FrameRecord& record : records) {
+    summary.add(record);
+  }
   progress.begin("finishing " + job.output);
   const std::string written = output.finish();
   progress.hide();
@@ -221,13 +241,12 @@ int run(const RenderOptions& options) {
   if (job.again && options.overrides.empty()) {
     compare_with_record(job, records, offscreen.gl_renderer());
   }
-  if (!options.statistics.empty()) {
-    write_statistics(options.statistics, {job.scene, simulation.garment(), simulation.pins().vertices.size(),
-                                          offscreen.gl_renderer(), records});
+  if (statistics) {
+    statistics->finish(summary);
     fmt::print("wrote {}\n", options.statistics.string());
   }
   fmt::print("{}\n", written);
-  return judge_bound(job.scene, summarise(records));
+  return judge_bound(job.scene, summary);
 }
 
 }  // namespace taut::app

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/commands/options.hpp"
@@ -16,7 +17,8 @@
 #include "app/output/frame_range.hpp"
 #include "app/output/obj_export.hpp"
 #include "app/output/output_pattern.hpp"
-#include "app/output/run_report.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "app/output/statistics_file.hpp"
 
 namespace taut::app {
 namespace {
@@ -47,7 +49,7 @@ class FrameLines {
 void print_summary(const RunSummary& summary) {
   fmt::print(
       "{}, {:.2f} ms of processor time each; largest stretch {:.4f} % (frame {}), at the end {:.4f} %{}\n",
-      counted(summary.frames, "frame"), summary.mean_sim_ms, 100.0 * summary.max_stretch,
+      counted(summary.frames, "frame"), summary.mean_sim_ms(), 100.0 * summary.max_stretch,
       summary.max_stretch_frame, 100.0 * summary.final_max_stretch,
       summary.asleep_since_frame < 0 ? ""
                                      : fmt::format("; at rest since frame {}", summary.asleep_since_frame));
@@ -94,19 +96,67 @@ sim::Simulation prepare(const DrawnScene& scene, Progress& progress, std::FILE* 
   return make_simulation(scene, loaded);
 }
 
+/// The run as it begins or goes on; puts the simulation there.
+RunCheckpoint begin(const SimulateOptions& options, const DrawnScene& scene, sim::Simulation& simulation) {
+  RunCheckpoint run;
+  if (!options.resume.empty()) {
+    run = read_run_checkpoint(options.resume);
+    require_same_scene(options.resume, run, scene.name, scene_text(scene));
+    restore(options.resume, run, simulation);
+  } else {
+    run.scene_name = scene.name;
+    run.scene = scene_text(scene);
+    run.frame = go_to_start(scene, simulation);
+  }
+  return run;
+}
+
+void save(const SimulateOptions& options, const sim::Simulation& simulation, RunCheckpoint& run) {
+  if (!options.saved_to().empty()) {
+    run.simulation = sim::encode(simulation.save(), simulation.garment());
+    write_run_checkpoint(options.saved_to(), run);
+  }
+}
+
+/// The statistics of the run, new or gone on with.
+std::optional<StatisticsFile> statistics_of(const SimulateOptions& options, const RunDescription& description,
+                                            const RunCheckpoint& run) {
+  if (options.statistics.empty()) {
+    return std::nullopt;
+  }
+  const bool goes_on = !options.resume.empty() && run.summary.frames > 0;
+  return StatisticsFile(options.statistics, description, goes_on ? std::optional(run.frame) : std::nullopt);
+}
+
 // What a run ends with: said, printed for programs, written.
-void hand_over(const SimulateOptions& options, const RunStatistics& statistics, const RunSummary& summary,
-               const std::optional<ShapeOutput>& shapes) {
+void hand_over(const SimulateOptions& options, const RunSummary& summary,
+               const std::optional<ShapeOutput>& shapes, std::optional<StatisticsFile>& statistics) {
   if (is_told(options)) {
     print_summary(summary);
     fmt::print("{}", shapes ? shapes->describe() + '\n' : "");
   }
   if (options.json) {
-    fmt::print("{}", statistics_json(statistics));
+    fmt::print("{}", statistics_end(StatisticsFormat::json_lines, summary));
   }
-  if (!options.statistics.empty()) {
-    write_statistics(options.statistics, statistics);
+  if (statistics) {
+    statistics->finish(summary);
     fmt::print("{}", is_told(options) ? "wrote " + options.statistics.string() + '\n' : "");
+  }
+}
+
+int say_how_to_resume(const SimulateOptions& options, const RunCheckpoint& run) {
+  std::fflush(stdout);
+  fmt::print(stderr,
+             "taut: stopped after frame {0}, saved in '{1}': the same command with --resume {1} goes on\n",
+             run.frame, options.saved_to().string());
+  return exit_can_be_resumed;
+}
+
+void try_outputs(const SimulateOptions& options) {
+  for (const std::filesystem::path& file : {options.statistics, options.saved_to()}) {
+    if (!file.empty()) {
+      prepare_folder_of(file);
+    }
   }
 }
 
@@ -118,33 +168,60 @@ int run(const SimulateOptions& options) {
       options.frames.empty() ? FrameRange{1, scene.frames} : frame_range(options.frames, scene.frames);
   std::optional<ShapeOutput> shapes;
   FrameOutputs outputs;
-  outputs.with_frame_0 = range.first == 0;
   if (!options.shapes.empty()) {
     shapes.emplace(options.shapes, range);
     outputs.write_shape = [&](int frame, const sim::Simulation& moment) { shapes->write(frame, moment); };
   }
-  prepare_statistics(options.statistics);
+  statistics_format(options.statistics);
+  try_outputs(options);
 
   Progress progress(scene.name);
   sim::Simulation simulation = prepare(scene, progress,
                                        options.quiet  ? nullptr
                                        : options.json ? stderr
                                                       : stdout);
+  RunCheckpoint run = begin(options, scene, simulation);
+  require_begun(run.frame, range.last);
+  outputs.start_frame = run.frame;
+  outputs.with_start = options.resume.empty() && range.first <= run.frame;
+  const RunDescription description = {scene, simulation.garment(), simulation.pins().vertices.size(), ""};
+  std::optional<StatisticsFile> statistics = statistics_of(options, description, run);
+  if (options.json) {
+    fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
+  }
   FrameLines lines(range);
   outputs.report = [&](const FrameRecord& record) {
+    run.frame = record.frame;
+    run.summary.add(record);
+    if (statistics) {
+      statistics->add(record);
+    }
+    if (options.json) {
+      fmt::print("{}", statistics_line(StatisticsFormat::json_lines, record));
+    }
     if (is_told(options)) {
       progress.hide();
       lines.print(record);
     }
+    if (record.frame % options.checkpoint_every == 0) {
+      save(options, simulation, run);
+    }
     progress.begin(fmt::format("frame {}", record.frame + 1));
   };
-  const std::vector<FrameRecord> records = run_frames(simulation, range.last, outputs);
+  try {
+    run_frames(simulation, range.last, outputs);
+  } catch (const Interrupted&) {
+    if (options.saved_to().empty()) {
+      throw;
+    }
+    save(options, simulation, run);
+    progress.hide();
+    return say_how_to_resume(options, run);
+  }
   progress.hide();
-
-  const RunSummary summary = summarise(records);
-  hand_over(options, {scene, simulation.garment(), simulation.pins().vertices.size(), "", records}, summary,
-            shapes);
-  return judge_bound(scene, summary);
+  save(options, simulation, run);
+  hand_over(options, run.summary, shapes, statistics);
+  return judge_bound(scene, run.summary);
 }
 
 }  // namespace taut::app

@@ -24,7 +24,7 @@ void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
   if (!is_asked_for || !(asked > noticeable * followed)) {
     return;
   }
-  const double steps = std::ceil(summary.mean_substeps * std::sqrt(asked / followed));
+  const double steps = std::ceil(summary.mean_substeps() * std::sqrt(asked / followed));
   const std::string remedy = steps <= solver.max_substeps
                                  ? fmt::format("solver.substeps = {:.0f} would follow it", steps)
                                  : fmt::format("it would take {:.2g} of them", steps);
@@ -32,7 +32,7 @@ void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
       stderr,
       "taut: warning: cloth.compression_stiffness = {:g} N/m is stiffer than {:.0f} time steps a frame can "
       "follow; short springs pushed back as at about {:.2g} N/m; {}\n",
-      asked, summary.mean_substeps, followed, remedy);
+      asked, summary.mean_substeps(), followed, remedy);
 }
 
 }  // namespace

@@ -45,4 +45,11 @@ FrameRange frame_range(const std::string& text, int last_frame) {
   return range;
 }
 
+void require_begun(int start_frame, int frame) {
+  if (frame < start_frame) {
+    throw UsageError(fmt::format(
+        "--frames: found frame {}, expected none before {}, which the run begins with", frame, start_frame));
+  }
+}
+
 }  // namespace taut::app

@@ -21,4 +21,7 @@ inline constexpr const char* frame_range_help =
 /// The frames such a text means in a run of which `last_frame` is the last. Throws UsageError.
 FrameRange frame_range(const std::string& text, int last_frame);
 
+/// Throws UsageError where a frame comes before the one that the run begins with.
+void require_begun(int start_frame, int frame);
+
 }  // namespace taut::app

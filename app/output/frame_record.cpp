@@ -39,39 +39,39 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
   return record;
 }
 
-RunSummary summarise(const std::vector<FrameRecord>& records) {
-  RunSummary summary;
-  int simulated = 0;
-  for (const FrameRecord& record : records) {
-    if (record.stretch.max > summary.max_stretch) {
-      summary.max_stretch = record.stretch.max;
-      summary.max_stretch_frame = record.frame;
-    }
-    summary.max_p99_stretch = std::max(summary.max_p99_stretch, record.stretch.p99);
-    summary.asleep_since_frame =
-        !record.asleep ? -1 : (summary.asleep_since_frame < 0 ? record.frame : summary.asleep_since_frame);
-    simulated += record.frame > 0 ? 1 : 0;
-    summary.max_raw_stretch = std::max(summary.max_raw_stretch, record.raw_max_stretch);
-    summary.mean_substeps += record.substeps;
-    summary.followed_compression_n_per_m =
-        std::min(summary.followed_compression_n_per_m, record.followed_compression_n_per_m);
-    if (!record.bound_kept) {
-      ++summary.frames_over_bound;
-      summary.first_frame_over_bound =
-          summary.first_frame_over_bound < 0 ? record.frame : summary.first_frame_over_bound;
-    }
-    summary.total_sim_ms += record.sim_ms;
-    summary.total_draw_ms += record.draw_ms;
-    summary.total_encode_ms += record.encode_ms;
+void RunSummary::add(const FrameRecord& record) {
+  ++frames;
+  simulated_frames += record.frame > 0 ? 1 : 0;
+  if (record.stretch.max > max_stretch) {
+    max_stretch = record.stretch.max;
+    max_stretch_frame = record.frame;
   }
-  summary.frames = static_cast<int>(records.size());
-  summary.mean_substeps /= std::max(simulated, 1);
-  summary.mean_sim_ms = simulated > 0 ? summary.total_sim_ms / simulated : 0.0;
-  if (!records.empty()) {
-    summary.final_max_stretch = records.back().stretch.max;
-    summary.final_rms_speed_m_per_s = records.back().rms_speed_m_per_s;
+  max_p99_stretch = std::max(max_p99_stretch, record.stretch.p99);
+  final_max_stretch = record.stretch.max;
+  max_raw_stretch = std::max(max_raw_stretch, record.raw_max_stretch);
+  if (!record.bound_kept) {
+    ++frames_over_bound;
+    first_frame_over_bound = first_frame_over_bound < 0 ? record.frame : first_frame_over_bound;
   }
-  return summary;
+  total_substeps += record.substeps;
+  followed_compression_n_per_m = std::min(followed_compression_n_per_m, record.followed_compression_n_per_m);
+  final_rms_speed_m_per_s = record.rms_speed_m_per_s;
+  if (!record.asleep) {
+    asleep_since_frame = -1;
+  } else if (asleep_since_frame < 0) {
+    asleep_since_frame = record.frame;
+  }
+  total_sim_ms += record.sim_ms;
+  total_draw_ms += record.draw_ms;
+  total_encode_ms += record.encode_ms;
+}
+
+double RunSummary::mean_substeps() const {
+  return total_substeps / std::max(simulated_frames, 1);
+}
+
+double RunSummary::mean_sim_ms() const {
+  return total_sim_ms / std::max(simulated_frames, 1);
 }
 
 }  // namespace taut::app

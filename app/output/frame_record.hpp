@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
@@ -34,8 +33,15 @@ struct FrameRecord {
 /// Everything but the times it took.
 FrameRecord measure_frame(const sim::Simulation& simulation, int frame);
 
+/// Of the frames added so far.
 struct RunSummary {
+  void add(const FrameRecord& record);
+
+  double mean_substeps() const;  ///< of frames that were simulated
+  double mean_sim_ms() const;    ///< of frames that were simulated
+
   int frames = 0;
+  int simulated_frames = 0;  ///< without frame 0
   double max_stretch = 0.0;  ///< of all frames
   int max_stretch_frame = 0;
   double max_p99_stretch = 0.0;
@@ -43,17 +49,14 @@ struct RunSummary {
   double max_raw_stretch = 0.0;
   int frames_over_bound = 0;
   int first_frame_over_bound = -1;  ///< none: -1
-  double mean_substeps = 0.0;       ///< of frames that were simulated
+  double total_substeps = 0.0;
   double followed_compression_n_per_m =
       std::numeric_limits<double>::infinity();  ///< in the least stiff frame
   double final_rms_speed_m_per_s = 0.0;
   int asleep_since_frame = -1;  ///< none: -1
-  double mean_sim_ms = 0.0;     ///< of frames that were simulated
   double total_sim_ms = 0.0;
   double total_draw_ms = 0.0;
   double total_encode_ms = 0.0;
 };
-
-RunSummary summarise(const std::vector<FrameRecord>& records);
 
 }  // namespace taut::app

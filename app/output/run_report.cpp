@@ -116,10 +116,10 @@ Json summary_json(const RunSummary& summary) {
                {"final_max_stretch", summary.final_max_stretch},
                {"max_raw_stretch", summary.max_raw_stretch},
                {"frames_over_bound", summary.frames_over_bound},
-               {"mean_substeps", summary.mean_substeps},
+               {"mean_substeps", summary.mean_substeps()},
                {"final_rms_speed", summary.final_rms_speed_m_per_s},
                {"asleep_since_frame", nullptr},
-               {"mean_sim_ms", summary.mean_sim_ms},
+               {"mean_sim_ms", summary.mean_sim_ms()},
                {"total_sim_ms", summary.total_sim_ms},
                {"total_draw_ms", summary.total_draw_ms},
                {"total_encode_ms", summary.total_encode_ms}};
@@ -147,60 +147,65 @@ Json parts_json(const std::vector<HungPart>& parts) {
 }
 
 // File names can hold bytes that are no UTF-8.
-std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+std::string text_of(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string line_of(const Json& json) {
+  return text_of(json, -1);
 }
 
 }  // namespace
 
-void prepare_statistics(const std::filesystem::path& file) {
-  if (file.empty()) {
-    return;
+StatisticsFormat statistics_format(const std::filesystem::path& file) {
+  // What has no ending, such as /dev/stdout, is given JSON lines.
+  if (file.has_extension() && file.extension() != ".jsonl" && file.extension() != ".csv") {
+    throw UsageError("--stats " + file.string() + ": expected a file name that ends in .jsonl or .csv");
   }
-  // What has no ending, such as /dev/stdout, is given JSON.
-  if (file.has_extension() && file.extension() != ".json" && file.extension() != ".csv") {
-    throw UsageError("--stats " + file.string() + ": expected a file name that ends in .json or .csv");
-  }
-  prepare_folder_of(file);
+  return file.extension() == ".csv" ? StatisticsFormat::csv : StatisticsFormat::json_lines;
 }
 
-std::string statistics_json(const RunStatistics& run) {
-  Json json = {{"scene", run.scene.name},
-               {"garment", garment_json(run.garment, run.pins)},
-               {"settings", std::visit(JsonWriter{}, scene_settings(run.scene).data)},
-               {"versions", versions_json(run.gl_renderer)},
-               {"summary", summary_json(summarise(run.records))},
-               {"frames", Json::array()}};
-  for (const FrameRecord& record : run.records) {
-    json["frames"].push_back(record_json(record));
+std::string statistics_header(StatisticsFormat format, const RunDescription& run) {
+  if (format == StatisticsFormat::json_lines) {
+    return line_of({{"scene", run.scene.name},
+                    {"garment", garment_json(run.garment, run.pins)},
+                    {"settings", std::visit(JsonWriter{}, scene_settings(run.scene).data)},
+                    {"versions", versions_json(run.gl_renderer)}});
   }
-  return text_of(json);
-}
-
-std::string statistics_csv(const std::vector<FrameRecord>& records) {
-  std::string text;
+  std::string names;
   for (const FrameColumn& column : frame_columns) {
-    text += (text.empty() ? "" : ",") + std::string(column.name);
+    names += (names.empty() ? "" : ",") + std::string(column.name);
   }
-  for (const FrameRecord& record : records) {
-    std::string row;
-    for (const FrameColumn& column : frame_columns) {
-      const Json value = column.value(record);
-      row += (row.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
-    }
-    text += '\n' + row;
-  }
-  return text + '\n';
+  return names + '\n';
 }
 
-void write_statistics(const std::filesystem::path& file, const RunStatistics& run) {
-  write_text_file(file, file.extension() == ".csv" ? statistics_csv(run.records) : statistics_json(run));
+std::string statistics_line(StatisticsFormat format, const FrameRecord& record) {
+  if (format == StatisticsFormat::json_lines) {
+    return line_of(record_json(record));
+  }
+  std::string row;
+  for (const FrameColumn& column : frame_columns) {
+    const Json value = column.value(record);
+    row += (row.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return row + '\n';
+}
+
+std::string statistics_end(StatisticsFormat format, const RunSummary& summary) {
+  return format == StatisticsFormat::json_lines ? line_of({{"summary", summary_json(summary)}}) : "";
+}
+
+std::string statistics_line_start(StatisticsFormat format, int frame) {
+  return (format == StatisticsFormat::json_lines ? "{\"frame\":" : "") + std::to_string(frame) + ',';
 }
 
 std::string statistics_help() {
   std::string text =
-      "--stats FILE.csv writes one row for every frame that was simulated, --stats FILE.json the same in\n"
-      "\"frames\", with the scene, its settings, the versions and a summary of the run. Of every frame:\n\n";
+      "--stats FILE.csv writes a row for every frame that was simulated, as it comes. --stats FILE.jsonl "
+      "writes\n"
+      "JSON lines: first an object with the scene, its garment and settings and the versions, then one of "
+      "every\n"
+      "frame, as it comes, and at the end one with a summary of the run. Of every frame:\n\n";
   for (const FrameColumn& column : frame_columns) {
     text += fmt::format("  {:<17} {:<4} {}\n", column.name, column.unit, column.meaning);
   }
@@ -257,7 +262,8 @@ std::string inspection_json(const Inspection& i) {
        {"springs", spring_counts(i.structural_springs, i.shear_springs, i.flexural_springs)},
        {"landmarks", landmarks},
        {"vertex_numbers", i.vertex_numbers},
-       {"remarks", i.remarks}});
+       {"remarks", i.remarks}},
+      2);
 }
 
 }  // namespace taut::app

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/inspection.hpp"
@@ -11,27 +10,27 @@
 
 namespace taut::app {
 
-/// What the statistics of a run are made of.
-struct RunStatistics {
+/// What the statistics of a run begin with.
+struct RunDescription {
   const DrawnScene& scene;
   const sim::Garment& garment;
   std::size_t pins = 0;
   std::string gl_renderer;  ///< empty where nothing was drawn
-  const std::vector<FrameRecord>& records;
 };
 
-/// Makes the folder of the file, where one is named, and tries it. Throws UsageError where its name says
-/// neither JSON nor CSV, and InputError.
-void prepare_statistics(const std::filesystem::path& file);
+enum class StatisticsFormat { json_lines, csv };
 
-/// What --stats writes: CSV where the name ends so, and else JSON. Throws InputError.
-void write_statistics(const std::filesystem::path& file, const RunStatistics& run);
+/// CSV where the name ends in .csv, JSON lines where it ends in .jsonl or has no ending. Throws UsageError.
+StatisticsFormat statistics_format(const std::filesystem::path& file);
 
-/// One object.
-std::string statistics_json(const RunStatistics& run);
+// What statistics are made of, whole lines. JSON lines: the run; every frame; the summary. CSV: the names of
+// the columns; every frame; nothing.
+std::string statistics_header(StatisticsFormat format, const RunDescription& run);
+std::string statistics_line(StatisticsFormat format, const FrameRecord& record);
+std::string statistics_end(StatisticsFormat format, const RunSummary& summary);
 
-/// A line of names, then one for every frame.
-std::string statistics_csv(const std::vector<FrameRecord>& records);
+/// How the line of a frame begins, and no other line.
+std::string statistics_line_start(StatisticsFormat format, int frame);
 
 /// What stands in them, with units, for people.
 std::string statistics_help();

@@ -48,6 +48,7 @@ struct Scene {
   RunSettings simulation;
   sim::Surroundings surroundings;                ///< but for the distance of layers
   std::optional<double> layer_distance_m = 0.0;  ///< none: what suits the garment's mesh
+  std::filesystem::path checkpoint;  ///< a saved moment to begin with (run_checkpoint.hpp); empty: none
   int frames = 600;
 };
 

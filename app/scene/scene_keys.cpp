@@ -74,6 +74,7 @@ void add_pins(SceneKeys& keys) {
 }
 
 void add_run(SceneKeys& keys) {
+  keys.push_back(checkpoint_key());
   keys.push_back(number("time.frame_rate", "Hz", {1.0, 10000.0}, MEMBER(simulation.frame_rate_hz),
                         "frames in a simulated second"));
   keys.push_back(whole("time.frames", 1, 1000000, MEMBER(frames), "length of the run"));

@@ -181,16 +181,20 @@ Value write_forces(const Scene& scene) {
   return {list};
 }
 
+// Files are named relative to the scene that names them.
+std::filesystem::path beside(const Source& source, const std::filesystem::path& file) {
+  const auto folder =
+      source.is_command_line ? std::filesystem::path() : std::filesystem::path(source.name).parent_path();
+  return (folder / file).lexically_normal();
+}
+
 Key<Scene> file_name_key(std::string name, std::filesystem::path GarmentSource::*member,
                          std::string meaning) {
   auto read = [member](const Value& value, const Source& source, Scene& scene) {
     if (value.text() == nullptr || value.text()->empty()) {
       return false;
     }
-    const std::filesystem::path file = *value.text();
-    const auto folder =
-        source.is_command_line ? std::filesystem::path() : std::filesystem::path(source.name).parent_path();
-    scene.garment.*member = (folder / file).lexically_normal();
+    scene.garment.*member = beside(source, *value.text());
     return true;
   };
   auto write = [member](const Scene& scene) {
@@ -211,6 +215,25 @@ Key<Scene> start_key() {
   return file_name_key("garment.start", &GarmentSource::start,
                        "where the cloth begins, which keeps the rest shape above: a model of its vertices in "
                        "their order, in metres with y up, as taut simulate --export writes it");
+}
+
+Key<Scene> checkpoint_key() {
+  auto read = [](const Value& value, const Source& source, Scene& scene) {
+    if (value.text() == nullptr) {
+      return false;
+    }
+    scene.checkpoint = value.text()->empty() ? std::filesystem::path() : beside(source, *value.text());
+    return true;
+  };
+  auto write = [](const Scene& scene) {
+    return scene.checkpoint.empty() ? Value{} : Value{scene.checkpoint.string()};
+  };
+  return {"start.checkpoint",
+          "",
+          "a file name",
+          "the run begins with this saved moment, relative to the scene file; without it: as modelled",
+          read,
+          write};
 }
 
 Key<Scene> up_key() {

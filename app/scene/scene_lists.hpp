@@ -13,6 +13,7 @@ namespace taut::app {
 
 Key<Scene> file_key();
 Key<Scene> start_key();
+Key<Scene> checkpoint_key();
 Key<Scene> up_key();
 Key<Scene> pins_key();
 Key<Scene> forces_key();

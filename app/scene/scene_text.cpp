@@ -53,7 +53,7 @@ void append_section(std::string& text, const std::string& section, const ValueTa
     }
   }
   for (const auto& [key, value] : table) {
-    if (value.table() != nullptr) {
+    if (value.table() != nullptr && is_set(value)) {
       const std::string name = section.empty() ? key : section + '.' + key;
       text += "\n[" + name + "]\n";
       append_section(text, name, *value.table());
@@ -87,6 +87,9 @@ void name_files(const GarmentSource& source, GarmentNaming naming, ValueTable& g
 std::string text_of(ValueTable settings, const Scene& scene, GarmentNaming naming) {
   const bool has_file = !scene.garment.file.empty();
   for (auto& [key, value] : settings) {
+    if (key == "start" && !scene.checkpoint.empty() && naming == GarmentNaming::in_assets) {
+      std::get<ValueTable>(value.data).front().value = {std::filesystem::absolute(scene.checkpoint).string()};
+    }
     if (key == "garment") {
       ValueTable& garment = std::get<ValueTable>(value.data);
       std::erase_if(garment, [&](const auto& entry) { return has_file && entry.key == "grid"; });

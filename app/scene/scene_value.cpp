@@ -1,5 +1,6 @@
 #include "app/scene/scene_value.hpp"
 
+#include <algorithm>
 #include <fmt/core.h>
 
 #include "app/base/errors.hpp"
@@ -32,6 +33,9 @@ struct Writer {
 }  // namespace
 
 bool is_set(const Value& value) {
+  if (const ValueTable* table = value.table()) {
+    return std::any_of(table->begin(), table->end(), [](const auto& entry) { return is_set(entry.value); });
+  }
   return !std::holds_alternative<std::monostate>(value.data);
 }
 

@@ -8,6 +8,8 @@
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
+#include "app/models/layers.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -45,6 +47,12 @@ std::vector<PinSelector> numbered_in_file(const std::vector<sim::Index>& pins, c
   return numbers;
 }
 
+sim::Surroundings surroundings_of(const ViewerState& state) {
+  const LoadedScene& loaded = *state.shown->loaded;
+  return settled(state.scene.surroundings, state.scene.layer_distance_m, *loaded.garment,
+                 loaded.file_vertices);
+}
+
 }  // namespace
 
 fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
@@ -60,18 +68,38 @@ fs::path free_name(const fs::path& folder, const std::string& stem, const std::s
 DrawnScene kept_scene(const ViewerState& state, const ViewArea& area) {
   constexpr int smallest_side_px = 16;
   DrawnScene scene = state.scene;
-  const std::vector<sim::Index>& pins = *state.newest->pins;
-  if (pins != state.newest->loaded->pins) {
-    scene.pins = numbered_in_file(pins, state.newest->loaded->file_vertices);
+  const Snapshot& shown = *state.shown;
+  const std::vector<sim::Index>& pins = *shown.pins;
+  if (pins != shown.loaded->pins) {
+    scene.pins = numbered_in_file(pins, shown.loaded->file_vertices);
   }
   const renderer::Camera camera = state.camera.camera();
   scene.camera.eye = camera.eye;
   scene.camera.target = camera.target;
   scene.camera.framing.vertical_fov_rad = camera.vertical_fov_rad;
-  scene.frames = std::max(1, state.newest->record.frame);
+  scene.frames = std::max(1, shown.record.frame);
+  if (!scene.checkpoint.empty()) {
+    scene.checkpoint = fs::absolute(scene.checkpoint);
+  }
   scene.picture.settings.width_px = std::max(area.width_px, smallest_side_px);
   scene.picture.settings.height_px = std::max(area.height_px, smallest_side_px);
   return scene;
+}
+
+bool is_pristine(const ViewerState& state) {
+  const Snapshot& shown = *state.shown;
+  return shown.pristine && shown.settings == simulation_settings(state.scene.simulation) &&
+         shown.garment->material == state.scene.material && shown.surroundings == surroundings_of(state);
+}
+
+RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept) {
+  const sim::Simulation simulation = gone_on_from(*state.shown, simulation_settings(state.scene.simulation),
+                                                  state.scene.material, surroundings_of(state));
+  return {kept.name,
+          scene_text(kept),
+          state.shown->record.frame,
+          {},
+          sim::encode(simulation.save(), simulation.garment())};
 }
 
 std::string camera_text(const renderer::Camera& camera) {

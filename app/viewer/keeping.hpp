@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/output/run_checkpoint.hpp"
 #include "app/output/video_writer.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 #include "renderer/page/image.hpp"
@@ -14,9 +15,15 @@ namespace taut::app {
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
                                 const std::string& extension);
 
-/// The scene as it is set now: settings, pins, camera and looks, with as many frames as have been simulated.
-/// `taut render` of it draws what the window shows after a reset and as many frames.
+/// The scene as it is set now: settings, camera and looks, with the pins and the frame that are shown.
 DrawnScene kept_scene(const ViewerState& state, const ViewArea& area);
+
+/// Whether a run of the scene from its start comes to what is shown: nobody pulled, and no setting was
+/// changed on the way there.
+bool is_pristine(const ViewerState& state);
+
+/// The moment that is shown, for start.checkpoint of the kept scene. No hand pulls any more.
+RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept);
 
 /// The camera as a section of a scene file.
 std::string camera_text(const renderer::Camera& camera);

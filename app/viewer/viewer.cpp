@@ -9,7 +9,6 @@
 #include "app/viewer/state/choices.hpp"
 #include "app/viewer/state/key_bindings.hpp"
 #include "app/viewer/state/lost_cloth.hpp"
-#include "sim/solvers/bounded/within_bound.hpp"
 
 namespace taut::app {
 namespace {
@@ -184,13 +183,13 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
   }
   past_ = past_within_bound_ = past;
   past_bound_ = solver;
-  const sim::Garment& garment = *past->loaded->garment;
-  sim::State state = *past->state;
-  sim::move_within_bound(garment, sim::make_pins(garment, *past->pins), solver, state);
-  if (state.current != past->positions()) {
+  if (solver != past->settings.solver) {
+    const sim::Simulation simulation = gone_on_from(*past, simulation_settings(state_.scene.simulation),
+                                                    past->garment->material, past->surroundings);
     Snapshot snapshot = *past;
-    snapshot.record.stretch = sim::measure_stretch(garment.springs, state.current);
-    snapshot.state = std::make_shared<const sim::State>(std::move(state));
+    snapshot.record.stretch = sim::measure_stretch(simulation.garment().springs, simulation.state().current);
+    snapshot.checkpoint = std::make_shared<const sim::Checkpoint>(simulation.save());
+    snapshot.settings = simulation.settings();
     past_within_bound_ = std::make_shared<const Snapshot>(std::move(snapshot));
   }
   return past_within_bound_;

@@ -141,12 +141,14 @@ void Viewer::frame_garment() {
 
 void Viewer::save_scene() {
   const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".toml");
-  const DrawnScene scene = kept_scene(state_, scene_area(layout()));
+  DrawnScene scene = kept_scene(state_, scene_area(layout()));
+  if (!is_pristine(state_)) {
+    const std::filesystem::path moment = std::filesystem::path(file).replace_extension(".checkpoint");
+    scene.checkpoint = moment.filename();
+    write_run_checkpoint(moment, kept_moment(state_, scene));
+  }
   write_text_file(file, scene_text(scene, GarmentNaming::full_path));
-  const char* hint = state_.newest->pristine
-                         ? "taut render of it draws this frame"
-                         : "settings changed on the way here: after R it draws the same frames";
-  tell(fmt::format("saved {}; {}", file.string(), hint), false);
+  tell(fmt::format("saved {}; taut render of it draws this frame", file.string()), false);
 }
 
 void Viewer::start_or_stop_recording() {

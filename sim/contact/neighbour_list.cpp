@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numeric>
 
 namespace taut::sim {
@@ -120,11 +121,26 @@ void NeighbourList::update(std::span<const Vec3> rest_positions, std::span<const
   if (is_current(positions, thickness_m)) {
     return;
   }
-  const double reach_m = (1.0 + skin_per_thickness) * thickness_m;
   made_at_.assign(positions.begin(), positions.end());
+  make(rest_positions, thickness_m);
+}
+
+void NeighbourList::make(std::span<const Vec3> rest_positions, double thickness_m) {
+  const double reach_m = (1.0 + skin_per_thickness) * thickness_m;
   made_for_thickness_m_ = thickness_m;
   sort_into_cells(reach_m);
   collect_pairs(rest_positions, thickness_m, reach_m);
+}
+
+void NeighbourList::save(ByteWriter& memory) const {
+  memory.put(made_for_thickness_m_);
+  memory.put_positions(made_at_);
+}
+
+void NeighbourList::restore(std::span<const Vec3> rest_positions, ByteReader& memory) {
+  const double thickness_m = memory.get("the distance of layers", 0.0, std::numeric_limits<double>::max());
+  made_at_ = memory.get_positions("where the layers were", thickness_m > 0.0 ? rest_positions.size() : 0);
+  make(rest_positions, thickness_m);
 }
 
 }  // namespace taut::sim

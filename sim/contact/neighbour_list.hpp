@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/bytes.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::sim {
@@ -18,7 +19,13 @@ class NeighbourList {
 
   std::span<const Edge> pairs() const { return pairs_; }
 
+  /// What the list was made from: with the rest positions that decides its pairs, and until when it is good.
+  void save(ByteWriter& memory) const;
+  /// Throws BadBytes.
+  void restore(std::span<const Vec3> rest_positions, ByteReader& memory);
+
  private:
+  void make(std::span<const Vec3> rest_positions, double thickness_m);
   bool is_current(std::span<const Vec3> positions, double thickness_m) const;
   void sort_into_cells(double cell_m);
   void collect_pairs(std::span<const Vec3> rest_positions, double thickness_m, double reach_m);

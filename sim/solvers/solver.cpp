@@ -51,6 +51,13 @@ class SteppedSolver : public Solver {
     return report;
   }
 
+  void save(const Garment&, const Pins&, ByteWriter& memory) const override { buffers_.layers.save(memory); }
+
+  void restore(const Garment& garment, const Pins&, const Surroundings&, double,
+               ByteReader& memory) override {
+    buffers_.layers.restore(garment.mesh.positions, memory);
+  }
+
  private:
   SolverSettings settings_;
   std::unique_ptr<SpringResponse> springs_;

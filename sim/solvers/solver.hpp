@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "sim/bytes.hpp"
 #include "sim/garment.hpp"
 #include "sim/pins.hpp"
 #include "sim/solvers/bounded/settings.hpp"
@@ -53,6 +54,8 @@ struct FrameReport {
   /// `bounded`: about the largest stiffness against compression that time steps of this length answer to:
   /// springs of a fabric that is stiffer push back as if they had this one. Infinite where nothing limits it.
   double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
+
+  bool operator==(const FrameReport&) const = default;
 };
 
 /// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20. `ideal` and
@@ -67,6 +70,14 @@ class Solver {
   /// Advances `state` by one frame.
   virtual FrameReport advance_frame(const Garment& garment, const Pins& pins,
                                     const Surroundings& surroundings, double frame_time_s, State& state) = 0;
+
+  /// What its next frames depend on besides their arguments, as flat data; not what it measured to be quick.
+  virtual void save(const Garment& garment, const Pins& pins, ByteWriter& memory) const = 0;
+
+  /// Takes over what a solver of the same settings saved; the arguments are those of its next frame. Throws
+  /// BadBytes.
+  virtual void restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+                       double frame_time_s, ByteReader& memory) = 0;
 };
 
 /// Throws std::invalid_argument on fewer than one substep or iteration, a number of threads that is out of

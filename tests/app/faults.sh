@@ -71,8 +71,8 @@ case $fault in
     # A file that cannot grow beyond some blocks is like a disk that is full.
     expect 1 "cannot write 'out/[0-5].png': File too large" sh -c 'ulimit -f 4; exec "$@"' sh \
       "$program" render pinned-9x9-5 --resolution 320,240 $plain --frames 0:5 --output 'out/{frame}.png'
-    expect 1 "cannot write 'out/run.json': File too large" sh -c 'ulimit -f 1; exec "$@"' sh \
-      "$program" simulate pinned-9x9-5 --frames 20 --stats out/run.json
+    expect 1 "cannot write 'out/run.jsonl': File too large" sh -c 'ulimit -f 1; exec "$@"' sh \
+      "$program" simulate pinned-9x9-5 --frames 20 --stats out/run.jsonl
     expect 1 "cannot write 'out/[0-9]*.obj': File too large" sh -c 'ulimit -f 1; exec "$@"' sh \
       "$program" simulate pinned-9x9-5 --frames :20 --export 'out/{frame}.obj'
     nothing_else
@@ -89,7 +89,7 @@ case $fault in
     ln -s /proc/self/fd/1 link
     "$program" simulate pinned-9x9-5 --frames 2 --stats link >said.txt
     [ -L link ] || fail "the link was replaced"
-    grep -q '"frames"' said.txt && grep -q 'frames, .* ms of processor time each' said.txt || fail "no statistics, or nothing else" ;;
+    grep -q '"summary"' said.txt && grep -q 'frames, .* ms of processor time each' said.txt || fail "no statistics, or nothing else" ;;
   folder_removed)
     long >said.txt 2>&1 &
     run=$!

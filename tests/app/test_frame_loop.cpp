@@ -70,13 +70,29 @@ TEST(FrameLoop, HandsOutTheClothAsModelledWhereItIsAskedFor) {
   const std::vector<sim::Vec3> modelled = simulation.garment().mesh.positions;
   std::vector<int> frames;
   FrameOutputs outputs;
-  outputs.with_frame_0 = true;
+  outputs.with_start = true;
   outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
     EXPECT_EQ(moment.state().current == modelled, frame == 0);
     frames.push_back(frame);
   };
   EXPECT_EQ(run_frames(simulation, 2, outputs).size(), 3U);
   EXPECT_EQ(frames, (std::vector{0, 1, 2}));
+}
+
+TEST(FrameLoop, GoesOnFromAnyFrame) {
+  sim::Simulation whole = small_cloth();
+  const auto expected = run_frames(whole, 6, {});
+  sim::Simulation simulation = small_cloth();
+  run_frames(simulation, 3, {});
+  FrameOutputs outputs;
+  outputs.start_frame = 3;
+  outputs.with_start = true;
+  const auto records = run_frames(simulation, 6, outputs);
+  ASSERT_EQ(records.size(), 4U);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    EXPECT_EQ(records[i].frame, static_cast<int>(i) + 3);
+    EXPECT_EQ(records[i].state_hash, expected[i + 2].state_hash);
+  }
 }
 
 TEST(FrameLoopDeathTest, StopsAtTheNextFrameWhenInterrupted) {
@@ -126,6 +142,14 @@ TEST(FrameRange, SaysWhatItExpects) {
   EXPECT_CONTAINS(error("91:"), "--frames 91:: the last frame, 90, comes before the first, 91");
 }
 
+RunSummary summary_of(const std::vector<FrameRecord>& records) {
+  RunSummary summary;
+  for (const FrameRecord& record : records) {
+    summary.add(record);
+  }
+  return summary;
+}
+
 TEST(RunSummary, FindsTheWorstFrameAndTheRest) {
   std::vector<FrameRecord> records(4);
   for (int i = 0; i < 4; ++i) {
@@ -135,24 +159,24 @@ TEST(RunSummary, FindsTheWorstFrameAndTheRest) {
   records[1].stretch.max = 0.3;
   records[3].stretch.max = 0.1;
   records[2].asleep = records[3].asleep = true;
-  const RunSummary summary = summarise(records);
+  const RunSummary summary = summary_of(records);
   EXPECT_EQ(summary.max_stretch, 0.3);
   EXPECT_EQ(summary.max_stretch_frame, 2);
   EXPECT_EQ(summary.final_max_stretch, 0.1);
   EXPECT_EQ(summary.asleep_since_frame, 3);
-  EXPECT_EQ(summary.mean_sim_ms, 2.0);
+  EXPECT_EQ(summary.mean_sim_ms(), 2.0);
   records.back().asleep = false;
-  EXPECT_EQ(summarise(records).asleep_since_frame, -1);
+  EXPECT_EQ(summary_of(records).asleep_since_frame, -1);
 }
 
 TEST(BoundVerdict, EndsTheProgramAsASchedulerCanTell) {
   std::vector<FrameRecord> records(2);
   Scene scene;
-  EXPECT_EQ(judge_bound(scene, summarise(records)), 0);
+  EXPECT_EQ(judge_bound(scene, summary_of(records)), 0);
   records[1].bound_kept = false;
-  EXPECT_EQ(judge_bound(scene, summarise(records)), 3);
+  EXPECT_EQ(judge_bound(scene, summary_of(records)), 3);
   scene.simulation.solver.bounded.allow_exceeding = true;
-  EXPECT_EQ(judge_bound(scene, summarise(records)), 0);
+  EXPECT_EQ(judge_bound(scene, summary_of(records)), 0);
 }
 
 }  // namespace

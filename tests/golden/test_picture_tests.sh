@@ -22,7 +22,7 @@ slightly_different=$source/baselines/tshirt_one_sample.png
 
 cat > "$folder/taut" <<'END'
 #!/bin/sh
-echo "{\"versions\": {\"gl_renderer\": \"$RENDERER\"}}" > run.json
+echo "{\"versions\": {\"gl_renderer\": \"$RENDERER\"}}" > run.jsonl
 cp "$PICTURE" actual.png
 END
 chmod +x "$folder/taut"

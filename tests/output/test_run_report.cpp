@@ -9,12 +9,14 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"
+#include "app/output/statistics_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
 
 using nlohmann::json;
+using enum StatisticsFormat;
 
 TEST(RunReport, HoldsWhatTheDesignPromises) {
   DrawnScene scene;
@@ -23,8 +25,8 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
   scene.simulation.solver.substeps = 7;
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   const auto records = run_frames(simulation, 2, {});
-  const json report = json::parse(
-      statistics_json({scene, simulation.garment(), simulation.pins().vertices.size(), "llvmpipe", records}));
+  const json report = json::parse(statistics_header(
+      json_lines, {scene, simulation.garment(), simulation.pins().vertices.size(), "llvmpipe"}));
   EXPECT_EQ(report["scene"], "test");
   EXPECT_EQ(report["garment"]["vertices"], 9);
   EXPECT_EQ(report["garment"]["triangles"], 8);
@@ -35,15 +37,20 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
   EXPECT_EQ(report["versions"]["gl_renderer"], "llvmpipe");
   EXPECT_TRUE(report["versions"].contains("program"));
   EXPECT_TRUE(report["versions"].contains("compiler"));
-  ASSERT_EQ(report["frames"].size(), 2U);
+  const std::string line = statistics_line(json_lines, records[1]);
+  EXPECT_EQ(line.find('\n'), line.size() - 1);
+  EXPECT_TRUE(line.starts_with(statistics_line_start(json_lines, 2))) << line;
+  const json frame = json::parse(line);
   for (const char* key :
        {"frame", "time_s", "max_stretch", "p99_stretch", "mean_stretch", "max_compression", "rms_speed",
         "kinetic_energy", "potential_energy", "convergence", "sim_ms", "draw_ms", "encode_ms"}) {
-    EXPECT_TRUE(report["frames"][1][key].is_number()) << key;
+    EXPECT_TRUE(frame[key].is_number()) << key;
   }
-  EXPECT_EQ(report["frames"][1]["state_hash"].get<std::string>().size(), 16U);
-  EXPECT_EQ(report["frames"][1]["asleep"], false);
-  EXPECT_EQ(report["summary"]["frames"], 2);
+  EXPECT_EQ(frame["state_hash"].get<std::string>().size(), 16U);
+  EXPECT_EQ(frame["asleep"], false);
+  RunSummary summary;
+  summary.add(records[0]);
+  EXPECT_EQ(json::parse(statistics_end(json_lines, summary))["summary"]["frames"], 1);
 }
 
 // As a spreadsheet reads it, and the same numbers as the JSON.
@@ -52,12 +59,17 @@ TEST(RunReport, IsATableWhereTheNameSaysCsv) {
   scene.garment.grid = {.columns = 3, .rows = 3};
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   const auto records = run_frames(simulation, 3, {});
-  const test::TemporaryFolder folder;
-  const RunStatistics run = {scene, simulation.garment(), simulation.pins().vertices.size(), "", records};
-  write_statistics(folder / "run.csv", run);
-  write_statistics(folder / "run.json", run);
-  const json frames = json::parse(read_text_file(folder / "run.json"))["frames"];
-  std::istringstream lines(read_text_file(folder / "run.csv"));
+  std::string table =
+      statistics_header(csv, {scene, simulation.garment(), simulation.pins().vertices.size(), ""});
+  std::vector<json> frames;
+  for (const FrameRecord& record : records) {
+    const std::string row = statistics_line(csv, record);
+    EXPECT_TRUE(row.starts_with(statistics_line_start(csv, record.frame))) << row;
+    table += row;
+    frames.push_back(json::parse(statistics_line(json_lines, record)));
+  }
+  EXPECT_EQ(statistics_end(csv, {}), "");
+  std::istringstream lines(table);
   const auto cells_of = [&] {
     std::string line;
     std::getline(lines, line);
@@ -82,13 +94,15 @@ TEST(RunReport, IsATableWhereTheNameSaysCsv) {
 }
 
 TEST(RunReport, RefusesAnEndingThatIsNeither) {
-  EXPECT_CONTAINS(test::message_of<UsageError>([] { prepare_statistics("run.xls"); }),
-                  "--stats run.xls: expected a file name that ends in .json or .csv");
-  EXPECT_NO_THROW(prepare_statistics("/dev/stdout"));
+  EXPECT_CONTAINS(test::message_of<UsageError>([] { statistics_format("run.json"); }),
+                  "--stats run.json: expected a file name that ends in .jsonl or .csv");
+  EXPECT_EQ(statistics_format("/dev/stdout"), json_lines);
+  EXPECT_EQ(statistics_format("run.csv"), csv);
 }
 
 TEST(RunReport, ExplainsEveryColumn) {
-  const std::string header = statistics_csv({});
+  const DrawnScene scene;
+  const std::string header = statistics_header(csv, {scene, {}, 0, ""});
   const std::string help = statistics_help();
   std::istringstream words(header.substr(0, header.find('\n')));
   for (std::string name; std::getline(words, name, ',');) {
@@ -97,11 +111,46 @@ TEST(RunReport, ExplainsEveryColumn) {
 }
 
 TEST(RunReport, NamesNoRendererWhereNothingWasDrawn) {
-  DrawnScene scene;
-  const LoadedGarment loaded = load_garment(scene);
+  const DrawnScene scene;
   EXPECT_FALSE(
-      json::parse(statistics_json({scene, *loaded.garment, loaded.pins.size(), "", {}}))["versions"].contains(
-          "gl_renderer"));
+      json::parse(statistics_header(json_lines, {scene, {}, 0, ""}))["versions"].contains("gl_renderer"));
+}
+
+TEST(StatisticsFile, HoldsEveryFrameAsItComesAndGoesOnBehindOne) {
+  const test::TemporaryFolder folder;
+  const DrawnScene scene;
+  const sim::Garment garment;
+  std::vector<FrameRecord> records(4);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    records[i].frame = static_cast<int>(i) + 8;
+  }
+  for (const char* name : {"run.jsonl", "run.csv"}) {
+    const auto file = folder / name;
+    const StatisticsFormat format = statistics_format(file);
+    std::string expected = statistics_header(format, {scene, garment, 0, ""});
+    {
+      StatisticsFile statistics(file, {scene, garment, 0, ""}, {});
+      EXPECT_EQ(read_text_file(file), expected);
+      for (const FrameRecord& record : records) {
+        statistics.add(record);
+        expected += statistics_line(format, record);
+        EXPECT_EQ(read_text_file(file), expected);
+      }
+      statistics.finish({});
+    }
+    const std::string whole = expected + statistics_end(format, {});
+    EXPECT_EQ(read_text_file(file), whole);
+    StatisticsFile resumed(file, {scene, garment, 0, ""}, 9);
+    resumed.add(records[2]);
+    resumed.add(records[3]);
+    resumed.finish({});
+    EXPECT_EQ(read_text_file(file), whole);
+    EXPECT_CONTAINS(test::message_of<InputError>([&] {
+                      StatisticsFile(file, {scene, garment, 0, ""}, 12);
+                    }),
+                    "it has no line of frame 12");
+    EXPECT_EQ(read_text_file(file), whole);
+  }
 }
 
 // One triangle: all there is once.

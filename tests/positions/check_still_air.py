@@ -48,7 +48,7 @@ def motion_complaints(program, records, frame_rate, garment):
         frame = record["frame"]
         before, points = points, read_obj(program.folder / f"{frame}.obj")[0]
         if frame > 1:
-            found += [f"frame {frame}: the {name} is {value:.6g}, but run.json says {record[name]:.6g}"
+            found += [f"frame {frame}: the {name} is {value:.6g}, but run.jsonl says {record[name]:.6g}"
                       for name, value in motion(before, points, masses, frame_rate).items()
                       if not abs(value - record[name]) <= ROUNDING * value + LEAST]
     return found
@@ -59,9 +59,9 @@ def check(program, scene, triangles, export):
     program.folder.mkdir(parents=True)
     garment = program.shirt(triangles)
     frame_rate = 60 if scene == BARE else program.scene(scene)["time"].get("frame_rate", 60)
-    program.run("simulate", garment if scene == BARE else scene, "--stats", "run.json", *export,
+    program.run("simulate", garment if scene == BARE else scene, "--stats", "run.jsonl", *export,
                 *settings(wind__speed=0, garment__file=str(garment), time__frames=SECONDS * frame_rate))
-    records = program.statistics("run.json")
+    records = program.statistics("run.jsonl")
     found = motion_complaints(program, records, frame_rate, garment) if export else []
     if not records[-1]["asleep"]:
         found.append(f"awake after {SECONDS} s, at {records[-1]['rms_speed']:.9f} m/s")

@@ -43,7 +43,9 @@ class Program:
         return solver["max_stretch"] if solver["kind"] == "bounded" else None
 
     def statistics(self, name):
-        return json.loads((self.folder / name).read_text(encoding="utf-8"))["frames"]
+        """What was measured of every frame; before and after those stand what was run and what came of it."""
+        lines = (self.folder / name).read_text(encoding="utf-8").splitlines()
+        return [record for record in map(json.loads, lines) if "frame" in record]
 
 
 def settings(**keys):

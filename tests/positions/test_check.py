@@ -92,8 +92,9 @@ for frame in range(1, frames + 1):
         file.write("f 1 2 3 4\\n")
     print(f"frame {{frame:5}}  time 0 s  max stretch {{said.pop('printed'):>8}} %  p99")
     records.append(said)
-with open("run.json", "w") as file:
-    json.dump(dict(frames=records), file)
+with open("run.jsonl", "w") as file:
+    for line in [dict(scene="fake"), *records, dict(summary=dict())]:
+        print(json.dumps(line), file=file)
 """
 
 
@@ -123,7 +124,7 @@ class Runs(unittest.TestCase):
 
     def test_a_frame_that_is_missing(self):
         found = self.run_with("lambda points, said: said.update(frame=7)")[1]
-        self.assertIn("run.json has not the frames 1 to 3", found)
+        self.assertIn("run.jsonl has not the frames 1 to 3", found)
 
 
 class Cloths(unittest.TestCase):

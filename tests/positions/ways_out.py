@@ -21,15 +21,15 @@ WIND = {"wind__speed": 10, "wind__direction": [0.3, 0, 1]}
 
 def exported(scene, cloth, bound, frames, keys, program):
     """Every frame of a run as OBJ, beside the statistics and what is printed meanwhile."""
-    said = program.run("simulate", scene, "--export", "{frame}.obj", "--stats", "run.json",
+    said = program.run("simulate", scene, "--export", "{frame}.obj", "--stats", "run.jsonl",
                        *settings(time__frames=frames, **keys))
     lines = dict(re.findall(r"^frame +(\d+) .* max stretch +([-\d.]+) %", said, re.MULTILINE))
-    records = program.statistics("run.json")
+    records = program.statistics("run.jsonl")
     if [record["frame"] for record in records] != list(range(1, frames + 1)):
-        raise RuntimeError(f"run.json has not the frames 1 to {frames}")
+        raise RuntimeError(f"run.jsonl has not the frames 1 to {frames}")
     for record in records:
         frame = record["frame"]
-        printed = Printed.all_of("run.json", record)
+        printed = Printed.all_of("run.jsonl", record)
         if str(frame) in lines:
             printed.append(Printed.percent("a line of the run", lines[str(frame)]))
         yield Shape(f"frame {frame}", cloth, *read_obj(program.folder / f"{frame}.obj"), printed, bound)
@@ -97,8 +97,8 @@ def tabled(figure, program):
 def remade(scene, frame, program):
     """A picture, the same made again from itself, and the shape of the scene that it carries."""
     program.run("render", scene, "--frames", frame, "--resolution", "64,64", "--output", "first.png", "--stats",
-                "1.json")
-    program.run("render", "first.png", "--output", "again.png", "--stats", "2.json")
+                "1.jsonl")
+    program.run("render", "first.png", "--output", "again.png", "--stats", "2.jsonl")
     texts = png_texts(program.folder / "first.png")
     (program.folder / "recorded.toml").write_text(texts["Taut Scene"], encoding="utf-8")
     garment = (program.assets / "scenes" / program.scene(scene)["garment"]["file"]).resolve()
@@ -106,7 +106,7 @@ def remade(scene, frame, program):
                 *settings(garment__file=str(garment)))
     printed = [Printed(name, float(png_texts(program.folder / name)["Taut Stretch"]))
                for name in ("first.png", "again.png")]
-    for name in ("1.json", "2.json"):
+    for name in ("1.jsonl", "2.jsonl"):
         printed += Printed.all_of(name, program.statistics(name)[-1])
     yield Shape(f"frame {frame}", program.cloth(scene), *read_obj(program.folder / f"{frame}.obj"), printed,
                 program.promised(scene))

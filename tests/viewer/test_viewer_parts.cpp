@@ -206,9 +206,9 @@ SnapshotPtr snapshot_of(const std::shared_ptr<const LoadedScene>& loaded, std::u
   Snapshot snapshot;
   snapshot.serial = serial;
   snapshot.loaded = loaded;
-  sim::State state;
-  state.current.resize(3);
-  snapshot.state = std::make_shared<const sim::State>(std::move(state));
+  sim::Checkpoint checkpoint;
+  checkpoint.state.current.resize(3);
+  snapshot.checkpoint = std::make_shared<const sim::Checkpoint>(std::move(checkpoint));
   snapshot.record.frame = frame;
   return std::make_shared<const Snapshot>(snapshot);
 }
@@ -354,7 +354,7 @@ TEST(KeptScene, NumbersItsPinsAsTheGarmentsFile) {
   snapshot.pins = std::make_shared<const std::vector<sim::Index>>(std::vector<sim::Index>{1, 2});
   ViewerState state;
   state.camera = from_the_front();
-  state.newest = std::make_shared<const Snapshot>(snapshot);
+  state.shown = std::make_shared<const Snapshot>(snapshot);
   const auto number_of = [](const PinSelector& pin) { return std::get<sim::Index>(pin); };
   const DrawnScene kept = kept_scene(state, area);
   ASSERT_EQ(kept.pins.value().size(), 2U);
@@ -362,7 +362,7 @@ TEST(KeptScene, NumbersItsPinsAsTheGarmentsFile) {
   EXPECT_EQ(number_of((*kept.pins)[1]), 1U);
 
   snapshot.pins = std::make_shared<const std::vector<sim::Index>>(std::vector<sim::Index>{3});
-  state.newest = std::make_shared<const Snapshot>(snapshot);
+  state.shown = std::make_shared<const Snapshot>(snapshot);
   EXPECT_THROW(kept_scene(state, area), InputError) << "a vertex that subdivision made";
 }
 

@@ -83,7 +83,7 @@ ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const 
   const Snapshot& shown = *state.shown;
   const PictureStyle& picture = state.scene.picture;
   return {shown.loaded,       shown.pins,
-          shown.state,        state.camera,
+          shown.checkpoint,   state.camera,
           picture.surface,    shown_stretch_range(state.scene),
           picture.wireframe,  picture.settings.shadows,
           state.show_springs, state.show_normals,

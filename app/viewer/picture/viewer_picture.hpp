@@ -43,7 +43,7 @@ class ViewerPicture {
   struct SceneLook {
     std::shared_ptr<const LoadedScene> loaded;
     std::shared_ptr<const std::vector<sim::Index>> pins;
-    std::shared_ptr<const sim::State> state;
+    std::shared_ptr<const sim::Checkpoint> checkpoint;
     OrbitCamera camera;
     SurfaceLook surface = SurfaceLook::shaded;
     std::array<double, 2> stretch_range = {0.0, 0.0};

@@ -7,6 +7,7 @@
 #include "app/base/stopwatch.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/layers.hpp"
+#include "app/output/run_checkpoint.hpp"
 
 namespace taut::app {
 namespace {
@@ -46,23 +47,21 @@ LiveSimulation::LiveSimulation(const DrawnScene& scene) {
 void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   const DrawnScene& scene = loaded->scene;
   sim::Simulation simulation = make_simulation(scene, *loaded);
-  record_ = measure_frame(simulation, 0);
+  start_frame_ = frame_ = go_to_start(scene, simulation);
+  record_ = measure_frame(simulation, frame_);
   simulation_.emplace(std::move(simulation));
   loaded_ = std::move(loaded);
   surroundings_ = simulation_->surroundings();
   pins_ = std::make_shared<const std::vector<sim::Index>>(loaded_->pins);
   note_shape();
   grip_.reset();
-  frame_ = 0;
   steps_left_ = 0;
   stopped_ = false;
   pristine_ = true;
 }
 
 void LiveSimulation::note_shape() {
-  sim::State state = simulation_->state();
-  state.predicted = {};
-  state_ = std::make_shared<const sim::State>(std::move(state));
+  checkpoint_ = std::make_shared<const sim::Checkpoint>(simulation_->save());
 }
 
 void LiveSimulation::apply(const SimulationCommand& command) {
@@ -70,6 +69,9 @@ void LiveSimulation::apply(const SimulationCommand& command) {
     std::visit([this](const auto& asked) { perform(asked); }, command);
   } catch (const std::exception& error) {
     tell(error.what(), true);
+  }
+  if (!stopped_) {
+    note_shape();  // whatever was done of the command; most wake cloth that slept
   }
 }
 
@@ -82,14 +84,13 @@ void LiveSimulation::perform(const ChangeSettings& change) {
   if (stopped_) {
     start(loaded_);  // there is nothing left to go on from
   }
-  pristine_ = pristine_ && frame_ == 0;
+  pristine_ = pristine_ && frame_ == start_frame_;
   const sim::SimulationSettings settings = simulation_settings(change.simulation);
   if (settings != simulation_->settings() || change.material != simulation_->garment().material) {
     simulation_->set_settings(settings);
     simulation_->set_material(change.material);
     // Another bound may move the cloth before another frame.
-    note_shape();
-    record_.stretch = sim::measure_stretch(simulation_->garment().springs, state_->current);
+    record_.stretch = sim::measure_stretch(simulation_->garment().springs, simulation_->state().current);
   }
   surroundings_ =
       settled(change.surroundings, change.layer_distance_m, *loaded_->garment, loaded_->file_vertices);
@@ -119,7 +120,7 @@ void LiveSimulation::perform(const ReleasePins& release) {
 void LiveSimulation::set_pins(std::vector<sim::Index> pins) {
   simulation_->set_pins(pins);
   pins_ = std::make_shared<const std::vector<sim::Index>>(std::move(pins));
-  pristine_ = pristine_ && frame_ == 0;
+  pristine_ = pristine_ && frame_ == start_frame_;
 }
 
 void LiveSimulation::perform(const TakeHold& hold) {
@@ -155,16 +156,16 @@ void LiveSimulation::perform(const GoBack& back) {
   if (past.loaded != loaded_) {
     return;  // of a garment that has been replaced since
   }
-  perform(LetGo{});
-  set_pins(*past.pins);
-  simulation_->go_back_to(*past.state);
+  grip_.reset();
+  simulation_.emplace(
+      gone_on_from(past, simulation_->settings(), simulation_->garment().material, surroundings_));
+  pins_ = past.pins;
   record_ = past.record;
   frame_ = past.record.frame;
-  note_shape();
-  record_.stretch = sim::measure_stretch(simulation_->garment().springs, state_->current);
+  record_.stretch = sim::measure_stretch(simulation_->garment().springs, simulation_->state().current);
   steps_left_ = 0;
   stopped_ = false;
-  pristine_ = frame_ == 0;
+  pristine_ = frame_ == start_frame_;
 }
 
 void LiveSimulation::perform(const SetPaused& pause) {
@@ -208,7 +209,10 @@ SnapshotPtr LiveSimulation::take_snapshot() {
   snapshot.advances = advances_;
   snapshot.loaded = loaded_;
   snapshot.pins = pins_;
-  snapshot.state = state_;
+  snapshot.garment = simulation_->shared_garment();
+  snapshot.checkpoint = checkpoint_;
+  snapshot.settings = simulation_->settings();
+  snapshot.surroundings = simulation_->surroundings();
   snapshot.record = record_;
   snapshot.notices = notices_;
   snapshot.paused = paused_;

@@ -57,11 +57,12 @@ class LiveSimulation {
   std::optional<Grip> grip_;
   sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};  ///< on its way to the grip's target
   std::shared_ptr<const std::vector<sim::Index>> pins_;
-  std::shared_ptr<const sim::State> state_;
+  std::shared_ptr<const sim::Checkpoint> checkpoint_;
   FrameRecord record_;
   std::shared_ptr<const std::vector<Notice>> notices_ = std::make_shared<const std::vector<Notice>>();
   std::uint64_t serial_ = 0;
   std::uint64_t advances_ = 0;
+  int start_frame_ = 0;  ///< with which the scene begins
   int frame_ = 0;
   int steps_left_ = 0;
   double speed_ = 1.0;

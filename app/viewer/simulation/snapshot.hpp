@@ -8,7 +8,9 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_record.hpp"
-#include "sim/state.hpp"
+#include "sim/checkpoint.hpp"
+#include "sim/garment.hpp"
+#include "sim/simulation.hpp"
 
 namespace taut::app {
 
@@ -32,7 +34,11 @@ struct Snapshot {
   std::uint64_t advances = 0;  ///< simulated frames since the session began
   std::shared_ptr<const LoadedScene> loaded;
   std::shared_ptr<const std::vector<sim::Index>> pins;
-  std::shared_ptr<const sim::State> state;  ///< without `predicted`
+  std::shared_ptr<const sim::Checkpoint> checkpoint;
+  // In force then: what the checkpoint goes on with. A hand's pull is among the forces.
+  std::shared_ptr<const sim::Garment> garment;
+  sim::SimulationSettings settings;
+  sim::Surroundings surroundings;
   FrameRecord record;
   /// The latest, oldest first; never null. A window that missed a snapshot must not miss what it said.
   std::shared_ptr<const std::vector<Notice>> notices;
@@ -41,8 +47,13 @@ struct Snapshot {
   bool pristine = false;  ///< since the start or the last reset no setting changed and nobody pulled
 
   /// To be drawn; metres, one for each vertex.
-  const std::vector<sim::Vec3>& positions() const { return state->current; }
+  const std::vector<sim::Vec3>& positions() const { return checkpoint->state.current; }
 };
+
+/// The simulation as it was, with the same bits to come while nothing is changed, but with the settings,
+/// the material and the surroundings of now. Throws as sim::Simulation does.
+sim::Simulation gone_on_from(const Snapshot& past, const sim::SimulationSettings& settings,
+                             const sim::Material& material, const sim::Surroundings& surroundings);
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 

@@ -7,13 +7,13 @@
 namespace taut::app {
 namespace {
 
-constexpr std::size_t most_bytes = 256U << 20U;
+constexpr std::size_t most_bytes = 288U << 20U;
 constexpr int fewest_frames = 30;
 // The window may be so many snapshots behind the newest and still look back as far as it promises.
 constexpr int slack = 120;
 constexpr int look_after = 16;
-// Two arrays of the state.
-constexpr std::size_t vertex_bytes = 2 * sizeof(sim::Vec3);
+// Of a checkpoint while cloth moves: three arrays of positions, and the correction of the last frame.
+constexpr std::size_t vertex_bytes = 3 * sizeof(sim::Vec3) + 3 * sizeof(float);
 
 int reach_frames(const Snapshot& newest) {
   const double rate_hz = newest.loaded->scene.simulation.frame_rate_hz;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "sim/solvers/bounded/projection.hpp"
 #include "sim/solvers/bounded/step.hpp"
@@ -90,10 +91,14 @@ BoundedSolver::BoundedSolver(const BoundedSettings& settings, std::optional<int>
 
 BoundedSolver::~BoundedSolver() = default;
 
+bool BoundedSolver::is_laid_out_for(const Garment& garment, const Pins& pins) const {
+  return cloth_ && cloth_->pins == pins.vertices &&
+         cloth_->layout.vertex_count() == garment.mesh.positions.size();
+}
+
 void BoundedSolver::lay_out(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
                             double frame_time_s) {
-  if (cloth_ && cloth_->pins == pins.vertices &&
-      cloth_->layout.vertex_count() == garment.mesh.positions.size()) {
+  if (is_laid_out_for(garment, pins)) {
     return;
   }
   kernels_ = std::make_unique<ParallelKernels>(
@@ -245,6 +250,31 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
   return {substeps,       true,
           projected.kept, projected.raw_max_stretch,
           sweeps,         followed_compression(cloth.mobility_per_kg, frame_time_s / substeps)};
+}
+
+// With other pins than the last frame's the next one begins anew.
+void BoundedSolver::save(const Garment& garment, const Pins& pins, ByteWriter& memory) const {
+  const bool goes_on = is_laid_out_for(garment, pins);
+  memory.put<std::uint8_t>(goes_on ? 1 : 0);
+  if (goes_on) {
+    memory.put(cloth_->shift);
+    cloth_->control.save(memory);
+    cloth_->projection.save(cloth_->layout, memory);
+    cloth_->contacts.save(memory);
+  }
+}
+
+void BoundedSolver::restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+                            double frame_time_s, ByteReader& memory) {
+  if (!memory.get_bool("whether there was a frame")) {
+    cloth_.reset();
+    return;
+  }
+  lay_out(garment, pins, surroundings, frame_time_s);
+  cloth_->shift = memory.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
+  cloth_->control.restore(memory);
+  cloth_->projection.restore(cloth_->layout, memory);
+  cloth_->contacts.restore(garment, memory);
 }
 
 }  // namespace taut::sim

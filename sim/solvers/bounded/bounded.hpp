@@ -21,10 +21,14 @@ class BoundedSolver : public Solver {
 
   FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
                             double frame_time_s, State& state) override;
+  void save(const Garment& garment, const Pins& pins, ByteWriter& memory) const override;
+  void restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+               double frame_time_s, ByteReader& memory) override;
 
  private:
   struct Cloth;
 
+  bool is_laid_out_for(const Garment& garment, const Pins& pins) const;
   void lay_out(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
                double frame_time_s);
   void begin_frame(const State& state);

@@ -22,6 +22,12 @@ class Contacts {
   /// approach, but gives them none.
   void part_layers(const Garment& garment, const Layout& layout, double layer_distance_m, Motion& motion);
 
+  /// Of earlier frames: see NeighbourList.
+  void save(ByteWriter& memory) const { layers_.save(memory); }
+  void restore(const Garment& garment, ByteReader& memory) {
+    layers_.restore(garment.mesh.positions, memory);
+  }
+
  private:
   std::vector<Index> near_rows_;
   std::vector<double> near_inverse_masses_per_kg_;

@@ -53,6 +53,23 @@ BoundProjection::BoundProjection(const Layout& layout)
       new_corrections_(layout.row_count()),
       squared_ratios_(layout.springs.block_count()) {}
 
+void BoundProjection::save(const Layout& layout, ByteWriter& memory) const {
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    memory.put(corrections_[row].x);
+    memory.put(corrections_[row].y);
+    memory.put(corrections_[row].z);
+  }
+}
+
+void BoundProjection::restore(const Layout& layout, ByteReader& memory) {
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    Float4& correction = corrections_[row];
+    for (float* coordinate : {&correction.x, &correction.y, &correction.z}) {
+      *coordinate = memory.get<float>("the last frame's correction");
+    }
+  }
+}
+
 void BoundProjection::start_from_last_frame(const Float4Array& raw) {
   for (std::size_t row = 0; row < raw.size(); ++row) {
     corrected_[row] = scaled_sum(raw[row], corrections_[row], kept_correction);

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/bytes.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 
@@ -33,6 +34,11 @@ class BoundProjection {
 
   /// The last projection is that of the frame; the next call is for the next one.
   void end_frame() { corrections_.swap(new_corrections_); }
+
+  /// The correction of the last frame.
+  void save(const Layout& layout, ByteWriter& memory) const;
+  /// Throws BadBytes.
+  void restore(const Layout& layout, ByteReader& memory);
 
   /// Displacements since the frame's start that keep the bound.
   const Float4Array& corrected() const { return corrected_; }

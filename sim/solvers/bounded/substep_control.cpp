@@ -102,6 +102,22 @@ bool SubstepControl::try_more() {
   return true;
 }
 
+void SubstepControl::save(ByteWriter& memory) const {
+  memory.put(substeps_);
+  memory.put(calm_frames_);
+  memory.put(frames_since_more_);
+  memory.put(calm_frames_needed_);
+  memory.put<std::uint8_t>(took_fewer_ ? 1 : 0);
+}
+
+void SubstepControl::restore(ByteReader& memory) {
+  substeps_ = memory.get("the number of substeps", least_, most_);
+  calm_frames_ = memory.get("the number of calm frames", 0, most_counted);
+  frames_since_more_ = memory.get("the number of frames since more were needed", 0, most_counted);
+  calm_frames_needed_ = memory.get("the calm frames needed", fewest_calm_frames, most_calm_frames);
+  took_fewer_ = memory.get_bool("whether fewer substeps were taken");
+}
+
 double allowed_shift_m(const Layout& layout, double max_stretch) {
   return layout.reach_m * (part_of_reach + part_of_bound * max_stretch);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/bytes.hpp"
 #include "sim/garment.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/projection.hpp"
@@ -23,6 +24,11 @@ class SubstepControl {
 
   /// More for the same frame again, because its bound could not be kept. False where the budget is spent.
   bool try_more();
+
+  /// What it has counted.
+  void save(ByteWriter& memory) const;
+  /// Throws BadBytes.
+  void restore(ByteReader& memory);
 
  private:
   void need_more();

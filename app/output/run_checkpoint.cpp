@@ -1,0 +1,137 @@
+#include "app/output/run_checkpoint.hpp"
+
+#include <sstream>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "sim/bytes.hpp"
+#include "sim/checkpoint.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr std::string_view magic = "TAUTRUN\n";
+constexpr std::uint32_t version = 1;
+
+template <class Summary, class Field>
+void for_each_field(Summary& summary, const Field& field) {
+  field(summary.frames);
+  field(summary.simulated_frames);
+  field(summary.max_stretch);
+  field(summary.max_stretch_frame);
+  field(summary.max_p99_stretch);
+  field(summary.final_max_stretch);
+  field(summary.max_raw_stretch);
+  field(summary.frames_over_bound);
+  field(summary.first_frame_over_bound);
+  field(summary.total_substeps);
+  field(summary.followed_compression_n_per_m);
+  field(summary.final_rms_speed_m_per_s);
+  field(summary.asleep_since_frame);
+  field(summary.total_sim_ms);
+  field(summary.total_draw_ms);
+  field(summary.total_encode_ms);
+}
+
+int get_number(sim::ByteReader& in, int) {
+  return in.get("a number of frames in the summary", -1, sim::most_counted);
+}
+double get_number(sim::ByteReader& in, double) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return in.get("a number of the summary", -infinity, infinity);
+}
+
+// With its section, and its value: "wind.speed = 4.0".
+struct Line {
+  std::string key;
+  std::string value;
+};
+
+Line next_line(std::istream& text, std::string& section) {
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t equals = line.find(" = ");
+    if (line.starts_with("[")) {
+      section = line.substr(1, line.size() - 2) + '.';
+    } else if (equals != std::string::npos && section + line.substr(0, equals) != "garment.file") {
+      return {section + line.substr(0, equals), line.substr(equals + 3)};
+    }
+  }
+  return {};
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw InputError("cannot go on from '" + file.string() + "': " + reason);
+}
+
+}  // namespace
+
+void write_run_checkpoint(const std::filesystem::path& file, const RunCheckpoint& checkpoint) {
+  sim::ByteWriter out;
+  for (const char c : magic) {
+    out.put(c);
+  }
+  out.put(version);
+  out.put_text(checkpoint.scene_name);
+  out.put_text(checkpoint.scene);
+  out.put(checkpoint.frame);
+  for_each_field(checkpoint.summary, [&](const auto& number) { out.put(number); });
+  out.put_text(checkpoint.simulation);
+  out.seal();
+  write_text_file(file, out.bytes());
+}
+
+RunCheckpoint read_run_checkpoint(const std::filesystem::path& file) {
+  const std::string bytes = read_text_file(file);
+  sim::ByteReader in(bytes);
+  RunCheckpoint checkpoint;
+  try {
+    in.require_text("what the file is", magic);
+    in.get("the version", version, version);
+    checkpoint.scene_name = in.get_text("the scene's name");
+    checkpoint.scene = in.get_text("the scene");
+    checkpoint.frame = in.get("the frame", 0, sim::most_counted);
+    for_each_field(checkpoint.summary, [&](auto& number) { number = get_number(in, number); });
+    checkpoint.simulation = in.get_text("the simulation");
+    in.require_seal();
+  } catch (const sim::BadBytes& error) {
+    refuse(file, error.what());
+  }
+  return checkpoint;
+}
+
+void require_same_scene(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
+                        const std::string& scene_name, const std::string& scene) {
+  std::istringstream found(scene);
+  std::istringstream expected(checkpoint.scene);
+  std::string section;
+  std::string expected_section;
+  while (found || expected) {
+    const Line line = next_line(found, section);
+    const Line saved = next_line(expected, expected_section);
+    if (line.key != saved.key || line.value != saved.value) {
+      const auto said = [](const Line& l) { return l.key.empty() ? "nothing" : l.key + " = " + l.value; };
+      refuse(file, "it was saved of the scene '" + checkpoint.scene_name + "', which has " + said(saved) +
+                       "; found the scene '" + scene_name + "' with " + said(line));
+    }
+  }
+}
+
+void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
+             sim::Simulation& simulation) {
+  try {
+    simulation.restore(sim::decode(checkpoint.simulation, simulation.garment()));
+  } catch (const sim::BadBytes& error) {
+    refuse(file, std::string("in what it says of the simulation, ") + error.what());
+  }
+}
+
+int go_to_start(const Scene& scene, sim::Simulation& simulation) {
+  if (scene.checkpoint.empty()) {
+    return 0;
+  }
+  const RunCheckpoint checkpoint = read_run_checkpoint(scene.checkpoint);
+  restore(scene.checkpoint, checkpoint, simulation);
+  return checkpoint.frame;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,256 @@
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "sim/bytes.hpp"
+#include "sim/checkpoint.hpp"
+#include "sim/contact/neighbour_list.hpp"
+#include "sim/mesh/grid.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::sim {
+namespace {
+
+/// Everything that moves a small cloth: gusts, shaken pins, layers, obstacles,
+/// a force and a hand that yanks.
+Surroundings storm() {
+  Surroundings surroundings;
+  surroundings.forces.wind.speed_m_per_s = 6.0;
+  surroundings.forces.wind.gust_amplitude = 0.5;
+  surroundings.forces.wind.gust_turn = 0.2;
+  surroundings.forces.artificial_forces = {{40, {0.0, 0.01, 0.02}}};
+  surroundings.forces.held_vertices = {{140, {0.3, -0.3, 1.0}, 20.0, 12.0}};
+  surroundings.colliders = {{Plane{{0.0, -0.2, 0.0}}, 0.4}, {Sphere{{0.1, 0.3, -0.3}, 0.25}, 0.2}};
+  surroundings.layer_distance_m = 0.12;
+  surroundings.pin_motion = {{0.15, 0.0, 0.1}, 4.0};
+  return surroundings;
+}
+
+Garment sheet() {
+  return make_garment(make_grid({.columns = 13, .rows = 11}));
+}
+
+/// Hangs over its middle row as over a line, so that two layers meet.
+Garment cloth_on_a_line() {
+  const Mesh lying = make_grid({.columns = 13, .rows = 11, .plane = GridPlane::horizontal});
+  return make_garment(lying);
+}
+
+const std::vector<Index> corners = {0, 12};
+const std::vector<Index> middle_row = {65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77};
+
+SolverSettings solver_of(SolverKind kind) {
+  switch (kind) {
+    case SolverKind::ideal:
+      return {.method = IdealSettings{}};
+    case SolverKind::provot:
+      return {.method = ProvotSettings{.max_stretch = 0.1}};
+    case SolverKind::strong:
+      return {.method = StrongSettings{}};
+    case SolverKind::bounded:
+      break;
+  }
+  return {.method = BoundedSettings{.max_stretch = 0.002}};
+}
+
+struct Case {
+  const char* name;
+  Garment (*garment)();
+  SolverKind solver;
+  Surroundings surroundings;
+  int frames;  ///< simulated in all
+  int every;   ///< frames between two that are gone on from
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+  return out << name_of(c.solver) << ' ' << c.name;
+}
+
+SimulationSettings settings_of(const Case& c) {
+  SimulationSettings settings;
+  settings.solver = solver_of(c.solver);
+  settings.rest = {4e-3, 30};
+  return settings;
+}
+
+/// What a frame shows of itself.
+struct Shown {
+  std::uint64_t state;
+  FrameReport report;
+  double time_s;
+  std::uint64_t steps;
+  double rms_speed_m_per_s;
+  int quiet_frames;
+  bool asleep;
+
+  bool operator==(const Shown&) const = default;
+};
+
+Shown shown_by(const Simulation& simulation) {
+  const State& state = simulation.state();
+  return {hash(state),      simulation.frame_report(),      state.time_s,
+          state.step_count, rms_speed(simulation.change()), state.quiet_frames,
+          state.asleep};
+}
+
+class GoingOn : public testing::TestWithParam<Case> {
+ protected:
+  /// A new simulation that goes on from the bytes shows what the first one
+  /// showed.
+  void expect_same(const std::string& bytes, int from, const std::vector<Shown>& expected) const {
+    const Garment garment = GetParam().garment();
+    Simulation simulation(share(garment), middle_row, settings_of(GetParam()), GetParam().surroundings);
+    simulation.restore(decode(bytes, garment));
+    EXPECT_EQ(encode(simulation.save(), garment), bytes);
+    for (int frame = from; frame < GetParam().frames; ++frame) {
+      ASSERT_EQ(shown_by(simulation), expected[static_cast<std::size_t>(frame)])
+          << "from " << from << ", frame " << frame;
+      simulation.advance_frame();
+    }
+  }
+};
+
+TEST_P(GoingOn, FromAnyFrameGivesTheSameBits) {
+  const Garment garment = GetParam().garment();
+  Simulation simulation(share(garment), middle_row, settings_of(GetParam()), GetParam().surroundings);
+  std::vector<Shown> shown;
+  std::vector<std::string> saved;
+  for (int frame = 0; frame < GetParam().frames; ++frame) {
+    shown.push_back(shown_by(simulation));
+    saved.push_back(encode(simulation.save(), garment));
+    simulation.advance_frame();
+  }
+  bool before_fell_asleep = false;
+  for (int frame = 0; frame < GetParam().frames; ++frame) {
+    const auto f = static_cast<std::size_t>(frame);
+    const bool falls_asleep = f + 1 < shown.size() && !shown[f].asleep && shown[f + 1].asleep;
+    before_fell_asleep = before_fell_asleep || falls_asleep;
+    if (frame % GetParam().every == 0 || falls_asleep) {
+      expect_same(saved[f], frame, shown);
+    }
+  }
+  EXPECT_EQ(before_fell_asleep, is_steady(GetParam().surroundings));
+}
+
+const Case cases[] = {{"in a storm", cloth_on_a_line, SolverKind::ideal, storm(), 90, 9},
+                      {"in a storm", cloth_on_a_line, SolverKind::provot, storm(), 90, 9},
+                      {"in a storm", cloth_on_a_line, SolverKind::strong, storm(), 90, 9},
+                      {"in a storm", cloth_on_a_line, SolverKind::bounded, storm(), 120, 3},
+                      {"at rest", cloth_on_a_line, SolverKind::strong, {}, 1200, 61},
+                      {"at rest", cloth_on_a_line, SolverKind::bounded, {}, 900, 3}};
+INSTANTIATE_TEST_SUITE_P(Checkpoint, GoingOn, testing::ValuesIn(cases));
+
+std::string saved_in_a_storm(SolverKind solver) {
+  SimulationSettings settings;
+  settings.solver = solver_of(solver);
+  Simulation simulation(share(sheet()), corners, settings, storm());
+  for (int frame = 0; frame < 5; ++frame) {
+    simulation.advance_frame();
+  }
+  return encode(simulation.save(), simulation.garment());
+}
+
+/// What is said of bytes that are no checkpoint of a sheet in a storm.
+std::string refusal(const std::string& bytes, SolverKind solver = SolverKind::bounded) {
+  SimulationSettings settings;
+  settings.solver = solver_of(solver);
+  Simulation simulation(share(sheet()), corners, settings, storm());
+  const auto before = hash(simulation.state());
+  try {
+    simulation.restore(decode(bytes, simulation.garment()));
+  } catch (const BadBytes& error) {
+    EXPECT_EQ(hash(simulation.state()), before);
+    return error.what();
+  }
+  return "";
+}
+
+// Pairs that are not close now may be in the list, and others when they come close within one step.
+TEST(Checkpoint, NeighbourListsAreThoseThatWereMade) {
+  const std::vector<Vec3> rest = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  std::vector<Vec3> positions = {{0, 0, 0}, {0.124, 0, 0}, {0.5, 0, 0}};
+  NeighbourList list;
+  list.update(rest, positions, 0.1);
+  ASSERT_EQ(list.pairs().size(), 1U);
+  ByteWriter memory;
+  list.save(memory);
+  ByteReader reader(memory.bytes());
+  NeighbourList restored;
+  restored.restore(rest, reader);
+  positions[1].x = 0.139;
+  restored.update(rest, positions, 0.1);
+  EXPECT_EQ(restored.pairs().size(), 1U);
+  NeighbourList anew;
+  anew.update(rest, positions, 0.1);
+  EXPECT_EQ(anew.pairs().size(), 0U);
+}
+
+TEST(Checkpoint, RefusesEveryDamagedByteAndEveryLength) {
+  const std::string whole = saved_in_a_storm(SolverKind::bounded);
+  ASSERT_EQ(refusal(whole), "");
+  for (std::size_t at = 0; at < whole.size(); at += at < 100 ? 1 : 61) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
+    EXPECT_NE(refusal(damaged), "") << "byte " << at;
+    EXPECT_NE(refusal(whole.substr(0, at)), "") << at << " bytes";
+  }
+  EXPECT_NE(refusal(whole + '\0'), "");
+}
+
+// Bytes that somebody made up with a hash that fits: refused, or gone on from as from any other shape.
+TEST(Checkpoint, DoesNoHarmWhateverItsBytesAre) {
+  for (const SolverKind solver : {SolverKind::strong, SolverKind::bounded}) {
+    const std::string whole = saved_in_a_storm(solver);
+    SimulationSettings settings;
+    settings.solver = solver_of(solver);
+    settings.solver.max_substeps = 40;
+    int taken = 0;
+    for (std::size_t at = 44; at + 8 < whole.size(); at += at % 8 == 7 ? 89 : 1) {
+      std::string forged = whole.substr(0, whole.size() - 8);
+      forged[at] = static_cast<char>(forged[at] ^ 0x40);
+      const auto hash_bytes = little_endian(fnv1a(fnv1a_of_nothing, forged));
+      forged.append(hash_bytes.data(), hash_bytes.size());
+      Simulation simulation(share(sheet()), corners, settings, storm());
+      try {
+        simulation.restore(decode(forged, simulation.garment()));
+        ++taken;
+        simulation.advance_frame();
+      } catch (const BadBytes&) {
+      } catch (const Diverged&) {
+      }
+    }
+    EXPECT_GT(taken, 100);
+  }
+}
+
+TEST(Checkpoint, SaysWhatIsWrong) {
+  EXPECT_EQ(refusal("nothing of ours"), "byte 0, what the bytes are: found 'nothing ', expected 'TAUTSAVE'");
+  EXPECT_EQ(refusal("TAUT"), "byte 0, what the bytes are: found 4 bytes, expected at least 8");
+  std::string later = saved_in_a_storm(SolverKind::bounded);
+  later[8] = 2;
+  EXPECT_EQ(refusal(later), "byte 8, the version: found 2, expected 1");
+  EXPECT_EQ(refusal(saved_in_a_storm(SolverKind::strong)),
+            "what the solver 'strong' remembers, expected 'bounded'");
+  const Garment other = make_garment(make_grid({}));
+  const Simulation simulation(share(other), corners, {}, {});
+  EXPECT_EQ(refusal(encode(simulation.save(), other)),
+            "byte 12, the garment's number of vertices: found 81, expected 143");
+}
+
+TEST(Checkpoint, BelongsToTheGarmentAtRest) {
+  GridSettings narrower{.columns = 13, .rows = 11};
+  narrower.width_m *= 0.999;
+  const Garment other = make_garment(make_grid(narrower));
+  const Simulation simulation(share(other), corners, {}, {});
+  EXPECT_NE(refusal(encode(simulation.save(), other)).find("the hash of the garment at rest"),
+            std::string::npos);
+}
+
+TEST(Checkpoint, OfAnotherSizeIsNotTakenOver) {
+  const Garment small = make_garment(make_grid({}));
+  Simulation simulation(share(sheet()), corners, {}, {});
+  EXPECT_THROW(simulation.restore(Simulation(share(small), {0, 8}, {}, {}).save()), BadBytes);
+}
+
+}  // namespace
+}  // namespace taut::sim

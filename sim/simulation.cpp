@@ -74,7 +74,7 @@ void Simulation::begin_in(std::vector<Vec3> start_m) {
   require_shape(*garment_, start_m);
   state_.current = std::move(start_m);
   state_.previous = state_.current;
-  move_within_bound(*garment_, pins_, settings_.solver, state_);
+  keep_bound();
   state_.previous = state_.predicted = before_m_ = state_.current;
 }
 
@@ -92,9 +92,16 @@ void Simulation::advance_frame() {
   fall_asleep_at_rest();
 }
 
+// Where the solver promises one.
+void Simulation::keep_bound() {
+  if (const auto* bounded = std::get_if<BoundedSettings>(&settings_.solver.method)) {
+    move_within_bound(*garment_, pins_, *bounded, state_);
+  }
+}
+
 void Simulation::start_solver() {
   solver_ = make_solver(settings_.solver);
-  move_within_bound(*garment_, pins_, settings_.solver, state_);
+  keep_bound();
   wake();
 }
 

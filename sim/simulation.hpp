@@ -9,7 +9,7 @@
 #include "sim/garment.hpp"
 #include "sim/measures.hpp"
 #include "sim/pins.hpp"
-#include "sim/solvers/solver.hpp"
+#include "sim/solvers/make_solver.hpp"
 #include "sim/state.hpp"
 #include "sim/surroundings.hpp"
 
@@ -87,6 +87,7 @@ class Simulation {
 
  private:
   void begin_in(std::vector<Vec3> start_m);
+  void keep_bound();
   void start_solver();
   void wake();
   void fall_asleep_at_rest();

@@ -1,47 +1,14 @@
 #pragma once
 
-#include <array>
 #include <limits>
-#include <memory>
-#include <optional>
-#include <variant>
 
 #include "sim/bytes.hpp"
 #include "sim/garment.hpp"
 #include "sim/pins.hpp"
-#include "sim/solvers/bounded/settings.hpp"
-#include "sim/solvers/ideal.hpp"
-#include "sim/solvers/provot.hpp"
-#include "sim/solvers/strong.hpp"
 #include "sim/state.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim {
-
-enum class SolverKind { ideal, provot, strong, bounded };
-
-inline constexpr std::array all_solver_kinds = {SolverKind::ideal, SolverKind::provot, SolverKind::strong,
-                                                SolverKind::bounded};
-
-const char* name_of(SolverKind kind);
-
-/// Of one solver; in the order of SolverKind.
-using SolverMethod = std::variant<IdealSettings, ProvotSettings, StrongSettings, BoundedSettings>;
-
-struct SolverSettings {
-  /// Time steps in a frame; none leaves the choice to the solver. More steps stretch less and cost in
-  /// proportion; stretch falls about with their square, far better than iterations do (Macklin and others
-  /// 2019).
-  std::optional<int> substeps = {};
-  /// No frame is divided into more time steps than this by a solver that may choose, even if its bound cannot
-  /// be kept or its springs are too stiff for them.
-  int max_substeps = 2000;
-  SolverMethod method = BoundedSettings{};
-
-  bool operator==(const SolverSettings&) const = default;
-};
-
-SolverKind kind_of(const SolverMethod& method);
 
 /// How a frame went.
 struct FrameReport {
@@ -57,10 +24,6 @@ struct FrameReport {
 
   bool operator==(const FrameReport&) const = default;
 };
-
-/// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20. `ideal` and
-/// `provot` that may choose take more where their springs would swing up, see stable_time_step_s.
-int equal_substeps(const SolverSettings& settings);
 
 /// Moves cloth from one frame to the next. How a frame is divided is the solver's own matter.
 class Solver {
@@ -79,9 +42,5 @@ class Solver {
   virtual void restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
                        double frame_time_s, ByteReader& memory) = 0;
 };
-
-/// Throws std::invalid_argument on fewer than one substep or iteration, a number of threads that is out of
-/// range, a largest stretch below 0 or a vector unit this processor lacks.
-std::unique_ptr<Solver> make_solver(const SolverSettings& settings);
 
 }  // namespace taut::sim

@@ -10,7 +10,7 @@
 #include "app/figures/experiments/power_law.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "app/figures/experiments/spring_patch.hpp"
-#include "sim/solvers/solver.hpp"
+#include "sim/solvers/make_solver.hpp"
 
 namespace taut::app {
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "sim/solvers/bounded/settings.hpp"
 #include "sim/solvers/solver.hpp"
 
 namespace taut::sim {

@@ -53,19 +53,18 @@ void shorten(const Garment& garment, const Pins& pins, double max_stretch, std::
 
 }  // namespace
 
-void move_within_bound(const Garment& garment, const Pins& pins, const SolverSettings& settings,
+void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                        State& state) {
-  const auto* chosen = std::get_if<BoundedSettings>(&settings.method);
-  if (chosen == nullptr || largest_excess_m(garment.springs, state.current, chosen->max_stretch) == 0.0) {
+  if (largest_excess_m(garment.springs, state.current, settings.max_stretch) == 0.0) {
     return;
   }
   bounded::Layout layout = bounded::make_layout(garment, pins);
-  bounded::ParallelKernels kernels(bounded::kernels_for(chosen->vector_unit), 1);
+  bounded::ParallelKernels kernels(bounded::kernels_for(settings.vector_unit), 1);
   bounded::StartRows start;
   bounded::set_start(layout, state.current, start);
   kernels.start_springs(start, layout.springs);
   bounded::BoundProjection projection(layout);
-  projection.project(layout, bounded::Float4Array(layout.row_count()), chosen->max_stretch, largest_cost,
+  projection.project(layout, bounded::Float4Array(layout.row_count()), settings.max_stretch, largest_cost,
                      kernels);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     const Vec3 moved = bounded::vector_of(projection.corrected()[row]);

@@ -1,16 +1,18 @@
 #pragma once
 
+#include <span>
+
 #include "sim/garment.hpp"
-#include "sim/solvers/solver.hpp"
+#include "sim/pins.hpp"
+#include "sim/solvers/bounded/settings.hpp"
 #include "sim/state.hpp"
 
 namespace taut::sim {
 
 /// Moves the cloth, with its velocity, to the nearest shape found in which no structural or shear spring is
-/// longer than `bounded` allows by these settings; not at all where the settings promise no bound, or the
-/// shape keeps it already. Pinned vertices stay, so that where pins hold the cloth too far apart the bound
-/// cannot be kept everywhere.
-void move_within_bound(const Garment& garment, const Pins& pins, const SolverSettings& settings,
+/// longer than `bounded` allows by these settings; not at all where the shape keeps the bound already. Pinned
+/// vertices stay, so that where pins hold the cloth too far apart the bound cannot be kept everywhere.
+void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                        State& state);
 
 /// Whether no structural or shear spring is longer than the bound allows, once those that are by less than a

@@ -1,4 +1,4 @@
-#include "sim/solvers/solver.hpp"
+#include "sim/solvers/make_solver.hpp"
 
 #include <algorithm>
 #include <array>

@@ -16,7 +16,7 @@
 
 namespace taut::sim {
 
-/// A number as it is written, on every machine: the lowest byte first.
+/// Returns the bytes of a number as they are written on every machine: the lowest byte first.
 template <typename T>
 constexpr std::array<char, sizeof(T)> little_endian(T value) {
   auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
@@ -26,7 +26,8 @@ constexpr std::array<char, sizeof(T)> little_endian(T value) {
   return bytes;
 }
 
-/// The 64-bit FNV-1a hash (Fowler, Noll and Vo 1991) of more bytes, going on from `hash`.
+/// Returns the 64-bit FNV-1a hash (Fowler, Noll and Vo 1991) of more bytes. `hash` is that of the bytes
+/// before.
 constexpr std::uint64_t fnv1a(std::uint64_t hash, std::string_view bytes) {
   constexpr std::uint64_t prime = 0x100000001B3ULL;
   for (const char byte : bytes) {
@@ -38,15 +39,15 @@ constexpr std::uint64_t fnv1a(std::uint64_t hash, std::string_view bytes) {
 /// The hash of no bytes.
 inline constexpr std::uint64_t fnv1a_of_nothing = 0xCBF29CE484222325ULL;
 
-/// A counter that goes on from here does not overflow.
+/// The largest counter that is accepted. Counting on from it does not overflow.
 inline constexpr int most_counted = 1 << 30;
 
-/// Bytes are not what was written: the message says where, what was found and what was expected.
+/// The bytes are not what was written. The message says where, what was found and what was expected.
 struct BadBytes : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Puts plain data into bytes, without padding.
+/// Writes plain data as bytes, without padding.
 class ByteWriter {
  public:
   template <typename T>
@@ -54,12 +55,12 @@ class ByteWriter {
     const auto bytes = little_endian(value);
     bytes_.append(bytes.data(), bytes.size());
   }
-  /// Their number, and then three coordinates each.
+  /// Writes the number of positions, then three coordinates of each, in m.
   void put_positions(std::span<const Vec3> positions_m);
-  /// Its length, and then the text.
+  /// Writes the length of the text in bytes, then the text.
   void put_text(std::string_view text);
 
-  /// The hash of all bytes so far. Nothing may come behind it.
+  /// Writes the hash of all bytes so far. Nothing may be written after it.
   void seal() { put(fnv1a(fnv1a_of_nothing, bytes_)); }
 
   const std::string& bytes() const { return bytes_; }
@@ -68,14 +69,14 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Takes out what a ByteWriter put in, in the same order. `what` names the value in messages. Whatever the
-/// bytes are, nothing is read beyond their end. Everything throws BadBytes.
+/// Reads what a ByteWriter wrote, in the same order. `what` names the value in messages. It never reads
+/// beyond the end of the bytes. Every function throws BadBytes if the bytes are not as expected.
 class ByteReader {
  public:
-  /// `bytes` has to outlive this.
+  /// `bytes` must outlive this object.
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// Throws on what is not from `least` to `most`, both included, or no number at all.
+  /// Reads a number. Throws if it is not from `least` to `most`, both included, or not a number.
   template <typename T>
   T get(const char* what, T least = std::numeric_limits<T>::lowest(),
         T most = std::numeric_limits<T>::max()) {
@@ -95,13 +96,14 @@ class ByteReader {
     return value;
   }
   bool get_bool(const char* what) { return get<std::uint8_t>(what, 0, 1) == 1; }
-  /// In m; exactly `count` of them, all finite.
+  /// Reads exactly `count` positions, in m; all must be finite.
   std::vector<Vec3> get_positions(const char* what, std::size_t count);
   std::string_view get_text(const char* what);
-  /// As long as the expected text, and the same.
+  /// Reads a text that must equal `expected`.
   void require_text(const char* what, std::string_view expected);
+  /// Requires that all bytes have been read.
   void require_end() const;
-  /// The hash of all bytes so far, and the end.
+  /// Requires the hash that seal() writes, and then the end.
   void require_seal();
 
  private:

@@ -14,14 +14,14 @@ namespace taut::sim {
 struct Checkpoint {
   State state;                 ///< without `predicted`
   std::vector<Vec3> before_m;  ///< the shape one frame ago, by vertex
-  /// The shape when the quiet frames began, by vertex; empty where rest is not being judged.
+  /// The shape at the start of the quiet frames, by vertex; empty if rest is not being judged.
   std::vector<Vec3> quiet_since_m;
   FrameReport report;         ///< of the last frame that was computed
-  std::string solver;         ///< whose memory follows: its name
+  std::string solver;         ///< the name of the solver
   std::string solver_memory;  ///< see Solver::save
 };
 
-/// Whether rest is being judged, so that it matters since when frames are quiet.
+/// Returns whether rest is being judged: only then is quiet_since_m needed.
 bool is_rest_judged(const State& state);
 
 /// As bytes for a file: what it is and its version, which garment it was made of (numbers of vertices,

@@ -5,6 +5,7 @@
 namespace taut::sim {
 
 void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span<Vec3> forces_n) {
+  assert(forces_n.size() == garment.masses_kg.size());
   for (std::size_t v = 0; v < forces_n.size(); ++v) {
     forces_n[v] += garment.masses_kg[v] * gravity_m_per_s2;
   }
@@ -12,6 +13,7 @@ void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span
 
 void add_air_drag(const Garment& garment, const State& state, double air_drag_per_s,
                   std::span<Vec3> forces_n) {
+  assert(forces_n.size() == garment.masses_kg.size() && state.current.size() == forces_n.size());
   if (air_drag_per_s == 0.0) {
     return;
   }

@@ -9,13 +9,14 @@
 namespace taut::sim {
 namespace {
 
+/// The least mass of a vertex, as a fraction of the mean mass. A vertex of almost no mass between heavy ones
+/// passes on almost nothing of a correction, whatever the number of sweeps. A larger value changes the mass
+/// of more vertices.
+constexpr double least_mass = 0.05;
+
 double area(const Mesh& mesh, std::size_t triangle) {
   return glm::length(doubled_area_vector(mesh.positions, mesh.triangles[triangle])) / 2.0;
 }
-
-/// Of the mean over all vertices. A vertex with next to no mass between heavy ones passes on next to nothing
-/// of what a correction of its springs should move, which no number of sweeps makes good.
-constexpr double least_mass = 0.05;
 
 void raise_to_least_mass(std::vector<double>& masses) {
   const double mean = std::accumulate(masses.begin(), masses.end(), 0.0) / static_cast<double>(masses.size());

@@ -11,23 +11,25 @@
 
 namespace taut::sim {
 
-/// What the cloth is: nothing here changes while it is simulated.
+/// What the cloth is. Nothing here changes while the cloth is simulated.
 struct Garment {
-  Mesh mesh;  ///< at rest; its edge lengths are the springs' rest lengths
+  Mesh mesh;  ///< at rest; its edge lengths are the rest lengths of the springs
   Adjacency adjacency;
   Springs springs;
-  std::vector<double> masses_kg;  ///< of every vertex
+  std::vector<double> masses_kg;  ///< per vertex, all above 0
   Material material;
 };
 
-/// Maps the mesh to springs and spreads each face's mass evenly over its corners.
-/// Throws std::invalid_argument on a density that is not above 0, or anything else of the material below 0.
+/// Maps the mesh to springs and gives each vertex its mass. Each triangle spreads its mass evenly over its
+/// corners; so does each cell of a grid. A vertex gets at least 5 % of the mean mass, because the corrections
+/// of springs cannot pass through a vertex of almost no mass. Throws std::invalid_argument if the areal
+/// density is not above 0 or if any other value of the material is below 0.
 Garment make_garment(Mesh mesh, const MappingSettings& mapping = {}, const Material& material = {});
 
-/// The garment made of another material. Throws as make_garment does.
+/// The same garment made of another material. Throws as make_garment does.
 Garment with_material(Garment garment, const Material& material);
 
-/// To be shared and not copied: by simulations, and by those who look at them.
+/// Moves the garment to where several simulations and observers can share it without copies.
 inline std::shared_ptr<const Garment> share(Garment garment) {
   return std::make_shared<const Garment>(std::move(garment));
 }

@@ -8,28 +8,30 @@
 
 namespace taut::sim {
 
-/// A vertex that a spring draws to a point. `stiffness` is the spring's; its damping is critical for the
-/// vertex alone.
+/// A vertex that a hand holds: a spring pulls the vertex to the hand's point. The spring is damped critically
+/// for the mass of this one vertex.
 struct HeldVertex {
   Index vertex = 0;
+  /// Where the hand is.
   Vec3 point_m = {0.0, 0.0, 0.0};
+  /// Of the spring.
   double stiffness_n_per_m = 0.0;
-  double max_force_n = 0.0;  ///< more is not pulled: a hand slips rather than tear the cloth
+  /// The largest force of the hand. A hand slips before it tears the cloth.
+  double max_force_n = 0.0;
 
   bool operator==(const HeldVertex&) const = default;
 };
 
-/// The artificial force of a hand that has hold of a vertex of that mass (above 0), in N: with the
-/// displacement d to its point and the velocity v,
+/// Returns the force, in newtons, of a hand on a vertex of mass m = `mass_kg`, which must be above 0. With
+/// the vector d from the vertex to the hand's point, the velocity v and the time step dt:
 ///   f = (k (d - dt v) - c v) / (1 + dt c / m + dt^2 k / m),   c = 2 sqrt(k m),
-/// limited to the largest force. The divisor is that of one implicit step of dt, in which the force does not
-/// change (Baraff and Witkin 1998, for a single vertex), so that a stiff spring cannot make a light vertex
-/// swing up.
+/// limited to `max_force_n`. The divisor is that of one implicit step of dt in which the force stays constant
+/// (Baraff and Witkin 1998, for a single vertex). It keeps a stiff spring from throwing a light vertex about.
 Vec3 hand_force(const HeldVertex& held, double mass_kg, const Vec3& position_m, const Vec3& velocity_m_per_s,
                 double time_step_s);
 
-/// Adds the forces of hands on vertices that are there: see require_possible. Vertices of no mass are left
-/// out.
+/// Adds the forces of hands to `forces_n`, in newtons, one entry per vertex of the garment. Vertices without
+/// mass are skipped. Requires that the held vertices exist (require_possible checks it).
 void add_hand_forces(const Garment& garment, const State& state, std::span<const HeldVertex> held,
                      double time_step_s, std::span<Vec3> forces_n);
 

@@ -2,16 +2,19 @@
 
 namespace taut::sim {
 
-/// The cloth in physical terms, which do not depend on how finely it is meshed.
+/// The physical properties of the cloth. They do not depend on how fine the mesh is.
 struct Material {
-  double areal_density_kg_per_m2 = 0.15;  ///< a light jersey; heavier cloth answers wind less
-  /// Of `bounded`. A soft jersey; denim has about ten times that, and folds less.
+  /// Must be above 0. The default is a light jersey. Wind moves heavier cloth less.
+  double areal_density_kg_per_m2 = 0.15;
+  /// Used by `bounded` only. The default is a soft jersey. Denim has about ten times this value and folds
+  /// less.
   double bending_rigidity_n_m = 5e-6;
-  /// Of `bounded`: of springs shorter than at rest. Less crumples sooner. See
-  /// FrameReport::followed_compression_n_per_m.
+  /// Used by `bounded` only: the stiffness of springs that are shorter than their rest length. A lower value
+  /// lets the cloth crumple sooner. For its upper limit see FrameReport::followed_compression_n_per_m.
   double compression_stiffness_n_per_m = 30.0;
-  double thickness_m = 0.001;  ///< kept between cloth and colliders
-  double friction = 0.3;       ///< Coulomb's coefficient, on colliders that have none of their own
+  double thickness_m = 0.001;  ///< the distance kept between cloth and colliders
+  /// Coulomb's coefficient for colliders that have none of their own.
+  double friction = 0.3;
 
   bool operator==(const Material&) const = default;
 };

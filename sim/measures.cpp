@@ -1,6 +1,7 @@
 #include "sim/measures.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -54,6 +55,7 @@ double convergence_of(const ShapeChange& change, Index vertex) {
 }
 
 Convergence measure_convergence(const ShapeChange& change) {
+  assert(change.before.size() == change.now.size());
   Convergence result;
   double sum_of_squares = 0.0;
   for (std::size_t v = 0; v < change.now.size(); ++v) {
@@ -72,6 +74,7 @@ double rms_speed(const ShapeChange& change) {
 }
 
 Energy measure_energy(const Garment& garment, const ShapeChange& change, const Vec3& gravity_m_per_s2) {
+  assert(change.before.size() == change.now.size() && change.time_s > 0.0);
   Energy energy;
   for (std::size_t v = 0; v < change.now.size(); ++v) {
     const Vec3 velocity_m_per_s = (change.now[v] - change.before[v]) / change.time_s;

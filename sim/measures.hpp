@@ -7,52 +7,63 @@
 
 namespace taut::sim {
 
-/// Of the structural springs; stretch is length / rest length - 1.
+/// Statistics over the structural springs. Stretch is length / rest length - 1; it has no unit. All zero if
+/// there are no structural springs.
 struct Stretch {
-  double max = 0.0;  ///< of the longest; negative where every spring is shorter than at rest
-  double p99 = 0.0;  ///< the 99th percentile: no more than one spring in a hundred exceeds it
+  /// The stretch of the most stretched spring; negative if every spring is shorter than its rest length.
+  double max = 0.0;
+  /// The 99th percentile: at most one spring in a hundred is stretched more than this.
+  double p99 = 0.0;
   double mean = 0.0;
-  double max_compression = 0.0;  ///< 1 - length / rest length of the shortest, at least 0
+  /// 1 - length / rest length of the most compressed spring; at least 0.
+  double max_compression = 0.0;
 };
 
+/// Here and below `positions` are in metres, one per vertex.
 Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions);
 
-/// For each vertex the largest stretch of the structural springs that end there.
+/// Returns, per vertex, the largest stretch of the structural springs that end there, or 0 where none ends.
 std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3> positions);
 
-/// A shape and the one a frame before it; positions in metres, by vertex. Speeds are taken between the shapes
-/// of two frames: between two time steps of one frame a solver may move cloth to and fro that rests.
+/// Two shapes, one frame apart. Positions are in metres, one per vertex, in both spans. Speeds are measured
+/// over a whole frame because a solver may move resting cloth back and forth within a frame.
 struct ShapeChange {
   std::span<const Vec3> before;
   std::span<const Vec3> now;
-  double time_s = 0.0;  ///< between the two
+  double time_s = 0.0;  ///< from `before` to `now`; above 0
 };
 
-/// The length of p(t) - p(t - dt), which the paper calls the convergence, with a frame for dt; in metres.
+/// What the paper calls convergence: the length of p(t) - p(t - dt), in metres. Here dt is one frame.
 struct Convergence {
-  double max_m = 0.0;
+  double max_m = 0.0;  ///< over all vertices
+  /// Root mean square over all vertices.
   double rms_m = 0.0;
 };
 
+/// The convergence of one vertex, in metres.
 double convergence_of(const ShapeChange& change, Index vertex);
+/// The convergence of all vertices.
 Convergence measure_convergence(const ShapeChange& change);
 
-/// Root mean square over the vertices, in m/s.
+/// Returns the root mean square of the speeds of all vertices, in m/s.
 double rms_speed(const ShapeChange& change);
 
-/// In joules; the potential energy is gravity's, zero at the origin.
+/// Sums over all vertices, in joules.
 struct Energy {
   double kinetic_j = 0.0;
+  /// Of gravity, zero at the origin.
   double potential_j = 0.0;
 };
 
+/// `change` must be one of this garment.
 Energy measure_energy(const Garment& garment, const ShapeChange& change, const Vec3& gravity_m_per_s2);
 
-/// No garment goes so far; single precision, in which it is drawn, still has its square.
+/// A coordinate beyond this, in metres, means that the simulation diverged. Its square still fits into the
+/// single precision of the renderer.
 inline constexpr double lost_at_m = 1e9;
 
-/// The first vertex with a coordinate beyond `lost_at_m` or not a number, or the number of positions where
-/// there is none.
+/// Returns the first vertex with a coordinate that is beyond `lost_at_m` or not a number. Returns the number
+/// of positions if there is no such vertex.
 std::size_t first_lost(std::span<const Vec3> positions);
 
 }  // namespace taut::sim

@@ -6,14 +6,14 @@
 
 namespace taut::sim {
 
-/// What a garment is held by.
+/// The vertices that cannot move freely.
 struct Pins {
   std::vector<Index> vertices;                ///< ascending, each once
-  std::vector<double> inverse_masses_per_kg;  ///< by vertex; 0 where pinned: a pinned end has infinite mass
+  std::vector<double> inverse_masses_per_kg;  ///< per vertex; 0 at a pin, whose mass is infinite
 };
 
-/// Holds the garment by these vertices, in any order.
-/// Throws std::invalid_argument on one that is no vertex of the garment.
+/// Pins the garment at `vertices`, which may be in any order and may repeat. Throws std::invalid_argument if
+/// one of them is not a vertex of the garment.
 Pins make_pins(const Garment& garment, std::vector<Index> vertices);
 
 }  // namespace taut::sim

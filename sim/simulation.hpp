@@ -42,7 +42,7 @@ class Diverged : public std::runtime_error {
 /// A garment, where it is, and what acts on it, moved on frame by frame.
 class Simulation {
  public:
-  /// Held by `pins`. The cloth begins at rest where it was modelled, or in the shape `start_m`, positions in
+  /// Pinned by `pins`. The cloth begins at rest where it was modelled, or in the shape `start_m`, in
   /// metres by vertex, moved within the bound where the solver promises one.
   /// Throws std::invalid_argument on settings a solver refuses, a frame rate that is not positive,
   /// surroundings that are not possible (require_possible) or in which the solver does not promise its bound
@@ -56,7 +56,7 @@ class Simulation {
   /// results, go straight to rendering). Throws Diverged.
   void advance_frame();
 
-  /// Each wakes the garment where it changes anything, and throws as the constructor does.
+  /// Each wakes the garment if it changes anything. Each throws as the constructor does.
   void set_surroundings(const Surroundings& surroundings);
   void set_settings(const SimulationSettings& settings);
   /// The garment is made of it from now on, in a copy of its own. Throws as make_garment does.
@@ -77,9 +77,9 @@ class Simulation {
   /// Its current positions are the garment's one shape: what is shown, written and measured. Where a solver
   /// promises a bound on stretch they keep it, also before the first frame of new settings.
   const State& state() const { return state_; }
-  /// How the last frame changed the shape; not at all before the first one, and asleep.
+  /// How the last frame changed the shape: not at all before the first frame and while asleep.
   ShapeChange change() const { return {before_m_, state_.current, frame_time_s()}; }
-  /// Of the last frame; asleep, of the last frame that was computed.
+  /// The report of the last frame that was computed.
   const FrameReport& frame_report() const { return report_; }
   const Surroundings& surroundings() const { return surroundings_; }
   const SimulationSettings& settings() const { return settings_; }
@@ -98,7 +98,7 @@ class Simulation {
   Surroundings surroundings_;
   State state_;
   std::vector<Vec3> before_m_;       ///< the shape one frame ago
-  std::vector<Vec3> quiet_since_m_;  ///< the shape when the quiet frames began
+  std::vector<Vec3> quiet_since_m_;  ///< the shape at the start of the quiet frames
   std::unique_ptr<Solver> solver_;
   FrameReport report_;
 };

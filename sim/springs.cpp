@@ -45,8 +45,8 @@ struct Neighbour {
   Vec3 direction;  ///< of length 1
 };
 
-/// The neighbour in the direction most nearly opposite to neighbour a, or a itself where every other
-/// neighbour makes a smaller angle with a than the limit.
+/// Returns the neighbour in the direction closest to opposite that of neighbour a. Returns a itself if the
+/// angle to every other neighbour is too small.
 Index straightest_neighbour(const Neighbour& a, std::span<const Neighbour> neighbours,
                             double largest_cosine) {
   Index best = a.vertex;
@@ -153,7 +153,7 @@ Springs map_to_springs(const Mesh& mesh, const Adjacency& adjacency, const Mappi
   const std::vector<Edge> structural = without(adjacency.edges, shear);
   std::vector<Edge> flexural = flexural_pairs(mesh, adjacency, structural, settings);
   sort_and_deduplicate(flexural);
-  // In a small ring two neighbours of a vertex can be neighbours themselves: they have their spring.
+  // In a small ring two neighbours of a vertex can be neighbours themselves: these already have a spring.
   flexural = without(without(flexural, structural), shear);
 
   Springs springs;

@@ -9,22 +9,27 @@
 
 namespace taut::sim {
 
+/// The three kinds of springs of the paper's Figure 1.
 enum class SpringKind { structural, shear, flexural };
 
 inline constexpr std::array all_spring_kinds = {SpringKind::structural, SpringKind::shear,
                                                 SpringKind::flexural};
 
+/// The name used in files and messages.
 const char* name_of(SpringKind kind);
 
-/// The springs of a garment as flat arrays: first all structural, then all shear, then all flexural ones,
-/// each kind in lexicographic order of its ends. No two springs join the same two vertices.
+/// The springs of a garment as flat arrays, one entry per spring. All structural springs come first, then all
+/// shear springs, then all flexural springs. Each kind is in lexicographic order of its ends. Two vertices
+/// are joined by at most one spring.
 struct Springs {
+  /// The vertices i and j of eqs. (2) and (3).
   std::vector<Edge> ends;
   std::vector<double> rest_lengths_m;  ///< |L_ij| of eq. (2)
   std::size_t structural_count = 0;
   std::size_t shear_count = 0;
 
   std::size_t size() const { return ends.size(); }
+  /// The springs of a kind have the indices from begin_of(kind) up to, not including, end_of(kind).
   std::size_t begin_of(SpringKind kind) const;
   std::size_t end_of(SpringKind kind) const;
   std::size_t count(SpringKind kind) const { return end_of(kind) - begin_of(kind); }
@@ -32,24 +37,27 @@ struct Springs {
 
 /// How triangle models get their flexural springs.
 enum class FlexuralRule {
-  /// Around vertex v each neighbour a is joined to the neighbour b that lies closest to straight opposite,
-  /// where the angle a-v-b is large enough. On a regular grid these are the springs of the paper's Figure 1
-  /// that skip one mass point ("according to the angular distribution", section V).
+  /// Around each vertex v, a neighbour a is joined to the neighbour b whose direction from v is closest to
+  /// opposite that of a. They are joined only if the angle a-v-b is large enough. On a regular grid this
+  /// gives the springs of the paper's Figure 1 that skip one mass point ("according to the angular
+  /// distribution", section V).
   angular,
-  /// The two vertices opposite an interior edge (Provot 1995 on triangles; Baraff and Witkin 1998).
+  /// Joins the two vertices opposite each interior edge (Provot 1995 on triangles; Baraff and Witkin 1998).
   opposite_vertex,
   none,
 };
 
+/// How a mesh is mapped to springs.
 struct MappingSettings {
   FlexuralRule flexural_rule = FlexuralRule::angular;
-  /// Angular rule: the smallest angle a-v-b, in radians, at which a and b are joined. Smaller means more
-  /// springs and a stiffer cloth. Default 150 degrees.
+  /// Used by the angular rule only: a and b are joined if the angle a-v-b is at least this, in radians. A
+  /// smaller value gives more springs and stiffer cloth. The default is 150 degrees.
   double smallest_flexural_angle_rad = 2.6179938779914944;
 };
 
-/// Maps a mesh to springs (Step 1 of the paper). Structural: every mesh edge but the diagonals of grid
-/// cells. Shear: both diagonals of every grid cell. Flexural: by the rule.
+/// Maps a mesh to springs (Step 1 of the paper). Structural springs are all mesh edges except the diagonals
+/// of grid cells. Shear springs are both diagonals of every grid cell. Flexural springs follow the rule of
+/// `settings`; one that coincides with another spring is left out. `adjacency` must be that of `mesh`.
 Springs map_to_springs(const Mesh& mesh, const Adjacency& adjacency, const MappingSettings& settings);
 
 }  // namespace taut::sim

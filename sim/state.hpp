@@ -8,34 +8,35 @@
 
 namespace taut::sim {
 
-/// Where the cloth is: the paper's three position arrays. No velocity is stored; it is the difference of two
-/// positions over the time step. Positions in metres, one per vertex.
+/// Where the cloth is: the paper's three arrays of positions, in metres, one entry per vertex. No velocity is
+/// stored: it is the difference of two positions divided by the time step.
 struct State {
-  std::vector<Vec3> previous;   ///< p(t - dt)
-  std::vector<Vec3> current;    ///< p(t)
-  std::vector<Vec3> predicted;  ///< p(t + dt) while a step is under way
-  double time_s = 0.0;
-  double time_step_s = 0.0;  ///< the dt between previous and current; 0 before the first step
-  std::uint64_t step_count = 0;
+  std::vector<Vec3> previous;    ///< p(t - dt)
+  std::vector<Vec3> current;     ///< p(t)
+  std::vector<Vec3> predicted;   ///< p(t + dt), during a step
+  double time_s = 0.0;           ///< the simulated time t
+  double time_step_s = 0.0;      ///< the dt from previous to current; 0 before the first step
+  std::uint64_t step_count = 0;  ///< the number of time steps done so far
 
-  int quiet_frames = 0;  ///< of those in which rest is judged
+  int quiet_frames = 0;  ///< how many frames in a row the cloth has moved slowly enough to fall asleep
   bool asleep = false;   ///< at rest: nothing is computed until something changes
 };
 
-/// The garment at rest where it was modelled: p(t + dt) = p(t) = p(t - dt) (Step 1 of the paper).
+/// Returns the garment at rest where it was modelled: p(t + dt) = p(t) = p(t - dt) (Step 1 of the paper).
 State make_state(const Garment& garment);
 
-/// The predicted positions become the current ones; three pointers change places and nothing is copied.
+/// Makes the predicted positions the current ones and the current ones the previous ones. Only pointers are
+/// swapped; nothing is copied.
 void rotate_positions(State& state);
 
-/// Keeps every vertex's velocity where the time step changes from one step to the next.
+/// Sets the time step and changes the previous positions so that every velocity stays the same.
 void set_time_step(State& state, double time_step_s);
 
-/// p(t) - p(t - dt) over dt, in m/s; zero before the first step.
+/// Returns (p(t) - p(t - dt)) / dt of one vertex, in m/s; zero before the first step.
 Vec3 velocity(const State& state, Index vertex);
 
-/// 64-bit FNV-1a over the bytes of the current and the previous positions: equal hashes mean the same
-/// state, bit for bit.
+/// Returns the 64-bit FNV-1a hash of the bytes of the current and the previous positions. Use it to compare
+/// states bit for bit.
 std::uint64_t hash(const State& state);
 
 }  // namespace taut::sim

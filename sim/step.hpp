@@ -11,27 +11,28 @@
 
 namespace taut::sim {
 
-/// What a step leaves to the solver: how springs answer, as forces before the prediction or as corrections
-/// after it.
+/// How the springs of one solver act: by forces before the prediction, by corrections after it, or by both.
 class SpringResponse {
  public:
   virtual ~SpringResponse() = default;
 
-  /// Adds the forces of the springs in the current state.
+  /// Adds the springs' forces in the current state to `forces_n`, in newtons, one entry per vertex.
   virtual void add_spring_forces(const Garment& garment, const State& state,
                                  std::span<Vec3> forces_n) const = 0;
 
-  /// Corrects the predicted positions.
+  /// Corrects the predicted positions; pinned vertices stay where they are.
   virtual void compensate(const Garment& garment, const Pins& pins, State& state) const = 0;
 };
 
 /// What steps hand on to each other besides the state.
 struct StepBuffers {
-  std::vector<Vec3> forces_n;  ///< one per vertex; all zero when a step begins and when it ends
+  std::vector<Vec3> forces_n;  ///< one per vertex; all zero before and after a step
+  /// The pairs of vertices that may soon touch.
   NeighbourList layers;
 };
 
-/// One time step: Steps 2 and 3 of the paper.
+/// Does one time step: Steps 2 and 3 of the paper. `time_step_s` must be above 0. Requires as many forces in
+/// `buffers` as the garment has vertices.
 void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
           const SpringResponse& springs, double time_step_s, State& state, StepBuffers& buffers);
 

@@ -1,5 +1,6 @@
 #include "sim/strong_constraint.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -22,6 +23,7 @@ Share share_of(SpringKind kind, const Rigidity& rigidity) {
 
 void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg,
                         const Rigidity& rigidity, std::span<Vec3> predicted) {
+  assert(inverse_masses_per_kg.size() == predicted.size());
   for (const SpringKind kind : all_spring_kinds) {
     const Share share = share_of(kind, rigidity);
     for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {

@@ -8,20 +8,21 @@
 
 namespace taut::sim {
 
-/// How much of its error each spring corrects when its turn comes. All 1: the paper's rigid springs.
+/// The fraction of its length error that a spring corrects in one sweep, 0 to 1. With both at 1 the springs
+/// are rigid, as in the paper.
 struct Rigidity {
-  /// Of springs that are too short, structural and shear. Below 1 lets a triangle mesh fold and shear,
-  /// which rigid triangles cannot; 0 makes the springs strings.
+  /// For structural and shear springs that are too short. Below 1 a triangle mesh can fold and shear, which
+  /// rigid triangles cannot. At 0 the springs act as strings.
   double compression = 1.0;
-  /// Of flexural springs, both ways. Rigid flexural springs make cloth a plate.
+  /// For flexural springs, too long or too short. At 1 the cloth is as stiff as a plate.
   double flexural = 1.0;
 
   bool operator==(const Rigidity&) const = default;
 };
 
-/// Eq. (3) for the spring with the vector L' = p'_i - p'_j of the given length: shortens it by `error_m`
-/// (negative: lengthens it), the lighter end moving more. A spring with both ends pinned, or without a
-/// direction because its ends coincide, is left alone.
+/// Eq. (3) for one spring. `spring` is L' = p'_i - p'_j in metres and `length_m` its length. Shortens the
+/// spring by `error_m`, or lengthens it if that is negative. The lighter end moves more. Does nothing if both
+/// ends are pinned or at the same point. The spans have one entry per vertex.
 inline void compensate_spring(const Edge& ends, const Vec3& spring, double length_m, double error_m,
                               std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted) {
   const auto [i, j] = ends;
@@ -35,10 +36,11 @@ inline void compensate_spring(const Edge& ends, const Vec3& spring, double lengt
   predicted[j] += w_j * correction;
 }
 
-/// Eqs. (2)-(3), one sweep over all springs in their order: with L' = p'_i - p'_j and w the inverse masses,
-///   dp_i = -w_i / (w_i + w_j) (|L'| - |L|) L' / |L'|,   dp_j = +w_j / (w_i + w_j) (|L'| - |L|) L' / |L'|,
-/// which is the paper's one half where both masses are equal. Every correction is seen by the springs that
-/// follow.
+/// Eqs. (2) and (3): one sweep over all springs in their order. With L' = p'_i - p'_j and the inverse masses
+/// w:
+///   dp_i = -w_i / (w_i + w_j) (|L'| - |L|) L' / |L'|,   dp_j = +w_j / (w_i + w_j) (|L'| - |L|) L' / |L'|.
+/// For equal masses the factor is the paper's one half. Each correction is seen by the springs that follow.
+/// The spans have one entry per vertex; positions are in metres.
 void compensate_springs(const Springs& springs, std::span<const double> inverse_masses_per_kg,
                         const Rigidity& rigidity, std::span<Vec3> predicted);
 

@@ -1,5 +1,6 @@
 #include "sim/wind.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -26,7 +27,7 @@ double smooth_noise(double x, std::uint64_t seed) {
 }
 
 /// Two directions at right angles to `direction` and to each other.
-void make_frame(const Vec3& direction, Vec3& sideways, Vec3& upwards) {
+void make_perpendicular(const Vec3& direction, Vec3& sideways, Vec3& upwards) {
   const Vec3 helper = std::abs(direction.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 0.0, 0.0);
   sideways = glm::normalize(glm::cross(direction, helper));
   upwards = glm::cross(sideways, direction);
@@ -44,7 +45,7 @@ Vec3 wind_velocity(const Wind& wind, double time_s) {
   const double phase = 2.0 * time_s / wind.gust_period_s;
   const double strength = 1.0 + wind.gust_amplitude * smooth_noise(phase, wind.gust_seed);
   Vec3 sideways, upwards;
-  make_frame(direction, sideways, upwards);
+  make_perpendicular(direction, sideways, upwards);
   const Vec3 turn =
       sideways * smooth_noise(phase, wind.gust_seed + 1) + upwards * smooth_noise(phase, wind.gust_seed + 2);
   return wind.speed_m_per_s * strength * (direction + wind.gust_turn * turn);
@@ -52,6 +53,7 @@ Vec3 wind_velocity(const Wind& wind, double time_s) {
 
 void add_wind_forces(const Garment& garment, const State& state, const Wind& wind, double time_step_s,
                      std::span<Vec3> forces_n) {
+  assert(forces_n.size() == state.current.size());
   const Vec3 air_velocity = wind_velocity(wind, state.time_s);
   const double half_rho = 0.5 * air_density_kg_per_m3;
   for (const Triangle& t : garment.mesh.triangles) {

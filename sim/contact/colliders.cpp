@@ -1,6 +1,7 @@
 #include "sim/contact/colliders.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <glm/geometric.hpp>
 
 namespace taut::sim {
@@ -9,7 +10,7 @@ namespace {
 SurfacePoint from_centre(const Vec3& centre, double radius_m, const Vec3& point) {
   const Vec3 outwards = point - centre;
   const double length = glm::length(outwards);
-  // From the very centre every way out is as short as any other: take up.
+  // At the centre every way out is equally short; up is as good as any.
   const Vec3 normal = length > 0.0 ? outwards / length : Vec3(0.0, 1.0, 0.0);
   return {length - radius_m, normal};
 }
@@ -52,6 +53,7 @@ SurfacePoint nearest_surface(const Shape& shape, const Vec3& point) {
 void push_out_of_colliders(std::span<const Collider> colliders, const ClothSurface& cloth,
                            std::span<const double> inverse_masses_per_kg, std::span<const Vec3> current,
                            std::span<Vec3> predicted) {
+  assert(current.size() == predicted.size() && inverse_masses_per_kg.size() == predicted.size());
   for (const Collider& collider : colliders) {
     const double friction = collider.friction.value_or(cloth.friction);
     for (std::size_t v = 0; v < predicted.size(); ++v) {

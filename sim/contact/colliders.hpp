@@ -9,7 +9,7 @@
 
 namespace taut::sim {
 
-/// Cloth stays on the side the normal points to.
+/// A half space. Cloth stays on the side that the normal points to.
 struct Plane {
   Vec3 point_m = {0.0, 0.0, 0.0};
   Vec3 normal = {0.0, 1.0, 0.0};  ///< of length 1
@@ -17,6 +17,7 @@ struct Plane {
   bool operator==(const Plane&) const = default;
 };
 
+/// Cloth stays outside.
 struct Sphere {
   Vec3 centre_m = {0.0, 0.0, 0.0};
   double radius_m = 0.1;
@@ -24,8 +25,7 @@ struct Sphere {
   bool operator==(const Sphere&) const = default;
 };
 
-/// All points within a radius of a segment; the radius goes linearly from one end to the other, as in a
-/// limb.
+/// A limb: all points near a segment. The radius changes linearly from one end of the segment to the other.
 struct Capsule {
   Vec3 start_m = {0.0, 0.0, 0.0};
   Vec3 end_m = {0.0, 1.0, 0.0};
@@ -37,31 +37,36 @@ struct Capsule {
 
 using Shape = std::variant<Plane, Sphere, Capsule>;
 
+/// A body that the cloth cannot enter.
 struct Collider {
   Shape shape;
-  std::optional<double> friction = {};  ///< Coulomb's coefficient; none: the cloth's
+  /// Coulomb's coefficient. Without it, the cloth's own is used.
+  std::optional<double> friction = {};
 
   bool operator==(const Collider&) const = default;
 };
 
+/// A point on the surface of a shape, seen from another point.
 struct SurfacePoint {
-  double distance_m;  ///< to the surface, negative inside
+  double distance_m;  ///< from the surface, negative inside
   Vec3 normal;        ///< of length 1, outwards
 };
 
-/// The point of the shape's surface nearest to `point`, as distance and normal. For a tapered capsule the
-/// distance is measured at right angles to its axis, which never exceeds the true one's sphere sweep.
+/// Returns the point of the shape's surface that is nearest to `point`, as distance and normal. On a tapered
+/// capsule it is found at right angles to the axis, so that the distance can be slightly larger than the true
+/// one.
 SurfacePoint nearest_surface(const Shape& shape, const Vec3& point);
 
-/// What of the cloth its contact with colliders depends on.
+/// The properties of the cloth that contact with colliders depends on.
 struct ClothSurface {
-  double thickness_m = 0.0;  ///< kept between cloth and colliders
-  double friction = 0.0;     ///< Coulomb's coefficient, where a collider has none of its own
+  double thickness_m = 0.0;  ///< the distance kept between cloth and colliders
+  double friction = 0.0;     ///< Coulomb's coefficient for colliders that have none of their own
 };
 
-/// Moves every free vertex that is predicted to be closer than the cloth is thick to a shape out along the
-/// normal, and takes back as much of its sliding since p(t) as friction allows: mu times the depth it was
-/// pushed (Coulomb's law on positions; Mueller, Heidelberger, Hennix and Ratcliff 2007).
+/// Moves every free vertex that is predicted closer to a shape than the cloth's thickness out along the
+/// normal. Friction then takes back its sliding since p(t), up to mu times the depth it was pushed (Coulomb's
+/// law for positions; Mueller, Heidelberger, Hennix and Ratcliff 2007). Positions are in metres. All spans
+/// but `colliders` have one entry per vertex.
 void push_out_of_colliders(std::span<const Collider> colliders, const ClothSurface& cloth,
                            std::span<const double> inverse_masses_per_kg, std::span<const Vec3> current,
                            std::span<Vec3> predicted);

@@ -1,6 +1,7 @@
 #include "sim/contact/layers.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -26,6 +27,7 @@ std::optional<Parted> part(const LayerParting& law, const Vec3& between_m, const
 
 void part_layers(std::span<const Edge> pairs, double distance_m,
                  std::span<const double> inverse_masses_per_kg, std::span<Vec3> predicted) {
+  assert(inverse_masses_per_kg.size() == predicted.size());
   const LayerParting at_once = {distance_m};
   for (const auto& [i, j] : pairs) {
     const double w_i = inverse_masses_per_kg[i];

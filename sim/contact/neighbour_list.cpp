@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -10,21 +11,21 @@
 namespace taut::sim {
 namespace {
 
-/// The skin as a multiple of the distance kept: more means longer lists, made less often. Most of what is
-/// near is of the same layer, so that longer lists cost more than they save.
+/// The skin as a multiple of the thickness. A larger value makes longer lists that are rebuilt less often.
+/// Most close pairs are of the same layer, so longer lists cost more than they save.
 constexpr double skin_per_thickness = 0.35;
 
-/// No 64-bit number is larger.
+/// Larger cell indices would not fit into 64 bits.
 constexpr double largest_cell_index = 9e18;
 
 using Cell = std::array<std::uint64_t, 3>;
 
-/// Which cell a position is in; cells repeat along every axis after a power of two of them.
+/// Returns the cell of a position. Along every axis the cells repeat after `cells_per_axis`, a power of two.
 Cell cell_of(const Vec3& position, double cell_m, std::uint64_t cells_per_axis) {
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
     const double index = std::floor(position[axis] / cell_m);
-    // Where a simulation diverges, before that is noticed.
+    // Positions can be infinite or undefined while a simulation diverges, before that is noticed.
     const bool is_whole_number = std::abs(index) < largest_cell_index;
     cell[axis] = static_cast<std::uint64_t>(is_whole_number ? static_cast<std::int64_t>(index) : 0) &
                  (cells_per_axis - 1);
@@ -32,8 +33,8 @@ Cell cell_of(const Vec3& position, double cell_m, std::uint64_t cells_per_axis) 
   return cell;
 }
 
-/// About as many cells as vertices or more, and no fewer than four along an axis, so that no two neighbours
-/// of a cell are the same.
+/// Returns enough cells for at least two per vertex. At least four along an axis are needed so that the
+/// neighbours of a cell are all different.
 std::uint64_t enough_cells_per_axis(std::size_t vertex_count) {
   std::uint64_t cells_per_axis = 4;
   while (cells_per_axis * cells_per_axis * cells_per_axis < 2 * vertex_count) {
@@ -104,7 +105,7 @@ void NeighbourList::collect_pairs(std::span<const Vec3> rest_positions, double t
       const std::uint64_t other_y = (y + neighbour % 3 - 1) & last;
       const std::uint64_t other_z = (z + neighbour / 3 - 1) & last;
       const std::size_t row = (other_z * cells_per_axis_ + other_y) * cells_per_axis_;
-      // Three cells side by side, of which one can be around the corner.
+      // Three cells side by side; at either end of the axis one of them is at the other end.
       look_through(row + (x == 0 ? 0 : x - 1), row + std::min(x + 2, cells_per_axis_));
       if (x == 0) {
         look_through(row + last, row + last + 1);
@@ -118,6 +119,7 @@ void NeighbourList::collect_pairs(std::span<const Vec3> rest_positions, double t
 
 void NeighbourList::update(std::span<const Vec3> rest_positions, std::span<const Vec3> positions,
                            double thickness_m) {
+  assert(rest_positions.size() == positions.size() && thickness_m > 0.0);
   if (is_current(positions, thickness_m)) {
     return;
   }

@@ -9,19 +9,23 @@
 
 namespace taut::sim {
 
-/// Pairs of vertices that may touch soon. The list reaches beyond the thickness by a skin and stays good
-/// until a vertex has moved half the skin (Verlet 1967), so that it is seldom made anew.
+/// Pairs of vertices that may soon touch. The list also holds pairs that are farther apart than the thickness
+/// by up to a margin, the skin. It stays valid until a vertex has moved by half the skin (Verlet 1967), so
+/// that it is rarely rebuilt.
 class NeighbourList {
  public:
-  /// Makes sure that the list holds every pair closer than `thickness_m` in `positions`, but for pairs that
-  /// are closer than twice that in `rest_positions`: those are neighbours in the cloth itself.
+  /// Makes the list hold every pair that is closer than `thickness_m` in `positions`. Pairs closer than twice
+  /// `thickness_m` in `rest_positions` are left out: they are neighbours in the cloth itself. Both spans have
+  /// one entry per vertex, in metres. `thickness_m` must be above 0.
   void update(std::span<const Vec3> rest_positions, std::span<const Vec3> positions, double thickness_m);
 
+  /// The pairs in lexicographic order; valid until the next update.
   std::span<const Edge> pairs() const { return pairs_; }
 
-  /// What the list was made from: with the rest positions that decides its pairs, and until when it is good.
+  /// Saves what the list was made from. With the rest positions this decides its pairs and how long it is
+  /// valid.
   void save(ByteWriter& memory) const;
-  /// Throws BadBytes.
+  /// Rebuilds the saved list. `rest_positions` have one entry per vertex, in metres. Throws BadBytes.
   void restore(std::span<const Vec3> rest_positions, ByteReader& memory);
 
  private:

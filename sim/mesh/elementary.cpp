@@ -6,15 +6,16 @@ namespace taut::sim {
 namespace {
 
 constexpr double two_pi = 6.283185307179586;
-/// ln 2 in two numbers, the first so short that its products with small integers are exact (Cody and Waite
-/// 1980).
+/// ln 2 as the sum of two numbers. The first has so few digits that its products with small integers are
+/// exact (Cody and Waite 1980).
 constexpr double ln2_high = 0x1.62e42fee00000p-1;
 constexpr double ln2_low = 0x1.a39ef35793c76p-33;
 constexpr double per_ln2 = 1.4426950408889634;
 
 }  // namespace
 
-// Taylor's series, from its last term: on a quarter of a turn what follows x^21 / 21! is below 1e-17.
+// Taylor's series, evaluated from its last term. On a quarter of a turn the terms after x^21 / 21! are below
+// 1e-17.
 double sine_of_turns(double turns) {
   double part = turns - std::floor(turns + 0.5);
   if (std::abs(part) > 0.25) {

@@ -2,13 +2,13 @@
 
 namespace taut::sim {
 
-// Elementary functions of plain additions, products and quotients. Those of a C library give other last bits
-// on a processor without fused multiply-add, and with them another state.
+// Elementary functions made of additions, products and quotients only. Those of the C library give other last
+// bits on processors without fused multiply-add, and so another state.
 
-/// sin(2 pi `turns`), to 4e-16.
+/// sin(2 pi `turns`) with an error of at most 4e-16.
 double sine_of_turns(double turns);
 
-/// e^x to a relative 1e-15, for |x| < 700.
+/// e^x with a relative error of at most 1e-15. Requires |x| < 700.
 double exponential(double x);
 
 }  // namespace taut::sim

@@ -8,8 +8,8 @@
 
 namespace taut::sim {
 
-/// The smallest box along the axes that holds points. Without any it is inside out: infinite, its size
-/// negative.
+/// The smallest axis-aligned box around some points. Without points its lower corner is +infinity and its
+/// upper corner -infinity.
 struct Extent {
   Vec3 lower = Vec3(std::numeric_limits<double>::infinity());
   Vec3 upper = -lower;
@@ -21,6 +21,7 @@ struct Extent {
   Vec3 size() const { return upper - lower; }
 };
 
+/// Returns the extent of these points, in their unit.
 inline Extent extent_of(std::span<const Vec3> points) {
   Extent extent;
   for (const Vec3& point : points) {

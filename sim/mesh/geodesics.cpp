@@ -1,5 +1,6 @@
 #include "sim/mesh/geodesics.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -10,8 +11,9 @@
 namespace taut::sim {
 namespace {
 
-/// The distance of corner c of a triangle from a source that is `from_a` and `from_b` away from the other
-/// two, as the crow flies in the unfolded triangle. None where that line does not cross the edge a-b.
+/// Returns the distance of corner c of a triangle from a source at the distances `from_a` and `from_b` from
+/// the other two corners. The distance is a straight line in the unfolded triangle. Returns nothing if that
+/// line does not cross the edge a-b.
 std::optional<double> unfolded_distance(const Vec3& a, const Vec3& b, const Vec3& c, double from_a,
                                         double from_b) {
   const double base = glm::length(b - a);
@@ -31,13 +33,13 @@ std::optional<double> unfolded_distance(const Vec3& a, const Vec3& b, const Vec3
   if (crossing_x < 0.0 || crossing_x > base) {
     return std::nullopt;
   }
-  // Not std::hypot: its last bits are the C library's, and another processor's are others.
+  // Not std::hypot: its last bits depend on the C library and the processor.
   const double along = c_x - source_x;
   const double across = source_depth + c_height;
   return std::sqrt(along * along + across * across);
 }
 
-/// A front that goes out from the sources, the nearest vertex first (Dijkstra 1959).
+/// A front that spreads from the sources and passes the nearest vertex first (Dijkstra 1959).
 class Front {
  public:
   Front(const Mesh& mesh, const Adjacency& adjacency) : mesh_(mesh), adjacency_(adjacency) {
@@ -106,6 +108,7 @@ GeodesicDistances geodesic_distances(const Mesh& mesh, const Adjacency& adjacenc
                                      std::span<const Index> sources) {
   Front front(mesh, adjacency);
   for (const Index source : sources) {
+    assert(source < mesh.positions.size());
     front.reach(source, 0.0, source);
   }
   return front.spread();

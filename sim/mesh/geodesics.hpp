@@ -8,7 +8,7 @@
 
 namespace taut::sim {
 
-/// By vertex. Infinite, and no source, where none can be reached.
+/// One entry per vertex. A vertex that no source can reach has an infinite distance and `no_source`.
 struct GeodesicDistances {
   static constexpr Index no_source = ~Index{0};
 
@@ -16,11 +16,13 @@ struct GeodesicDistances {
   std::vector<Index> nearest_sources;
 };
 
-/// How far every vertex is from the nearest of `sources`, along the cloth as `mesh` has it.
+/// Returns how far every vertex is from the nearest of `sources` along the cloth of `mesh`. Requires sources
+/// below the number of vertices and the adjacency of this mesh.
 ///
-/// Distances go from triangle to triangle as a front (Kimmel and Sethian 1998): two known corners and their
-/// distances say where the source would lie if the cloth between were unfolded, and the third corner is as
-/// far as it is from there. Exact on flat cloth in the sight of one source; elsewhere a little too long.
+/// The distances spread from triangle to triangle as a front (Kimmel and Sethian 1998). Two known corners of
+/// a triangle and their distances give the place of the source in the unfolded plane. The third corner's
+/// distance is measured from that place. The result is exact on flat cloth in sight of one source, and
+/// slightly too long elsewhere.
 GeodesicDistances geodesic_distances(const Mesh& mesh, const Adjacency& adjacency,
                                      std::span<const Index> sources);
 

@@ -4,6 +4,7 @@
 
 namespace taut::sim {
 
+/// How a grid is placed.
 enum class GridPlane {
   vertical,    ///< in the xy plane, facing +z, row 0 at the top
   horizontal,  ///< in the xz plane, facing +y, row 0 at the back (the smallest z)
@@ -19,8 +20,8 @@ struct GridSettings {
   Vec3 top_centre_m = {0.0, 0.0, 0.0};  ///< the middle of row 0
 };
 
-/// Vertex of row r and column c is r * columns + c; column 0 has the smallest x.
-/// Throws std::invalid_argument on fewer than two rows or columns or a size that is not positive.
+/// Returns a grid in which row r and column c is vertex r * columns + c. Column 0 has the smallest x. Throws
+/// std::invalid_argument on fewer than two rows or columns, and on a width or height that is not above 0.
 Mesh make_grid(const GridSettings& settings);
 
 }  // namespace taut::sim

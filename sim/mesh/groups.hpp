@@ -8,11 +8,14 @@
 
 namespace taut::sim {
 
-/// Union-find with path halving. A group is named by its smallest item.
+/// Sets of items that can be joined: union-find with path halving (Tarjan and van Leeuwen 1984). A set is
+/// named by its smallest item.
 class Groups {
  public:
+  /// Starts with the items 0 to size - 1, each a set of its own.
   explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
 
+  /// The name of the set that holds the item.
   Index find(Index item) {
     while (parent_[item] != item) {
       item = parent_[item] = parent_[parent_[item]];

@@ -57,8 +57,8 @@ struct TriangleHash {
   }
 };
 
-/// Keeps the triangles that have an area and are no repetition, told by `vertices`, which stand for the
-/// triangles' own.
+/// Drops triangles without area and repeated triangles. Both are judged by `vertices`, which holds, per
+/// vertex, the vertex that stands for it.
 void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& report) {
   std::unordered_set<Triangle, TriangleHash> seen;
   seen.reserve(mesh.triangles.size());
@@ -76,7 +76,7 @@ void drop_unsound(const std::vector<Index>& vertices, Mesh& mesh, MeshReport& re
   mesh.triangles.resize(kept);
 }
 
-/// How many more vertices than places the triangles use.
+/// Returns by how many the vertices that triangles use exceed the places that they use.
 std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places,
                          const std::vector<Index>& welded) {
   std::vector<char> used_place(places.size(), 0), used_vertex(places.size(), 0);
@@ -89,8 +89,8 @@ std::size_t count_parted(const Mesh& mesh, const std::vector<Index>& places,
                                   std::count(used_place.begin(), used_place.end(), 1));
 }
 
-/// Drops the vertices no triangle uses and numbers the rest anew. Returns the new numbers, `no_vertex` of
-/// those that were dropped.
+/// Drops the vertices that no triangle uses and renumbers the others. Returns the new index per old vertex,
+/// `no_vertex` for a dropped one.
 std::vector<Index> compact_vertices(Mesh& mesh) {
   const std::vector<char> used = used_vertices(mesh);
   std::vector<Index> renumbered(mesh.positions.size(), no_vertex);
@@ -162,7 +162,7 @@ ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& setting
   const std::vector<char> used = used_vertices(input);
   kept.assign(used.size(), no_vertex);
   for (std::size_t v = 0; v < used.size(); ++v) {
-    // A vertex that nothing uses is no vertex of the mesh, though one at its place be.
+    // An unused vertex is not part of the mesh, even if another vertex at its place is.
     kept[v] = used[v] ? renumbered[welded[v]] : no_vertex;
   }
   return out;

@@ -8,50 +8,51 @@
 
 namespace taut::sim {
 
-/// A surface as flat arrays. Positions in metres, y up.
+/// A surface as flat arrays. Positions are in metres, one per vertex; y is up.
 struct Mesh {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  /// Cells of a regular grid, empty for a triangle model. Cell q is made of triangles 2q and 2q + 1.
+  /// The cells of a regular grid; empty for a triangle model. Cell q consists of triangles 2q and 2q + 1.
   std::vector<Quad> quads;
 };
 
+/// What weld_and_validate may repair.
 struct RepairSettings {
-  /// Border vertices closer than this are joined too, m. 0: only where positions are exactly equal.
+  /// Border vertices closer than this are welded, in metres. At 0 only exactly equal positions are welded.
   double weld_distance_m = 0.0;
 };
 
-/// What `weld_and_validate` did to a mesh; nothing is repaired silently.
+/// What `weld_and_validate` changed in a mesh. It repairs nothing silently.
 struct MeshReport {
   std::size_t input_vertices = 0;
   std::size_t input_triangles = 0;
-  std::size_t welded_vertices = 0;       ///< had exactly the position of an earlier vertex
-  std::size_t near_vertices = 0;         ///< were welded because they were near enough
-  std::size_t parted_vertices = 0;       ///< of layers that touch: equal positions, but not welded
-  std::size_t unused_vertices = 0;       ///< belonged to no remaining triangle
-  std::size_t degenerate_triangles = 0;  ///< two corners alike, or no area
-  std::size_t duplicate_triangles = 0;   ///< the same three positions as an earlier triangle
-  std::size_t turned_triangles = 0;      ///< so that neighbours agree about which side is outside
+  std::size_t welded_vertices = 0;       ///< at exactly the position of an earlier vertex
+  std::size_t near_vertices = 0;         ///< welded because they were near enough
+  std::size_t parted_vertices = 0;       ///< not welded although at equal positions: layers that touch
+  std::size_t unused_vertices = 0;       ///< dropped: no remaining triangle uses them
+  std::size_t degenerate_triangles = 0;  ///< dropped: two corners alike, or no area
+  std::size_t duplicate_triangles = 0;   ///< dropped: the same three positions as an earlier one
+  std::size_t turned_triangles = 0;      ///< turned to face the same side as their neighbours
 };
 
+/// A repaired mesh and what was repaired.
 struct ValidatedMesh {
   Mesh mesh;
   MeshReport report;
 };
 
-/// Makes any triangle soup fit to be mapped to springs: vertices at equal positions become one, degenerate
-/// and repeated triangles and unused vertices go, neighbours are turned to the same side. The order of what
-/// remains is kept. A vertex is welded only where its surface ends: where triangles close around it, another
-/// vertex at the same place belongs to another layer of cloth that touches this one.
-/// Meshes with grid cells are generated, not read, and are not accepted here.
-/// Throws std::invalid_argument on an index out of range, on a position that is not finite and on a mesh
-/// in which no triangle remains.
+/// Makes any triangle soup fit to be mapped to springs. It welds vertices at equal positions, drops
+/// degenerate and repeated triangles and unused vertices, and turns neighbours to the same side. The order of
+/// what remains is kept. Only vertices at a border are welded: a vertex with triangles all around it belongs
+/// to another layer of cloth that touches here. Meshes with grid cells are not accepted: they are generated
+/// and need no repair. Throws std::invalid_argument on grid cells, on an index out of range, on a position
+/// that is not finite and on a mesh in which no triangle remains.
 ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings = {});
 
-/// Twice the triangle's area times its unit normal, in m^2.
+/// Returns twice the triangle's area times its unit normal, in m^2.
 Vec3 doubled_area_vector(const std::vector<Vec3>& positions, const Triangle& triangle);
 
-/// Sum of the triangles' areas, in m^2.
+/// Returns the sum of the areas of all triangles, in m^2.
 double surface_area(const Mesh& mesh);
 
 }  // namespace taut::sim

@@ -14,8 +14,8 @@ struct Neighbour {
   bool disagrees;
 };
 
-/// The triangles across the edges of each triangle, three places each; a triangle that is its own neighbour
-/// stands for none.
+/// Returns the triangles across the edges of each triangle, three entries per triangle. An entry that names
+/// the triangle itself stands for no neighbour.
 std::vector<Neighbour> neighbours_of(const Mesh& mesh) {
   const Adjacency adjacency = make_adjacency(mesh);
   std::vector<Neighbour> neighbours;

@@ -6,9 +6,9 @@
 
 namespace taut::sim {
 
-/// Turns triangles so that neighbours across an edge with two triangles run along it in opposite directions,
-/// and of every connected part as few as possible. A Moebius strip keeps a seam where they disagree.
-/// Returns how many were turned.
+/// Turns triangles until both triangles of every edge face the same side. Of each connected part it turns the
+/// smaller number. On a surface with one side only, such as a Moebius strip, some neighbours still disagree.
+/// Returns how many triangles were turned.
 std::size_t orient_consistently(Mesh& mesh);
 
 }  // namespace taut::sim

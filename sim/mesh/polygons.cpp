@@ -13,6 +13,13 @@ namespace {
 
 using Vec2 = glm::dvec2;
 
+/// The most ratings of ears per corner of a face. It limits the work on outlines that cross themselves; a
+/// smaller value cuts these worse.
+constexpr std::size_t ratings_per_corner = 50;
+/// A quad is cut along its second diagonal if the fullness of the first cut is below this fraction of the
+/// second's. A larger value cuts fewer quads of one cloth the same way.
+constexpr double least_relative_fullness = 0.5;
+
 double cross(const Vec2& a, const Vec2& b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -59,7 +66,7 @@ std::vector<Vec2> flattened(std::span<const Vec3> positions, std::span<const Ind
   return flat;
 }
 
-/// What is left of one face while ears are cut off it: a ring of corners.
+/// The rest of one face while ears are cut off: a ring of corners.
 class Ring {
  public:
   explicit Ring(std::vector<Vec2> corners) : corners_(std::move(corners)) {
@@ -71,7 +78,7 @@ class Ring {
     left_ = count;
     gains_.assign(count, 0.0);
     blockers_.assign(count, 0);
-    ratings_left_ = 50 * count;
+    ratings_left_ = ratings_per_corner * count;
     for (std::size_t k = 0; k < count; ++k) {
       rate(k);
     }
@@ -132,7 +139,7 @@ class Ring {
   std::vector<std::size_t> before_, after_;
   std::vector<double> gains_;
   std::vector<std::size_t> blockers_;
-  std::size_t ratings_left_ = 0;  ///< a bound on the work, which an outline that crosses itself could need
+  std::size_t ratings_left_ = 0;  ///< how many more ears may be rated; limits the work
   std::size_t left_ = 0;
   std::size_t first_ = 0;
 };
@@ -141,8 +148,8 @@ void cut_quad(std::span<const Vec3> positions, std::span<const Index> q, std::ve
   const std::vector<Vec2> p = flattened(positions, q);
   const double first = std::min(fullness(p[0], p[1], p[2]), fullness(p[0], p[2], p[3]));
   const double second = std::min(fullness(p[0], p[1], p[3]), fullness(p[1], p[2], p[3]));
-  // The quads of one cloth shall all be cut the same way, however they are folded, unless that makes needles.
-  if (first < 0.5 * second) {
+  // All quads of one cloth should be cut the same way, however they are folded, unless that makes needles.
+  if (first < least_relative_fullness * second) {
     triangles.push_back({q[0], q[1], q[3]});
     triangles.push_back({q[1], q[2], q[3]});
   } else {

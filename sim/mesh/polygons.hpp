@@ -10,18 +10,20 @@ namespace taut::sim {
 
 /// Faces with three or more corners.
 struct Polygons {
+  /// In metres; one per vertex.
   std::span<const Vec3> positions;
-  std::span<const std::uint32_t> corner_counts;  ///< of every face
-  std::span<const Index> corners;                ///< of face after face
+  std::span<const std::uint32_t> corner_counts;  ///< one per face
+  std::span<const Index> corners;                ///< vertices; the corners of face 0, then of face 1, ...
 };
 
-/// A face with more corners than this is no cloth, and cutting it would take minutes.
+/// Faces with more corners are refused: cutting one would take minutes.
 inline constexpr std::uint32_t most_corners = 5000;
 
-/// Cuts every face into triangles of its own orientation, two fewer than it has corners: concave ones inside
-/// their outline, of several ways the one with the fullest triangles. Works on the face's mean plane
-/// (Newell), by ears (Meisters 1975). Throws std::invalid_argument on a face of fewer than three or more than
-/// `most_corners` corners, on corners that are missing or left over and on a corner that is no position.
+/// Cuts every face into triangles of the same orientation, two fewer than it has corners. Concave faces are
+/// cut inside their outline. Triangles close to equilateral are preferred. It works in the face's mean plane
+/// (Newell, see Sutherland, Sproull and Schumacker 1974) by cutting off ears (Meisters 1975). Throws
+/// std::invalid_argument on a face with fewer than three or more than `most_corners` corners, on missing or
+/// surplus corners and on a corner that is not a position.
 std::vector<Triangle> cut_into_triangles(const Polygons& polygons);
 
 }  // namespace taut::sim

@@ -6,17 +6,18 @@
 
 namespace taut::sim {
 
-/// A mesh and the vertices it is held by.
+/// A mesh and its pinned vertices.
 struct PinnedMesh {
   Mesh mesh;
   std::vector<Index> pins;  ///< ascending, each once
 };
 
-/// Every triangle becomes four by the midpoints of its edges; triangle t becomes 4t to 4t + 3, the corners
-/// first and the middle last. The surface keeps its shape: nothing is smoothed. Vertices keep their numbers,
-/// the midpoints follow in the order of the mesh's edges (`make_adjacency`). The midpoint of a border edge
-/// whose two ends are pinned is pinned as well, so that a held border stays held all along.
-/// Throws std::invalid_argument on a mesh with grid cells: a grid is made with more rows instead.
+/// Splits every triangle into four at the midpoints of its edges. Triangle t becomes 4t to 4t + 3: the three
+/// corners, then the middle. The surface keeps its shape; nothing is smoothed. The old vertices keep their
+/// indices; the midpoints follow in the order of the edges (`make_adjacency`). The midpoint of a border edge
+/// is pinned if both ends of the edge are pinned, so that a pinned border stays pinned all along. Throws
+/// std::invalid_argument on a mesh with grid cells: make the grid with more rows instead. Throws
+/// std::out_of_range on a pin that is not a vertex.
 PinnedMesh subdivide(const PinnedMesh& coarse);
 
 }  // namespace taut::sim

@@ -7,7 +7,7 @@
 namespace taut::sim {
 namespace {
 
-/// Vertices whose triangles are not all connected through edges at the vertex.
+/// Returns how many vertices have triangles that are not all connected through edges at the vertex.
 std::size_t count_split_fans(const Mesh& mesh, const Adjacency& adjacency) {
   // Corner 3t + k is vertex k of triangle t; the corners of a fan are joined through the edges they share.
   Groups corners(mesh.triangles.size() * 3);

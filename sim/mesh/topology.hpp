@@ -7,20 +7,22 @@
 
 namespace taut::sim {
 
-/// The shape of a surface, whatever its geometry.
+/// How a surface is connected. Positions do not matter.
 struct Topology {
-  std::size_t components = 0;
-  std::size_t boundary_edges = 0;         ///< with one triangle
+  std::size_t components = 0;             ///< connected parts
+  std::size_t boundary_edges = 0;         ///< edges with one triangle
   std::size_t boundary_loops = 0;         ///< connected runs of boundary edges
-  std::size_t non_manifold_edges = 0;     ///< with more than two triangles
-  std::size_t non_manifold_vertices = 0;  ///< whose triangles form more than one fan
-  std::size_t misoriented_edges = 0;      ///< whose two triangles run along them in the same direction
+  std::size_t non_manifold_edges = 0;     ///< edges with more than two triangles
+  std::size_t non_manifold_vertices = 0;  ///< vertices whose triangles form more than one fan
+  std::size_t misoriented_edges = 0;      ///< edges whose two triangles face different sides
   long euler_characteristic = 0;          ///< vertices - edges + triangles
 };
 
-/// Whether the triangle goes from the edge's first vertex to its second, and not the other way.
+/// Returns whether the triangle goes from the edge's first vertex to its second. False if it goes the other
+/// way.
 bool runs_along(const Triangle& t, const Edge& edge);
 
+/// Requires the adjacency of this mesh.
 Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency);
 
 }  // namespace taut::sim

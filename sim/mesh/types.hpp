@@ -6,10 +6,12 @@
 
 namespace taut::sim {
 
+/// A position, direction or other vector of three components.
 using Vec3 = glm::dvec3;
+/// The index of a vertex, edge, triangle or spring, from 0.
 using Index = std::uint32_t;
 
-/// Two vertices, the smaller index first.
+/// The vertices of an edge or spring, the smaller index first.
 using Edge = std::array<Index, 2>;
 /// Counter-clockwise seen from outside.
 using Triangle = std::array<Index, 3>;

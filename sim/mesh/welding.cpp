@@ -42,7 +42,7 @@ Mesh renumbered(const Mesh& mesh, const std::vector<Index>& vertices) {
   return result;
 }
 
-/// Whether an edge with a single triangle ends at the vertex.
+/// Returns, per vertex, 1 if an edge with only one triangle ends there.
 std::vector<char> border_vertices(const Mesh& mesh, const Adjacency& adjacency) {
   std::vector<char> at_border(mesh.positions.size(), 0);
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
@@ -53,7 +53,7 @@ std::vector<char> border_vertices(const Mesh& mesh, const Adjacency& adjacency) 
   return at_border;
 }
 
-/// First guess: a vertex whose triangles close around it stays for itself, others at a place become one.
+/// A first guess: a vertex with triangles all around it stays alone; the others at a place become one.
 std::vector<Index> join_open_vertices(const Mesh& mesh, const std::vector<Index>& places) {
   const std::vector<char> open = border_vertices(mesh, make_adjacency(mesh));
   const std::vector<char> used = used_vertices(mesh);
@@ -101,7 +101,7 @@ struct Fans {
   std::vector<char> is_open;  ///< by corner; of a group's first corner: of the group
 
  private:
-  // What the file itself joins is not torn apart.
+  // Corners that share a vertex in the file stay together.
   void join_corners_of_one_vertex(const Mesh& source) {
     std::vector<Index> first(source.positions.size(), none);
     for (Index c = 0; c < 3 * source.triangles.size(); ++c) {

@@ -8,26 +8,27 @@
 
 namespace taut::sim {
 
-/// In place of a vertex: there is none.
+/// Stands for "no vertex".
 inline constexpr Index no_vertex = std::numeric_limits<Index>::max();
 
-/// As of sim/mesh/mesh.hpp. Fills `kept` with the vertex of the result that stands for each vertex of
-/// `input`, or `no_vertex` where it belongs to no triangle, or only to some that were dropped.
+/// The same as weld_and_validate of sim/mesh/mesh.hpp. Also fills `kept`: for each vertex of `input` the
+/// vertex of the result that stands for it. That is `no_vertex` if no triangle uses the vertex, or only
+/// triangles that were dropped.
 ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings, std::vector<Index>& kept);
 
-/// Of each vertex whether a triangle uses it.
+/// Returns, per vertex, 1 if a triangle uses it and 0 if none does.
 std::vector<char> used_vertices(const Mesh& mesh);
 
-/// For each vertex the first vertex at exactly the same position; -0 equals +0.
+/// Returns, per vertex, the first vertex at exactly the same position. -0 equals +0.
 std::vector<Index> first_at_same_position(const std::vector<Vec3>& positions);
 
-/// For each vertex of `mesh` the vertex that takes its place. Vertices at one place (see
-/// `first_at_same_position`) become one, but for those around which the triangles close by themselves: these
-/// are layers that touch.
+/// Returns, per vertex, the vertex that replaces it. `places` is what `first_at_same_position` returns.
+/// Vertices at one place become one, except those with triangles all around them: these belong to layers that
+/// touch.
 std::vector<Index> weld_at_places(const Mesh& mesh, const std::vector<Index>& places);
 
-/// Joins border vertices of the mesh as `welded` makes it where they are nearer to each other than the
-/// distance, in metres, also through others between them. Returns how many more vertices were welded.
+/// Welds border vertices that are closer than `distance_m`, also in chains. `welded` holds, per vertex of
+/// `mesh`, the vertex that replaces it; it is read and updated. Returns how many more vertices were welded.
 std::size_t weld_near_borders(double distance_m, const Mesh& mesh, std::vector<Index>& welded);
 
 }  // namespace taut::sim

@@ -4,7 +4,7 @@
 
 namespace taut::sim {
 
-/// Of springs in N/m, by kind, and the damping of every spring in N s/m.
+/// The stiffness of springs per kind, and the damping of every spring.
 struct SpringStiffness {
   double structural_n_per_m = 200.0;
   double shear_n_per_m = 100.0;
@@ -14,16 +14,19 @@ struct SpringStiffness {
   bool operator==(const SpringStiffness&) const = default;
 };
 
+/// The settings of `ideal`.
 struct IdealSettings {
   SpringStiffness stiffness = {};
 
   bool operator==(const IdealSettings&) const = default;
 };
 
+/// Returns the stiffness of springs of that kind, in N/m.
 double stiffness_of(SpringKind kind, const SpringStiffness& stiffness);
 
-/// The ideal mass-spring model: elongation in proportion to stress (Hooke) and no constraint, so that cloth
-/// over-stretches (section III of the paper). Explicit: stable in short steps alone, see stable_time_step_s.
+/// The ideal mass-spring model: elongation in proportion to stress (Hooke) and no constraint, so that the
+/// cloth over-stretches (section III of the paper). It is explicit and therefore stable in short steps only;
+/// see stable_time_step_s.
 class IdealSprings : public SpringResponse {
  public:
   explicit IdealSprings(const IdealSettings& settings) : stiffness_(settings.stiffness) {}

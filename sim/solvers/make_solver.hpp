@@ -20,7 +20,7 @@ inline constexpr std::array all_solver_kinds = {SolverKind::ideal, SolverKind::p
 
 const char* name_of(SolverKind kind);
 
-/// Of one solver; in the order of SolverKind.
+/// The settings of one solver. The alternatives are in the order of SolverKind.
 using SolverMethod = std::variant<IdealSettings, ProvotSettings, StrongSettings, BoundedSettings>;
 
 struct SolverSettings {

@@ -4,17 +4,18 @@
 
 namespace taut::sim {
 
+/// The settings of `provot`.
 struct ProvotSettings {
   SpringStiffness stiffness = {};
-  double max_stretch = 0.05;  ///< the threshold above which a spring is pulled back
+  double max_stretch = 0.05;  ///< the threshold; a spring stretched more is pulled back to it
 
   bool operator==(const ProvotSettings&) const = default;
 };
 
-/// The threshold method the paper argues with (Provot 1995): springs obey Hooke, and after each step every
-/// structural or shear spring that is longer than the threshold allows is pulled back to just that length,
-/// once, in spring order. Springs below the threshold are left to their forces, and a spring corrected early
-/// may be stretched again by one that follows.
+/// The threshold method that the paper compares itself with (Provot 1995). Springs obey Hooke's law. After
+/// each prediction, every structural or shear spring that is longer than the threshold allows is pulled back
+/// to exactly that length, once, in spring order. Springs below the threshold are left to their forces. A
+/// spring that follows may stretch a corrected one again.
 class ProvotThreshold : public IdealSprings {
  public:
   explicit ProvotThreshold(const ProvotSettings& settings)

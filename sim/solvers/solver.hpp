@@ -13,10 +13,10 @@ namespace taut::sim {
 /// How a frame went.
 struct FrameReport {
   int substeps = 0;
-  bool bound_promised = false;   ///< by the solver
+  bool bound_promised = false;   ///< whether the solver promises a bound on stretch
   bool bound_kept = true;        ///< whether it could keep its promise in this frame
-  double raw_max_stretch = 0.0;  ///< before the frame's last correction, which keeps the bound
-  /// `bounded`: over the springs that are bound, with those of frames begun again and of the projection.
+  double raw_max_stretch = 0.0;  ///< before the last correction of the frame
+  /// `bounded`: sweeps over all bound springs, including repeated frames and the projection.
   double sweeps = 0.0;
   /// `bounded`: about the largest stiffness against compression that time steps of this length answer to:
   /// springs of a fabric that is stiffer push back as if they had this one. Infinite where nothing limits it.
@@ -25,12 +25,12 @@ struct FrameReport {
   bool operator==(const FrameReport&) const = default;
 };
 
-/// Moves cloth from one frame to the next. How a frame is divided is the solver's own matter.
+/// Moves cloth from one frame to the next. The solver decides how it divides a frame.
 class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Advances `state` by one frame.
+  /// Advances `state` by one frame of `frame_time_s`, which must be above 0.
   virtual FrameReport advance_frame(const Garment& garment, const Pins& pins,
                                     const Surroundings& surroundings, double frame_time_s, State& state) = 0;
 

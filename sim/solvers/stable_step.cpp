@@ -7,8 +7,8 @@
 namespace taut::sim {
 namespace {
 
-// Of the longest step. Wind adds up to 1 to the left side of the inequality, a hand less: with this share
-// they may add 1.2.
+// The fraction of the longest stable step that is used. Wind adds up to 1 to the left side of the inequality
+// and a hand less. With this value they may add 1.2. A larger value leaves less for them.
 constexpr double share_of_limit = 0.7;
 
 }  // namespace

@@ -5,12 +5,12 @@
 
 namespace taut::sim {
 
-/// The longest time step in which Verlet's explicit prediction, with velocities that lag by a step, keeps
-/// Hooke's springs from swinging up:
+/// Returns the longest time step, in seconds, in which Hooke's springs stay stable under Verlet's explicit
+/// prediction. Velocities lag by one step. The condition is
 ///   dt^2 w^2 + 2 c dt < 4,   w^2 <= 2 sum k / m,   c <= 2 sum d / m + air drag
-/// with the stiffness k and damping d of the springs about a vertex (Gershgorin's bound on the eigenvalues).
-/// Less a margin for wind and hands, whose own formulas limit how much they add. In seconds; infinite where
-/// nothing swings.
+/// with the stiffness k and the damping d of the springs at a vertex (Gershgorin's bound on the eigenvalues).
+/// A margin is left for wind and hands; their own formulas limit how much they add. Returns infinity if
+/// nothing can swing.
 double stable_time_step_s(const Garment& garment, const Pins& pins, const SpringStiffness& stiffness,
                           double air_drag_per_s);
 

@@ -5,15 +5,16 @@
 
 namespace taut::sim {
 
+/// The settings of `strong`.
 struct StrongSettings {
-  int iterations = 4;  ///< sweeps of the constraint in every time step
+  int iterations = 4;  ///< sweeps of the constraint per time step, at least 1
   Rigidity rigidity = {};
 
   bool operator==(const StrongSettings&) const = default;
 };
 
-/// The paper, literally: springs exert no force; after each prediction k sweeps of the strong constraint
-/// over all springs, in their order.
+/// The paper, literally. Springs exert no force. After each prediction, the strong constraint sweeps over all
+/// springs in their order, `iterations` times.
 class StrongConstraint : public SpringResponse {
  public:
   explicit StrongConstraint(const StrongSettings& settings) : settings_(settings) {}

@@ -4,8 +4,8 @@
 
 namespace taut::sim::bounded {
 
-/// The kernels as loops over single springs, triangles and vertices: what those of every vector unit have to
-/// give, bit for bit.
+/// The kernels as loops over single springs, triangles and vertices. The kernels of every vector unit must
+/// give the same bits.
 const Kernels& scalar_kernels();
 
 }  // namespace taut::sim::bounded

@@ -6,7 +6,7 @@
 
 namespace taut::sim {
 
-/// A square sheet of count x count vertices.
+/// Returns a square grid of count x count vertices; count must be at least 2.
 inline Mesh sheet(Index count, double size_m) {
   GridSettings grid;
   grid.columns = grid.rows = count;
@@ -14,7 +14,8 @@ inline Mesh sheet(Index count, double size_m) {
   return make_grid(grid);
 }
 
-/// The same as triangles alone, with its vertices moved about.
+/// Returns the same sheet without grid cells, its vertices moved at random by up to a fifth of a cell. The
+/// seed is fixed.
 inline Mesh irregular_sheet(Index count, double size_m) {
   Mesh mesh = sheet(count, size_m);
   mesh.quads.clear();

@@ -132,7 +132,7 @@ std::vector<Vec3> rolled(const Mesh& flat, double axis_angle_rad) {
   return positions;
 }
 
-/// What bending with a rigidity of 1 costs per curvature^2 / 2.
+/// The bending energy of the sheet rolled to a cylinder, in J: B kappa^2 area / 2.
 double rolling_energy_j(const Garment& garment, double rigidity_n_m) {
   double area_m2 = 0.0;
   for (const double m : garment.masses_kg) {
@@ -156,7 +156,7 @@ double cylinder_energy_ratio(const Mesh& flat, double axis_angle_rad) {
   return energy / rolling_energy_j(garment, 1.0);
 }
 
-TEST(Flexural, ASheetResistsRollingWithItsRigidityWhateverItsMesh) {
+TEST(Flexural, ASheetResistsRollingWithItsRigidityForEveryMesh) {
   double sum = 0.0;
   for (const Index count : {9, 17, 33}) {
     EXPECT_NEAR(cylinder_energy_ratio(sheet(count, 1.0), 0.0), 1.0, 0.02) << count;
@@ -170,7 +170,7 @@ TEST(Flexural, ASheetResistsRollingWithItsRigidityWhateverItsMesh) {
   EXPECT_NEAR(sum, 1.0, 0.15);
 }
 
-/// -1/2 x . M a, as bending is linear; over B kappa^2 area / 2.
+/// The same ratio from accelerations: -1/2 x . M a, because bending is linear.
 double cylinder_energy_ratio(const Garment& garment, Bending& bending, double rigidity_n_m,
                              double axis_angle_rad) {
   const Layout layout = make_layout(garment, make_pins(garment, {}));
@@ -213,15 +213,15 @@ TEST(Bending, WavesTooFastToFollowAreSlowedAndWideFoldsKeepTheirRigidity) {
   }
 }
 
-/// How far the free end of a strip hangs down that is held level along a third of its length.
+/// How far, in m, the free end of a strip hangs down when a third of its length is pinned level.
 double droop_m(Mesh mesh, double rigidity_n_m) {
-  constexpr double held_m = 0.04;
+  constexpr double pinned_m = 0.04;
   const double top_m = mesh.positions.front().y;
   const double bottom_m = mesh.positions.back().y;
-  std::vector<Index> held;
+  std::vector<Index> pinned;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (top_m - mesh.positions[v].y < held_m + 1e-6) {
-      held.push_back(v);
+    if (top_m - mesh.positions[v].y < pinned_m + 1e-6) {
+      pinned.push_back(v);
     }
   }
   const double level_m = mesh.positions.front().z;
@@ -231,7 +231,7 @@ double droop_m(Mesh mesh, double rigidity_n_m) {
   const SimulationSettings settings = bounded_by(0.01);
   const Material material = {.bending_rigidity_n_m = rigidity_n_m};
   const std::vector<Vec3> flat = mesh.positions;
-  Simulation simulation(share(make_garment(std::move(mesh), {}, material)), held, settings, lying);
+  Simulation simulation(share(make_garment(std::move(mesh), {}, material)), pinned, settings, lying);
   for (int frame = 0; frame < 360; ++frame) {
     simulation.advance_frame();
   }
@@ -246,7 +246,7 @@ double droop_m(Mesh mesh, double rigidity_n_m) {
   return sum_m / count;
 }
 
-TEST(Bending, TheSameFabricHangsAlikeHoweverItIsMeshed) {
+TEST(Bending, TheSameFabricHangsAlikeForEveryMesh) {
   for (const double rigidity_n_m : {2e-5, 5e-5}) {
     std::vector<double> droops_m;
     for (const Index count : {7, 13, 25, 49}) {
@@ -276,7 +276,7 @@ TEST(Bounded, KeepsTheBoundInEveryFrame) {
   }
 }
 
-TEST(Bounded, SaysSoWhereThePinsPullTheClothApart) {
+TEST(Bounded, ReportsABrokenBoundIfPinsPullTheClothApart) {
   Mesh mesh = sheet(9, 1.0);
   Garment garment = make_garment(mesh);
   // Rest lengths of a smaller cloth: its corners are pinned further apart than the bound allows.
@@ -333,7 +333,7 @@ TEST(Bounded, KeepsTheBoundOfEdgesOfTenNanometres) {
 }
 
 // A hundredfold stiffness makes no difference where steps follow neither; within what they follow it does.
-TEST(Bounded, SaysHowStiffAgainstCompressionItsStepsCanBe) {
+TEST(Bounded, ReportsTheCompressionStiffnessItsStepsFollow) {
   const Garment garment = make_garment(irregular_sheet(17, 1.0));
   const auto compression_with = [&](double stiffness_n_per_m, int substeps) {
     SimulationSettings settings = bounded_by(0.01);
@@ -406,7 +406,7 @@ double swing_period_s(int substeps) {
   return (passes_s.back() - passes_s.front()) / static_cast<double>(passes_s.size() - 1);
 }
 
-TEST(Bounded, SwingsAtTheSamePeriodWhateverTheSubsteps) {
+TEST(Bounded, SwingsAtTheSamePeriodForAnySubsteps) {
   const double reference_s = swing_period_s(64);
   // A hanging chain of length 1 m swings at 2 pi sqrt(L / g) / (2.4048 / 2).
   EXPECT_NEAR(reference_s, 1.668, 0.06) << "less for a swing of 0.3 rad and a chain of eight links";

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double gravity = 9.81;
 
-/// Mass points at `positions` joined one to the next, without a surface.
+/// A chain of mass points at `positions`, each joined to the next, without a surface.
 Garment chain(const std::vector<Vec3>& positions, double mass_kg) {
   Garment garment;
   garment.mesh.positions = positions;

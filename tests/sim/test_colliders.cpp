@@ -10,13 +10,13 @@
 namespace taut::sim {
 namespace {
 
-TEST(NearestSurface, OfAPlane) {
+TEST(NearestSurface, IsAlongTheNormalOfAPlane) {
   const SurfacePoint p = nearest_surface(Plane{{0, 1, 0}, {0, 1, 0}}, {5, 3, 2});
   EXPECT_EQ(p.distance_m, 2.0);
   EXPECT_EQ(p.normal, Vec3(0, 1, 0));
 }
 
-TEST(NearestSurface, OfASphere) {
+TEST(NearestSurface, IsAwayFromTheCentreOfASphere) {
   const Sphere sphere{{1, 0, 0}, 0.5};
   EXPECT_EQ(nearest_surface(sphere, {3, 0, 0}).distance_m, 1.5);
   EXPECT_EQ(nearest_surface(sphere, {1, 0.25, 0}).distance_m, -0.25);
@@ -24,14 +24,14 @@ TEST(NearestSurface, OfASphere) {
   EXPECT_EQ(nearest_surface(sphere, {1, 0, 0}).normal, Vec3(0, 1, 0)) << "the centre has a way out too";
 }
 
-TEST(NearestSurface, OfACapsuleIsBesideAndBeyondItsSegment) {
+TEST(NearestSurface, IsBesideAndBeyondTheSegmentOfACapsule) {
   const Capsule capsule{{0, 0, 0}, {0, 2, 0}, 0.5, 0.5};
   EXPECT_EQ(nearest_surface(capsule, {1, 1, 0}).distance_m, 0.5);
   EXPECT_EQ(nearest_surface(capsule, {0, 3, 0}).distance_m, 0.5);
   EXPECT_EQ(nearest_surface(capsule, {0, -1, 0}).normal, Vec3(0, -1, 0));
 }
 
-TEST(NearestSurface, OfATaperedCapsuleGoesFromOneRadiusToTheOther) {
+TEST(NearestSurface, FollowsTheRadiusOfATaperedCapsule) {
   const Capsule limb{{0, 0, 0}, {0, 2, 0}, 0.4, 0.2};
   EXPECT_NEAR(nearest_surface(limb, {1, 0, 0}).distance_m, 0.6, 1e-15);
   EXPECT_NEAR(nearest_surface(limb, {1, 1, 0}).distance_m, 0.7, 1e-15);

@@ -8,7 +8,7 @@
 namespace taut::sim {
 namespace {
 
-TEST(Elementary, TheSineOfTurnsIsThatOfTheLibrary) {
+TEST(Elementary, TheSineOfTurnsAgreesWithTheLibrary) {
   for (int k = -4000; k <= 4000; ++k) {
     const double turns = k / 797.0;
     EXPECT_NEAR(sine_of_turns(turns), std::sin(2.0 * std::numbers::pi * turns), 4e-15) << turns;
@@ -19,7 +19,7 @@ TEST(Elementary, TheSineOfTurnsIsThatOfTheLibrary) {
   EXPECT_EQ(sine_of_turns(123456.0), 0.0);
 }
 
-TEST(Elementary, TheExponentialIsThatOfTheLibrary) {
+TEST(Elementary, TheExponentialAgreesWithTheLibrary) {
   for (int k = -4000; k <= 4000; ++k) {
     const double x = k / 11.0;
     EXPECT_NEAR(exponential(x) / std::exp(x), 1.0, 1e-15) << x;

@@ -26,7 +26,7 @@ GeodesicDistances distances(const Mesh& mesh, const std::vector<Index>& sources)
   return geodesic_distances(mesh, make_adjacency(mesh), sources);
 }
 
-TEST(Geodesics, OnFlatClothTheyAreStraightLines) {
+TEST(Geodesics, AreStraightLinesOnFlatCloth) {
   const Mesh mesh = sheet(9, 13, 0.7, 1.1);
   const Index corner = 0;
   const GeodesicDistances found = distances(mesh, {corner});
@@ -50,7 +50,7 @@ TEST(Geodesics, RollingClothUpDoesNotBringItsEndsNearer) {
   }
 }
 
-TEST(Geodesics, OfManySourcesTheNearestCounts) {
+TEST(Geodesics, TheNearestOfManySourcesCounts) {
   const Mesh mesh = sheet(21, 11, 2.0, 1.0);
   const std::vector<Index> sources = {0, 20};
   const GeodesicDistances found = distances(mesh, sources);
@@ -66,7 +66,7 @@ TEST(Geodesics, OfManySourcesTheNearestCounts) {
   }
 }
 
-TEST(Geodesics, WhatHangsOnNothingIsInfinitelyFar) {
+TEST(Geodesics, UnreachableVerticesAreInfinitelyFar) {
   Mesh mesh = sheet(3, 3, 1.0, 1.0);
   mesh.quads.clear();
   const auto first = static_cast<Index>(mesh.positions.size());

@@ -21,7 +21,7 @@ namespace {
 
 using namespace bounded;
 
-/// Up to nine entries in each row, in some none.
+/// Rows with none to nine entries each.
 std::vector<std::vector<MatrixEntry>> some_entries(std::size_t size, std::mt19937& random) {
   std::uniform_int_distribution<Index> column(0, static_cast<Index>(size) - 1);
   std::normal_distribution<double> value(0.0, 1.0);
@@ -63,7 +63,7 @@ TEST(Kernels, ASlicedMatrixGivesTheProductOfItsEntries) {
   }
 }
 
-/// All that kernels read, at random, of a sheet with two pins.
+/// Random input for all kernels: a sheet with two pins.
 struct Inputs {
   Inputs();
   Float4Array random_rows();
@@ -102,7 +102,7 @@ Float4Array Inputs::random_rows() {
   return rows;
 }
 
-/// What kernels make of it, by the name of the kernel.
+/// The results of all kernels, by the name of the kernel.
 std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inputs& in) {
   const SpringLanes& springs = in.layout.springs;
   std::vector<std::uint32_t> blocks(springs.block_count());
@@ -168,7 +168,7 @@ TEST(Kernels, AUnitTheProcessorLacksIsRefused) {
   }
 }
 
-TEST(Kernels, ThePredictionIsThatOfTheOtherSolvers) {
+TEST(Kernels, ThePredictionAgreesWithTheOtherSolvers) {
   const Inputs in;
   const double time_step_s = 0.002;
   const std::size_t count = in.layout.vertex_count();
@@ -195,7 +195,7 @@ TEST(Kernels, ThePredictionIsThatOfTheOtherSolvers) {
   }
 }
 
-TEST(Kernels, TheWindKernelIsTheWindOfTheOtherSolvers) {
+TEST(Kernels, TheWindAgreesWithTheOtherSolvers) {
   const Garment garment = make_garment(irregular_sheet(9, 1.0));
   const Pins no_pins = make_pins(garment, {});
   const Layout layout = make_layout(garment, no_pins);

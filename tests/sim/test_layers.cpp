@@ -43,7 +43,7 @@ std::set<Edge> listed(const NeighbourList& list) {
   return {list.pairs().begin(), list.pairs().end()};
 }
 
-TEST(NeighbourList, HoldsWhatASearchThroughAllPairsFinds) {
+TEST(NeighbourList, EqualsASearchThroughAllPairs) {
   const std::vector<Vec3> points = scattered(600, 1.0);
   const std::vector<Vec3> far_apart = scattered(600, 1000.0);
   NeighbourList list;
@@ -88,7 +88,7 @@ TEST(Layers, PartingMovesOnlyPairsThatAreTooCloseAndKeepsTheirMomentum) {
   EXPECT_EQ(p[3], Vec3(1, 0.02, 0));
 }
 
-TEST(Layers, PartingALittleTakesAwayTheApproachAndGivesNoSpeed) {
+TEST(Layers, PartingInPartRemovesTheApproachAndGivesNoSpeed) {
   const LayerParting a_little = {0.01, 0.25, false};
   const Vec3 between(0.0, 0.006, 0.0);
   const Vec3 approaching(0.002, -0.003, 0.0);
@@ -141,7 +141,7 @@ double gap_m(Simulation simulation) {
   return gap;
 }
 
-TEST(Layers, LieOnEachOtherWhereADistanceIsKept) {
+TEST(Layers, LieOnEachOtherIfADistanceIsKept) {
   EXPECT_NEAR(gap_m(falling_sheet(0.0)), 0.0, 1e-3) << "without it both end on the floor";
   EXPECT_GT(gap_m(falling_sheet(0.03)), 0.01);
 }

@@ -150,7 +150,7 @@ TEST(AngularRule, JoinsNothingBelowTheAngle) {
   EXPECT_TRUE(flexural_springs(fan({0, 72, 144, 216, 288}, true)).empty());
 }
 
-TEST(AngularRule, TakesTheStraightestOfSeveral) {
+TEST(AngularRule, TakesTheStraightestNeighbour) {
   // Opposite to vertex 1 at 0 degrees lie 155, 178 and 200: 178 it is. The others look back at 1 as well.
   const auto springs = flexural_springs(fan({0, 80, 155, 178, 200, 280}, true));
   EXPECT_TRUE(springs.count({1, 4}));
@@ -159,7 +159,7 @@ TEST(AngularRule, TakesTheStraightestOfSeveral) {
   EXPECT_TRUE(springs.count({2, 6}));
 }
 
-TEST(AngularRule, AngleIsASetting) {
+TEST(AngularRule, TheAngleIsASetting) {
   const Mesh mesh = fan({0, 140, 250}, true);
   MappingSettings settings;
   EXPECT_EQ(map_to_springs(mesh, make_adjacency(mesh), settings).count(SpringKind::flexural), 0u);
@@ -212,7 +212,7 @@ TEST(Garment, SharesTheMassEvenly) {
   EXPECT_NEAR(garment.masses_kg[0], garment.masses_kg[2], 1e-15);
 }
 
-TEST(Garment, OfAnotherMaterialIsTheOneMadeOfIt) {
+TEST(Garment, WithAnotherMaterialEqualsOneMadeOfIt) {
   const Material denim = {.areal_density_kg_per_m2 = 0.4, .bending_rigidity_n_m = 5e-5, .friction = 0.6};
   const Garment made = make_garment(grid_of(3, 3), {}, denim);
   const Garment changed = with_material(make_garment(grid_of(3, 3)), denim);
@@ -221,7 +221,7 @@ TEST(Garment, OfAnotherMaterialIsTheOneMadeOfIt) {
   EXPECT_THROW(with_material(made, {.friction = -0.1}), std::invalid_argument);
 }
 
-TEST(Pins, AreSortedOnceEachAndOfInfiniteMass) {
+TEST(Pins, AreSortedAndUniqueAndHaveInfiniteMass) {
   const Garment garment = make_garment(grid_of(3, 3));
   const Pins pins = make_pins(garment, {2, 0, 2});
   EXPECT_EQ(pins.vertices, (std::vector<Index>{0, 2}));

@@ -70,7 +70,7 @@ TEST(WeldAndValidate, TellsWhatBecameOfEachVertex) {
   }
 }
 
-TEST(WeldAndValidate, TellsWhatBecameOfVerticesThatAreNearlyOne) {
+TEST(WeldAndValidate, TellsWhatBecameOfNearVertices) {
   const Mesh input = {
       {origin, right, up, {1.0001, 0, 0}, diagonal, {0, 1.0001, 0}}, {{0, 1, 2}, {5, 3, 4}}, {}};
   std::vector<Index> kept;
@@ -182,7 +182,7 @@ std::string error_of(const Mesh& mesh) {
   return "no error";
 }
 
-TEST(WeldAndValidate, SaysWhatIsWrong) {
+TEST(WeldAndValidate, RefusesBadMeshesWithTheReason) {
   EXPECT_EQ(error_of({{origin, right, up}, {{0, 1, 3}}, {}}),
             "triangle 0 uses vertex 3, but there are only 3 vertices");
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -78,7 +78,7 @@ TEST(Polygons, CutsStarsAndSpirals) {
   expect_cover(spiral);
 }
 
-TEST(Polygons, ComesToAnEndOnWhatIsNoOutline) {
+TEST(Polygons, EndsOnBadOutlinesToo) {
   EXPECT_EQ((Face{{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 2, 0}}}.cut().size()),
             3u);  // crosses itself
   EXPECT_EQ((Face{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}}.cut().size()), 3u);  // a line
@@ -95,7 +95,7 @@ std::string error_of(std::vector<std::uint32_t> counts, std::vector<Index> corne
   return "no error";
 }
 
-TEST(Polygons, SaysWhatIsWrong) {
+TEST(Polygons, RefusesBadFacesWithTheReason) {
   EXPECT_EQ(error_of({2}, {0, 1}), "face 0 has 2 corners; expected 3 to 5000");
   EXPECT_EQ(error_of({3, 4}, {0, 1, 2, 3, 1}), "face 1 has 4 corners, but only 2 are there");
   EXPECT_EQ(error_of({3}, {0, 1, 4}), "face 0 uses vertex 4, but there are only 4");

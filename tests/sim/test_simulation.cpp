@@ -23,7 +23,7 @@ void run(Simulation& simulation, int frames) {
   }
 }
 
-TEST(State, BeginsAtRestAndRotatesByChangingPlaces) {
+TEST(State, BeginsAtRestAndRotatesWithoutCopies) {
   State state = make_state(pinned_cloth());
   EXPECT_EQ(state.previous, state.current);
   EXPECT_EQ(state.predicted, state.current);
@@ -82,7 +82,7 @@ TEST(Simulation, MoreIterationsStretchLess) {
   }
 }
 
-TEST(Simulation, LosesEnergyOnly) {
+TEST(Simulation, NeverGainsEnergy) {
   GridSettings lying;
   lying.plane = GridPlane::horizontal;
   Simulation simulation(share(make_garment(make_grid(lying))), corners, {}, {});
@@ -117,7 +117,7 @@ TEST(Simulation, AGarmentAtRestFallsAsleepUntilSomethingChanges) {
   EXPECT_NE(hash(simulation.state()), at_rest);
 }
 
-TEST(Simulation, PinsAndSettingsWakeItToo) {
+TEST(Simulation, NewPinsAndSettingsWakeIt) {
   Simulation simulation(share(pinned_cloth()), corners, {}, {});
   run(simulation, 1200);
   ASSERT_TRUE(simulation.state().asleep);
@@ -364,7 +364,7 @@ TEST(Simulation, AnotherMaterialWakesTheClothAndIsItsOwn) {
   EXPECT_NEAR(simulation.pins().inverse_masses_per_kg[40], 0.5 / garment->masses_kg[40], 1e-9);
 }
 
-TEST(Measures, StretchOfAPulledCloth) {
+TEST(Measures, StretchIsThatOfThePulledSprings) {
   const Garment garment = make_garment(make_grid({}));
   std::vector<Vec3> pulled = garment.mesh.positions;
   for (Vec3& p : pulled) {
@@ -422,7 +422,7 @@ TEST(Measures, ConvergenceIsTheLengthOfTheLastMove) {
   EXPECT_NEAR(rms_speed(change), 0.1 / 9.0, 1e-15);
 }
 
-TEST(Measures, FindTheFirstVertexThatIsLost) {
+TEST(Measures, TheFirstLostVertexIsFound) {
   std::vector<Vec3> positions(5, Vec3(1.0));
   EXPECT_EQ(first_lost(positions), 5u);
   positions[3].y = std::numeric_limits<double>::infinity();

@@ -38,7 +38,7 @@ bool swings_up(const Garment& garment, const SimulationSettings& settings, const
   return kinetic_j > 10.0;
 }
 
-TEST(StableStep, OfOneSwingingMassIsVerletsOwn) {
+TEST(StableStep, IsVerletsLimitForOneSwingingMass) {
   Garment pair;
   pair.mesh.positions = {{0, 0, 0}, {1, 0, 0}};
   pair.masses_kg = {1.0, 0.01};
@@ -56,7 +56,7 @@ TEST(StableStep, OfOneSwingingMassIsVerletsOwn) {
 
 // However stiff and finely meshed, in a storm and pulled by a hand. Two and a half times as long would be too
 // long, but where damping rules: there the bound is a cautious one.
-TEST(StableStep, HoldsHookesSpringsDown) {
+TEST(StableStep, KeepsHookesSpringsStable) {
   Surroundings storm;
   storm.forces.wind.speed_m_per_s = 20.0;
   storm.forces.wind.direction = {0.2, 0.1, 1.0};
@@ -82,7 +82,7 @@ TEST(StableStep, HoldsHookesSpringsDown) {
   }
 }
 
-TEST(StableStep, IsTakenByTheSolversThatMayChooseAndUpToALimit) {
+TEST(StableStep, IsUsedBySolversThatChooseTheirStepsUpToALimit) {
   const Garment garment = sheet(25);
   const SpringStiffness stiff = {.structural_n_per_m = 20000.0};
   const std::vector<Index> pins = top_corners(garment);

@@ -50,7 +50,7 @@ TEST(Tethers, TheClothAtRestReachesNone) {
   EXPECT_GT(count, layout.vertex_count() * 9 / 10) << "all but those next to the pins";
 }
 
-TEST(Tethers, AreAsLongAsTheBoundLets) {
+TEST(Tethers, AreAsLongAsTheBoundAllows) {
   const Garment garment = sheet(9);
   const Layout layout = make_layout(garment, make_pins(garment, {0}));
   const std::size_t last = layout.vertex_count() - 1;

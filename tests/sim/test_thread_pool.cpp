@@ -49,7 +49,7 @@ TEST(ThreadPool, SmallGarmentsGetOneThreadUnlessAskedOtherwise) {
   EXPECT_LE(thread_count({}, 100000), 4);
 }
 
-TEST(ThreadPool, TellsWhoDidTheWork) {
+TEST(ThreadPool, ReportsWhoDidTheWork) {
   for (const int threads : {1, 2, 4}) {
     ThreadPool pool(threads);
     std::atomic<std::size_t> chunks = 0;
@@ -84,7 +84,7 @@ double part_of_alone(int frames, const std::function<double(int frame)>& waited_
   return sum / frames;
 }
 
-TEST(ThreadChoice, SharesWhereThatIsFaster) {
+TEST(ThreadChoice, SharesIfThatIsFaster) {
   EXPECT_NEAR(part_of_alone(300, [](int) { return 0.1; }), 0.6, 1e-9);
   EXPECT_NEAR(part_of_alone(300, [](int) { return 0.4; }), 0.9, 1e-9);
 }
@@ -102,7 +102,7 @@ TEST(ThreadChoice, FollowsAMachineThatGetsBusyAndIdleAgain) {
   EXPECT_LT(part_of_alone(3000, waited_s), (2600 * 0.7 + 400 * 1.1) / 3000) << "it tries again";
 }
 
-TEST(ThreadChoice, IsNotUsedUpByAMachineThatIsBusyNowAndThen) {
+TEST(ThreadChoice, GoesOnSharingOnAMachineThatIsSometimesBusy) {
   EXPECT_LT(part_of_alone(3000, [](int frame) { return frame % 10 == 0 ? 2.0 : 0.1; }), 1.1);
 }
 

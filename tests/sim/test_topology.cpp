@@ -12,7 +12,7 @@ Topology topology_of(const Mesh& mesh) {
 
 const Vec3 o = {0, 0, 0}, x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1}, w = {-1, 0, 0}, n = {0, -1, 0};
 
-TEST(Topology, OfASheet) {
+TEST(Topology, ASheetHasOneBoundaryLoop) {
   const Topology t = topology_of(make_grid({}));
   EXPECT_EQ(t.components, 1u);
   EXPECT_EQ(t.boundary_edges, 32u);
@@ -23,7 +23,7 @@ TEST(Topology, OfASheet) {
   EXPECT_EQ(t.euler_characteristic, 1);
 }
 
-TEST(Topology, OfAClosedTetrahedron) {
+TEST(Topology, AClosedTetrahedronHasNoBoundary) {
   const Topology t = topology_of({{o, x, y, z}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, {}});
   EXPECT_EQ(t.boundary_loops, 0u);
   EXPECT_EQ(t.euler_characteristic, 2);

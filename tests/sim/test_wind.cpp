@@ -37,7 +37,7 @@ TEST(Wind, PressesHeadOnByHalfRhoAreaSpeedSquared) {
   }
 }
 
-TEST(Wind, OnlyStrokesAClothItBlowsAlong) {
+TEST(Wind, OnlyRubsAClothItBlowsAlong) {
   const Garment garment = make_garment(make_grid({}));
   Wind wind;
   wind.speed_m_per_s = 4.0;
@@ -73,7 +73,7 @@ TEST(Wind, StillAirBrakesAsTheFaintestWindDoes) {
   EXPECT_NEAR(glm::length(total_wind_force(garment, state, faintest) - still), 0.0, 1e-6);
 }
 
-TEST(Wind, CannotBlowClothFasterThanAirInOneStep) {
+TEST(Wind, CannotMakeClothFasterThanAirInOneStep) {
   const Garment garment = make_garment(make_grid({}));
   Wind wind;
   wind.speed_m_per_s = 1000.0;

@@ -11,22 +11,27 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// An element alone is slower than the fastest wave of all together, by about this factor.
+/// The fastest wave of all elements together is faster than one element alone by about this factor. A larger
+/// value softens elements more.
 constexpr double wave_per_element = 2.2;
-/// Another level is made where at some vertex more of the rigidity than this part is left over.
+/// Another level is made if at some vertex more than this fraction of the rigidity is left over. A larger
+/// value makes fewer levels and loses more rigidity.
 constexpr double least_share = 0.01;
-/// As each has a quarter of the vertices, reached by meshes of some millions of them alone.
+/// The largest number of levels. Each level has a quarter of the vertices of the one before, so only meshes
+/// of some millions reach it.
 constexpr std::size_t most_levels = 8;
-/// So few have no folds to tell from ripples, and cost next to nothing however often they are evaluated.
+/// The smallest number of clusters of a level. So few have no folds distinct from ripples and cost almost
+/// nothing.
 constexpr std::size_t fewest_clusters = 100;
-/// The coarsest level takes what is left, but for needles: this many times the rate of other levels.
+/// The coarsest level takes all that is left, with rates up to this many times those of other levels. Only
+/// needles exceed it.
 constexpr double coarsest_rate = 10.0;
-/// The fastest mode comes from the power method with this many steps, which comes from below and is close, as
-/// the highest modes are many and alike; its square is taken for this many times as much.
-constexpr int power_steps = 40;
+/// The highest rate is found by the power method with this many iterations. Its result is slightly too low,
+/// so its square is multiplied by the margin. It is close because the highest modes are many and similar.
+constexpr int power_iterations = 40;
 constexpr double power_margin = 1.15;
 
-/// The square of the angular frequency of one element alone.
+/// Returns the square of the angular frequency of one element alone, in 1/s^2.
 double squared_rate(const FlexuralElement& e, double stiffness, const Pins& pins) {
   double sum = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -41,7 +46,7 @@ struct Entry {
   double value;
 };
 
-/// Sums entries of the same place; the result is in the order of rows, then columns.
+/// Sums the entries of the same row and column. The result is sorted by row, then column.
 std::vector<Entry> summed(std::vector<Entry> entries) {
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return a.row != b.row ? a.row < b.row : a.column < b.column;
@@ -57,13 +62,13 @@ std::vector<Entry> summed(std::vector<Entry> entries) {
   return sums;
 }
 
-/// What one level of detail takes on, and what it leaves.
+/// The part of the bending that one level takes, and the part that it leaves to the next.
 struct Taken {
   std::vector<Entry> stiffness;     ///< K, by rows
   std::vector<double> left_shares;  ///< by vertex, of the rigidity
 };
 
-/// `shares` is what of the rigidity is this level's to take, by vertex.
+/// `shares` holds, per vertex, the fraction of the rigidity that this level should take.
 Taken take_stiffness(const Garment& garment, const Pins& pins, const std::vector<Index>& row_of_vertex,
                      const std::vector<double>& shares, double rigidity_n_m, double largest_rate_per_s) {
   const double stiffest = largest_rate_per_s / wave_per_element;
@@ -106,11 +111,11 @@ std::vector<std::vector<MatrixEntry>> acceleration_rows(const std::vector<Entry>
   return rows;
 }
 
-/// The mean over each cluster's mass of what is left to its vertices.
+/// Returns, per cluster, the mean of what is left to its vertices, weighted by mass.
 std::vector<double> shares_of_clusters(const CoarseCloth& coarse, const std::vector<double>& left) {
   std::vector<double> shares(coarse.garment.mesh.positions.size(), 0.0);
   for (std::size_t v = 0; v < left.size(); ++v) {
-    shares[coarse.cluster_of[v]] += coarse.part_of_mass[v] * left[v];
+    shares[coarse.cluster_of[v]] += coarse.mass_fraction[v] * left[v];
   }
   return shares;
 }
@@ -139,12 +144,12 @@ Bending::Bending(const Garment& garment, const Pins& pins, const Layout& layout,
   if (!(rigidity_n_m > 0.0)) {
     return;
   }
-  const auto take = [&](const Garment& from, const Pins& held, const std::vector<Index>& row_of_vertex,
+  const auto take = [&](const Garment& from, const Pins& level_pins, const std::vector<Index>& row_of_vertex,
                         const std::vector<Index>& vertex_of_row, const std::vector<double>& shares) {
     const bool is_coarsest = levels_.size() + 1 == most_levels || shares.size() < 4 * fewest_clusters;
     const double rate_per_s = largest_rate_per_s * (is_coarsest ? coarsest_rate : 1.0);
-    Taken taken = take_stiffness(from, held, row_of_vertex, shares, rigidity_n_m, rate_per_s);
-    const auto inverse_masses = by_row<double>(held.inverse_masses_per_kg, vertex_of_row);
+    Taken taken = take_stiffness(from, level_pins, row_of_vertex, shares, rigidity_n_m, rate_per_s);
+    const auto inverse_masses = by_row<double>(level_pins.inverse_masses_per_kg, vertex_of_row);
     levels_.emplace_back();
     levels_.back().matrix = make_sliced_matrix(acceleration_rows(taken.stiffness, inverse_masses));
     return is_coarsest ? std::vector<double>(shares.size(), 0.0) : std::move(taken.left_shares);
@@ -158,12 +163,12 @@ Bending::Bending(const Garment& garment, const Pins& pins, const Layout& layout,
     coarse = coarsen(levels_.size() == 1 ? garment : coarse.garment, order);
     const std::vector<double> shares = shares_of_clusters(coarse, left);
     const auto cluster_of = by_row<std::uint32_t>(coarse.cluster_of, order);
-    const auto part_of_mass = by_row<float>(coarse.part_of_mass, order);
+    const auto mass_fraction = by_row<float>(coarse.mass_fraction, order);
     order = in_order(shares.size());
     left = take(coarse.garment, make_pins(coarse.garment, {}), order, order, shares);
     Level& level = levels_.back();
     level.cluster_of = cluster_of;
-    level.part_of_mass = part_of_mass;
+    level.mass_fraction = mass_fraction;
     level.positions.resize(shares.size() + block_size);
     level.accelerations.resize(level.positions.size());
   }
@@ -176,7 +181,7 @@ std::vector<double> Bending::image_of(const std::vector<double>& mode) const {
     const Level& level = levels_[l];
     std::vector<double> coarse(level.positions.size() - block_size, 0.0);
     for (std::size_t row = 0; row < level.cluster_of.size(); ++row) {
-      coarse[level.cluster_of[row]] += static_cast<double>(level.part_of_mass[row]) * modes.back()[row];
+      coarse[level.cluster_of[row]] += static_cast<double>(level.mass_fraction[row]) * modes.back()[row];
     }
     modes.push_back(std::move(coarse));
   }
@@ -199,7 +204,7 @@ double Bending::find_largest_rate_per_s() const {
     mode[row] = row % 2 == 0 ? 1.0 : -0.7;
   }
   double eigenvalue = 0.0;
-  for (int step = 0; step < power_steps; ++step) {
+  for (int iteration = 0; iteration < power_iterations; ++iteration) {
     mode = image_of(mode);
     double largest = 0.0;
     for (const double x : mode) {
@@ -224,7 +229,7 @@ void Bending::add_accelerations(const Float4Array& positions, ParallelKernels& k
     std::fill(level.positions.begin(), level.positions.end(), Float4{});
     std::fill(level.accelerations.begin(), level.accelerations.end(), Float4{});
     for (std::size_t row = 0; row < level.cluster_of.size(); ++row) {
-      add_scaled(level.positions[level.cluster_of[row]], finer[row], level.part_of_mass[row]);
+      add_scaled(level.positions[level.cluster_of[row]], finer[row], level.mass_fraction[row]);
     }
     kernels.add_product(level.matrix, level.positions.data(), level.accelerations.data());
     finer = level.positions.data();

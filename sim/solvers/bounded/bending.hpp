@@ -9,38 +9,44 @@
 
 namespace taut::sim::bounded {
 
-/// The bending of a garment, shared among levels of detail.
+/// The bending of a garment, shared among several levels of detail.
 ///
-/// The rate of the shortest waves grows with one over the square of the edge length: at 85 000 triangles they
-/// would ask for some seventy evaluations a frame, to follow ripples of half a centimetre that nobody sees.
-/// So elements are softened until no wave is faster than can be followed, and what that takes from their
-/// rigidity is given to elements between clusters of vertices, where the same rigidity makes slower waves;
-/// and so on until nothing is left over. Folds wider than a few clusters meet the whole rigidity, ripples
-/// meet as much as the time between two evaluations allows.
+/// The rate of the shortest waves grows with one over the square of the edge length. At 85 000 triangles they
+/// would need about seventy evaluations per frame, for ripples of half a centimetre that nobody sees. So
+/// elements are softened until no wave is too fast for the evaluations. The rigidity they lose is given to
+/// elements between clusters of vertices, where the same rigidity makes slower waves. This is repeated with
+/// larger clusters until no rigidity is left over. Folds wider than a few clusters meet the whole rigidity.
+/// Ripples meet as much as the time between two evaluations allows.
 class Bending {
  public:
   Bending() = default;
 
-  /// B = `rigidity_n_m` in N m; no level is left with waves of a higher angular frequency than about
-  /// `largest_rate_per_s`. `layout` has to outlive this.
+  /// `rigidity_n_m` is the bending rigidity B. Levels are added until no level has waves of an angular
+  /// frequency above about `largest_rate_per_s`. `layout` must outlive this object.
   Bending(const Garment& garment, const Pins& pins, const Layout& layout, double rigidity_n_m,
           double largest_rate_per_s);
 
+  /// True if the cloth has no bending rigidity.
   bool empty() const { return levels_.empty(); }
   std::size_t level_count() const { return levels_.size(); }
 
-  /// No mode of all levels together has a higher angular frequency.
+  /// The highest angular frequency of all levels together, in radians per second.
   double largest_rate_per_s() const { return largest_rate_per_s_; }
 
-  /// Adds to `accelerations` what bending does at `positions`, both by rows of the layout.
+  /// Adds the acceleration by bending at `positions`, in m/s^2. Both arrays have one entry per row of the
+  /// layout.
   void add_accelerations(const Float4Array& positions, ParallelKernels& kernels, Float4Array& accelerations);
 
  private:
   struct Level {
-    SlicedMatrix matrix;                    ///< -W K without its diagonal: accelerations from positions
-    std::vector<std::uint32_t> cluster_of;  ///< by row of the next finer level; empty in the finest
-    std::vector<float> part_of_mass;        ///< likewise
-    Float4Array positions;                  ///< of clusters, and as many spare rows as a slice has
+    /// -W K without its diagonal: gives accelerations from positions.
+    SlicedMatrix matrix;
+    /// By row of the next finer level; empty in the finest level.
+    std::vector<std::uint32_t> cluster_of;
+    /// Each row's fraction of the mass of its cluster; by row of the next finer level.
+    std::vector<float> mass_fraction;
+    /// Of the clusters, followed by as many spare rows as a block has.
+    Float4Array positions;
     Float4Array accelerations;
   };
 

@@ -16,7 +16,7 @@ struct ProjectionResult;
 /// How and why: bounded.md beside this file.
 class BoundedSolver : public Solver {
  public:
-  /// Throws std::invalid_argument on a vector unit this processor lacks.
+  /// Throws std::invalid_argument if this processor does not have the vector unit.
   BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps);
   ~BoundedSolver() override;
 
@@ -42,7 +42,7 @@ class BoundedSolver : public Solver {
   void end_frame(double frame_time_s, int substeps, State& state) const;
 
   BoundedSettings settings_;
-  std::optional<int> substeps_;  ///< in a frame, where they are not to be chosen
+  std::optional<int> substeps_;  ///< per frame; the solver chooses if there is none
   int max_substeps_;
   std::unique_ptr<bounded::ParallelKernels> kernels_;
   std::unique_ptr<Cloth> cloth_;

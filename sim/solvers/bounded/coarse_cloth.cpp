@@ -9,7 +9,7 @@ namespace taut::sim::bounded {
 namespace {
 
 constexpr Index unassigned = ~Index{0};
-/// In vertices. More makes fewer levels and leaves coarser steps between them.
+/// The largest cluster, in vertices. A larger value makes fewer levels with coarser steps between them.
 constexpr std::size_t largest_cluster = 4;
 
 class Clusters {
@@ -17,8 +17,8 @@ class Clusters {
   explicit Clusters(const Garment& garment)
       : adjacency_(garment.adjacency), cluster_of_(garment.mesh.positions.size(), unassigned) {}
 
-  /// A vertex takes up to three free neighbours with it; one that has none joins the smallest cluster beside
-  /// it.
+  /// Puts a free vertex and up to three free neighbours into a new cluster. A vertex without free neighbours
+  /// joins the smallest cluster next to it.
   void add(Index v) {
     if (cluster_of_[v] != unassigned) {
       return;
@@ -62,7 +62,8 @@ class Clusters {
   std::vector<std::size_t> sizes_;
 };
 
-/// Triangles between three clusters, each once, turned as the first of the fine ones that span it.
+/// Returns the triangles between three clusters, each once, oriented like the first fine triangle that spans
+/// them.
 std::vector<Triangle> triangles_between(const Mesh& fine, const std::vector<Index>& cluster_of) {
   std::set<std::array<Index, 3>> known;
   std::vector<Triangle> triangles;
@@ -95,7 +96,7 @@ CoarseCloth coarsen(const Garment& fine, const std::vector<Index>& order) {
   for (std::size_t v = 0; v < coarse.cluster_of.size(); ++v) {
     const Index cluster = coarse.cluster_of[v];
     const double part = masses_kg[cluster] > 0.0 ? fine.masses_kg[v] / masses_kg[cluster] : 0.0;
-    coarse.part_of_mass.push_back(part);
+    coarse.mass_fraction.push_back(part);
     mesh.positions[cluster] += part * fine.mesh.positions[v];
   }
   mesh.triangles = triangles_between(fine.mesh, coarse.cluster_of);

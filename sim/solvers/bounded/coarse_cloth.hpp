@@ -6,15 +6,17 @@
 
 namespace taut::sim::bounded {
 
-/// A garment seen from further away: clusters of about four vertices each, with the mass of all of them at
-/// their centre of mass, and triangles where three clusters meet.
+/// A coarser copy of a garment: clusters of about four vertices each. A cluster has the mass of all its
+/// vertices at their centre of mass. Triangles are where three clusters meet.
 struct CoarseCloth {
   Garment garment;
-  std::vector<Index> cluster_of;     ///< by vertex of the finer garment
-  std::vector<double> part_of_mass;  ///< of its cluster's, by vertex of the finer garment
+  std::vector<Index> cluster_of;  ///< per vertex of the finer garment
+  /// The vertex's fraction of the mass of its cluster; per vertex of the finer garment.
+  std::vector<double> mass_fraction;
 };
 
-/// Clusters are begun at the vertices of the finer garment in the given `order`, and grow along its edges.
+/// Groups the vertices of the finer garment into clusters. Clusters start at its vertices in the given
+/// `order`, which names each vertex once, and grow along its edges.
 CoarseCloth coarsen(const Garment& fine, const std::vector<Index>& order);
 
 }  // namespace taut::sim::bounded

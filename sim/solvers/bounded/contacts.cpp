@@ -8,13 +8,13 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Vertices are looked at that could come to an obstacle within the frame: speeds can grow in it to this many
-/// times what they were, and move by this much more, in m. More looks at more of them; less lets fast ones
-/// in.
+/// Only vertices that could reach a collider within the frame are checked. It is assumed that speeds grow to
+/// at most this many times their value in a frame, and that vertices move by this much more, in m. Larger
+/// values check more vertices; smaller ones let fast vertices enter colliders.
 constexpr double reach_factor = 2.0;
 constexpr double extra_reach_m = 0.02;
 
-/// The part of an overlap that one parting takes away: all at once would tear at the springs.
+/// The fraction of an overlap that one parting removes. A larger value pulls more at the springs.
 constexpr double parted_at_once = 0.3;
 
 double largest_speed(const Float4Array& velocities) {

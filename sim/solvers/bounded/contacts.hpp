@@ -7,22 +7,22 @@
 
 namespace taut::sim::bounded {
 
-/// What keeps the cloth off obstacles and off itself.
+/// Keeps the cloth away from colliders and its layers away from each other.
 class Contacts {
  public:
-  /// Finds the rows that could reach an obstacle within the frame.
+  /// Finds the rows that could reach a collider within the frame. `velocities` has one entry per row, in m/s.
   void begin_frame(const Garment& garment, const Pins& pins, const Layout& layout,
                    const Surroundings& surroundings, const Motion& motion, const Float4Array& velocities,
                    double frame_time_s);
 
-  /// After the sweeps of each time step: out of the obstacles, with friction.
+  /// Moves cloth out of the colliders, with friction. Call it after the sweeps of each time step.
   void push_out(const Material& cloth, const Surroundings& surroundings, Motion& motion);
 
-  /// A few times in a frame: moves layers that are too close apart and takes away the speed with which they
-  /// approach, but gives them none.
+  /// Moves layers apart that are too close. It removes their speed of approach and adds no other speed. Call
+  /// it a few times per frame.
   void part_layers(const Garment& garment, const Layout& layout, double layer_distance_m, Motion& motion);
 
-  /// Of earlier frames: see NeighbourList.
+  /// Saves and restores what is kept from earlier frames; see NeighbourList.
   void save(ByteWriter& memory) const { layers_.save(memory); }
   void restore(const Garment& garment, ByteReader& memory) {
     layers_.restore(garment.mesh.positions, memory);

@@ -8,13 +8,23 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// The mean over all directions of the fourth power of the cosine is 3/8: of the bending energy of a cylinder
-/// springs in all directions see that part.
+/// The factor for springs in all directions. They see only 3/8 of the bending energy of a cylinder: the mean
+/// of the fourth power of the cosine over all directions.
 constexpr double cylinder_factor = 8.0 / 3.0;
-/// Springs along the two directions of a grid: one of the two bends.
+/// The factor for springs along the two directions of a grid. A cylinder bends only one of the two.
 constexpr double grid_factor = 2.0;
+/// Two lines cross if the squared sine of the angle between them is above this. A smaller value accepts lines
+/// that are almost parallel, whose crossing is ill defined.
+constexpr double least_squared_sine = 1e-3;
+/// A crossing may be this far from the middle of the spring, as a fraction of the spring's length. A larger
+/// value finds cloth below more springs, with stiffer elements.
+constexpr double largest_offset = 0.3;
+/// How far a line is extended beyond v, as a fraction of the edge v-c.
+constexpr double extension = 0.5;
+/// Of crossings equally far from the middle, this weight prefers the one nearer to v.
+constexpr double distance_weight = 1e-3;
 
-/// Where two lines come closest: parameters along a-b and along v-c.
+/// Where two lines are closest: the parameter s along a-b and t along v-c.
 struct Crossing {
   double s;
   double t;
@@ -28,7 +38,7 @@ std::optional<Crossing> crossing_of(const Vec3& a, const Vec3& b, const Vec3& v,
   const double vc2 = glm::dot(vc, vc);
   const double mixed = glm::dot(ab, vc);
   const double determinant = ab2 * vc2 - mixed * mixed;
-  if (!(determinant > 1e-3 * ab2 * vc2)) {
+  if (!(determinant > least_squared_sine * ab2 * vc2)) {
     return std::nullopt;
   }
   const double from_a = glm::dot(ab, va);
@@ -64,24 +74,25 @@ class Neighbours {
   const CompressedRows& edges_at_;
 };
 
-/// The crossing nearest to the middle of the spring, among the lines from the vertices both ends are joined
-/// to. Lines are followed a little beyond v: at a border the spring can pass where there is no cloth.
+/// Returns the element whose crossing is nearest to the middle of the spring. It looks at the lines from each
+/// vertex that is a neighbour of both ends. A line is extended slightly beyond v because at a border the
+/// spring can pass outside the cloth.
 std::optional<FlexuralElement> element_of(const Edge& spring, const std::vector<Vec3>& positions,
                                           const Neighbours& neighbours) {
   const auto [a, b] = spring;
   std::optional<FlexuralElement> best;
-  double best_offset = 0.3;
+  double best_offset = largest_offset;
   for (const Index v : neighbours.common(a, b)) {
     for (const Index c : neighbours.of(v)) {
       if (c == a || c == b) {
         continue;
       }
       const auto crossing = crossing_of(positions[a], positions[b], positions[v], positions[c]);
-      if (!crossing || !(crossing->t >= -0.5 && crossing->t <= 1.0)) {
+      if (!crossing || !(crossing->t >= -extension && crossing->t <= 1.0)) {
         continue;
       }
       const auto [s, t] = *crossing;
-      const double offset = std::abs(s - 0.5) + 1e-3 * std::abs(t);
+      const double offset = std::abs(s - 0.5) + distance_weight * std::abs(t);
       if (offset < best_offset) {
         best_offset = offset;
         const double length_m = glm::length(positions[a] - positions[b]);
@@ -95,8 +106,8 @@ std::optional<FlexuralElement> element_of(const Edge& spring, const std::vector<
   return best;
 }
 
-/// Makes the stiffness of each element per area that of the area it stands for: the area about its vertex v,
-/// divided among the elements there.
+/// Multiplies each element's stiffness by the area that it stands for: the area at its vertex v, divided
+/// among the elements there.
 void scale_by_area(const Garment& garment, std::vector<FlexuralElement>& elements) {
   std::vector<double> count(garment.mesh.positions.size(), 0.0);
   for (const FlexuralElement& e : elements) {

@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/layout.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,8 +13,8 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// In the projection onto the bound weights grow by this power of e with every spring on the way to the pins.
-/// More hands corrections down the cloth faster and leaves less of them to what is near the pins.
+/// In the projection, weights grow by this power of e per spring towards the pins. A larger value hands
+/// corrections down the cloth faster and leaves smaller ones near the pins.
 constexpr double projection_weight_growth = 0.2;
 
 std::size_t bound_spring_count(const Springs& springs) {
@@ -48,7 +49,8 @@ struct SpringInRows {
   Index spring;
 };
 
-/// Ends as rows, the nearer to the pins first; springs between two pins cannot be corrected and are left out.
+/// Returns the springs with their ends as rows, the end nearer to the pins first. Springs between two pins
+/// cannot be corrected and are left out.
 std::vector<SpringInRows> movable_springs(const Springs& springs, const Layout& layout) {
   std::vector<SpringInRows> rows;
   for (Index s = 0; s < bound_spring_count(springs); ++s) {
@@ -65,7 +67,7 @@ std::vector<SpringInRows> movable_springs(const Springs& springs, const Layout& 
   return rows;
 }
 
-/// Greedy: every spring takes the first colour that neither of its ends has yet.
+/// Greedy colouring: each spring gets the first colour that no other spring at its ends has.
 std::vector<std::vector<SpringInRows>> coloured(const std::vector<SpringInRows>& springs,
                                                 std::size_t row_count) {
   std::vector<std::vector<SpringInRows>> colours;
@@ -97,7 +99,7 @@ void measure_reach(const Garment& garment, Layout& layout) {
   layout.reach_springs = total_m > 0.0 ? layout.reach_m * static_cast<double>(count) / total_m : 0.0;
 }
 
-/// The inverse weight of end i in the projection over that of end j.
+/// Returns the inverse weight of end i in the projection divided by that of end j.
 double projection_ratio(const SpringInRows& s, const Layout& layout) {
   const double further_m = layout.distance_from_pins_m[s.row_j] - layout.distance_from_pins_m[s.row_i];
   if (!std::isfinite(further_m) || !(layout.reach_m > 0.0)) {
@@ -106,7 +108,7 @@ double projection_ratio(const SpringInRows& s, const Layout& layout) {
   return exponential(-projection_weight_growth * further_m * layout.reach_springs / layout.reach_m);
 }
 
-/// Sets lane `lane` to a spring between two rows.
+/// Sets a lane to a spring between two rows.
 void set_lane(SpringLanes& lanes, std::size_t lane, Index row_i, Index row_j, double share_i, double rest_m) {
   SpringBlock& block = lanes.blocks[lane / block_size];
   const std::size_t k = lane % block_size;
@@ -175,13 +177,14 @@ TriangleLanes make_triangle_lanes(const Garment& garment, const Layout& layout) 
 }  // namespace
 
 void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRows& start) {
+  assert(positions_m.size() == layout.vertex_count());
   start.high.resize(layout.row_count());
   start.low.resize(layout.row_count());
   const Vec3 origin_m = positions_m[layout.vertex_of_row[0]];
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     start.high[row] = float4_of(positions_m[layout.vertex_of_row[row]] - origin_m);
   }
-  // A loop of its own: GCC 12 at -O3 takes what was rounded for what was not where both are in one.
+  // A separate loop: in one loop, GCC 12 at -O3 uses the values before rounding in place of the rounded ones.
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     const Vec3 from_origin_m = positions_m[layout.vertex_of_row[row]] - origin_m;
     start.low[row] = float4_of(from_origin_m - vector_of(start.high[row]));

@@ -6,13 +6,14 @@
 
 namespace taut::sim::bounded {
 
-/// Where the cloth is within a frame: displacements since the frame's start in single precision. Absolute
-/// positions would round away the motion of cloth that is nearly at rest, and never let it come to rest.
+/// Where the cloth is within a frame: single-precision displacements since the start of the frame, in m.
+/// Absolute positions in single precision would round off the motion of cloth that is almost at rest, so that
+/// it would never come to rest.
 struct Motion {
-  std::vector<Vec3> start_m;  ///< positions when the frame began, by row
-  StartRows start;            ///< the same, for kernels
+  std::vector<Vec3> start_m;  ///< positions at the start of the frame, one per vertex, by row
+  StartRows start;            ///< the same for kernels
   Float4Array current;        ///< displacements now
-  Float4Array previous;       ///< and one time step ago
+  Float4Array previous;       ///< displacements one time step ago
 };
 
 }  // namespace taut::sim::bounded

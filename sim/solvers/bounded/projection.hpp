@@ -11,7 +11,7 @@ namespace taut::sim::bounded {
 
 /// What came of making a frame keep its bound.
 struct ProjectionResult {
-  double raw_max_stretch = 0.0;  ///< before
+  double raw_max_stretch = 0.0;  ///< before the projection
   double cost = 0.0;             ///< the work it took, in sweeps over all springs
   double largest_shift_m = 0.0;  ///< the furthest a vertex was moved
   bool kept = false;             ///< no spring is longer than the bound allows
@@ -28,19 +28,19 @@ class BoundProjection {
  public:
   explicit BoundProjection(const Layout& layout);
 
-  /// Gives up when it has cost `largest_cost`.
+  /// Stops when its cost, in sweeps over all springs, reaches `largest_cost`.
   ProjectionResult project(const Layout& layout, const Float4Array& raw, double max_stretch,
                            double largest_cost, ParallelKernels& kernels);
 
-  /// The last projection is that of the frame; the next call is for the next one.
+  /// Ends the frame: the next projection starts from the corrections of this one.
   void end_frame() { corrections_.swap(new_corrections_); }
 
-  /// The correction of the last frame.
+  /// Saves the correction of the last frame.
   void save(const Layout& layout, ByteWriter& memory) const;
   /// Throws BadBytes.
   void restore(const Layout& layout, ByteReader& memory);
 
-  /// Displacements since the frame's start that keep the bound.
+  /// The result by row: displacements since the start of the frame, in m.
   const Float4Array& corrected() const { return corrected_; }
 
  private:

@@ -9,14 +9,16 @@
 namespace taut::sim {
 namespace {
 
-// Measured on the cloth that is hardest to keep: a square that hangs by two corners, as far apart as it is
-// wide, so that nothing of it may give. T-shirts keep tighter bounds in stronger winds.
+// Measured on the cloth that is hardest to keep within a bound: a square that hangs by two corners, as far
+// apart as it is wide, so that no part may stretch. T-shirts keep tighter bounds in stronger winds. Raising a
+// limit promises more than was measured. The limits hold at this bound, which has no unit:
 constexpr double measured_bound = 1e-3;
-/// At the measured bound, for ten seconds; half as wide a bound was kept in a quarter of the wind.
+/// The bound was kept in this wind for ten seconds. Half this bound was kept in a quarter of the wind's
+/// speed.
 constexpr double strongest_wind_m_per_s = 200.0;
 constexpr double strongest_acceleration_m_per_s2 = 1e4;
 constexpr double strongest_pull_n = 1e6;  ///< at one vertex
-/// From this bound on nothing more was measured.
+/// Wider bounds were not measured: limits stop growing here.
 constexpr double widest_measured_bound = 1e-2;
 
 constexpr double tau = 6.283185307179586;
@@ -53,14 +55,15 @@ double bound_for(const Load& load) {
   return measured_bound * std::sqrt(load.amount / load.strongest);
 }
 
-/// To so many significant digits.
+/// Writes a number with `count` significant digits.
 std::string digits(double number, int count = 6) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.*g", count, number);
   return text.data();
 }
 
-/// The bound a load needs, rounded up to two digits, or nothing where none is wide enough.
+/// Returns the advice to take the bound that a load needs, rounded up to two digits. Empty if no measured
+/// bound is wide enough.
 std::string wider_bound(const Load& load) {
   const double bound = bound_for(load);
   if (bound > widest_measured_bound) {

@@ -6,18 +6,21 @@
 
 namespace taut::sim {
 
+/// The largest number of threads a solver accepts.
 inline constexpr int most_threads = 64;
 
+/// The settings of `bounded`.
 struct BoundedSettings {
-  /// No structural or shear spring is longer than this beyond its rest length at the end of a frame.
+  /// The bound on stretch: at the end of a frame every structural and shear spring is at most (1 +
+  /// max_stretch) times its rest length.
   double max_stretch = 0.05;
-  /// Takes on bounds and loads for which the bound is not promised (promise.hpp).
+  /// Accepts bounds and loads for which the bound is not promised (promise.hpp).
   bool allow_exceeding = false;
-  /// No vertex gets further from its pin than the way along the cloth is long. Less work.
+  /// Limits each vertex's distance from its pin to the length of the way along the cloth. Saves work.
   bool tethers = true;
   VectorUnit vector_unit = VectorUnit::best;  ///< never changes a result
-  /// Never changes a result. None: one, or for garments above some 20 000 triangles as many as the machine
-  /// has, up to 4.
+  /// Never changes a result. Without a value the solver chooses: 1, or for garments above 20 000 triangles as
+  /// many as the machine has, up to 4.
   std::optional<int> threads = {};
 
   bool operator==(const BoundedSettings&) const = default;

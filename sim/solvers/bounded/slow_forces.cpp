@@ -9,19 +9,23 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Of all slow forces. Fewer cost less and let the wind lag behind the cloth.
+/// The smallest number of updates of all slow forces per frame. Fewer cost less, and the wind then lags
+/// behind the cloth.
 constexpr int least_updates_per_frame = 3;
-/// How far the wind blows from one update to the next, in m: it turns with the cloth, by about as much
-/// whenever it has blown this far. Less changed how a shirt flies in a wind of 10 m/s by less than its own
-/// turbulence does.
+/// The largest number of updates per frame. Vertices of almost no mass would need any number.
+constexpr double most_updates_per_frame = 1e6;
+/// How far the wind blows from one update to the next, in m. The force of the wind turns with the cloth, by
+/// about the same angle per distance blown. With a smaller value, a shirt in a wind of 10 m/s changed by less
+/// than its own turbulence.
 constexpr double wind_update_m = 0.042;
 
-/// The fastest bending mode in radians per interval between updates, which is stable while its square is
-/// below 2 (see add_bending). At 1.3 the cloth was seen to tremble, as sweeps come in between; less costs
-/// more updates.
+/// The angular frequency of the fastest bending mode times the interval between updates, in radians. It is
+/// stable while its square is below 2 (see add_bending). At 1.3 the cloth trembled, because sweeps come in
+/// between. A smaller value needs more updates.
 constexpr double largest_rate_times_interval = 0.95;
 
-/// Waves of bending faster than this, in radians per frame, are slowed down. More asks for more updates.
+/// Waves of bending faster than this, in radians per frame, are slowed down. A larger value needs more
+/// updates.
 constexpr double fastest_bending_per_frame = 2.2;
 
 AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s,
@@ -51,10 +55,9 @@ SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& l
 int SlowForces::updates_per_frame(const ExternalForces& external, double frame_time_s) const {
   const double for_wind = external.wind.speed_m_per_s * frame_time_s / wind_update_m;
   const double for_bending = bending_.largest_rate_per_s() * frame_time_s / largest_rate_times_interval;
-  // Vertices of next to no mass would ask for any number.
-  constexpr double most = 1e6;
   const double wanted = std::ceil(std::max(for_wind, for_bending));
-  return std::max(least_updates_per_frame, static_cast<int>(wanted < most ? wanted : most));
+  return std::max(least_updates_per_frame,
+                  static_cast<int>(wanted < most_updates_per_frame ? wanted : most_updates_per_frame));
 }
 
 void SlowForces::add_gravity_and_artificial(const ExternalForces& external) {
@@ -68,7 +71,7 @@ void SlowForces::add_gravity_and_artificial(const ExternalForces& external) {
   }
 }
 
-// A hand's spring is implicit over the time from one update to the next.
+// The hand's spring takes an implicit step over the whole time between two updates.
 void SlowForces::add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion,
                           double time_step_s, double interval_s) {
   for (const HeldVertex& held : external.held_vertices) {
@@ -102,9 +105,9 @@ void SlowForces::add_wind(const Garment& garment, const Wind& wind, const Motion
   });
 }
 
-// Bending is taken not at x but at x + v interval, where the cloth will be when the interval ends. With a =
-// rate^2 interval^2 of a mode the step from interval to interval has the determinant 1 - a/2 and the trace 2
-// - 3a/2: stable for a < 2, and damping where bending at x itself would feed the motion.
+// Bending is evaluated at x + v interval, where the cloth will be at the end of the interval. For a mode with
+// a = rate^2 interval^2, the step from interval to interval has the determinant 1 - a/2 and the trace 2 -
+// 3a/2. It is stable for a < 2 and damps the motion. Bending evaluated at x itself would add energy.
 void SlowForces::add_bending(const Motion& motion, double ahead, ParallelKernels& kernels) {
   const auto factor = static_cast<float>(ahead);
   kernels.for_rows(0, layout_.vertex_count(), [&](std::size_t begin, std::size_t end) {

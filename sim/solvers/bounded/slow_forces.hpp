@@ -8,23 +8,26 @@
 
 namespace taut::sim::bounded {
 
-/// Forces that change slowly against a time step: gravity, wind, bending, artificial forces and those of
-/// hands. They are evaluated at a few times in a frame and stay as they are in between (multiple time steps,
-/// as the slow forces of Tuckerman, Berne and Martyna 1992).
+/// Forces that change little in one time step: gravity, wind, bending, artificial forces and those of hands.
+/// They are evaluated a few times per frame and stay constant in between (multiple time steps, like the slow
+/// forces of Tuckerman, Berne and Martyna 1992).
 class SlowForces {
  public:
-  /// `layout` has to outlive this.
+  /// `layout` must outlive this object.
   SlowForces(const Garment& garment, const Pins& pins, const Layout& layout, double bending_rigidity_n_m,
              double frame_time_s);
 
-  /// How often a frame the forces have to be evaluated so that keeping them in between is stable.
+  /// Returns how many evaluations per frame keep the cloth stable although the forces stay constant in
+  /// between.
   int updates_per_frame(const ExternalForces& external, double frame_time_s) const;
 
-  /// Evaluates all forces as accelerations by row, in m/s^2, for the next `interval_s`.
-  /// Artificial forces and hands must be on vertices that are there.
+  /// Evaluates all forces at the current motion. The result, accelerations(), is used for the next
+  /// `interval_s`. `time_step_s` is the time between the two displacements of `motion`. Requires that the
+  /// vertices of artificial forces and hands exist.
   void update(const Garment& garment, const ExternalForces& external, const Motion& motion, double time_s,
               double time_step_s, double interval_s, ParallelKernels& kernels);
 
+  /// By row, in m/s^2; 0 in spare rows.
   const Float4* accelerations() const { return accelerations_.data(); }
 
  private:

@@ -17,7 +17,7 @@ void impose_forces(const Garment& garment, const ExternalForces& external, const
                       kernels);
 }
 
-/// Since the frame began, when the step ends.
+/// Returns how far pins have moved from the start of the frame to the end of the step, in m.
 Float4 pins_moved(const PinMotion& motion, const TimeStep& time) {
   return float4_of(pin_displacement(motion, time.frame_began_s, time.time_s + time.time_step_s));
 }
@@ -53,7 +53,7 @@ void push_out(const Material& material, const Surroundings& surroundings, Steppe
 
 void step(const Garment& garment, const Surroundings& surroundings, const TimeStep& time,
           ParallelKernels& kernels, SteppedCloth& cloth) {
-  // Layers first: the speed that parting takes away is gone when the prediction goes on with it.
+  // Layers come first, so that the prediction no longer has the speed that this removes.
   if (time.parts_layers) {
     part_layers(garment, surroundings.layer_distance_m, cloth);
   }

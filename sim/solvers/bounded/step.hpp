@@ -11,9 +11,9 @@
 
 namespace taut::sim::bounded {
 
-/// The cloth as time steps work on it: what it is, what acts on it and where it is.
+/// What time steps work on: the cloth, what acts on it and where it is.
 struct SteppedCloth {
-  /// Without tethers, and at no place yet.
+  /// Makes no tethers and sets no positions.
   SteppedCloth(const Garment& garment, const Pins& pins, double frame_time_s)
       : layout(make_layout(garment, pins)),
         forces(garment, pins, layout, garment.material.bending_rigidity_n_m, frame_time_s) {}
@@ -27,18 +27,20 @@ struct SteppedCloth {
   Motion motion;
 };
 
-/// One of the time steps of a frame, and which of the stages that are not due in every step are due in it.
+/// One of the time steps of a frame. Some stages are not done in every step; this says which are done in this
+/// one.
 struct TimeStep {
   double frame_began_s = 0.0;
-  double time_s = 0.0;  ///< when this step begins
+  double time_s = 0.0;  ///< at the start of this step
   double time_step_s = 0.0;
   bool parts_layers = false;
   bool updates_forces = false;
-  double update_interval_s = 0.0;  ///< from one update of the forces to the next
+  /// From one update of the forces to the next.
+  double update_interval_s = 0.0;
 };
 
-/// One time step: Steps 2 and 3 of the paper, in the stages of sim/step.cpp, for displacements in single
-/// precision instead of positions in double.
+/// Does one time step: Steps 2 and 3 of the paper, in the stages of sim/step.cpp. It works on displacements
+/// in single precision instead of positions in double precision.
 void step(const Garment& garment, const Surroundings& surroundings, const TimeStep& time,
           ParallelKernels& kernels, SteppedCloth& cloth);
 

@@ -12,7 +12,7 @@ namespace taut::sim::bounded {
 /// it goes by are counts and lengths of earlier frames, so that a run repeats itself bit for bit.
 class SubstepControl {
  public:
-  /// `most` is the budget. `least` is what other parts need.
+  /// `most` is the budget. `least` is what the forces need. `first` is for the first frame.
   SubstepControl(int first, int least, int most);
 
   int substeps() const { return substeps_; }
@@ -22,10 +22,10 @@ class SubstepControl {
   /// vertex further than `shift`, in parts of the largest that is allowed.
   void frame_kept(double projection_cost, double shift);
 
-  /// More for the same frame again, because its bound could not be kept. False where the budget is spent.
+  /// Takes more steps to repeat a frame that broke its bound. Returns false if the budget is spent.
   bool try_more();
 
-  /// What it has counted.
+  /// Saves all its counts.
   void save(ByteWriter& memory) const;
   /// Throws BadBytes.
   void restore(ByteReader& memory);

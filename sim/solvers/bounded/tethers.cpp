@@ -7,11 +7,13 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Nearer to the pins springs are as good as tethers, and the nearest pin is not the only near one.
+/// Vertices nearer to the pins than this many springs have no tether. There, springs do as well, and several
+/// pins may be near. A smaller value makes more tethers.
 constexpr double least_springs = 3.0;
 
-/// Cloth of triangles gives a little across its edges, which no spring bounds: tethers of the exact length
-/// lift the hanging shirt by 3 mm, a hundredth longer by less than half of one.
+/// The most that tethers are longer than the way along the cloth, as a fraction of it. Cloth of triangles
+/// stretches slightly across its edges, where no spring limits it. Tethers of the exact length lift the
+/// hanging shirt by 3 mm; at this value they lift it by less than half a millimetre.
 constexpr double most_slack = 0.01;
 
 }  // namespace
@@ -29,7 +31,7 @@ Tethers make_tethers(const Garment& garment, const Layout& layout, double max_st
       continue;
     }
     const Index pin = layout.nearest_pin_row[row];
-    // The distance from all pins is a hair less than that from the nearest; but the cloth must fit at rest.
+    // The distance along the cloth can come out slightly too short, but the cloth must fit at rest.
     const double straight_m = glm::length(rest[layout.vertex_of_row[row]] - rest[layout.vertex_of_row[pin]]);
     const double length_m = stretched * std::max(along_m, straight_m);
     tethers.pin[row] = pin;

@@ -5,20 +5,19 @@
 
 namespace taut::sim::bounded {
 
-/// By row, each vertex's tether to a pin. All pins move alike.
+/// The tethers of a cloth: one entry per row, spare rows included. All pins must move alike.
 struct Tethers {
-  std::vector<Index> pin;  ///< row of the pin
+  std::vector<Index> pin;  ///< the row of the pin
   Lanes<Tether> lanes;
 };
 
-/// Long-range attachments (Kim, Chentanez and Mueller-Fischer 2012): no point of the cloth can be further
-/// from the nearest pin than the way along the cloth is long. What a sweep hands down from spring to spring,
-/// one a step, a tether brings to every vertex at once.
-///
-/// A bound on stretch lets tethers be a little longer.
+/// Makes the tethers of a cloth: long-range attachments (Kim, Chentanez and Mueller-Fischer 2012). A vertex
+/// cannot be farther from its nearest pin than the way along the cloth, made longer by at most half of
+/// `max_stretch`. A sweep hands a correction on by one spring per step; a tether corrects every vertex at
+/// once.
 Tethers make_tethers(const Garment& garment, const Layout& layout, double max_stretch);
 
-/// Sets where each vertex is from its pin when a frame begins.
+/// Sets the vectors from the pins to the vertices at the start of a frame.
 void start_tethers(const StartRows& start, Tethers& tethers);
 
 }  // namespace taut::sim::bounded

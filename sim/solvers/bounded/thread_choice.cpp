@@ -5,12 +5,14 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Frames done alone after a trial that lost, doubled from the first to the second as trials go on losing.
-/// More wastes less on a busy machine and notices later that it is idle again.
+/// The number of frames done alone after a trial that lost. It doubles from the first value to the second
+/// while trials keep losing. Larger values waste less on a busy machine and notice later that it is idle
+/// again.
 constexpr int fewest_between_trials = 32;
 constexpr int most_between_trials = 512;
 
-/// What the chunks of others would have cost the caller, less what it waited for them.
+/// Returns the time, in seconds, that the chunks of others would have cost the caller, less the time it
+/// waited for them.
 double gained_s(double seconds, const PoolWork& work) {
   if (work.own_chunks == 0) {
     return 0.0;

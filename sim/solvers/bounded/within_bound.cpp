@@ -11,29 +11,31 @@
 namespace taut::sim {
 namespace {
 
-/// In sweeps over all springs: this is done once, and not sixty times a second.
+/// The most work, in sweeps over all springs. It can be large because this is not done in every frame.
 constexpr double largest_cost = 1000.0;
 
-/// Shortened by this part of the bound more than is asked, so that neighbours settle.
+/// Springs are shortened to this fraction of the bound, so that their neighbours settle too. A smaller value
+/// takes fewer sweeps and moves the cloth farther.
 constexpr double aimed_part = 0.97;
-/// In double precision; what is left after so many is taken for kept apart by pins.
+/// The largest number of sweeps in double precision. Springs still too long after these are taken to be kept
+/// apart by pins.
 constexpr int most_sweeps = 500;
-/// Below this, in m, single precision cannot tell whether a spring is too long.
+/// Below this excess, in m, single precision cannot tell whether a spring is too long.
 constexpr double smallest_told_apart_m = 1e-6;
 
-/// By how much the spring that is too long by most is so, in metres; 0 where none is.
+/// Returns the excess length of the spring that exceeds the bound the most, in metres; 0 if none does.
 double largest_excess_m(const Springs& springs, std::span<const Vec3> positions, double max_stretch) {
   double largest_m = 0.0;
   for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
     const double length_m = glm::distance(positions[springs.ends[s][0]], positions[springs.ends[s][1]]);
     const double excess_m = length_m - (1.0 + max_stretch) * springs.rest_lengths_m[s];
-    // Written so that a length that is not a number is not passed over.
+    // This form does not skip a length that is not a number.
     largest_m = excess_m <= largest_m ? largest_m : excess_m;
   }
   return largest_m;
 }
 
-/// One sweep of eqs. (2)-(3) over the springs that are too long.
+/// Does one sweep of eqs. (2) and (3) over the springs that are too long.
 void shorten(const Garment& garment, const Pins& pins, double max_stretch, std::span<Vec3> positions) {
   const Springs& springs = garment.springs;
   for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {

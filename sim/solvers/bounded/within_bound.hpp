@@ -9,16 +9,16 @@
 
 namespace taut::sim {
 
-/// Moves the cloth, with its velocity, to the nearest shape found in which no structural or shear spring is
-/// longer than `bounded` allows by these settings; not at all where the shape keeps the bound already. Pinned
-/// vertices stay, so that where pins hold the cloth too far apart the bound cannot be kept everywhere.
+/// Moves the cloth, keeping its velocity, to a near shape in which no structural or shear spring exceeds the
+/// bound of these settings. Does nothing if the shape keeps the bound already. Pinned vertices stay; where
+/// pins are too far apart the bound cannot be kept everywhere.
 void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                        State& state);
 
-/// Whether no structural or shear spring is longer than the bound allows, once those that are by less than a
-/// micrometre have been shortened, in double precision. Of edges of 1e-8 m that is several times their
-/// length, and less than single precision can tell of cloth that moved by some centimetres. Positions in
-/// metres, by vertex.
+/// Returns whether no structural or shear spring exceeds the bound. First it shortens, in double precision,
+/// springs that exceed it if none does by a micrometre or more. Single precision cannot resolve a micrometre
+/// on cloth that moves by centimetres, and an edge of 1e-8 m is shorter than that. `positions` are in metres,
+/// one per vertex, and are changed.
 bool keeps_bound_in_double(const Garment& garment, const Pins& pins, double max_stretch,
                            std::span<Vec3> positions);
 

@@ -6,11 +6,11 @@
 
 namespace taut::sim::bounded {
 
-/// Springs, triangles or rows of a matrix are worked on in blocks of this many, whatever number the
-/// processor's vectors hold: a block is the unit of padding, of choosing and of sharing work among threads.
+/// Kernels work on blocks of this many springs, triangles or rows of a matrix, whatever the width of the
+/// processor's vectors. Padding, selecting and sharing among threads are done in whole blocks.
 inline constexpr std::size_t block_size = 16;
 
-/// Starts arrays on a cache line, so that no vector of them lies on two.
+/// An allocator that starts arrays on a cache line, so that no vector of theirs crosses two lines.
 template <typename T>
 struct LineAligned {
   using value_type = T;
@@ -26,6 +26,7 @@ struct LineAligned {
 };
 
 template <typename T>
+/// An array that kernels load vectors from.
 using Lanes = std::vector<T, LineAligned<T>>;
 
 }  // namespace taut::sim::bounded

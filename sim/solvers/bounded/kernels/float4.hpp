@@ -5,9 +5,9 @@
 
 namespace taut::sim::bounded {
 
-/// Three coordinates of one vertex and an unused fourth, always 0. Four floats and not three, as that is what
-/// a processor loads and stores at once; what is done to three is done to the fourth, so that a compiler does
-/// it to all together.
+/// The three coordinates of one vertex and an unused fourth, which is always 0. Processors load and store
+/// four floats at once. The fourth is computed like the others, so that the compiler uses one vector
+/// instruction for all.
 struct Float4 {
   float x = 0.0F;
   float y = 0.0F;
@@ -15,7 +15,7 @@ struct Float4 {
   float unused = 0.0F;
 };
 
-/// As numbers one after the other, four for each.
+/// The same values as single floats, four per row.
 inline float* floats_of(Float4* values) {
   return reinterpret_cast<float*>(values);
 }
@@ -23,13 +23,15 @@ inline const float* floats_of(const Float4* values) {
   return reinterpret_cast<const float*>(values);
 }
 
-/// One for each row of the solver: see Layout.
+/// One entry per row of the layout; see Layout.
 using Float4Array = Lanes<Float4>;
 
+/// Rounds to single precision.
 inline Float4 float4_of(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
 }
 
+/// sum += factor * x.
 inline void add_scaled(Float4& sum, const Float4& x, float factor) {
   sum.x += factor * x.x;
   sum.y += factor * x.y;
@@ -42,6 +44,7 @@ inline Float4 scaled_sum(const Float4& a, const Float4& b, float factor) {
   return {a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z, a.unused + factor * b.unused};
 }
 
+/// Exact: every float is a double.
 inline Vec3 vector_of(const Float4& v) {
   return {v.x, v.y, v.z};
 }

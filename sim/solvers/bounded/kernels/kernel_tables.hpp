@@ -4,13 +4,13 @@
 
 namespace taut::sim::bounded {
 
-/// Smaller triangles have no normal the wind could push along.
+/// The wind's kernel uses at least this as twice the area of a triangle, in m^2, when it divides by it.
 inline constexpr float smallest_doubled_area_m2 = 1e-20F;
 
-/// On any processor.
+/// The kernels in ordinary instructions, which run on any processor.
 const Kernels& emulated_kernels();
 
-/// Null where neither the compiler nor this processor has the unit.
+/// Returns null if the compiler or this processor does not support the unit.
 const Kernels* vector_kernels(VectorUnit unit);
 
 }  // namespace taut::sim::bounded

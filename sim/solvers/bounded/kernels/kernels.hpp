@@ -11,63 +11,70 @@
 
 namespace taut::sim::bounded {
 
-/// What the wind kernel needs besides the cloth; in single precision, as the kernel computes.
+/// The input of the wind kernel besides the cloth, in the kernel's single precision.
 struct AirFlow {
   std::array<float, 3> velocity_m_per_s = {0.0F, 0.0F, 0.0F};
   float half_density_pressure = 0.0F;  ///< 1/2 rho C_n, in kg/m^3
-  float half_density_friction = 0.0F;  ///< 1/2 rho C_t
-  float time_per_density = 0.0F;       ///< the time the force acts over the cloth's density, in s m^2/kg
-  float per_time_step = 0.0F;          ///< 1 / dt, in 1/s
+  float half_density_friction = 0.0F;  ///< 1/2 rho C_t, in kg/m^3
+  /// The time the force acts, divided by the areal density of the cloth, in s m^2/kg.
+  float time_per_density = 0.0F;
+  float per_time_step = 0.0F;  ///< 1 / dt, in 1/s
 };
 
-/// What a prediction needs besides the cloth.
+/// The input of a prediction besides the cloth.
 struct Prediction {
-  float decay = 1.0F;       ///< of velocities in one time step
-  float dt_squared = 0.0F;  ///< in s^2
-  Float4 pins_moved;        ///< since the frame began, at the end of the time step
+  float decay = 1.0F;       ///< the factor on all velocities per time step
+  float dt_squared = 0.0F;  ///< the square of the time step, in s^2
+  /// How far pins have moved from the start of the frame to the end of this step, in m.
+  Float4 pins_moved;
 };
 
-/// The loops in which the time goes. Each does the same operations on every element in the same order,
-/// whatever the width of the processor's vectors, so that all of them give the same bits; no fused
-/// multiply-add, no approximate reciprocal, no approximate square root.
+/// The loops in which the solver spends its time. Each does the same operations on every element in the same
+/// order for any width of vectors. So all vector units give the same bits. There is no fused multiply-add, no
+/// approximate reciprocal and no approximate square root. Arrays of Float4 have one entry per row of the
+/// layout unless said otherwise.
 struct Kernels {
-  /// Eq. (1) in displacements d since the frame's start, for rows [begin, end), multiples of the block size:
+  /// Eq. (1) in displacements d since the start of the frame, in m, for rows [begin, end), which are
+  /// multiples of the block size:
   ///   previous <- d + (d - previous) decay + a dt^2
-  /// where `current` holds d. The caller then lets the two change places. Vertices predicted further away
-  /// than their tethers reach are brought back to where these end, by the same error as in `sweep`; `tethers`
-  /// is null where there are none.
+  /// where `current` holds d. The caller then swaps the two arrays. A vertex that is predicted beyond the
+  /// length of its tether is brought back to that length, with the relative error of `sweep`. `tethers` has
+  /// one entry per row, or is null if there are none.
   void (*predict)(std::size_t begin, std::size_t end, const Prediction& prediction, const Tether* tethers,
                   const Float4* accelerations, const Float4* current, Float4* previous);
 
-  /// Sets L'_start of the springs in blocks [begin, end).
+  /// Sets the vectors L'_start (start_x, start_y, start_z) of the springs in blocks [begin, end).
   void (*start_springs)(const StartRows& start, std::size_t begin, std::size_t end, SpringLanes& springs);
 
-  /// Eqs. (2)-(3) for blocks [begin, end) of one colour: springs that are too long are shortened to rest,
-  /// those too short give back a part. With L' = L'_start + d_i - d_j the relative error is taken as
-  /// (|L'|^2 - |L|^2) / (|L'|^2 + |L|^2), which is (|L'| - |L|) / |L'| to the second order in the error and
-  /// never above 1, without a square root (Jakobsen 2001).
+  /// Eqs. (2) and (3) for blocks [begin, end), which must be of one colour. Springs that are too long are
+  /// shortened to their rest length. Springs that are too short correct a fraction of their error. With L' =
+  /// L'_start + d_i - d_j the relative error is computed without a square root as
+  ///   (|L'|^2 - |L|^2) / (|L'|^2 + |L|^2).
+  /// It equals (|L'| - |L|) / |L'| up to the second order in the error and never exceeds 1 (Jakobsen 2001).
   void (*sweep)(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows);
 
-  /// For springs longer than the bound alone, in the blocks named, all of one colour: where |L'|^2 is above
-  /// `squared_bound` |L|^2, `relaxation` times what is needed.
+  /// Shortens the springs that exceed the bound, in the listed blocks, which must be of one colour. A spring
+  /// with |L'|^2 above `squared_bound` |L|^2 gets `relaxation` times the correction it needs.
   void (*shorten)(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
                   float relaxation, Float4* rows);
 
-  /// For each block [begin, end) the largest |L'|^2 / |L|^2 of its springs, into `squared_ratios` by block.
+  /// Writes the largest |L'|^2 / |L|^2 of the springs of each block in [begin, end) to `squared_ratios`,
+  /// which has one entry per block.
   void (*largest_ratios)(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
                          float* squared_ratios);
 
-  /// A sixth of the doubled force of the air on each triangle of lanes [begin, end), a multiple of the block
-  /// size: what each corner gets, in N. Positions are `start` + `current`; `previous` is one dt before.
+  /// Writes the force of the air that each corner of a triangle gets, in N, for triangles [begin, end),
+  /// multiples of the block size. `corner_forces` has one entry per triangle. Positions are `start` +
+  /// `current`, in m; `previous` is one time step earlier. The law is that of sim/wind.hpp.
   void (*wind)(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
                const Float4* start, const Float4* current, const Float4* previous, Float4* corner_forces);
 
-  /// For the rows of slices [begin, end): result += sum over columns of value (x_column - x_row).
+  /// For the rows of slices [begin, end): result += sum over the columns of value (x_column - x_row).
   void (*add_product)(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,
                       Float4* result);
 };
 
-/// Throws std::invalid_argument on a unit this processor lacks.
+/// Returns the kernels for a unit. Throws std::invalid_argument if this processor does not have it.
 const Kernels& kernels_for(VectorUnit unit);
 
 }  // namespace taut::sim::bounded

@@ -1,6 +1,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/solvers/bounded/kernels/kernels_vector.cpp"
-// Vectors whose length is known only at run time cannot take rows apart as is done here.
+// Vectors whose length is known only at run time cannot be split into rows.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -14,7 +14,7 @@ namespace {
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// L' of `lanes` springs from lane k of a block, between rows that are loaded already.
+/// Returns L' of `lanes` springs, from lane k of a block on, between rows that are loaded already.
 HWY_INLINE Triple springs_between(const SpringBlock& block, std::size_t k, const Four& i, const Four& j) {
   const Floats f;
   const Triple start = {hn::Load(f, &block.start_x[k]), hn::Load(f, &block.start_y[k]),
@@ -30,14 +30,14 @@ HWY_INLINE void shorten_springs(const SpringBlock& block, std::size_t k, const F
   store_rows(j + (whole - part_i), rows, &block.at_j[k]);
 }
 
-/// In each of the rows' four places the sum of its coordinates, the fourth of which must be 0, as
-/// (x + y) + z.
+/// Returns, in all four places of each row, the sum of its coordinates as (x + y) + z. The fourth coordinate
+/// must be 0.
 HWY_INLINE V sums_of_coordinates(V rows) {
   const V pairs = hn::Add(rows, hn::Shuffle2301(rows));
   return hn::Add(pairs, hn::Shuffle1032(pairs));
 }
 
-/// Of a vector of rows, those further away than their tethers reach are brought back.
+/// Brings rows that are farther from the pin than their tether is long back to its length.
 HWY_INLINE V tethered(V rows, const Tether* tethers, V pins_moved, V is_coordinate) {
   const Floats f;
   const V tether = hn::Load(f, &tethers->start_x);
@@ -100,14 +100,15 @@ void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float
       const V squared_length = dot(spring, spring);
       const V squared_rest = hn::Load(f, &block->squared_rest[k]);
       const V error = hn::Div(hn::Sub(squared_length, squared_rest), hn::Add(squared_length, squared_rest));
-      // A share is at most 1, so the larger of the two is the error of springs too long, a share of it else.
+      // A share is at most 1. So the larger value is the whole error if the spring is too long, and the share
+      // of it otherwise.
       const V fraction = hn::Max(error, hn::Mul(error, hn::Load(f, &block->short_share[k])));
       shorten_springs(*block, k, i, j, spring, fraction, hn::Load(f, &block->share_i[k]), first);
     }
   }
 }
 
-/// Where rows k, k + 1, ... begin, counted in floats.
+/// Returns where rows k, k + 1, ... begin, counted in floats.
 HWY_INLINE std::array<std::uint32_t, lanes> rows_from(std::size_t k) {
   std::array<std::uint32_t, lanes> at;
   for (std::uint32_t lane = 0; lane < lanes; ++lane) {
@@ -171,7 +172,8 @@ HWY_INLINE LoadedCorner load_corner(const TriangleLanes& triangles, std::size_t 
           as_coordinates(now - load_rows(floats_of(previous), at))};
 }
 
-/// Half the air's density times a coefficient times a speed, as the drag over the time it acts.
+/// Turns half the air's density times a coefficient times a speed into the drag averaged over the time it
+/// acts.
 HWY_INLINE V acting_drag(V drag, V twice_per_density) {
   return hn::Div(drag, hn::Add(hn::Set(Floats(), 1.0F), hn::Mul(twice_per_density, drag)));
 }

@@ -9,62 +9,74 @@
 
 namespace taut::sim::bounded {
 
-/// Springs side by side, everything a sweep reads of them in one stretch of memory.
+/// The data of `block_size` springs that a sweep reads, side by side in memory.
 struct alignas(64) SpringBlock {
   template <typename T>
   using Of = std::array<T, block_size>;
 
-  Of<std::uint32_t> at_i;  ///< where the row of end i begins, counted in floats: 4 times the row's number
+  /// Where the row of end i begins, counted in floats: 4 times the index of the row.
+  Of<std::uint32_t> at_i;
   Of<std::uint32_t> at_j;
-  Of<float> share_i;       ///< w_i / (w_i + w_j): the part of a correction that end i takes
+  /// w_i / (w_i + w_j) with the inverse masses w: the fraction of a correction that end i takes.
+  Of<float> share_i;
   Of<float> squared_rest;  ///< |L|^2, in m^2
-  Of<float> short_share;   ///< the part of its error that a spring too short corrects in one sweep
-  Of<float> start_x;       ///< L' = p'_i - p'_j when the frame began, in m
+  /// The fraction of its error that a spring corrects in one sweep when it is too short.
+  Of<float> short_share;
+  /// L' = p'_i - p'_j at the start of the frame, in m.
+  Of<float> start_x;
   Of<float> start_y;
   Of<float> start_z;
 };
 
-/// The springs that are bound, structural and shear. Springs of one colour share no vertex, so that all of
-/// them can be corrected at once with the result of correcting them one by one. Colours are filled up to
-/// whole blocks with springs between spare rows, which never move.
+/// The springs with a bound on their stretch, structural and shear. Springs of one colour share no vertex. So
+/// they can be corrected all at once, with the same result as one by one. Each colour is filled up to whole
+/// blocks with padding: springs between spare rows, which never move.
 struct SpringLanes {
   Lanes<SpringBlock> blocks;
-  Lanes<float> projection_share_i;  ///< share_i in the projection, where vertices near pins weigh more
-  std::vector<Index> spring;        ///< the garment's spring in each lane; no_spring in padding
-  std::vector<std::uint32_t> colour_begin;  ///< in blocks; colour c is [colour_begin[c], colour_begin[c + 1])
+  /// The share_i that the projection uses; there, vertices near pins have more weight.
+  Lanes<float> projection_share_i;
+  /// Per lane the garment's spring; no_spring in padding.
+  std::vector<Index> spring;
+  /// Colour c is blocks [colour_begin[c], colour_begin[c + 1]).
+  std::vector<std::uint32_t> colour_begin;
 
   static constexpr Index no_spring = ~Index{0};
   std::size_t lane_count() const { return spring.size(); }
   std::size_t block_count() const { return blocks.size(); }
   std::size_t colour_count() const { return colour_begin.size() - 1; }
+  /// The row of end i of the spring in a lane; row_j that of end j.
   Index row_i(std::size_t lane) const { return blocks[lane / block_size].at_i[lane % block_size] / 4; }
   Index row_j(std::size_t lane) const { return blocks[lane / block_size].at_j[lane % block_size] / 4; }
 };
 
-/// The triangles the wind blows at, padded to whole blocks with triangles of no area.
+/// All triangles of the garment, for the wind. They are padded to whole blocks with triangles without area.
 struct TriangleLanes {
-  std::array<Lanes<std::uint32_t>, 3> at;   ///< of each corner, where its row begins, counted in floats
-  std::vector<std::uint32_t> corner_begin;  ///< the triangles of row r: corner_triangles from corner_begin[r]
+  /// Per corner and triangle, where the row of the corner begins, counted in floats.
+  std::array<Lanes<std::uint32_t>, 3> at;
+  /// The triangles at row r are corner_triangles from corner_begin[r] up to, not including, corner_begin[r +
+  /// 1].
+  std::vector<std::uint32_t> corner_begin;
   std::vector<std::uint32_t> corner_triangles;
 
   std::size_t lane_count() const { return at[0].size(); }
 };
 
-/// Where the cloth is when a frame begins, by row, from a point of it: in single precision, and what that
-/// rounds away. Spare rows are zero.
+/// The positions at the start of a frame, in m, relative to one point of the cloth; one entry per row. `high`
+/// is in single precision and `low` is what that rounds off. Spare rows are zero.
 struct StartRows {
   Float4Array high;
   Float4Array low;
 };
 
-/// Where a tether can never be reached: as long as no cloth is.
+/// The squared length of a tether that never acts, in m^2: longer than any cloth.
 inline constexpr float never_reached = 1e30F;
 
+/// One vertex's tether to a pin.
 struct Tether {
-  float start_x = 0.0F;  ///< from the pin to the vertex when the frame began, in m
+  float start_x = 0.0F;  ///< from the pin to the vertex at the start of the frame, in m
   float start_y = 0.0F;
   float start_z = 0.0F;
-  float squared_length = never_reached;  ///< in m^2; `never_reached` where there is none
+  float squared_length = never_reached;  ///< in m^2; `never_reached` without a tether
 };
 
 }  // namespace taut::sim::bounded

@@ -3,7 +3,8 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Some microseconds of work: less is done sooner than another thread has noticed it.
+/// A thread takes at least this many blocks: some microseconds of work. Fewer are done sooner than another
+/// thread notices them.
 constexpr std::size_t least_blocks = 48;
 
 }  // namespace

@@ -7,21 +7,22 @@
 
 namespace taut::sim::bounded {
 
-/// The kernels, each shared among the threads of a pool. What each does is said there.
+/// The functions of Kernels, each shared among the threads of a pool. They do what is said there.
 class ParallelKernels {
  public:
   ParallelKernels(const Kernels& kernels, int threads) : kernels_(kernels), pool_(threads) {}
 
+  /// See ThreadPool.
   void share(bool is_shared) { pool_.share(is_shared); }
   PoolWork take_work() { return pool_.take_work(); }
 
-  /// Of all rows; `tethers` may be null.
+  /// For all rows. `tethers` may be null.
   void predict(const Prediction& prediction, const Tether* tethers, const Float4* accelerations,
                const Float4Array& current, Float4Array& previous);
 
   void start_springs(const StartRows& start, SpringLanes& springs);
 
-  /// All blocks must be of one colour, here and in `shorten`.
+  /// All blocks must be of one colour, in both functions.
   void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows);
   void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
                float relaxation, Float4* rows);
@@ -31,14 +32,15 @@ class ParallelKernels {
             const Float4* previous, Float4* corner_forces);
   void add_product(const SlicedMatrix& matrix, const Float4* positions, Float4* result);
 
-  /// Calls part(b, e) for stretches of rows that cover [begin, end); what it does for a row must not depend
-  /// on what it does for others.
+  /// Calls part(b, e) for ranges of rows that together cover [begin, end). What it does for one row must not
+  /// depend on other rows.
   template <typename Part>
   void for_rows(std::size_t begin, std::size_t end, const Part& part) {
     pool_.split(begin, end, least_rows, part);
   }
 
  private:
+  /// A thread takes at least this many rows; fewer are done sooner than another thread notices them.
   static constexpr std::size_t least_rows = 2048;
 
   const Kernels& kernels_;

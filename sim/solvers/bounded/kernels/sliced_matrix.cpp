@@ -5,11 +5,12 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Rows of like lengths are looked for among this many, which are near each other in memory. More pads less
-/// and reads memory less in order.
+/// Rows are sorted by length among this many neighbours in memory. A larger value pads less and reads memory
+/// less in order.
 constexpr std::size_t rows_sorted_together = 32 * block_size;
 
-/// Longer rows before shorter ones within a stretch; rows without entries are left out.
+/// Sorts longer rows before shorter ones within each group of `rows_sorted_together`. Rows without entries
+/// are left out.
 std::vector<Index> order_of_slices(const std::vector<std::vector<MatrixEntry>>& rows) {
   std::vector<Index> order;
   for (Index row = 0; row < rows.size(); ++row) {

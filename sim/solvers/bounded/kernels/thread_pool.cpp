@@ -6,18 +6,19 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Of a thread for another loop before it sleeps, and of the caller for the end of a chunk before it lets
-/// others run: some tens of microseconds, the time between two loops. More burns a processor that others
-/// could use.
+/// How often a thread looks for another loop before it sleeps, and how often the caller looks for the end of
+/// a chunk before it yields. This is some tens of microseconds, the time between two loops. More looks use a
+/// processor that others could use.
 constexpr int looks_before_sleep = 4000;
 constexpr int looks_before_yield = 4000;
-/// More evens out threads of different speed and claims chunks more often.
+/// More chunks balance threads of different speed better and cost more claims.
 constexpr std::size_t chunks_per_thread = 3;
-/// See thread_count.
+/// The smallest garment, in triangles, for several threads, and their largest number; see thread_count.
 constexpr std::size_t triangles_worth_threads = 20000;
 constexpr int most_threads_unasked = 4;
 
-/// In claim_: a loop's number counts these, and a loop of that many chunks taken has none left.
+/// In claim_, the loop's number is counted in these units; the low bits are the next chunk.
+/// The value `closed` means that no chunk is left.
 constexpr std::uint64_t one_loop = std::uint64_t{1} << 32U;
 constexpr std::uint64_t closed = one_loop - 1;
 
@@ -102,7 +103,7 @@ void ThreadPool::work() {
   }
 }
 
-/// False where no chunk is left to take.
+/// Takes one chunk and does it. Returns false if no chunk is left.
 bool ThreadPool::do_chunk() {
   std::uint64_t claim = claim_.load(std::memory_order_acquire);
   for (;;) {
@@ -115,8 +116,8 @@ bool ThreadPool::do_chunk() {
     if (chunk >= chunks) {
       return false;
     }
-    // Before any of these is written for the next loop, the claims of this one are closed: where this
-    // succeeds, all of them are of this loop.
+    // Claims of this loop are closed before any of these values is written for the next loop. So if this
+    // exchange succeeds, all values are of this loop.
     if (claim_.compare_exchange_weak(claim, claim + 1, std::memory_order_acq_rel,
                                      std::memory_order_acquire)) {
       const std::size_t count = end - begin;

@@ -10,36 +10,38 @@
 
 namespace taut::sim::bounded {
 
-/// Who did what of the loops that were shared.
+/// How the work of the shared loops was divided.
 struct PoolWork {
-  std::size_t own_chunks = 0;  ///< of the caller
+  std::size_t own_chunks = 0;  ///< done by the caller
+  /// Done by the other threads.
   std::size_t others_chunks = 0;
-  double waited_s = 0.0;  ///< by the caller, for chunks that others had begun
+  /// How long the caller waited for chunks of other threads to end.
+  double waited_s = 0.0;
 };
 
-/// Threads that share one loop at a time. A loop is cut into chunks, which whoever is free takes; only loops
-/// belong here whose chunks do not touch what others write, so that the number of threads changes nothing but
-/// the time.
+/// Threads that share one loop at a time. A loop is cut into chunks, and every free thread takes the next
+/// one. A chunk must not touch what other chunks write. So the number of threads changes nothing but the
+/// time.
 ///
-/// A loop lasts some microseconds and thousands of them make a frame. So the caller never waits for a thread
-/// to begin: one that does not get a processor leaves its chunks to the others. It does wait for one that
+/// A loop lasts some microseconds and a frame has thousands of them. So the caller never waits for a thread
+/// to begin: if a thread gets no processor, the others do its chunks. The caller does wait for a thread that
 /// loses its processor in the middle of a chunk (see ThreadChoice).
 class ThreadPool {
  public:
-  /// The caller is one of the threads: 1 starts none.
+  /// Starts `threads` - 1 threads: the caller is one of them.
   explicit ThreadPool(int threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /// Whether loops are shared from now on, or the caller does them alone.
+  /// Sets whether loops are shared from now on. If not, the caller does them alone.
   void share(bool is_shared) { is_shared_ = is_shared; }
 
-  /// Since the last call of this.
+  /// Returns the work since the last call of this function.
   PoolWork take_work() { return std::exchange(work_, {}); }
 
-  /// Calls part(b, e) for chunks that cover [begin, end), of at least `least` each, and returns when all are
-  /// done. `part` must not throw.
+  /// Calls part(b, e) for chunks that together cover [begin, end) and returns when all are done. Each chunk
+  /// has at least `least` elements, which must be above 0. `part` must not throw.
   template <typename Part>
   void split(std::size_t begin, std::size_t end, std::size_t least, const Part& part) {
     if (workers_.empty() || !is_shared_ || end - begin < 2 * least) {
@@ -58,25 +60,27 @@ class ThreadPool {
   void work();
   bool do_chunk();
 
-  /// The loop now being run. A thread that is late may read it while the next is written, but then its claim
-  /// of a chunk fails.
+  /// The current loop. A late thread may read it while the next loop is being written, but then it fails to
+  /// claim a chunk.
   std::atomic<Call> call_{nullptr};
   std::atomic<const void*> context_{nullptr};
   std::atomic<std::size_t> begin_{0};
   std::atomic<std::size_t> end_{0};
   std::atomic<std::size_t> chunk_count_{0};
 
-  std::atomic<std::uint64_t> claim_{0};  ///< the loop's number, and in the low 32 bits the next chunk to take
-  std::atomic<std::size_t> done_{0};     ///< chunks
+  /// The number of the loop; in the low 32 bits the next chunk to take.
+  std::atomic<std::uint64_t> claim_{0};
+  std::atomic<std::size_t> done_{0};  ///< chunks that are finished
   std::atomic<bool> is_over_{false};
-  // The caller's own.
+  // Used by the caller only.
   bool is_shared_ = true;
   PoolWork work_;
   std::vector<std::thread> workers_;
 };
 
-/// As asked for, or else as many as pay: one below some 20 000 triangles, where a thread's share of a loop
-/// is gone before another has woken, and no more than 4, as loops wait for memory then.
+/// Returns the number of threads: `asked`, if given. Otherwise 1 below 20 000 triangles, where a thread's
+/// share of a loop is done before another thread wakes up. Above that, as many as the processor has, up to 4:
+/// more would only wait for memory.
 int thread_count(std::optional<int> asked, std::size_t triangles);
 
 }  // namespace taut::sim::bounded

@@ -5,21 +5,22 @@
 
 namespace taut::sim {
 
-/// The instructions the vector loops are made of. All give the same bits.
+/// The instructions that the vector kernels use. All give the same bits.
 enum class VectorUnit {
   best,    ///< the widest the processor has
-  scalar,  ///< none: 4 springs by ordinary instructions, which every processor has
-  sse,     ///< 4 springs (SSSE3 or SSE4)
-  avx2,    ///< 8
-  avx512,  ///< 16
+  scalar,  ///< ordinary instructions, which every processor has; 4 springs at once
+  sse,     ///< SSSE3 or SSE4; 4 springs at once
+  avx2,    ///< 8 springs at once
+  avx512,  ///< 16 springs at once
 };
 
 inline constexpr std::array all_vector_units = {VectorUnit::best, VectorUnit::scalar, VectorUnit::sse,
                                                 VectorUnit::avx2, VectorUnit::avx512};
 
+/// The name used in files and messages.
 const char* name_of(VectorUnit unit);
 
-/// Those this processor has, `best` and `scalar` among them.
+/// Returns the units that this processor has; `best` and `scalar` are always among them.
 std::vector<VectorUnit> available_vector_units();
 
 }  // namespace taut::sim

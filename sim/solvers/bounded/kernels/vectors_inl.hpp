@@ -1,5 +1,5 @@
-// Vectors of the target that is being compiled: rows loaded, transposed to coordinates, and stored again.
-// Included anew for each target, so with a guard of another kind.
+// Vectors for the target being compiled: loads rows, transposes them to coordinates and stores them again.
+// The file is included once per target, so its include guard is of another kind.
 #if defined(TAUT_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TAUT_VECTORS_INL
 #undef TAUT_VECTORS_INL
@@ -25,12 +25,12 @@ using V = hn::Vec<Floats>;
 
 constexpr std::size_t lanes = hn::MaxLanes(Floats());
 
-/// Four vectors of rows as they are loaded, or of one coordinate each.
+/// Four vectors: of rows as loaded, or of one coordinate each.
 struct Four {
   V a, b, c, d;
 };
 
-/// From rows to coordinates and back: within every 128 bits a 4x4 matrix is transposed.
+/// Turns rows into coordinates and back: transposes the 4x4 matrix in every 128 bits.
 HWY_INLINE Four transposed(const Four& m) {
   const Floats f;
   const V ac_low = hn::InterleaveLower(f, m.a, m.c);
@@ -41,7 +41,7 @@ HWY_INLINE Four transposed(const Four& m) {
           hn::InterleaveLower(f, ac_high, bd_high), hn::InterleaveUpper(f, ac_high, bd_high)};
 }
 
-/// The rows that begin at [0], [4], ..., counted in floats, side by side.
+/// Loads the rows that begin at at[0], at[4], ..., counted in floats, side by side.
 template <std::size_t count>
 HWY_INLINE auto load_every_fourth(const float* rows, const std::uint32_t* at) {
   if constexpr (count == 4) {
@@ -115,7 +115,7 @@ HWY_INLINE Four operator*(const Four& x, const Four& y) {
   return {hn::Mul(x.a, y.a), hn::Mul(x.b, y.b), hn::Mul(x.c, y.c), hn::Mul(x.d, y.d)};
 }
 
-/// One number for each row, in the places of its coordinates.
+/// Repeats the number of each row in the places of its coordinates.
 HWY_INLINE Four for_rows(V numbers) {
   return {hn::Broadcast<0>(numbers), hn::Broadcast<1>(numbers), hn::Broadcast<2>(numbers),
           hn::Broadcast<3>(numbers)};

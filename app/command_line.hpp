@@ -4,7 +4,7 @@
 
 namespace taut::app {
 
-/// Reads the arguments of the program; answers --help and --version. Throws UsageError.
+/// Returns what the arguments ask for. Prints the answer to --help and --version itself. Throws UsageError.
 Command parse_command_line(int argument_count, const char* const* arguments);
 
 }  // namespace taut::app

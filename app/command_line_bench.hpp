@@ -7,7 +7,7 @@
 
 namespace taut::app {
 
-/// Adds `taut bench` to the program's arguments; the result is asked once they are read.
+/// Adds `taut bench` to the arguments of the program. Call the result after the arguments were parsed.
 std::function<Command()> add_bench(CLI::App& app);
 
 }  // namespace taut::app

@@ -11,11 +11,11 @@ class App;
 
 namespace taut::app {
 
-/// `taut help`, also about every other command.
+/// Adds `taut help`, which explains every command. Call the result after the arguments were parsed.
 std::function<Command()> add_help(CLI::App& app);
 
-/// Throws UsageError, with the commands there are, where the arguments of the program begin with no command
-/// and no option.
+/// Throws UsageError, with a list of the commands, if the arguments begin neither with a command nor with an
+/// option.
 void require_command(const CLI::App& app, std::span<const char* const> arguments);
 
 }  // namespace taut::app

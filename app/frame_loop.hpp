@@ -10,17 +10,17 @@
 
 namespace taut::app {
 
-/// What becomes of the frames of a run; every part may be left empty.
+/// What happens with the frames of a run. Every member may be left empty.
 struct FrameOutputs {
-  std::span<const int> pictures;  ///< frames to be drawn, ascending
-  int start_frame = 0;            ///< where the simulation is
-  bool with_start = false;        ///< hands out the start frame too, drawn or not
+  std::span<const int> pictures;  ///< numbers of the frames to draw, ascending
+  int start_frame = 0;            ///< frame the simulation is at
+  bool with_start = false;        ///< also hands out the start frame, drawn or not
   /// Called on the thread that called run_frames.
   std::function<renderer::Image(const std::vector<sim::Vec3>& positions)> draw_positions;
   /// This and report are called frame after frame, but not always on the caller's thread. The record lacks
   /// only `encode_ms`.
   std::function<void(const FrameRecord&, const renderer::Image&)> write_frame;
-  std::function<void(int frame, const sim::Simulation&)> write_shape;  ///< the simulation waits
+  std::function<void(int frame, const sim::Simulation&)> write_shape;  ///< called while the simulation waits
   std::function<void(const FrameRecord&)> report;
   /// Later frames are simulated while earlier ones are drawn and written; never changes what comes out.
   bool overlap = true;

@@ -7,7 +7,8 @@
 namespace taut::app {
 namespace {
 
-// Frames that wait between two stages: enough to even out frames of different cost, and little memory.
+// Frames that may wait between two stages. More even out frames of different cost better and take more
+// memory.
 constexpr std::size_t waiting_frames = 3;
 
 template <class Stage>

@@ -12,13 +12,14 @@
 
 namespace taut::app {
 
-/// Hands things from one thread to another, in order, and makes the faster of them wait.
+/// A queue of limited length from one thread to another. A push into a full queue waits, so the faster thread
+/// never gets far ahead.
 template <class T>
 class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Waits for room. False: nobody takes anything any more, the giver may stop.
+  /// Waits until there is room. Returns false if the reader has called `abandon`; then the writer may stop.
   bool push(T item) {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] { return items_.size() < capacity_ || abandoned_; });
@@ -30,7 +31,7 @@ class BoundedQueue {
     return true;
   }
 
-  /// Waits for something to take. Nothing: the giver closed and all was taken.
+  /// Waits for an item. Empty if the writer has called `close` and all items were taken.
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);
     filled_.wait(lock, [this] { return !items_.empty() || closed_; });
@@ -43,14 +44,14 @@ class BoundedQueue {
     return item;
   }
 
-  /// The giver is done.
+  /// The writer has no more items.
   void close() {
     const std::scoped_lock lock(mutex_);
     closed_ = true;
     filled_.notify_all();
   }
 
-  /// The taker is done.
+  /// The reader takes no more items.
   void abandon() {
     const std::scoped_lock lock(mutex_);
     abandoned_ = true;
@@ -67,27 +68,29 @@ class BoundedQueue {
   bool abandoned_ = false;
 };
 
-/// A frame on its way through the stages.
+/// A frame between two stages.
 struct FrameInWork {
   FrameRecord record;
-  std::vector<sim::Vec3> positions;  ///< empty where the frame is not drawn
+  std::vector<sim::Vec3> positions;  ///< in metres, per vertex; empty if the frame is not drawn
   renderer::Image picture;
 };
 
-/// What happens to every frame, in this order.
+/// The work on one frame, in this order.
 struct FrameStages {
-  std::function<std::optional<FrameInWork>()> simulate;  ///< the next frame; nothing: that was all
+  std::function<std::optional<FrameInWork>()> simulate;  ///< returns the next frame; empty after the last
   std::function<void(FrameInWork&)> draw;
   std::function<void(FrameInWork&)> write;
 };
 
-/// Every frame passes all stages before the next one is begun.
+/// Does all stages of a frame before it begins the next frame.
 void run_in_turn(const FrameStages& stages);
 
-/// The same frames in the same order, but each stage has a thread, so that a sequence takes as long as its
-/// slowest stage and not as all of them together. Drawing stays with the calling thread, where the OpenGL
-/// context is. When a stage throws, the frames that were past it are still finished, as without overlap, no
-/// new ones are begun, and the error comes out here; of several the one of the earliest frame.
+/// Same frames in the same order, but each stage has its own thread. So the run takes as long as its slowest
+/// stage, not as long as all stages together. Drawing stays on the calling thread, which has the OpenGL
+/// context.
+///
+/// If a stage throws, no new frame begins. Frames that had passed this stage are still finished, as in
+/// run_in_turn. Then the exception is thrown from here; of several, the one of the earliest frame.
 void run_overlapped(const FrameStages& stages);
 
 }  // namespace taut::app

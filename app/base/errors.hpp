@@ -4,26 +4,26 @@
 
 namespace taut::app {
 
-/// How the program ends, so that a scheduler can tell what to try again. 0: done.
+/// Exit codes of the program. A scheduler can decide by them what to run again. 0 means done.
 inline constexpr int exit_bad_input = 1;
 inline constexpr int exit_wrong_usage = 2;
-inline constexpr int exit_promise_broken =
-    3;  ///< a frame exceeds what its solver promised, or a run diverged
+/// A frame exceeds the bound its solver promised, or a run diverged.
+inline constexpr int exit_promise_broken = 3;
 
-inline constexpr int exit_can_be_resumed =
-    75;  ///< stopped, and saved: sysexits.h calls it a temporary failure
+/// The run was stopped and can be resumed (EX_TEMPFAIL of sysexits.h).
+inline constexpr int exit_can_be_resumed = 75;
 
-/// A file or a scene is not as it has to be.
+/// A file or a scene cannot be used. The message names where, what was found and what was expected.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The command line is not as it has to be.
+/// The command line cannot be used.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The person at the terminal, or the system, asked the program to end.
+/// SIGINT or SIGTERM asked the program to end. `signal` is its number.
 struct Interrupted : std::runtime_error {
   explicit Interrupted(int number) : std::runtime_error("interrupted"), signal(number) {}
   int signal;

@@ -7,19 +7,23 @@
 
 namespace taut::app {
 
-/// The whole file. Throws InputError naming the file and the reason: missing, a folder, unreadable, empty.
+/// Returns the content of a file. Throws InputError that names the file and the reason: missing, a folder,
+/// unreadable or empty.
 std::string read_text_file(const std::filesystem::path& path);
 
-/// Throws InputError unless there is a file with something in it.
+/// Throws InputError unless `path` is a file that is not empty.
 void require_file(const std::filesystem::path& path);
 
-/// Makes the folder a file shall be written to, parents included, and tries that it can be written to, so
-/// that a long run does not end in an error. Throws InputError naming the folder and the system's reason.
+/// Makes the folder of `file`, with its parents, and tests that it can be written to. Call it before a long
+/// run, so that the run does not end in an error. Throws InputError that names the folder and the system's
+/// reason.
 void prepare_folder_of(const std::filesystem::path& file);
 
-/// Writes under a temporary name in the same folder and renames: `path` is absent, its old self or complete.
-/// Throws InputError naming the path and the system's reason and leaves nothing behind.
+/// Writes to a temporary name in the same folder, then renames it. So `path` is never half written: it is
+/// absent, as it was before, or complete. Throws InputError that names the path and the system's reason; the
+/// temporary file is removed.
 void write_text_file(const std::filesystem::path& path, const std::string& text);
+/// As write_text_file, for bytes.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
 }  // namespace taut::app

@@ -2,14 +2,14 @@
 
 namespace taut::app {
 
-/// From now on SIGINT and SIGTERM are noted instead of ending the program at once, so that a file that is
-/// being written is finished. A second one ends it.
+/// Call once at the start. From then on the first SIGINT or SIGTERM is only noted, so that a file being
+/// written can be finished. The second one ends the program at once.
 void watch_for_interruption();
 
-/// Throws Interrupted once one of the signals came.
+/// Throws Interrupted if a signal has been noted.
 void throw_if_interrupted();
 
-/// Ends the program as the signal would have, so that a shell sees what happened.
+/// Ends the program with the signal's default action, so that a shell sees which signal ended it.
 [[noreturn]] void end_by_signal(int signal);
 
 }  // namespace taut::app

@@ -19,7 +19,7 @@
 namespace taut::app {
 namespace {
 
-// Thrown at a checkpoint when another job has failed; no error of its own.
+// Thrown at a report of progress when another job has failed; no error of its own.
 struct GivenUp {};
 
 std::vector<std::size_t> most_expensive_first(std::span<const Job> jobs) {

@@ -6,19 +6,22 @@
 
 namespace taut::app {
 
-/// Long work says how far it is, from 0 to 1. Throws where the work shall be given up.
-using Checkpoint = std::function<void(double fraction)>;
+/// A job calls this from time to time with the fraction of its work that is done, 0 to 1. Throws when the job
+/// has to stop.
+using ProgressCallback = std::function<void(double fraction)>;
 
+/// One piece of work that may run at the same time as others.
 struct Job {
   std::string name;
-  double cost = 1.0;  ///< relative to the others; the most expensive begin first
-  std::function<void(const Checkpoint&)> work;
+  double cost = 1.0;  ///< relative to the other jobs; the most expensive begin first
+  std::function<void(const ProgressCallback&)> work;
 };
 
-/// Does the jobs on that many threads. `finished` is called with a job's number on the calling thread, which
-/// so can draw while others still simulate. The first thing thrown by a job, by `finished` or by an
-/// interruption stops all jobs at their next checkpoint and is thrown again here. Shows the progress of the
-/// whole where standard error is a terminal.
+/// Runs the jobs on at most `threads` threads. `finished` is called with the index of each finished job, on
+/// the calling thread, so it may draw while other jobs run.
+///
+/// The first exception of a job, of `finished` or of an interruption stops all jobs at their next call of the
+/// progress callback. It is then thrown from here. Shows the total progress if standard error is a terminal.
 void run_jobs(std::span<const Job> jobs, unsigned threads, const std::function<void(std::size_t)>& finished);
 
 }  // namespace taut::app

@@ -9,9 +9,9 @@
 namespace taut::app {
 namespace {
 
-// What is done sooner would only flicker.
+// A stage must last this long before its line appears. A smaller value makes the line flicker.
 constexpr std::chrono::milliseconds soon{300};
-// From here on it is said how long.
+// From here on the line also shows the elapsed time.
 constexpr std::chrono::seconds long_time{2};
 
 }  // namespace

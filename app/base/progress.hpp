@@ -8,20 +8,22 @@
 
 namespace taut::app {
 
-/// One line on the terminal that says what a run is doing, and for how long where that is long; nothing where
-/// standard error is no terminal. Functions may be called from any thread.
+/// One line on the terminal that says what the program is doing. If that takes long, it also says for how
+/// long. Prints nothing if standard error is not a terminal. All functions may be called from any thread.
 class Progress {
  public:
+  /// `what` stands at the beginning of the line.
   explicit Progress(std::string what);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// From now on it does this, such as "reading dress.fbx".
+  /// Sets the text of the line, such as "reading dress.fbx". It appears after a moment, so short work shows
+  /// nothing.
   void begin(std::string stage);
-  /// As `begin`, and shows it at once: "frame 3 of 240".
+  /// As `begin`, but the line appears at once: "frame 3 of 240".
   void show(std::string stage);
-  /// Clears the line, for other output, until something else is begun.
+  /// Clears the line, so that other text can be printed. It returns with the next `begin` or `show`.
   void hide();
 
  private:

@@ -5,9 +5,10 @@
 
 namespace taut::app {
 
-/// Wall time since it was made.
+/// Measures wall time from its construction.
 class Stopwatch {
  public:
+  /// Milliseconds since construction.
   double elapsed_ms() const {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -16,11 +17,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Processor time since it was made: what else the machine does is not in it, but what other programs throw
-/// out of the caches is.
+/// Measures processor time from its construction. Other programs do not add to it directly. They can still
+/// lengthen it, because they displace data from the caches.
 class ProcessorStopwatch {
  public:
-  /// CLOCK_THREAD_CPUTIME_ID: of this thread; CLOCK_PROCESS_CPUTIME_ID: of all threads of the program.
+  /// `clock` is CLOCK_THREAD_CPUTIME_ID for this thread, or CLOCK_PROCESS_CPUTIME_ID for all threads of the
+  /// program.
   explicit ProcessorStopwatch(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) : clock_(clock) {}
 
   double elapsed_ms() const { return now_ms() - start_ms_; }

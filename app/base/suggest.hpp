@@ -6,13 +6,14 @@
 
 namespace taut::app {
 
-/// The name most like the one given (Levenshtein distance, at most a third of its length), or nothing.
+/// Returns the one of `names` that is nearest to `name`, or an empty text. Nearest means the smallest edit
+/// distance (Levenshtein 1966), which may be at most a third of the length of `name`.
 std::string nearest_name(std::string_view name, std::span<const std::string> names);
 
-/// "a, b, c".
+/// The names with the separator between them: "a, b, c".
 std::string joined(std::span<const std::string> names, std::string_view separator = ", ");
 
-/// "; did you mean 'NAME'?" where there is a near name, or nothing.
+/// Returns "; did you mean 'NAME'?" for the nearest name, or an empty text if no name is near.
 std::string did_you_mean(std::string_view name, std::span<const std::string> names);
 
 }  // namespace taut::app

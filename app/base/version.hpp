@@ -4,9 +4,9 @@
 
 namespace taut::app {
 
-/// "0.1.0".
+/// The version of the program, such as "0.1.0".
 std::string program_version();
-/// What the program was compiled with.
+/// Name and version of the compiler that built the program.
 std::string compiler_version();
 
 }  // namespace taut::app

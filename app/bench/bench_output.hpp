@@ -8,27 +8,28 @@
 
 namespace taut::app {
 
-/// The benchmark for people: what each engine needs for each bound, how that grows, how it compares.
+/// The results as text for people. It says what each engine needs for each bound, how that grows with the
+/// triangles, and how the engines compare.
 std::string bench_table(const BenchResults& results);
 
-/// Every run and every finding for programs.
+/// All runs and all findings as one JSON object.
 std::string bench_json(const BenchResults& results, const Machine& machine);
 
-/// Time against stretch for every scene at one size, on logarithmic axes with every engine's Pareto front;
-/// and, with several sizes, time against triangles.
+/// Plots time per frame against stretch for every scene at one size, on logarithmic axes, with the Pareto
+/// front of each engine. If there are several sizes, it also plots time against triangles.
 Drawing draw_bench(const BenchResults& results);
 
-/// What `draw_bench` draws, without captions.
+/// The plots that draw_bench draws, without captions.
 std::vector<Plot> bench_plots(const BenchResults& results);
 
-/// "5 %", "0.1 %".
+/// A fraction as text: "5 %", "0.1 %".
 std::string percent(double fraction);
 
-/// How an engine is called in tables and legends.
+/// The name of an engine in tables and legends.
 std::string title_of_engine(const std::string& engine);
 
-/// The springs that the literal sweep of `strong` corrects in a second, the most any of its runs achieved; 0
-/// without it. The unit in which two machines can be compared.
+/// Corrections of springs per second by the sequential sweep of `strong`: the highest rate of all its runs,
+/// or 0 if it did not run. It serves as a unit for comparing two machines.
 double strong_springs_per_s(const Heat& heat);
 
 }  // namespace taut::app

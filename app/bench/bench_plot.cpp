@@ -10,6 +10,7 @@
 namespace taut::app {
 namespace {
 
+// The size of garment that the plot of time against stretch shows, if it was measured.
 constexpr double usual_triangles = 10600.0;
 
 struct Look {

@@ -7,39 +7,43 @@
 
 namespace taut::app {
 
-/// One key of a scene and its value, as on the command line.
+/// One key of a scene and its value, both written as on the command line.
 struct Setting {
   std::string key;
   std::string value;
 };
 
-/// What happens to the shirt in a scene of the benchmark.
+/// A scene of the benchmark: what happens to the T-shirt.
 struct BenchScene {
   std::string name;
-  std::string meaning;
+  std::string meaning;  ///< for people
   std::vector<Setting> settings;
 };
 
-/// A model and how often it is subdivided.
+/// A size of the garment: a T-shirt model, subdivided some number of times.
 struct BenchSize {
-  int triangles = 0;
-  int model = 0;
-  int subdivisions = 0;
+  int triangles = 0;     ///< after subdivision
+  int model = 0;         ///< triangles of the model file
+  int subdivisions = 0;  ///< each makes four triangles of one
 };
 
+/// All scenes of the benchmark.
 const std::vector<BenchScene>& bench_scenes();
+/// All sizes of the benchmark, smallest first.
 const std::vector<BenchSize>& bench_sizes();
 
+/// The names of bench_scenes(), in the same order.
 std::vector<std::string> bench_scene_names();
 
-/// The settings that make the built-in scene `bench_base_scene` the one that is measured.
+/// The built-in scene that every scene of the benchmark is derived from.
 inline constexpr const char* bench_base_scene = "tshirt-gravity";
+/// The settings that turn `bench_base_scene` into this scene at this size. The model file is not among them.
 std::vector<Setting> settings_of(const BenchScene& scene, const BenchSize& size);
 
-/// Throws InputError where the garment is missing.
+/// Returns the scene at this size. Throws InputError if its garment file is missing.
 Scene make_bench_scene(const BenchScene& scene, const BenchSize& size);
 
-/// A copy of the scene with the settings. Throws UsageError.
+/// Returns the scene with these settings applied. Throws UsageError for a setting that is not valid.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
 }  // namespace taut::app

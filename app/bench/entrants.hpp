@@ -12,24 +12,26 @@
 
 namespace taut::app {
 
-/// An engine with its settings, ready to be put to any scene.
+/// An engine with fixed settings. It can run on any scene of the benchmark.
 struct Entrant {
-  std::string engine;
-  std::string settings;  ///< in words
-  std::optional<double>
-      bound;  ///< the stretch it was asked to keep; none where an engine knows no such thing
+  std::string engine;    ///< one of engine_names()
+  std::string settings;  ///< the settings, for people
+  /// The largest stretch the engine was asked to keep, as a fraction. Empty for an engine without a bound.
+  std::optional<double> bound;
+  /// Starts the engine on a garment.
   std::function<std::unique_ptr<Engine>(const GarmentInScene&, const Scene&)> make;
 };
 
-/// Names for --engines, the one to beat first.
+/// The values of --engines. The engine that is compared with the others comes first.
 std::vector<std::string> engine_names();
 
-/// Every setting of the engine that is tried: one for each bound where it takes a bound; else a series, from
-/// cheap to expensive, out of which the best for each bound is chosen afterwards. None where the engine is
-/// not there.
+/// All settings of one engine that are run. An engine with a bound has one entrant for each of `bounds`. Any
+/// other engine has a series of settings, cheap ones first; the best for each bound is found after the runs.
+/// `full` asks for the longer series. Empty if the engine is not compiled in.
 std::vector<Entrant> entrants_of(const std::string& engine, const std::vector<double>& bounds, bool full);
 
-/// For each bound the bounded solver whole, and then without one of its parts at a time.
+/// For each bound the complete `bounded` solver, then the solver with one of its parts switched off, for each
+/// part.
 std::vector<Entrant> ablation_entrants(const std::vector<double>& bounds);
 
 }  // namespace taut::app

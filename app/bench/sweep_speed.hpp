@@ -7,16 +7,15 @@
 
 namespace taut::app {
 
-/// How many springs one sweep of the constraint of `bounded` corrects in a second of processor time, one
-/// core, with one vector unit: what an engine lacks to it goes into forces and into everything else a frame
-/// takes.
+/// The speed of one constraint sweep of `bounded` with one vector unit, on one core. An engine's rate over
+/// whole frames is lower: the rest of the time goes into forces and other work of a frame.
 struct SweepSpeed {
-  std::string unit;  ///< as `solver.vector_unit` has it, such as "avx2"
-  double springs_per_s = 0.0;
+  std::string unit;            ///< as in the key `solver.vector_unit`, such as "avx2"
+  double springs_per_s = 0.0;  ///< per second of processor time
 };
 
-/// Of each vector unit the processor has, narrowest first, over the garment's bound springs: the fastest of
-/// several short measurements, together some tenths of a second.
+/// Measures the sweep over the garment's bounded springs, for each vector unit of this processor, narrowest
+/// first. Each result is the fastest of several short measurements. Takes some tenths of a second.
 std::vector<SweepSpeed> measure_sweep_speeds(const sim::Garment& garment);
 
 }  // namespace taut::app

@@ -18,10 +18,11 @@
 namespace taut::app {
 namespace {
 
-// Enough for a median that one disturbance does not move; a few seconds.
+// Repeats of each timing. One disturbance does not change their median. Each repeat takes a fraction of a
+// second.
 constexpr int frame_time_repeats = 15;
 
-// Packed better than frames, which have to be written sixty times a second.
+// Figures are compressed more than frames of a sequence, for which speed matters more.
 constexpr renderer::PngEffort effort = {.deflate_level = 6, .filter = 4};
 
 class FigureWriter {

@@ -14,70 +14,79 @@ namespace taut::app {
 
 // What each command was asked for. Functions return the exit code of the program.
 
+/// Options of `taut figures`.
 struct FiguresOptions {
-  std::vector<std::string> only;  ///< empty: all
+  std::vector<std::string> only;  ///< names of figures; empty: all
   std::filesystem::path output = "figures";
-  std::filesystem::path data;  ///< folder of an earlier run's tables to draw from; empty: simulate
-  float scale = 1.0F;
-  std::string backend = "auto";
+  /// Folder with the tables of an earlier run, to draw from without simulating. Empty: simulate.
+  std::filesystem::path data;
+  float scale = 1.0F;            ///< times as many pixels each way
+  std::string backend = "auto";  ///< as in renderer::create_context, also below
 };
 
+/// Options of `taut bench`. An empty member takes what `full` selects.
 struct BenchOptions {
-  std::vector<int> sizes;  ///< triangles; empty, as everything here: as `full` says
+  std::vector<int> sizes;  ///< triangles
   std::vector<std::string> scenes;
-  std::vector<double> bounds = {0.05, 0.01, 0.001};
+  std::vector<double> bounds = {0.05, 0.01, 0.001};  ///< largest stretch, fractions
   std::vector<std::string> engines;
-  std::optional<double> seconds;           ///< simulated
-  std::optional<double> slowest_frame_ms;  ///< settings that need more are given up
-  bool full = false;
-  bool ablation = false;
+  std::optional<double> seconds;           ///< simulated time of each run
+  std::optional<double> slowest_frame_ms;  ///< a run with a larger mean is stopped
+  bool full = false;                       ///< more sizes, scenes and settings
+  bool ablation = false;                   ///< `bounded` with its parts switched off, instead of engines
   bool json = false;
   bool quiet = false;
   std::filesystem::path output;  ///< folder for the results; empty: none
   std::filesystem::path shapes;  ///< folder for the most stretched shape of every run; empty: none
 };
 
+/// Options of `taut render`.
 struct RenderOptions {
-  std::string scene;   ///< or a picture that is to be made again
+  std::string scene;   ///< a scene, a garment file, or a picture that is to be made again
   std::string output;  ///< empty: SCENE_NAME.png
-  std::string frames;  ///< as in frame_range.hpp; empty: the last, of a video all
+  std::string frames;  ///< As in frame_range.hpp. Empty: the last frame, or all frames for a video.
   std::vector<Override> overrides;
-  std::filesystem::path statistics;
+  std::filesystem::path statistics;  ///< file for --stats; empty: none
   std::string backend = "auto";
-  bool resume = false;                 ///< only the frames that are not there yet
-  std::vector<std::string> arguments;  ///< as given to the program but for --resume; every picture keeps them
+  bool resume = false;  ///< only frames whose file does not exist yet
+  /// Arguments of the program without --resume. Every picture stores them.
+  std::vector<std::string> arguments;
 };
 
+/// Options of `taut simulate`.
 struct SimulateOptions {
-  std::string scene;
+  std::string scene;   ///< a scene or a garment file
   std::string frames;  ///< as in frame_range.hpp; empty: all from 1 on
-  std::string shapes;  ///< pattern of OBJ files, or one for the last frame; empty: none
+  std::string shapes;  ///< Pattern for OBJ files, or the name of one file for the last frame. Empty: none.
   bool json = false;
   bool quiet = false;
   std::vector<Override> overrides;
-  std::filesystem::path statistics;
-  std::filesystem::path checkpoint;  ///< where the run is saved; empty: to `resume`, if that is given
-  int checkpoint_every = 60;         ///< frames
-  std::filesystem::path resume;      ///< what an earlier run saved; empty: from the scene's start
+  std::filesystem::path statistics;  ///< file for --stats; empty: none
+  std::filesystem::path checkpoint;  ///< file the run is saved to; empty: that of `resume`
+  int checkpoint_every = 60;         ///< frames from one saving to the next
+  std::filesystem::path resume;      ///< file an earlier run was saved to; empty: start of the scene
 
-  /// Empty: the run is not saved.
+  /// The file the run is saved to. Empty: it is not saved.
   const std::filesystem::path& saved_to() const { return checkpoint.empty() ? resume : checkpoint; }
 };
 
+/// Options of `taut view`.
 struct ViewOptions {
-  std::string scene;  ///< empty: the script's, or the first there is
+  std::string scene;  ///< empty: the script's scene, or else a default
   std::vector<Override> overrides;
-  std::optional<renderer::Resized> size;
-  std::filesystem::path keep_folder = ".";
-  std::filesystem::path record;  ///< where the input is written to; empty: nowhere
+  std::optional<renderer::Resized> size;    ///< of the window
+  std::filesystem::path keep_folder = ".";  ///< for screenshots, videos and saved scenes
+  std::filesystem::path record;             ///< file the input is recorded to; empty: none
   bool headless = false;
   // Headless alone:
-  std::filesystem::path script;
-  std::filesystem::path screenshot;
+  std::filesystem::path script;      ///< session to play
+  std::filesystem::path screenshot;  ///< picture of the window after the session; empty: none
+  /// Text file that says where the parts of the panel are after the session. Empty: none.
   std::filesystem::path layout;
   std::string backend = "auto";
 };
 
+/// Options of `taut inspect`.
 struct InspectOptions {
   std::filesystem::path garment;
   std::vector<Override> overrides;
@@ -86,26 +95,31 @@ struct InspectOptions {
   std::string backend = "auto";
 };
 
-/// The program as its own importer (import_process.hpp).
+/// Options of `taut import-model`, which the program runs as a child process (import_process.hpp).
 struct ImportModelOptions {
   std::filesystem::path model;
   ImportLimits limits;
 };
 
+/// `taut scenes` has no options.
 struct ScenesOptions {};
 
+/// What `taut help` was asked about.
 struct HelpOptions {
-  std::string text;  ///< what there is to say
+  std::string text;  ///< the answer
 };
 
-/// The command line was answered by itself, as --version is.
+/// The command line has been answered while it was read, as for --version.
 struct Answered {
   int exit_code = 0;
 };
 
+/// What the command line asks for.
 using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions,
                              ViewOptions, InspectOptions, ImportModelOptions, ScenesOptions, HelpOptions>;
 
+/// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
+/// UsageError, Interrupted and what the parts it uses throw.
 int run(const BenchOptions& options);
 int run(const FiguresOptions& options);
 int run(const RenderOptions& options);

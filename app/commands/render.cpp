@@ -31,14 +31,14 @@ namespace taut::app {
 namespace {
 
 // What is to be drawn, whether it is a scene that was given or a picture.
-struct Job {
+struct RenderJob {
   DrawnScene scene;
   std::vector<int> frames;
   std::string output;
   std::optional<PictureRecord> again;  ///< the picture that is made again
 };
 
-std::vector<int> frames_to_draw(const RenderOptions& options, const Job& job) {
+std::vector<int> frames_to_draw(const RenderOptions& options, const RenderJob& job) {
   const int last = job.again ? job.again->frame : job.scene.frames;
   const int first = is_video(job.output) && !job.again ? 0 : last;
   const FrameRange range =
@@ -48,8 +48,8 @@ std::vector<int> frames_to_draw(const RenderOptions& options, const Job& job) {
   return frames;
 }
 
-Job job_of(const RenderOptions& options) {
-  Job job;
+RenderJob render_job_of(const RenderOptions& options) {
+  RenderJob job;
   if (is_picture(options.scene)) {
     job.again = read_picture_record(options.scene, options.overrides);
     job.scene = job.again->scene;
@@ -66,7 +66,7 @@ Job job_of(const RenderOptions& options) {
 // Where pictures go: a file each, or one video.
 class PictureOutput {
  public:
-  explicit PictureOutput(const Job& job) : job_(job) {
+  explicit PictureOutput(const RenderJob& job) : job_(job) {
     const std::filesystem::path file = job.output;
     if (is_video(file)) {
       const renderer::PictureSettings& size = job.scene.picture.settings;
@@ -115,14 +115,14 @@ class PictureOutput {
   }
 
  private:
-  const Job& job_;
+  const RenderJob& job_;
   std::optional<OutputPattern> pattern_;
   std::unique_ptr<VideoWriter> video_;
   std::vector<int> written_;
 };
 
 // A picture made again may differ where the program, the garment's file or OpenGL has changed since.
-void compare_with_record(const Job& job, const std::vector<FrameRecord>& records,
+void compare_with_record(const RenderJob& job, const std::vector<FrameRecord>& records,
                          const std::string& gl_renderer) {
   const auto same_frame = std::find_if(records.begin(), records.end(),
                                        [&](const auto& record) { return record.frame == job.again->frame; });
@@ -153,7 +153,7 @@ std::string obstacle_to_resuming(const std::filesystem::path& file, int frame, c
 
 // The frames a run that was cut short left to be drawn. Files are renamed into place when they are complete,
 // so those that exist are; but they have to show this very scene.
-std::vector<int> frames_left(const Job& job, const PictureOutput& output, const PictureOrigin& origin) {
+std::vector<int> frames_left(const RenderJob& job, const PictureOutput& output, const PictureOrigin& origin) {
   std::vector<int> left;
   for (const int frame : job.frames) {
     const std::filesystem::path file = output.path_of(frame);
@@ -170,7 +170,7 @@ std::vector<int> frames_left(const Job& job, const PictureOutput& output, const 
   return left;
 }
 
-std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, OffscreenRenderer& offscreen,
+std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation, OffscreenRenderer& offscreen,
                               PictureOutput& output, const PictureOrigin& origin, std::span<const int> frames,
                               std::optional<StatisticsFile>& statistics, Progress& progress) {
   progress.begin("preparing the first frame");
@@ -196,7 +196,7 @@ std::vector<FrameRecord> draw(const Job& job, sim::Simulation& simulation, Offsc
 }  // namespace
 
 int run(const RenderOptions& options) {
-  const Job job = job_of(options);
+  const RenderJob job = render_job_of(options);
   PictureOutput output(job);
   if (!options.statistics.empty()) {
     statistics_format(options.statistics);

@@ -4,7 +4,8 @@
 #include "app/base/files.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/viewer/view_session.hpp"
+#include "app/viewer/headless_viewer.hpp"
+#include "app/viewer/window_viewer.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {

@@ -8,21 +8,23 @@
 
 namespace taut::app {
 
-/// A figure, composed once and replayed on whatever canvas it is wanted on.
+/// A drawing made of lines, text and pictures. `draw` can be called for any kind of canvas, any number of
+/// times.
 struct Drawing {
   int width_px = 0;
   int height_px = 0;
   std::function<void(renderer::Canvas&)> draw;
 };
 
-/// `scale` times as many pixels each way.
+/// Draws with `scale` times as many pixels each way as the drawing has by itself.
 renderer::Image to_image(const Drawing& drawing, float scale = 1.0F);
 
-/// Text and lines stay what they are; the page is as wide as the two columns of a paper.
+/// Writes a PDF page in which text and lines stay text and lines. The page is as wide as two columns of a
+/// paper. Throws InputError as write_file does.
 void write_pdf(const std::filesystem::path& path, const Drawing& drawing);
 
-/// Colours that readers with any kind of colour vision tell apart and that differ in grey as well (Okabe and
-/// Ito 2008), dark first.
+/// Colours that readers with any kind of colour vision can tell apart. They also differ in grey (Okabe and
+/// Ito 2008). Dark colours come first.
 namespace palette {
 inline const renderer::Colour ink = renderer::rgb(0x1C1C1C);
 inline const renderer::Colour quiet_ink = renderer::rgb(0x5A5A5A);
@@ -33,16 +35,19 @@ inline const renderer::Colour orange = renderer::rgb(0xE69F00);
 inline const renderer::Colour sky = renderer::rgb(0x56B4E9);
 }  // namespace palette
 
+/// The font style for text of this height.
 renderer::TextStyle text_style(float size_px, const renderer::Colour& colour = palette::ink,
                                bool bold = false);
 
-/// "(a) what it is", and below it, in grey, what was measured; centred under a panel. Empty lines: none.
+/// The text centred under a panel of a figure: "(a) what it is", and below it in grey what was measured. An
+/// empty text leaves its line out.
 struct Caption {
-  char letter = 'a';  ///< '\0': the only panel, without a letter
+  char letter = 'a';  ///< '\0' for a figure with one panel: no letter
   std::string text;
   std::string measured;
 };
 
+/// Sizes of the two lines of a caption.
 struct CaptionStyle {
   float text_px = 40.0F;
   float measured_px = 34.0F;
@@ -50,6 +55,7 @@ struct CaptionStyle {
   float height_px() const { return 1.75F * text_px + 1.45F * measured_px; }
 };
 
+/// Draws the caption with its centre at `centre_px` and its upper edge at `top_px`.
 void draw_caption(renderer::Canvas& canvas, const Caption& caption, float centre_px, float top_px,
                   const CaptionStyle& style = {});
 

@@ -9,51 +9,57 @@
 
 namespace taut::app {
 
+/// The camera of a scene's pictures.
 struct CameraSettings {
   renderer::Framing framing = {.azimuth_rad = 0.35F, .elevation_rad = 0.17F, .vertical_fov_rad = 0.5F};
-  std::optional<renderer::Box> box;  ///< what has to be in the picture; none: the garment's reach
-  std::optional<glm::vec3> eye;      ///< with `target` instead of framing
-  std::optional<glm::vec3> target;
+  std::optional<renderer::Box> box;  ///< what has to be in the picture, in metres; empty: expected_reach()
+  std::optional<glm::vec3> eye;      ///< in metres; with `target` it replaces framing
+  std::optional<glm::vec3> target;   ///< in metres
 };
 
+/// How the cloth's surface is drawn.
 enum class SurfaceLook {
   shaded,
   stretch,    ///< coloured by the stretch of the structural springs
-  wireframe,  ///< the springs alone, see-through
+  wireframe,  ///< the springs alone; surfaces are not drawn
 };
 
+/// Where the floor of a picture is.
 enum class GroundKind {
-  automatic,  ///< on a level plane collider, or else a little below everything in the picture
-  none,
-  fixed,
+  automatic,  ///< on a level plane collider if there is one, else a little below all that is shown
+  none,       ///< no floor
+  fixed,      ///< at Ground::height_m
 };
 
+/// The floor of a picture.
 struct Ground {
   GroundKind kind = GroundKind::automatic;
   double height_m = 0.0;
 };
 
+/// How a scene's pictures are drawn.
 struct PictureStyle {
   renderer::PictureSettings settings;
   SurfaceLook surface = SurfaceLook::shaded;
-  bool wireframe = false;
-  std::optional<std::array<double, 2>> stretch_range;  ///< none: up to the bound (promise.hpp)
+  bool wireframe = false;  ///< the springs drawn over the surface
+  /// Stretch at the two ends of the colours; empty: shown_stretch_range().
+  std::optional<std::array<double, 2>> stretch_range;
   renderer::ColourMap stretch_colours = renderer::ColourMap::viridis;  ///< not a key of the file
   renderer::SurfaceStyle cloth;
   Ground ground;
-  bool rest_outline = false;  ///< where the garment's borders were modelled
+  bool rest_outline = false;  ///< draws the garment's borders where they were modelled
   bool show_pins = true;
-  bool legend = true;  ///< where the surface shows the stretch
+  bool legend = true;  ///< the colour bar, if the surface shows the stretch
 };
 
-/// A scene and, beside it, how it is drawn: all that a scene file holds.
+/// A scene and how it is drawn: all that a scene file can say.
 struct DrawnScene : Scene {
   CameraSettings camera;
   PictureStyle picture;
 };
 
-/// The stretch at the two ends of the colours: as the scene says, or else from 0 to the bound, or to 5 %
-/// where there is none.
+/// The stretch at the two ends of the colours. If the scene does not set it: from 0 to the solver's bound, or
+/// to 0.05 if there is no bound.
 std::array<double, 2> shown_stretch_range(const DrawnScene& scene);
 
 }  // namespace taut::app

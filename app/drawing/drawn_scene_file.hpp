@@ -11,7 +11,7 @@
 
 namespace taut::app {
 
-/// Everything a scene file can say.
+/// All keys of a scene file, those of the picture included.
 SceneFormat<DrawnScene> drawn_scene_format();
 
 // The functions of scene_format.hpp, scene_lookup.hpp and scene_text.hpp for that format.
@@ -24,7 +24,7 @@ void apply_overrides(std::span<const Override> overrides, DrawnScene& scene);
 Value scene_settings(const DrawnScene& scene);
 std::string scene_text(const DrawnScene& scene, GarmentNaming naming = GarmentNaming::in_assets);
 
-/// All keys with unit, default, range and meaning, for people.
+/// All keys with unit, default, range and meaning, as text for people.
 std::string scene_help();
 
 }  // namespace taut::app

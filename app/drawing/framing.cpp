@@ -8,11 +8,11 @@
 namespace taut::app {
 namespace {
 
-// The floor stands off by this fraction of the height, so that cloth is seen to hang, not to stand.
+// Gap between cloth and floor, as a fraction of the height. Without it hanging cloth seems to stand.
 constexpr float ground_gap = 0.06F;
 
-// Vertices times pins that are compared one by one; of more, some pins are passed over, which makes the
-// reach of a fine mesh larger by about an edge.
+// Limit on pairs of a vertex and a pin that are compared. Above it some pins are skipped, which can enlarge
+// the reach of a fine mesh by about the length of an edge. A lower limit saves time.
 constexpr std::size_t most_distances = 50'000'000;
 
 // A plain cast of what no float can hold is undefined.

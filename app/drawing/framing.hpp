@@ -10,18 +10,19 @@
 
 namespace taut::app {
 
-/// What is too far for a float stays as far as one can say.
+/// The points in single precision. A coordinate too large for a float becomes the largest float.
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points);
 
-/// What a garment is expected to reach: its shape as modelled, each vertex hung straight below the nearest
-/// pin, and what colliders are near. It depends on the scene alone, so every frame gets the same camera.
+/// The box in metres that the garment is expected to stay in. It holds the shape as modelled, each vertex
+/// hanging straight below its nearest pin, and colliders that are near. It depends only on the scene, so all
+/// frames have the same camera.
 renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment,
                              std::span<const sim::Index> pins);
 
-/// The camera of a scene's pictures.
+/// The camera of a scene's pictures. `aspect` is width over height.
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect);
 
-/// The height of the floor, if there is to be one.
+/// Height of the floor in metres. Empty if there is no floor.
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach);
 
 }  // namespace taut::app

@@ -1,6 +1,7 @@
 #include "app/drawing/garment_painter.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <glm/geometric.hpp>
 
 #include "app/drawing/framing.hpp"
@@ -15,11 +16,12 @@ namespace {
 const renderer::Colour obstacle_colour = renderer::rgb(0xB9B4AC);
 const renderer::Colour outline_colour = renderer::rgb(0xC0392B);
 
-// Lines are one pixel wide up to this height of the picture and grow with it beyond, so that a large picture
-// looks like a small one.
+// Up to this height of the picture lines are one pixel wide. Above it they grow with the picture, so that a
+// large picture looks like a small one.
 constexpr float full_line_height_px = 600.0F;
 
-// A few pins stand out better with their shadow; light between those of a whole row streaks the cloth below.
+// With more pins than this, pins throw no shadow. The gaps between the shadows of a whole row would streak
+// the cloth.
 constexpr std::size_t most_pins_with_shadows = 8;
 
 std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
@@ -140,6 +142,7 @@ renderer::SurfaceView GarmentPainter::garment_view() const {
 }
 
 const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions) {
+  assert(positions.size() == rest_positions_.size());
   positions_ = to_float(positions);
   renderer::vertex_normals(positions_, triangles_, normals_);
   if (style_.surface == SurfaceLook::stretch) {

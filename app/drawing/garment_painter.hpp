@@ -14,20 +14,21 @@
 
 namespace taut::app {
 
-/// Of the balls that show pins, where the scene reaches so far.
+/// Radius of the balls that show pins, for a scene with this reach.
 float pin_radius_m(const renderer::Box& reach);
 
-/// Draws a scene's garment, wherever it is, with the scene's camera and style.
+/// Draws a scene's garment at any positions, with the scene's camera and style. Spans of positions are in
+/// metres, per vertex of the garment.
 class GarmentPainter {
  public:
-  /// `renderer` has to outlive the painter.
+  /// `renderer` must outlive the painter. `scene` and `garment` are copied as far as they are needed.
   GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
                  std::span<const sim::Index> pins);
 
-  /// The picture, with the legend the scene asks for.
+  /// Returns the picture, with a legend if the scene asks for one.
   renderer::Image draw(const std::vector<sim::Vec3>& positions);
 
-  /// What `draw` hands to the renderer. It looks into the painter: valid until the next call.
+  /// What `draw` hands to the renderer. It refers to data of the painter and is valid until the next call.
   const renderer::FrameView& view(const std::vector<sim::Vec3>& positions);
 
  private:
@@ -54,7 +55,7 @@ class GarmentPainter {
   std::vector<glm::vec3> pin_positions_;
 };
 
-/// The colour bar of pictures that show the stretch, with the bound marked that the solver means to keep.
+/// The colour bar of pictures that show stretch. It marks the bound of the scene's solver, if there is one.
 renderer::Legend stretch_legend(const DrawnScene& scene);
 
 }  // namespace taut::app

@@ -17,7 +17,8 @@ const renderer::Colour non_manifold_colour = renderer::rgb(0xD00000);
 const renderer::Colour misoriented_colour = renderer::rgb(0x7B2CBF);
 const renderer::Colour joined_colour = renderer::rgb(0xFFD000);
 
-// Of a model in which every triangle has its own vertices all would be marked: that says nothing.
+// Fraction of vertices. If more were welded, they are not marked: in a model without shared vertices all
+// would be.
 constexpr double most_joined = 0.3;
 
 void add_line(const LoadedGarment& loaded, const sim::Edge& ends, InspectionMarks& marks) {

@@ -9,23 +9,24 @@
 
 namespace taut::app {
 
-/// Lines or dots of one meaning in the picture of an inspection.
+/// Lines or dots with one meaning, in the picture of an inspection.
 struct InspectionMarks {
-  std::string meaning;  ///< for the legend, with how many there are
+  std::string meaning;  ///< text of the legend, with the count
   renderer::Colour colour{0.0F};
-  float width_px = 1.0F;               ///< of lines, diameter of dots
+  float width_px = 1.0F;               ///< of lines; the diameter of dots
   float opacity = 1.0F;                ///< of lines
-  bool dots = false;                   ///< one point each; else two points for each line
-  bool seen_through = false;           ///< drawn over surfaces that hide them: few and important
-  std::vector<glm::vec3> points = {};  ///< metres, in the scene
+  bool dots = false;                   ///< `points` holds one point per dot; otherwise two points per line
+  bool seen_through = false;           ///< drawn over surfaces that would hide it
+  std::vector<glm::vec3> points = {};  ///< in metres
 };
 
+/// Sizes of marks.
 struct MarkWidths {
   float spring_px = 1.0F;  ///< of structural springs
   float dot_px = 6.0F;
 };
 
-/// All that there are, those below first.
+/// All marks of the garment, in the order they are drawn: later ones cover earlier ones.
 std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, const MarkWidths& widths);
 
 }  // namespace taut::app

@@ -26,6 +26,7 @@ constexpr float text_px = 26.0F;
 constexpr float row_px = 1.7F * text_px;
 constexpr auto panel_px = static_cast<float>(inspection_panel_px);
 constexpr float outline_px = 2.0F;
+constexpr std::size_t legend_columns = 3;
 constexpr float page_px = 2.0F * border_px + 2.0F * panel_px + gap_px;
 
 const renderer::Colour outside_colour = renderer::rgb(0xE8EDF2);
@@ -150,8 +151,6 @@ std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::s
   rows.push_back({"inside", inside_colour, LegendRow::Sample::area});
   return rows;
 }
-
-constexpr std::size_t legend_columns = 3;
 
 float legend_height_px(std::size_t rows) {
   return static_cast<float>((rows + legend_columns - 1) / legend_columns) * row_px + border_px;

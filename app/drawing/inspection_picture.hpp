@@ -9,10 +9,10 @@
 
 namespace taut::app {
 
-/// A page with the garment as it was understood, from the front and from behind: its springs by kind, what
-/// holds it, its borders, edges where more than two triangles meet or neighbours disagree about the outside,
-/// and places where vertices of the file were joined; with a legend, its counts and a bar of known length.
-/// `backend` as in renderer::create_context. Throws renderer::ContextError.
+/// Returns a page that shows how the garment was understood, from the front and from behind. It shows springs
+/// by kind, pins, borders, vertices that were welded, edges with more than two triangles, and edges whose
+/// triangles disagree about the outside. It has a legend, counts and a scale bar. `backend` is as in
+/// renderer::create_context. Throws renderer::ContextError.
 renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded,
                                 const DrawnScene& scene, const std::string& backend);
 

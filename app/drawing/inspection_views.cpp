@@ -14,11 +14,12 @@ namespace {
 constexpr float degree = 0.017453293F;
 constexpr float elevation_rad = 10.0F * degree;
 constexpr std::array azimuths_rad = {20.0F * degree, 200.0F * degree};
-// So little perspective that one bar tells the size of all of it.
+// A narrow view has little perspective, so that one scale bar is valid for the whole garment.
 constexpr float field_of_view_rad = 0.12F;
-/// For the lines and balls at the garment's edge.
+// Fraction of the picture that stays free, for lines and balls at the garment's edge.
 constexpr float margin = 0.025F;
-// Of the width. A hem laid flat is given some room, and a scarf is not drawn down a whole page.
+// Limits on the height of a view, as fractions of its width. They give a flat garment some height and keep a
+// scarf from filling the page.
 constexpr float lowest_panel = 0.2F;
 constexpr float highest_panel = 1.3F;
 

@@ -8,7 +8,7 @@
 
 namespace taut::app {
 
-/// A scene renderer and the OpenGL context it draws in, without a window.
+/// An OpenGL context without a window, and the scene renderer in it.
 class OffscreenRenderer {
  public:
   /// `backend` as in renderer::create_context. Throws renderer::ContextError.
@@ -16,6 +16,7 @@ class OffscreenRenderer {
       : context_(renderer::create_context(backend)), renderer_(*context_) {}
 
   renderer::SceneRenderer& renderer() { return renderer_; }
+  /// The name OpenGL gives its renderer (GL_RENDERER).
   const std::string& gl_renderer() const { return context_->renderer(); }
 
  private:

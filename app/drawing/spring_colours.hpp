@@ -7,7 +7,8 @@
 
 namespace taut::app {
 
-/// Told apart by colour-blind eyes as well (Okabe and Ito 2008).
+/// The colour of one kind of spring. People with any kind of colour vision can tell them apart (Okabe and Ito
+/// 2008).
 inline renderer::Colour spring_colour(sim::SpringKind kind) {
   constexpr std::array colours = {renderer::rgb(0x0072B2), renderer::rgb(0xE69F00), renderer::rgb(0xCC3377)};
   return colours[static_cast<std::size_t>(kind)];

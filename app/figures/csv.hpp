@@ -7,15 +7,16 @@
 
 namespace taut::app {
 
-/// A table as comma-separated values (RFC 4180): a line of names, then one for every row. Numbers are written
-/// so that reading them gives the same number again.
+/// Writes a table as comma-separated values (RFC 4180): a line with the column names, then one line per row.
+/// Reading the numbers gives exactly the same numbers.
 class CsvTable {
  public:
   explicit CsvTable(std::vector<std::string> columns);
 
-  /// Throws std::invalid_argument unless there is one cell for each column.
+  /// Adds a row. Throws std::invalid_argument unless there is one cell for each column.
   void add(std::vector<std::string> cells);
 
+  /// The table as text.
   std::string text() const { return text_; }
 
  private:
@@ -23,22 +24,27 @@ class CsvTable {
   std::string text_;
 };
 
+/// A number as cell, with as many digits as reading it back exactly needs.
 std::string cell(double value);
+/// A text as cell, in quotes if it needs them.
 std::string cell(const std::string& text);
 
-/// A table read from a file (RFC 4180; no line breaks within cells).
+/// A table read from a file (RFC 4180, without line breaks in cells). Rows and columns count from 0; the line
+/// of names is not a row.
 class CsvFile {
  public:
-  /// Throws InputError naming the file, and the line where it does not begin with these columns or a row has
-  /// not one cell for each.
+  /// Throws InputError that names the file and the line if the columns differ from `columns`, or if a row has
+  /// another number of cells.
   CsvFile(const std::filesystem::path& path, const std::vector<std::string>& columns);
 
   std::size_t rows() const { return rows_.size(); }
   const std::string& text(std::size_t row, std::size_t column) const { return rows_[row][column]; }
-  /// Throw InputError naming the file, the line and the column where there is no such number.
+  /// The number in a cell. Throws InputError that names file, line and column if the cell holds no such
+  /// number.
   double number(std::size_t row, std::size_t column) const;
+  /// As `number`, for whole numbers.
   int whole_number(std::size_t row, std::size_t column) const;
-  /// Throws InputError naming the file and the row's line.
+  /// Throws InputError with `what`, the file and the line of the row.
   [[noreturn]] void fail(std::size_t row, const std::string& what) const;
 
  private:

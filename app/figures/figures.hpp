@@ -10,20 +10,23 @@
 
 namespace taut::app {
 
-/// A figure of the paper, or of what it argues.
+/// One figure of the paper: which experiments it needs and how it is drawn.
 struct Figure {
-  std::string name;   ///< "fig2"
-  std::string title;  ///< what it shows, for the report
-  std::vector<Experiment> needs;
+  std::string name;               ///< "fig2"
+  std::string title;              ///< what it shows, for the report
+  std::vector<Experiment> needs;  ///< experiments it is drawn from
+  /// Draws the figure from the results of its experiments.
   Drawing (*draw)(const Results&, LazyOffscreenRenderer&);
-  /// What it is drawn from, as tables NAME.csv and NAME_shapes.csv; none where it is not measured.
+  /// Its data as tables NAME.csv and NAME_shapes.csv. Null if the figure shows no measurement.
   std::string (*csv)(const Results&) = nullptr;
   std::string (*shapes_csv)(const Results&) = nullptr;
-  /// Takes it from those tables, so that the figure can be drawn without its experiments.
+  /// Reads these tables into the results, so that the figure can be drawn without its experiments.
   void (*read)(const std::filesystem::path& folder, Results&) = nullptr;
-  bool needs_frame_times = false;
+  bool needs_frame_times = false;  ///< needs measure_frame_times()
 };
 
+/// Each draws one figure from the results of its experiments, which must have been made. Throws
+/// renderer::ContextError.
 Drawing draw_figure1(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure3(const Results& results, LazyOffscreenRenderer& offscreen);
@@ -31,17 +34,20 @@ Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure6(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure7(const Results& results, LazyOffscreenRenderer& offscreen);
+
+/// The data of a figure as table: the first line holds the names of the columns.
 std::string figure2_csv(const Results& results);
 std::string figure3_csv(const Results& results);
 std::string figure4_csv(const Results& results);
 std::string figure5_csv(const Results& results);
 std::string figure6_csv(const Results& results);
 std::string figure7_csv(const Results& results);
+/// The shapes of a figure as table (moment_tables.hpp).
 std::string figure2_shapes_csv(const Results& results);
 std::string figure4_shapes_csv(const Results& results);
 std::string figure5_shapes_csv(const Results& results);
 
-// Each throws InputError naming the file, and the line if it is there.
+/// Reads the tables of a figure into the results. Throws InputError that names the file and the line.
 void read_figure2(const std::filesystem::path& folder, Results& results);
 void read_figure3(const std::filesystem::path& folder, Results& results);
 void read_figure4(const std::filesystem::path& folder, Results& results);
@@ -49,8 +55,9 @@ void read_figure5(const std::filesystem::path& folder, Results& results);
 void read_figure6(const std::filesystem::path& folder, Results& results);
 void read_figure7(const std::filesystem::path& folder, Results& results);
 
-/// In the order of the paper.
+/// All figures, in the order of the paper.
 const std::vector<Figure>& all_figures();
+/// Their names, in the same order.
 std::vector<std::string> figure_names();
 
 }  // namespace taut::app

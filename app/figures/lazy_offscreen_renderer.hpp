@@ -8,13 +8,14 @@
 
 namespace taut::app {
 
-/// An OffscreenRenderer that is made at the first open(). Diagrams and plots never open it and need no
-/// OpenGL.
+/// Makes the offscreen renderer when it is first needed. Diagrams and plots do not need it.
 class LazyOffscreenRenderer {
  public:
-  /// Pictures get `scale` times as many pixels each way as figures ask for.
+  /// `backend` is as in renderer::create_context. Pictures get `scale` times as many pixels each way as the
+  /// figures ask for.
   LazyOffscreenRenderer(std::string backend, float scale) : backend_(std::move(backend)), scale_(scale) {}
 
+  /// The renderer. The first call makes it and may throw renderer::ContextError.
   OffscreenRenderer& open() {
     if (!offscreen_) {
       offscreen_ = std::make_unique<OffscreenRenderer>(backend_);
@@ -22,7 +23,7 @@ class LazyOffscreenRenderer {
     return *offscreen_;
   }
   float scale() const { return scale_; }
-  /// Empty while none is open.
+  /// The name OpenGL gives its renderer. Empty before the first `open`.
   std::string gl_renderer() const { return offscreen_ ? offscreen_->gl_renderer() : ""; }
 
  private:

@@ -8,16 +8,16 @@
 
 namespace taut::app {
 
-/// One row for every moment of the recordings, lettered from a: the scene and what was measured.
+/// A table with one row per moment: its letter (from a), the scene and what was measured.
 std::string moments_csv(std::span<const Recording* const> recordings);
 
-/// One row for every vertex of every moment: where it was, in metres.
+/// A table with one row per vertex of each moment: its position in metres.
 std::string shapes_csv(std::span<const Recording* const> recordings);
 
-/// The moments of one scene from FIGURE.csv and FIGURE_shapes.csv in a folder. DrawnScene and garment are as
-/// they are now, and what is measured is measured again on the shapes; `largest_stretch` is of these moments
-/// alone. Throws InputError naming the file and the line: broken, without a moment of that scene, or with
-/// shapes that have not as many vertices as the garment.
+/// Reads the moments of one scene from FIGURE.csv and FIGURE_shapes.csv in the folder. Scene and garment are
+/// taken from their files as they are now. What the tables hold of stretch is measured again from the shapes,
+/// and `largest_stretch` covers only these moments. Throws InputError that names the file and the line.
+/// Reasons are a broken table, no moment of this scene, or another number of vertices than the garment has.
 Recording read_recording(const std::filesystem::path& folder, const std::string& figure,
                          const std::string& scene_name);
 

@@ -13,7 +13,7 @@
 namespace taut::app {
 namespace {
 
-// Of the picture's width and height, left free around everything.
+// Fraction of the picture's width and height that stays free around everything.
 constexpr float print_margin = 0.045F;
 
 DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size) {

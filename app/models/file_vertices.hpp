@@ -8,19 +8,22 @@
 
 namespace taut::app {
 
-/// Which vertex of a garment's mesh stands for a vertex of its file. Those of a file are numbered from 0,
-/// mesh after mesh; a format that shares no vertices between faces, such as STL, has corners in their place.
+/// Relates the vertices of a model file to those of the garment's mesh. Vertices of a file count from 0, mesh
+/// after mesh. In a format without shared vertices, such as STL, the corners of the faces are counted
+/// instead.
 struct FileVertices {
-  std::vector<sim::Index> mesh_vertex;  ///< by the file's number; sim::no_vertex: it was not kept
-  bool are_corners = false;
+  /// Per vertex of the file, in the mesh; sim::no_vertex if it was dropped.
+  std::vector<sim::Index> mesh_vertex;
+  bool are_corners = false;  ///< the numbers count corners
 
-  /// Nothing where there is none; `why_missing` says why.
+  /// The vertex of the mesh for a vertex of the file. Empty if there is none; `why_missing` then says why.
   std::optional<sim::Index> find(std::size_t number) const;
-  /// "found vertex 9, expected one of the vertices of the file, 0 to 7", or that it belongs to no face.
+  /// Says that the number is outside the file, or that no face uses this vertex: "found vertex 9, expected
+  /// one of the vertices of the file, 0 to 7".
   std::string why_missing(std::size_t number) const;
-  /// The first one that the vertex of the mesh stands for.
+  /// The first vertex of the file that became this vertex of the mesh. Empty if there is none.
   std::optional<sim::Index> number_of(sim::Index vertex) const;
-  /// "vertices of the file, 0 to 7".
+  /// What can be numbered: "vertices of the file, 0 to 7".
   std::string describe() const;
 };
 

@@ -20,11 +20,11 @@
 namespace taut::app {
 namespace {
 
-// A garment has edges of a thousandth of its size. Of edges a thousand times shorter than this part of it,
-// double precision leaves nothing to measure stretch with.
+// As a fraction of the garment's size. If half of its edges are shorter, double precision cannot measure
+// their stretch. Usual edges have a thousandth of the size.
 constexpr double shortest_half_of_edges = 1e-9;
 
-// Smaller or larger, nothing on it can be told in double precision from its place.
+// Limits on the size of a garment. Outside them double precision is not enough for positions.
 constexpr double smallest_size_m = 1e-4;
 constexpr double largest_size_m = 1e4;
 

@@ -19,31 +19,33 @@ namespace taut::app {
 /// A scene's garment as it is simulated.
 struct GarmentInScene {
   std::shared_ptr<const sim::Garment> garment;
-  std::vector<sim::Index> pins;
-  std::optional<std::vector<sim::Vec3>> start_m;  ///< by vertex; none: as modelled
-  FileVertices file_vertices;  ///< in the mesh before it was subdivided; of a grid all its vertices
+  std::vector<sim::Index> pins;                   ///< vertices of the mesh
+  std::optional<std::vector<sim::Vec3>> start_m;  ///< positions at the start, per vertex; empty: as modelled
+  FileVertices file_vertices;  ///< For the mesh before subdivision. Of a grid: all its vertices.
 };
 
-/// The same, and how it came about.
+/// A scene's garment with all that was found out about it.
 struct LoadedGarment : GarmentInScene {
   Landmarks landmarks;
   // Of a model file; a grid is made, not read.
-  std::optional<ImportedModel> model;  ///< with its positions, without its triangles
+  /// With positions, without triangles; the optional members are empty for a grid.
+  std::optional<ImportedModel> model;
   std::optional<sim::MeshReport> repairs;
   std::optional<Placement> placement;
-  std::optional<Hanging> hanging;  ///< where the scene does not say what is held
+  std::optional<Hanging> hanging;  ///< empty if the scene names the pins
 };
 
-/// Told what is begun, such as "reading dress.fbx": a large model takes seconds.
+/// Called with the name of each stage when it begins, such as "reading dress.fbx". A large model takes
+/// seconds.
 using StageReport = std::function<void(const std::string& stage)>;
 
-/// Reads or makes the garment, maps it to springs, finds its landmarks and pins it.
-/// Throws InputError naming the file or the key.
+/// Reads or makes the garment, maps it to springs, finds its landmarks and selects its pins. Throws
+/// InputError that names the file or the key.
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin = {});
 
-/// The scene's garment as the scene begins. What the scene leaves to the garment is settled here: a
-/// simulation refuses surroundings in which it is not. Throws std::invalid_argument as sim::Simulation does,
-/// and InputError on a force at a vertex that is not there.
+/// Returns the simulation at its start. Values that the scene leaves to the garment, such as the distance of
+/// layers, are filled in first. Throws std::invalid_argument as sim::Simulation does, and InputError for a
+/// force at a vertex that does not exist.
 sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded);
 
 }  // namespace taut::app

@@ -9,10 +9,10 @@
 
 namespace taut::app {
 
-/// What was guessed, repaired and chosen that the scene does not say, a line each; nothing is done silently.
+/// What was guessed, repaired or chosen because the scene does not say it, one line each.
 std::vector<std::string> remarks_of(const LoadedGarment& loaded);
 
-/// These lines, with the name of the garment's file.
+/// Prints these lines after the name of the garment's file.
 void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* output = stdout);
 
 }  // namespace taut::app

@@ -14,12 +14,16 @@
 namespace taut::app {
 namespace {
 
-// As fractions of the part's height, or of its size where that is said.
+// Fractions of a part's height, or of its size where that is said. This one is the height of the band that is
+// pinned.
 constexpr double band_height = 0.03;
-constexpr double flat_thickness = 0.02;       ///< of the size
-constexpr double shortest_opening = 0.2;      ///< around, of the size: shorter ones are holes or faults
-constexpr double lowest_top_opening = 0.6;    ///< its mean height above the part's lowest point
-constexpr double steepest_top_opening = 0.4;  ///< from its lowest to its highest point
+constexpr double flat_thickness = 0.02;     ///< of the size; parts thinner than this are flat
+constexpr double shortest_opening = 0.2;    ///< length around, of the size; shorter ones are holes or faults
+constexpr double lowest_top_opening = 0.6;  ///< mean height of a top opening above the part's lowest point
+/// from its lowest to its highest point; a steeper one is not a top opening
+constexpr double steepest_top_opening = 0.4;
+// Parts that `describe` lists one by one.
+constexpr std::size_t most_lines = 12;
 
 double largest(const sim::Vec3& v) {
   return std::max({v.x, v.y, v.z});
@@ -130,19 +134,19 @@ HungPart hang_part(const sim::Mesh& mesh, const Part& part, std::vector<sim::Ind
   hung.vertices = part.vertices.size();
   hung.closed = part.openings.empty();
   hung.flat = std::min({size.x, size.y, size.z}) <= flat_thickness * largest(size);
-  std::vector<sim::Index> held;
+  std::vector<sim::Index> pins_of_part;
   if (const Opening* opening = top_opening(part); opening != nullptr) {
     hung.by = HungBy::top_opening;
-    held = opening->vertices;
+    pins_of_part = opening->vertices;
   } else if (size.y <= flat_thickness * largest(size)) {
     hung.by = HungBy::back_edge;
     const bool is_a_ribbon = size.z <= flat_thickness * largest(size);
-    held = vertices_from(mesh, part, is_a_ribbon ? 0 : 2, -1.0);
+    pins_of_part = vertices_from(mesh, part, is_a_ribbon ? 0 : 2, -1.0);
   } else {
-    held = vertices_from(mesh, part, 1, 1.0);
+    pins_of_part = vertices_from(mesh, part, 1, 1.0);
   }
-  hung.pins = held.size();
-  pins.insert(pins.end(), held.begin(), held.end());
+  hung.pins = pins_of_part.size();
+  pins.insert(pins.end(), pins_of_part.begin(), pins_of_part.end());
   return hung;
 }
 
@@ -164,7 +168,6 @@ Hanging hang(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
 }
 
 std::vector<std::string> describe(const Hanging& hanging) {
-  constexpr std::size_t most_lines = 12;
   std::vector<std::string> lines;
   std::size_t closed = 0, flat = 0;
   for (std::size_t p = 0; p < hanging.parts.size(); ++p) {

@@ -9,31 +9,32 @@
 
 namespace taut::app {
 
+/// Which vertices of a part are pinned.
 enum class HungBy {
-  top_opening,   ///< the border loop at its top: a neckline, a waist
-  highest_band,  ///< what is in the upper 3 % of its height
-  back_edge,     ///< it lies flat, so there is no top: its edge farthest back
+  top_opening,   ///< the border loop at its top, such as a neckline or a waist
+  highest_band,  ///< the vertices in the upper 3 % of its height
+  back_edge,     ///< for a part that lies flat: its edge farthest back
 };
 
-/// A part of a garment that nothing joins to the others, and how it is held.
+/// A connected part of a garment, and how it is pinned.
 struct HungPart {
   HungBy by = HungBy::highest_band;
   std::size_t vertices = 0;
   std::size_t pins = 0;
-  bool closed = false;  ///< no border anywhere
-  bool flat = false;    ///< as thin as a piece of cloth on a table
+  bool closed = false;  ///< it has no border
+  bool flat = false;    ///< its thickness is at most 2 % of its size
 };
 
+/// The pins of a garment whose scene names none.
 struct Hanging {
   std::vector<sim::Index> pins;  ///< ascending
-  std::vector<HungPart> parts;   ///< by their first vertex
+  std::vector<HungPart> parts;   ///< ordered by their first vertex
 };
 
-/// How a garment of which nothing else is known is held: every part by itself, since a part that is not held
-/// would fall out of the picture.
+/// Chooses pins for every connected part by itself. A part without pins would fall out of the picture.
 Hanging hang(const sim::Mesh& mesh, const sim::Adjacency& adjacency);
 
-/// A line for every part, for at most a dozen of them, and for what a tailor should know.
+/// One line per part, for at most twelve parts, with remarks on closed and flat parts.
 std::vector<std::string> describe(const Hanging& hanging);
 
 }  // namespace taut::app

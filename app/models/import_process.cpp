@@ -33,7 +33,7 @@ using Clock = std::chrono::steady_clock;
 enum class Kind : char { arrays = 'A', reason = 'R' };
 constexpr std::size_t header_bytes = 1 + sizeof(std::uint64_t);
 
-// More than the largest model that can be simulated.
+// Limit on what the child may send: more than the largest model that can be simulated.
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
 
 constexpr const char* nested = "TAUT_IMPORTING";

@@ -15,24 +15,27 @@ namespace taut::app {
 #else
 #define TAUT_ADDRESS_SANITIZER 0
 #endif
-/// AddressSanitizer reserves terabytes of address space: in its builds there is no limit on memory.
+/// False in builds with AddressSanitizer: it reserves terabytes of address space, so memory cannot be
+/// limited.
 inline constexpr bool memory_is_limited = TAUT_ADDRESS_SANITIZER == 0;
 #undef TAUT_ADDRESS_SANITIZER
 
 /// What reading one model may cost.
 struct ImportLimits {
-  std::size_t memory_mib = 4096;  ///< of address space; a million triangles take about a quarter
-  int seconds = 18;               ///< on the clock; with what comes before and after, a refusal within 20 s
+  std::size_t memory_mib = 4096;  ///< address space; a million triangles need about a quarter of it
+  int seconds = 18;  ///< Wall time. With the work before and after, a model is refused within 20 s.
 };
 
-/// Reads a model in a process of its own, which is ended where it takes too much: assimp crashes on some
-/// damaged files, and an error handler does not help against that. The process is `taut import-model FILE`,
-/// run from $TAUT_IMPORTER, this very program where it is taut, or the program of the build folder.
-/// Throws InputError with the reason, which does not name the file; Interrupted.
+/// Reads a model in a child process, which is killed if it exceeds the limits. Some damaged files crash
+/// assimp, and in the same process nothing could be done about it.
+///
+/// The child runs `taut import-model FILE`. The program is $TAUT_IMPORTER if that is set; else this program
+/// if it is taut; else the one in the build folder. Throws InputError with the reason, without the name of
+/// the file; Interrupted.
 ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& limits);
 
-/// The other process: keeps to the limits, reads the model and hands its arrays, or the reason why there are
-/// none, to standard output. Returns the exit code.
+/// Runs in the child process. Sets the limits, reads the model and writes its arrays to standard output, or
+/// the reason for failure. Returns the exit code.
 int serve_import(const std::filesystem::path& path, const ImportLimits& limits);
 
 }  // namespace taut::app

@@ -9,23 +9,24 @@
 
 namespace taut::app {
 
+/// A landmark and how many vertices it has.
 struct LandmarkSize {
   std::string name;
   std::size_t vertices = 0;
 };
 
-/// What is in a model and how it maps to springs.
+/// What is in a model file and how it maps to springs. All numbers are counts unless a unit is given.
 struct Inspection {
   std::string file;
-  ImportedModel model;  ///< its arrays are left empty
+  ImportedModel model;  ///< without its arrays
   sim::MeshReport repairs;
   Placement placement;
   std::vector<HungPart> parts;
-  std::vector<std::string> hanging;  ///< how the parts are held, for people
+  std::vector<std::string> hanging;  ///< how the parts are pinned, for people
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  sim::Vec3 lower_m = {0.0, 0.0, 0.0};
-  sim::Vec3 upper_m = {0.0, 0.0, 0.0};
+  sim::Vec3 lower_m = {0.0, 0.0, 0.0};  ///< corner of the bounding box
+  sim::Vec3 upper_m = {0.0, 0.0, 0.0};  ///< the opposite corner
   double area_m2 = 0.0;
   double shortest_edge_m = 0.0;
   double mean_edge_m = 0.0;
@@ -36,14 +37,14 @@ struct Inspection {
   std::size_t shear_springs = 0;
   std::size_t flexural_springs = 0;
   std::vector<LandmarkSize> landmarks;
-  std::string vertex_numbers;        ///< what the numbers in pins.at count
-  std::vector<std::string> remarks;  ///< what a user should look at
+  std::string vertex_numbers;        ///< what the numbers in the key pins.at count
+  std::vector<std::string> remarks;  ///< what the user should check
 };
 
-/// Of a garment that was read from a file.
+/// The garment must have been read from a file.
 Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded);
 
-/// For people.
+/// The inspection as text for people.
 std::string describe(const Inspection& inspection);
 
 }  // namespace taut::app

@@ -13,7 +13,8 @@
 namespace taut::app {
 namespace {
 
-// Files hold about six digits, so equal points can differ in the last; neighbours are millimetres apart.
+// Points closer than this are the same. Files have about six digits, so equal points may differ in the last
+// one. A larger value could take a neighbouring vertex, which is millimetres away.
 constexpr double same_point_m = 1e-5;
 
 // Everything one landmark needs to be found.

@@ -16,19 +16,21 @@
 namespace taut::app {
 namespace {
 
-/// Of the garment's size: more would hold a coarse model's folds apart like stuffing.
+// Of the garment's size. A larger distance would hold the folds of a coarse model apart as if they were
+// stuffed.
 constexpr double largest_distance = 0.02;
-/// Of the garment's size: cloth this fine beside its size is a damaged model, not layers.
+// Of the garment's size. Cloth finer than this is a damaged model and has no layers.
 constexpr double smallest_distance = 1e-4;
-/// Of the way between parts: a little less than half, or they count as one cloth.
+// Of the gap between parts. It must be below one half, or the parts count as one cloth.
 constexpr double of_the_gap = 0.45;
-/// Of the edges' length: parts nearer to each other than this touch and are not kept apart by vertices.
+// Of the length of edges. Parts closer than this touch and are not kept apart.
 constexpr double smallest_gap = 0.1;
-/// Vertices in a cube as wide as the distance, for an average vertex. Even meshes have one or two; where most
-/// of them crowd in places, every one of those would be compared with hundreds of its own layer.
+// Vertices in a cube as wide as the distance, for an average vertex. Even meshes have one or two. In a mesh
+// that is dense in places, every vertex there would be compared with hundreds of its own layer.
 constexpr double densest_crowd = 6.0;
+// Factor on the distance while the cubes are too crowded.
 constexpr double less_distance = 0.7;
-/// Vertices compared one by one, within some milliseconds; of more, some are passed over.
+// Limit on pairs of vertices that are compared, for some milliseconds. Above it some vertices are skipped.
 constexpr std::size_t most_distances = 4'000'000;
 
 double usual_edge(const sim::Garment& garment) {

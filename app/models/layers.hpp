@@ -8,14 +8,15 @@
 
 namespace taut::app {
 
-/// A distance in metres that keeps the garment's layers apart: about the length of its edges, but less than
-/// half the way between parts that lie over one another, since what is modelled nearer than twice the
-/// distance counts as one cloth (sim/contact/neighbour_list.hpp). 0 where the edges are next to nothing.
+/// A distance in metres for keeping the layers of the garment apart: about the length of its edges. It is
+/// also less than half the gap between parts that lie over each other. Vertices modelled closer than twice
+/// the distance count as one cloth (sim/contact/neighbour_list.hpp). Returns 0 if the edges are very short
+/// for the garment's size.
 double suitable_layer_distance(const sim::Garment& garment);
 
-/// The surroundings as the simulation needs them, with the distance of layers, the suitable one where none is
-/// given, and forces at vertices of the mesh, where the scene means those of the garment's file. Throws
-/// InputError on a force at a vertex that is not there.
+/// Completes the surroundings for the simulation. Sets the distance of layers: `layer_distance_m`, or if
+/// empty suitable_layer_distance(). Changes the vertices of forces from numbers of the file to those of the
+/// mesh. Throws InputError for a force at a vertex that does not exist.
 sim::Surroundings settled(sim::Surroundings surroundings, std::optional<double> layer_distance_m,
                           const sim::Garment& garment, const FileVertices& file_vertices);
 

@@ -11,26 +11,26 @@
 
 namespace taut::app {
 
-/// A model file as flat arrays: the faces of all its meshes, where its nodes put them.
+/// A model file as flat arrays: the faces of all its meshes, at the places their nodes give them.
 struct ModelArrays {
-  std::vector<sim::Vec3> positions;          ///< in the file's unit, along its axes
-  std::vector<std::uint32_t> corner_counts;  ///< of every face, at least 3
-  std::vector<sim::Index> corners;           ///< of face after face, positions by number
-  /// For each vertex of the file its place in `positions`, where these are in another order; else empty.
+  std::vector<sim::Vec3> positions;          ///< in the file's unit and axes
+  std::vector<std::uint32_t> corner_counts;  ///< per face, at least 3
+  std::vector<sim::Index> corners;           ///< indices into `positions`, face after face
+  /// Index into `positions` for each vertex of the file. Empty if the order is the same.
   std::vector<sim::Index> position_of_vertex;
-  std::string format;  ///< the reader's name for it
+  std::string format;  ///< name of the format, from the reader
   std::size_t meshes = 0;
   std::size_t ignored_lines = 0;
   std::size_t ignored_points = 0;
-  std::optional<double> metres_per_unit;  ///< where the file or its format says
-  std::optional<ModelAxis> up;            ///< where the file or its format says
+  std::optional<double> metres_per_unit;  ///< empty if neither the file nor its format says
+  std::optional<ModelAxis> up;            ///< empty if neither the file nor its format says
 };
 
-/// As bytes for another process of this program.
+/// The model as bytes, for another process of this program.
 std::string encode(const ModelArrays& model);
 
-/// Throws std::runtime_error where the bytes are not what `encode` makes: every length is compared with what
-/// is there, so that no bytes whatsoever can do harm.
+/// The model from such bytes. The bytes are not trusted: every length is compared with what is there. Throws
+/// std::runtime_error if they do not come from `encode`.
 ModelArrays decode(const std::string& bytes);
 
 }  // namespace taut::app

@@ -6,9 +6,9 @@
 
 namespace taut::app {
 
-/// Reads OBJ files, and any other model the assimp library can, in this process: damaged files can crash it,
-/// so `import_garment` does this in another one. Throws InputError with the reason, which does not name the
-/// file.
+/// Reads an OBJ file, or any other format of the assimp library, in this process. A damaged file can crash
+/// the process, so programs call import_garment() instead. Throws InputError with the reason, without the
+/// file name.
 ModelArrays read_model(const std::filesystem::path& path);
 
 }  // namespace taut::app

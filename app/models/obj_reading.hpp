@@ -7,12 +7,13 @@
 
 namespace taut::app {
 
-/// Reads the text of a Wavefront OBJ file in double precision: assimp reads it in single precision, and a
-/// bound on stretch of a few millionths would be judged by other rest lengths than the file's. Vertices are
-/// numbered in the order in which faces use them, those that none uses come last. Materials, normals, texture
-/// coordinates and free-form surfaces are passed over, faces of one or two corners, points and lines counted.
-/// Nothing where no line defines a vertex: it is another kind of file then.
-/// Throws InputError naming the line, what was found there and what was expected.
+/// Reads the text of a Wavefront OBJ file in double precision. Assimp reads it in single precision, which
+/// would change rest lengths by more than the smallest bounds on stretch.
+///
+/// Vertices are numbered in the order in which faces first use them; unused ones come last. Materials,
+/// normals, texture coordinates and free-form surfaces are ignored. Points, lines and faces of one or two
+/// corners are counted. Empty if no line defines a vertex: then it is another kind of file. Throws InputError
+/// that names the line, what was found and what was expected.
 std::optional<ModelArrays> read_obj(std::string_view text);
 
 }  // namespace taut::app

@@ -10,6 +10,7 @@
 namespace taut::app {
 namespace {
 
+// Height of "top-band" as a fraction of the garment's height.
 constexpr double top_band_fraction = 0.03;
 
 struct NamedVertices {

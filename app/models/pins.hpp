@@ -11,27 +11,30 @@
 
 namespace taut::app {
 
+/// The vertex nearest to a point, and its distance.
 struct NearestVertex {
   sim::Index vertex = 0;
   double distance_m = 0.0;
 };
 
-/// Looks at every vertex: a few hundred questions about ten thousand vertices take milliseconds.
+/// Finds it by looking at every vertex. A few hundred calls for ten thousand vertices take milliseconds.
+/// `positions` must not be empty.
 NearestVertex nearest_vertex(std::span<const sim::Vec3> positions, const sim::Vec3& point_m);
 
-/// What `select_pins` knows a garment by.
+/// What select_pins() needs to know about a garment.
 struct PinTargets {
   const sim::Mesh& mesh;
   const Landmarks& landmarks;
   const FileVertices& file_vertices;
-  const sim::GridSettings* grid = nullptr;  ///< none for a model
+  const sim::GridSettings* grid = nullptr;  ///< null for a model
 };
 
-/// The names that can be pinned: landmarks, corners and edges of a grid, "top-band" (the top 3 % of the
-/// height).
+/// The names that a scene can pin: landmarks, corners and edges of a grid, and "top-band" (the upper 3 % of
+/// the height).
 std::vector<std::string> pin_names(const PinTargets& targets);
 
-/// The vertices that a scene's pins mean. Throws InputError on an unknown name or a vertex that is not there.
+/// The vertices of the mesh that the scene pins. Throws InputError for an unknown name or a vertex that does
+/// not exist.
 std::vector<sim::Index> select_pins(const std::optional<std::vector<PinSelector>>& pins,
                                     const PinTargets& targets);
 

@@ -11,13 +11,17 @@
 namespace taut::app {
 namespace {
 
+// Sizes that a guessed unit may give.
 constexpr double smallest_garment_m = 0.2;
 constexpr double largest_garment_m = 2.5;
+// Sizes, from a glove to a tent, with which the file's own unit is believed.
 constexpr double smallest_believed_m = 0.02;
 constexpr double largest_believed_m = 20.0;
-/// How many times longer along z than along y a model has to be for z to be up: skirts can be wide.
+// A model must be this many times longer along z than along y for z to be up. Skirts can be wide, so 1 is too
+// little.
 constexpr double clearly_longer = 2.0;
-/// Of its size; from there on single precision is worse than a tenth of a millimetre on a garment.
+// Distance from the origin, as a multiple of the model's size. Farther away, single precision is worse than
+// 0.1 mm on a garment, and the model is moved.
 constexpr double far_away = 1000.0;
 
 sim::Extent extent_of_triangles(const sim::Mesh& mesh) {

@@ -8,31 +8,35 @@
 
 namespace taut::app {
 
-/// How a model is brought into the scene, which is in metres with y up.
+/// How a model is transformed into the scene, which is in metres with y up.
 struct Placement {
-  double scale = 1.0;   ///< metres in the file's unit
-  double extent = 0.0;  ///< the largest along an axis, in the file's unit
-  ModelAxis up = ModelAxis::y;
-  sim::Vec3 moved_m = {0.0, 0.0, 0.0};  ///< after turning; only for models very far from the origin
-  std::string unit_text;                ///< which unit it is, and how that is known
-  std::string up_text;                  ///< which direction is up, and how that is known
-  bool guessed = false;                 ///< unit or axis, and not what they are by default
+  double scale = 1.0;           ///< metres per unit of the file
+  double extent = 0.0;          ///< largest size along an axis, in the file's unit
+  ModelAxis up = ModelAxis::y;  ///< direction of the file that becomes +y
+  /// Added after scaling and turning. Zero unless the model is very far from the origin.
+  sim::Vec3 moved_m = {0.0, 0.0, 0.0};
+  std::string unit_text;  ///< the unit and how it is known, for people
+  std::string up_text;    ///< the up direction and how it is known, for people
+  bool guessed = false;   ///< the unit or the axis was guessed and is not the default
 
+  /// Transforms a point of the file into the scene, in metres.
   sim::Vec3 operator()(const sim::Vec3& in_file) const;
 };
 
-/// What is known about a model before it is placed.
+/// What is known about unit and axis before the model is placed. Empty members are guessed.
 struct PlacementHints {
-  std::optional<double> asked_scale;
-  std::optional<ModelAxis> asked_up;
-  std::optional<double> metres_per_unit;  ///< the file's own
-  std::optional<ModelAxis> up;            ///< the file's own
+  std::optional<double> asked_scale;      ///< by the user, metres per unit
+  std::optional<ModelAxis> asked_up;      ///< by the user
+  std::optional<double> metres_per_unit;  ///< from the file
+  std::optional<ModelAxis> up;            ///< from the file
 };
 
-/// The unit that was asked for, or the file's own where it makes something between a glove and a tent, or
-/// else the first of metre, centimetre, millimetre and decimetre that makes a garment of 0.2 to 2.5 m; where
-/// none does, it is made 1 m large. Likewise the axis: y unless the model is far longer along z. Far from the
-/// origin, where single precision would not tell its vertices apart, it is moved there.
+/// Chooses the unit, in this order: the one asked for; the file's own, if the model is then larger than a
+/// glove and smaller than a tent; the first of m, cm, mm and dm that gives a garment of 0.2 to 2.5 m. If none
+/// does, the model is scaled to 1 m.
+///
+/// The up axis is the one asked for or the file's own; else z if the model is far longer along z, else y. A
+/// model very far from the origin is moved there, because single precision could not tell its vertices apart.
 Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints);
 
 }  // namespace taut::app

@@ -10,7 +10,7 @@
 namespace taut::app {
 namespace {
 
-// A start tag is within the first of them, even behind a long comment.
+// Bytes that are searched for the start tag. It lies within them even behind a long comment.
 constexpr std::size_t head_bytes = std::size_t{1} << 16;
 
 struct CloseArchive {

@@ -13,7 +13,8 @@ namespace taut::app {
 
 namespace {
 
-// Springs a little too stiff for the steps push back nearly as they should.
+// How many times stiffer than the time steps can follow the fabric must be before the user is told. Below it
+// the springs push back nearly as they should.
 constexpr double noticeable = 2.0;
 
 void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {

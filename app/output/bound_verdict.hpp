@@ -5,9 +5,10 @@
 
 namespace taut::app {
 
-/// Says on standard error where a run was not what the scene asks for: where frames exceed the bound that the
-/// solver promised, and where its time steps were too long for the fabric's stiffness against compression.
-/// The exit code of the command: exit_promise_broken where a bound was exceeded, unless the scene allows it.
+/// Prints to standard error how a run differs from what the scene asks for. That is: frames exceeded the
+/// solver's bound, or time steps were too long for the fabric's stiffness against compression. Returns the
+/// exit code of the command: exit_promise_broken if the bound was exceeded and the scene does not allow it,
+/// else 0.
 int judge_bound(const Scene& scene, const RunSummary& summary);
 
 }  // namespace taut::app

@@ -9,6 +9,7 @@
 namespace taut::app {
 namespace {
 
+// Largest number of a frame.
 constexpr int most_frames = 1000000;
 
 int frame_of(const std::string& word, int last_frame, const std::string& text) {

@@ -4,7 +4,7 @@
 
 namespace taut::app {
 
-/// Frames A to B.
+/// The frames `first` to `last`, both included.
 struct FrameRange {
   int first = 0;
   int last = 0;
@@ -13,12 +13,12 @@ struct FrameRange {
   int count() const { return last - first + 1; }
 };
 
-/// What --frames takes, for the help of every command that has it.
+/// The help text of --frames.
 inline constexpr const char* frame_range_help =
     "A:B, A: to the last, :B from 0, A alone, or last; frame 0 is the cloth before the first step, the last "
     "one is the scene's time.frames";
 
-/// The frames such a text means in a run of which `last_frame` is the last. Throws UsageError.
+/// The frames that `text` means in a run that ends with `last_frame`. Throws UsageError.
 FrameRange frame_range(const std::string& text, int last_frame);
 
 /// Throws UsageError where a frame comes before the one that the run begins with.

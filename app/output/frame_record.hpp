@@ -8,13 +8,13 @@
 
 namespace taut::app {
 
-/// What was measured of one frame.
+/// What was measured of one frame. Stretch is a fraction.
 struct FrameRecord {
   int frame = 0;
   double time_s = 0.0;
   sim::Stretch stretch;
-  double raw_max_stretch = 0.0;  ///< before the solver's last correction: how hard it had to work
-  bool bound_kept = true;        ///< false: the solver promised a bound and could not keep it
+  double raw_max_stretch = 0.0;  ///< before the solver's last correction
+  bool bound_kept = true;        ///< false: the solver has a bound and exceeded it
   int substeps = 0;
   double followed_compression_n_per_m =
       std::numeric_limits<double>::infinity();  ///< as sim::FrameReport has it
@@ -26,19 +26,19 @@ struct FrameRecord {
   /// Processor time of the thread that simulates, which waits for its helpers without sleeping. In the
   /// window, which has to keep up with the clock, time on the clock.
   double sim_ms = 0.0;
-  double draw_ms = 0.0;    ///< on the clock
-  double encode_ms = 0.0;  ///< of the picture or the shape, writing included; on the clock
+  double draw_ms = 0.0;    ///< wall time
+  double encode_ms = 0.0;  ///< wall time of encoding and writing the picture or the shape
 };
 
-/// Everything but the times it took.
+/// Measures the present state. The times stay 0.
 FrameRecord measure_frame(const sim::Simulation& simulation, int frame);
 
-/// Of the frames added so far.
+/// A summary of the frames that were added.
 struct RunSummary {
   void add(const FrameRecord& record);
 
-  double mean_substeps() const;  ///< of frames that were simulated
-  double mean_sim_ms() const;    ///< of frames that were simulated
+  double mean_substeps() const;  ///< per simulated frame
+  double mean_sim_ms() const;    ///< per simulated frame
 
   int frames = 0;
   int simulated_frames = 0;  ///< without frame 0

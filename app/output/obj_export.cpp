@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <iterator>
 
 namespace taut::app {
 
 std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions) {
+  assert(positions.size() == mesh.positions.size());
   std::string text = "# Taut; metres, y up\n";
   auto end = std::back_inserter(text);
   for (const sim::Vec3& p : positions) {

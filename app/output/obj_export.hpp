@@ -7,8 +7,8 @@
 
 namespace taut::app {
 
-/// The mesh with its vertices at the positions, as a Wavefront OBJ file that keeps every bit of them: who
-/// reads it finds the lengths that were simulated.
+/// The mesh as a Wavefront OBJ file, with its vertices at `positions`: in metres, one per vertex of the mesh.
+/// Every bit of the positions is kept, so that a reader measures the same lengths.
 std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions);
 
 }  // namespace taut::app

@@ -6,19 +6,20 @@
 
 namespace taut::app {
 
-/// File names with the number of the frame in them: "frames/frame_{frame:04}.png".
+/// A pattern for file names that contain the number of a frame: "frames/frame_{frame:04}.png".
 class OutputPattern {
  public:
-  /// Throws UsageError unless the text holds at most one field, {frame} or {frame:0N}, and ends in
-  /// `extension` (".png").
+  /// Throws UsageError unless the text ends in `extension` (such as ".png") and has at most one field. A
+  /// field is {frame} or {frame:0N}, where N is the number of digits.
   OutputPattern(const std::string& text, const std::string& extension);
 
-  /// Throws UsageError where several frames would all get the same name.
+  /// Throws UsageError if there are several frames but the pattern has no field.
   void require_distinct_names(std::size_t frame_count) const;
 
-  /// Whether frames have names of their own.
+  /// Whether the name depends on the frame.
   bool has_field() const { return has_field_; }
 
+  /// The file name for a frame.
   std::filesystem::path path_of(int frame) const;
 
  private:
@@ -29,7 +30,7 @@ class OutputPattern {
   std::string text_;
 };
 
-/// "wrote a.png", or for several the first and the last.
+/// "wrote a.png", or for several frames the first and the last name.
 std::string describe_written(const OutputPattern& pattern, std::span<const int> frames);
 
 }  // namespace taut::app

@@ -12,31 +12,32 @@
 
 namespace taut::app {
 
-/// A command line that a shell understands. ASCII only.
+/// The arguments as one line that a shell splits into the same arguments. ASCII only.
 std::string command_text(std::span<const std::string> arguments);
 
-/// Where a picture comes from, as PNG texts.
+/// What a picture was made from. It is stored in the picture.
 struct PictureOrigin {
-  std::string command;
-  std::string scene;  ///< scene_text (scene_text.hpp)
+  std::string command;  ///< from command_text()
+  std::string scene;    ///< from scene_text() (drawn_scene_file.hpp)
   std::string gl_renderer;
 };
+/// The PNG texts that store the origin of a picture and what was measured of its frame.
 std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const FrameRecord& record);
 
-/// What a picture says about itself.
+/// What the texts of a picture say.
 struct PictureRecord {
   DrawnScene scene;
   int frame = 0;
   std::uint64_t state_hash = 0;
-  std::string program;
+  std::string program;  ///< name and version of the program that made it
   std::string gl_renderer;
 };
 
-/// Whether the file of this name would be a picture and not a scene or a garment.
+/// Whether the file name is that of a picture. Otherwise it means a scene or a garment.
 bool is_picture(const std::filesystem::path& file);
 
-/// The record in a picture that `taut render` made, with `overrides` applied to its scene. Throws InputError
-/// where the file is no PNG, is broken or carries no scene.
+/// Reads the record of a picture that `taut render` made, and applies `overrides` to its scene. Throws
+/// InputError if the file is not a PNG, is damaged or holds no scene.
 PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides);
 
 }  // namespace taut::app

@@ -10,17 +10,18 @@
 
 namespace taut::app {
 
-/// What the statistics of a run begin with.
+/// What statistics say about a run as a whole.
 struct RunDescription {
   const DrawnScene& scene;
   const sim::Garment& garment;
   std::size_t pins = 0;
-  std::string gl_renderer;  ///< empty where nothing was drawn
+  std::string gl_renderer;  ///< empty if nothing was drawn
 };
 
+/// How statistics are written.
 enum class StatisticsFormat { json_lines, csv };
 
-/// CSV where the name ends in .csv, JSON lines where it ends in .jsonl or has no ending. Throws UsageError.
+/// The format by the file name: CSV for .csv; JSON lines for .jsonl or no ending. Throws UsageError.
 StatisticsFormat statistics_format(const std::filesystem::path& file);
 
 // What statistics are made of, whole lines. JSON lines: the run; every frame; the summary. CSV: the names of
@@ -29,13 +30,13 @@ std::string statistics_header(StatisticsFormat format, const RunDescription& run
 std::string statistics_line(StatisticsFormat format, const FrameRecord& record);
 std::string statistics_end(StatisticsFormat format, const RunSummary& summary);
 
-/// How the line of a frame begins, and no other line.
+/// The beginning of a frame's line. No other line begins like this.
 std::string statistics_line_start(StatisticsFormat format, int frame);
 
-/// What stands in them, with units, for people.
+/// The columns of the statistics with their units, as text for people.
 std::string statistics_help();
 
-/// The same as `describe` (inspection.hpp), for programs.
+/// What `describe` (inspection.hpp) says, as JSON.
 std::string inspection_json(const Inspection& inspection);
 
 }  // namespace taut::app

@@ -9,13 +9,12 @@
 
 namespace taut::app {
 
-/// What --stats writes, line by line as it comes: of a run that ends before its time every frame is there
-/// that was measured. Everything throws InputError where the file cannot be written; it ends with a whole
-/// line then.
+/// Writes the file of --stats line by line. If a run ends early, the file holds every frame that was
+/// measured. All functions throw InputError if the file cannot be written; it then ends with a complete line.
 class StatisticsFile {
  public:
-  /// Begins a new file, or goes on behind the line of frame `last_kept`: what came after it is cut off.
-  /// Throws InputError where it has no such line, UsageError where the name has another ending.
+  /// Begins a new file, or continues an existing one after the line of frame `last_kept`; later lines are
+  /// removed. Throws InputError if there is no such line, UsageError if the file name has another ending.
   StatisticsFile(const std::filesystem::path& file, const RunDescription& run, std::optional<int> last_kept);
 
   void add(const FrameRecord& record);

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Viewers show a GIF frame for whole hundredths of a second and slow anything below two of them down to ten.
+// Frames of a GIF last whole hundredths of a second. Viewers slow down frames of less than two hundredths.
 constexpr double fastest_gif_hz = 50.0;
 
 bool is_gif(const fs::path& file) {

@@ -11,43 +11,43 @@
 
 namespace taut::app {
 
-/// Whether a file of this name is a video: .mp4 or .gif.
+/// Whether the file name ends in .mp4 or .gif.
 bool is_video(const std::filesystem::path& file);
 
+/// Size and rate of a video.
 struct VideoSettings {
   int width_px = 0;
   int height_px = 0;
   double frame_rate_hz = 60.0;
-  /// Of something that happens once and cannot be drawn again: encoded with less effort, so that it goes on
-  /// undisturbed, and an interruption does not stop it before `finish`.
+  /// The video shows something that cannot be repeated. It is encoded with less effort, so that the program
+  /// is not slowed down. An interruption does not stop it before `finish`.
   bool is_live = false;
 };
 
-/// Throws UsageError where the kind of video cannot have this size: H.264 with halved colour resolution needs
+/// Throws UsageError if this kind of video cannot have this size. H.264 with colour at half resolution needs
 /// even numbers.
 void require_video_size(const std::filesystem::path& file, const VideoSettings& settings);
 
-/// Pictures become a video file through the program ffmpeg, to which they are handed as raw RGB. The same
-/// pictures give the same file. It is written under a temporary name; unless `finish` is reached nothing is
-/// left of it.
+/// Makes a video with the program ffmpeg, which reads raw RGB pictures from a pipe. The same pictures give
+/// the same file. The video has a temporary name until `finish` and is removed without it.
 class VideoWriter {
  public:
-  /// Starts ffmpeg. Throws InputError where there is none.
+  /// Starts ffmpeg. Throws InputError if ffmpeg is not installed.
   VideoWriter(std::filesystem::path file, const VideoSettings& settings);
-  /// Ends ffmpeg and removes what is not finished.
+  /// Ends ffmpeg and removes an unfinished file.
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// RGB of the size in the settings. A GIF leaves out as many as it takes to show at most 50 in a second.
-  /// Throws InputError with ffmpeg's own words when it has stopped, and
-  /// Interrupted unless the video is live.
+  /// Adds an RGB picture of the size in the settings. A GIF skips pictures, so that it has at most 50 per
+  /// second. Throws InputError with ffmpeg's message if ffmpeg has stopped. Throws Interrupted unless the
+  /// video is live.
   void add(const renderer::Image& picture);
 
-  /// Waits until all is encoded and gives the file its name. Throws as `add` does.
+  /// Waits until all pictures are encoded, then gives the file its name. Throws as `add` does.
   void finish();
 
-  /// In the file, once it is finished.
+  /// Number of pictures in the video, once it is finished.
   int frames() const { return frames_; }
 
  private:

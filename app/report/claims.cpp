@@ -16,7 +16,7 @@ struct Rule {
   Judgement (*judge)(const Results&);
 };
 
-constexpr std::array<Rule, 8> rules = {{{"stretch-bound", judge_bound},
+constexpr std::array<Rule, 8> rules = {{{"stretch-bound", judge_overstretch},
                                         {"convergence", judge_fall},
                                         {"no-velocity", judge_velocity},
                                         {"real-time", judge_speed},

@@ -9,27 +9,28 @@
 
 namespace taut::app {
 
-/// A claim of the paper in our own words, how it is tested and by which rule it is judged. All of it is true
-/// whatever comes out.
+/// A claim of the paper, how it is tested and by which rule it is judged. These texts do not depend on the
+/// result.
 struct ClaimText {
   std::string id;
-  std::string section;  ///< of the paper
-  std::string claim;
+  std::string section;  ///< section of the paper
+  std::string claim;    ///< in our own words
   std::string test;
-  std::string rule;
-  std::string remark;  ///< what else to know
-  std::string figure;  ///< where it can be seen; empty: nowhere
+  std::string rule;    ///< when the claim holds, holds in part or does not hold
+  std::string remark;  ///< what else to know; may be empty
+  std::string figure;  ///< name of the figure that shows it; may be empty
 };
 
+/// A claim with the result of its test.
 struct Claim {
   ClaimText text;
   Judgement judgement;
 };
 
-/// All claims, judged by what was measured.
+/// Judges all claims by what was measured.
 std::vector<Claim> judge_claims(const Results& results);
 
-/// As one JSON object.
+/// All claims as one JSON object.
 std::string claims_json(const std::vector<Claim>& claims, const Machine& machine);
 
 }  // namespace taut::app

@@ -104,7 +104,7 @@ Finding pace_of_bounded(const std::vector<FrameTimes>& times) {
   Finding finding;
   finding.text = fmt::format(
       "In real time and within {:g} %: {}. The finest model takes it {} a frame and is stretched by {}.",
-      100.0 * stretch_bound, models_text(models_in_real_time(paced_models(times))),
+      100.0 * paper_stretch_bound, models_text(models_in_real_time(paced_models(times))),
       text_of(finest.median_ms(), "ms"), number_text(percent_number("", finest.largest_stretch)));
   for (const FrameTimes& time : times) {
     add_paced(time, "", finding);
@@ -121,7 +121,7 @@ Judgement judged(Verdict verdict, std::string part, Finding finding, Finding bou
   return {verdict, std::move(part), std::move(finding), std::move(bounded)};
 }
 
-Judgement judge_bound(const Results& results) {
+Judgement judge_overstretch(const Results& results) {
   const std::vector<StrongRun> runs = all_strong_runs(results);
   std::vector<StretchNumbers> numbers;
   Finding finding;
@@ -182,8 +182,8 @@ Judgement judge_speed(const Results& results) {
   const std::vector<PacedModel> models = paced_models(results.frame_times);
   const std::string in_time = models_text(models_in_real_time(models));
   const int finest = times_of_finest(results.frame_times).triangles;
-  finding.text =
-      fmt::format("In real time and within {:g} %: {}. The finest model", 100.0 * stretch_bound, in_time);
+  finding.text = fmt::format("In real time and within {:g} %: {}. The finest model",
+                             100.0 * paper_stretch_bound, in_time);
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (models[i].triangles == finest) {
       finding.text +=

@@ -9,23 +9,24 @@
 
 namespace taut::app {
 
-/// Numbers, and the sentence that they make.
+/// A sentence with the numbers it states.
 struct Finding {
   std::string text;
   std::vector<MeasuredNumber> measured;
 };
 
-/// What came out of the test of a claim.
+/// The result of testing a claim.
 struct Judgement {
   Verdict verdict = Verdict::does_not_hold;
-  std::string part;  ///< in which it holds; empty unless it holds in part
-  Finding finding;   ///< what decides
-  /// What the solver `bounded` reaches in the same test. It decides nothing: it is not the paper's method.
-  /// Without text where it was not tried.
+  std::string part;  ///< what holds, if the verdict is holds_in_part; otherwise empty
+  Finding finding;   ///< the numbers that decide
+  /// What the solver `bounded` reaches in the same test. It does not decide, because it is not the paper's
+  /// method. Its text is empty if `bounded` was not tested.
   Finding bounded;
 };
 
-Judgement judge_bound(const Results& results);
+/// Each of these judges one claim by the results of its experiments. The rules are in verdicts.hpp.
+Judgement judge_overstretch(const Results& results);
 Judgement judge_fall(const Results& results);
 Judgement judge_velocity(const Results& results);
 Judgement judge_speed(const Results& results);
@@ -34,7 +35,7 @@ Judgement judge_garments(const Results& results);
 Judgement judge_threshold(const Results& results);
 Judgement judge_ideal(const Results& results);
 
-/// A judgement of which the part is said only where the verdict has one.
+/// Makes a judgement. `part` is dropped unless the verdict is holds_in_part.
 Judgement judged(Verdict verdict, std::string part, Finding finding, Finding bounded = {});
 
 }  // namespace taut::app

@@ -73,7 +73,7 @@ Judgement judge_garments(const Results& results) {
     return trial.refusal.empty() && std::isfinite(trial.strong.largest_stretch);
   });
   const std::size_t kept = count(trials, [](const GarmentTrial& trial) {
-    return trial.refusal.empty() && trial.strong.largest_stretch <= stretch_bound;
+    return trial.refusal.empty() && trial.strong.largest_stretch <= paper_stretch_bound;
   });
   std::set<std::string> formats;
   Finding finding;
@@ -90,7 +90,8 @@ Judgement judge_garments(const Results& results) {
   finding.text = fmt::format(
       "Of {} garments in {} formats {} are mapped to springs, {} simulated to the end, and {} of them within "
       "{:g} % in every frame.{} A sample is evidence, not proof for any garment.",
-      trials.size(), formats.size(), mapped, simulated, kept, 100.0 * stretch_bound, refused_text(trials));
+      trials.size(), formats.size(), mapped, simulated, kept, 100.0 * paper_stretch_bound,
+      refused_text(trials));
   return judged(judge_any_garment(trials),
                 fmt::format("all are mapped and simulated, {} of {} within the bound", kept, trials.size()),
                 finding, garments_of_bounded(trials));
@@ -130,7 +131,7 @@ Judgement judge_ideal(const Results& results) {
   Finding finding;
   for (const MethodRun& run : results.ideal_stiffnesses) {
     ideal.push_back(settled_stretch(run));
-    std::string& group = ideal.back() > stretch_bound ? soft : stiff;
+    std::string& group = ideal.back() > paper_stretch_bound ? soft : stiff;
     group += fmt::format("{}{:g}", group.empty() ? "" : ", ", run.stiffness_n_per_m);
     settled += fmt::format("{}{} with {:g} N/m", settled.empty() ? "" : ", ", percent_text(ideal.back()),
                            run.stiffness_n_per_m);

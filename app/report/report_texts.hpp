@@ -4,10 +4,9 @@ namespace taut::app {
 
 // assets/report, embedded when the program is built.
 
-/// The report's page with its style; <!--machine-->, <!--claims--> and <!--figures--> stand for what is
-/// measured.
+/// The HTML page of the report with its style. <!--machine-->, <!--claims--> and <!--figures--> are replaced.
 extern const char* const report_page;
-/// The texts of the claims, TOML; {names} stand for the numbers of the rules.
+/// The texts of the claims as TOML. {names} are replaced by the numbers of the rules.
 extern const char* const claim_texts;
 
 }  // namespace taut::app

@@ -38,10 +38,10 @@ const char* name_of(Verdict verdict) {
 Verdict judge_stretch_bound(std::span<const StretchNumbers> runs) {
   // Each asks for both: of a run, the largest stretch can be lost and the last be there.
   const auto always = [](const StretchNumbers& run) {
-    return run.on_the_way <= stretch_bound && run.at_end <= stretch_bound;
+    return run.on_the_way <= paper_stretch_bound && run.at_end <= paper_stretch_bound;
   };
   const auto at_end = [](const StretchNumbers& run) {
-    return std::isfinite(run.on_the_way) && run.at_end <= stretch_bound;
+    return std::isfinite(run.on_the_way) && run.at_end <= paper_stretch_bound;
   };
   return all_or_some(count_if(runs, always), count_if(runs, at_end), runs.size());
 }
@@ -58,7 +58,7 @@ Verdict judge_no_velocity(std::uint64_t uninterrupted_hash, std::uint64_t restar
 }
 
 bool is_in_real_time(const PacedModel& model) {
-  return model.frame_ms <= real_time_ms && model.stretch <= stretch_bound;
+  return model.frame_ms <= real_time_ms && model.stretch <= paper_stretch_bound;
 }
 
 Verdict judge_real_time(std::span<const PacedModel> models) {
@@ -87,7 +87,8 @@ bool is_mapped(const Mapping& mapping) {
 
 Verdict judge_any_garment(std::span<const GarmentTrial> trials) {
   const auto keeps_bound = [](const GarmentTrial& trial) {
-    return trial.refusal.empty() && is_mapped(trial.mapping) && trial.strong.largest_stretch <= stretch_bound;
+    return trial.refusal.empty() && is_mapped(trial.mapping) &&
+           trial.strong.largest_stretch <= paper_stretch_bound;
   };
   const auto is_simulated = [](const GarmentTrial& trial) {
     return trial.refusal.empty() && is_mapped(trial.mapping) && std::isfinite(trial.strong.largest_stretch);
@@ -105,8 +106,9 @@ Verdict judge_threshold_vibrates(const UnrestNumbers& threshold, const UnrestNum
 }
 
 Verdict judge_ideal_overstretches(std::span<const double> ideal_stretches, double strong_stretch) {
-  const std::size_t over = count_if(ideal_stretches, [](double stretch) { return stretch > stretch_bound; });
-  if (over == 0 || !(strong_stretch <= stretch_bound)) {
+  const std::size_t over =
+      count_if(ideal_stretches, [](double stretch) { return stretch > paper_stretch_bound; });
+  if (over == 0 || !(strong_stretch <= paper_stretch_bound)) {
     return Verdict::does_not_hold;
   }
   return over == ideal_stretches.size() ? Verdict::holds : Verdict::holds_in_part;

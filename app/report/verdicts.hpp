@@ -8,69 +8,71 @@
 
 namespace taut::app {
 
-/// What numbers say about a claim of the paper; the best first.
+/// Whether measurements support a claim of the paper. The best comes first.
 enum class Verdict { holds, holds_in_part, does_not_hold };
 
-/// "holds", "holds in part", "does not hold".
+/// "holds", "holds in part" or "does not hold".
 const char* name_of(Verdict verdict);
 
 // The rules. Each is about the paper's method and pure: numbers in, verdict out. A number that is not finite,
 // or that is not there, never helps a claim.
 
-/// The paper's bound on over-stretch.
-inline constexpr double stretch_bound = 0.05;
-/// A frame at 60 Hz.
+/// The paper's bound on stretch, a fraction.
+inline constexpr double paper_stretch_bound = 0.05;
+/// Duration of a frame at 60 Hz.
 inline constexpr double real_time_ms = 1000.0 / 60.0;
-/// Cloth that moves faster than this (root mean square) when it should long be at rest vibrates: a
-/// millimetre in a tenth of a second can be seen.
+/// Cloth at rest vibrates if its root mean square speed is larger than this. A movement of 1 mm in 0.1 s is
+/// visible.
 inline constexpr double vibration_m_per_s = 0.01;
-/// Exponents of growth up to this are called "in proportion": timing leaves about so much in doubt.
+/// Up to this exponent, growth counts as proportional. Measured times are uncertain by about that much.
 inline constexpr double proportional_exponent = 1.2;
 
-/// Holds where all runs keep the bound in every frame; in part where all do in their last.
+/// Holds if all runs keep the bound in every frame; in part if all keep it in their last frame. An empty list
+/// does not hold, also below.
 Verdict judge_stretch_bound(std::span<const StretchNumbers> runs);
 
-/// Holds where the cloth came to rest or moves by less than a thousandth of its peak; in part below a tenth.
+/// Holds if the cloth came to rest, or if its last movement is less than 0.001 of its largest one; in part if
+/// it is less than 0.1. Both are in metres per step.
 Verdict judge_convergence(double peak_m, double last_m, bool came_to_rest);
 
-/// Holds where two runs end in the same bits, one of which went on from positions alone. Bits are the same or
-/// they are not: nothing holds in part.
+/// Holds if the two runs ended with the same bits; one of them was continued from positions alone. It never
+/// holds in part.
 Verdict judge_no_velocity(std::uint64_t uninterrupted_hash, std::uint64_t restarted_hash);
 
-/// What a setting costs and keeps for the model with so many triangles.
+/// What one setting of the solver costs for a model, and how much it stretches.
 struct PacedModel {
   int triangles = 0;
-  double frame_ms = 0.0;
-  double stretch = 0.0;
+  double frame_ms = 0.0;  ///< time per frame
+  double stretch = 0.0;   ///< largest stretch, a fraction
 };
+/// Whether a frame takes at most real_time_ms and the bound is kept.
 bool is_in_real_time(const PacedModel& model);
-/// A model is simulated in real time where one of its settings needs no more than a 60th of a second and
-/// keeps the bound. Holds where all models are; in part where more than half are.
+/// A model is in real time if one of its settings is. Holds if all models are; in part if more than half are.
 Verdict judge_real_time(std::span<const PacedModel> models);
 
-/// Does not hold up to the proportional exponent. Above, time grows faster than the number of triangles:
-/// holds where a geometric law fits better than a power of the triangles, in part where the power fits
-/// better.
+/// Does not hold if the exponent is at most proportional_exponent. Above it, holds if a geometric law fits
+/// better than a power law, and else in part.
 Verdict judge_growth(const TimeGrowth& growth);
 
-/// Every edge a structural spring, every vertex held by a spring, and some flexural springs.
+/// Whether every edge is a structural spring, every vertex has a spring, and there are flexural springs.
 bool is_mapped(const Mapping& mapping);
-/// Holds where every garment is mapped and keeps the bound in every frame; in part where every one is mapped
+/// Holds if every garment is mapped and keeps the bound in every frame; in part if every garment is mapped
 /// and simulated to the end.
 Verdict judge_any_garment(std::span<const GarmentTrial> trials);
 
-/// Unrest with the short and with the long step; not finite for a run that diverged, which counts as
-/// vibrating. Holds where the threshold vibrates with both steps and the strong constraint with none; in part
-/// where it is so with one of the steps.
+/// Root mean square speed of cloth at rest, with both time steps. Not finite if the run diverged, which
+/// counts as vibrating.
 struct UnrestNumbers {
   double short_step_m_per_s = 0.0;
   double long_step_m_per_s = 0.0;
 };
+/// Holds if the threshold method vibrates with both steps and the strong constraint with neither; in part if
+/// that is so with one of the steps.
 Verdict judge_threshold_vibrates(const UnrestNumbers& threshold, const UnrestNumbers& strong);
 
-/// Ideal springs of several stiffnesses (infinite: diverged) and the strong constraint on the same cloth.
-/// Holds where the strong constraint keeps the bound and ideal springs of every stiffness exceed it; in part
-/// where those of some do.
+/// Compares ideal springs of several stiffnesses with the strong constraint, by their largest stretch
+/// (infinite: diverged). Holds if the strong constraint keeps the bound and all ideal springs exceed it; in
+/// part if only some ideal springs exceed it.
 Verdict judge_ideal_overstretches(std::span<const double> ideal_stretches, double strong_stretch);
 
 }  // namespace taut::app

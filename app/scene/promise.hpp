@@ -7,14 +7,14 @@
 
 namespace taut::app {
 
-/// Why the bounded solver's bound is not promised for this scene; nothing where it is, where no bound is
-/// asked for and where the scene allows that it is exceeded.
+/// Says why the `bounded` solver cannot promise its bound for this scene. Empty if it promises the bound, if
+/// the scene has no bound, or if the scene allows exceeding it.
 std::optional<std::string> beyond_promise(const Scene& scene);
 
-/// The stretch that the scene's solver means not to exceed; none where it means none.
+/// The largest stretch that the scene's solver tries to keep, a fraction. Empty if it has none.
 std::optional<double> stretch_bound(const Scene& scene);
 
-/// What to call it: a bound is kept, a threshold is what springs are pulled back to.
+/// "bound" if the solver keeps it; "threshold" if springs are only pulled back to it.
 const char* bound_word(const Scene& scene);
 
 }  // namespace taut::app

@@ -6,20 +6,20 @@
 
 namespace taut::app {
 
-/// What a scene says about solvers: about all of them, as keys come in any order and the one that is chosen
-/// may be named last.
+/// Settings of all solvers, and which solver is used. All are kept because a scene file may name the solver
+/// after its settings.
 struct SolverChoice {
   sim::SolverKind kind = sim::SolverKind::bounded;
-  std::optional<int> substeps;  ///< none: the solver chooses
-  int max_substeps = sim::SolverSettings{}.max_substeps;
-  sim::IdealSettings ideal;  ///< `provot` has the same springs
+  std::optional<int> substeps;                            ///< time steps per frame; empty: the solver chooses
+  int max_substeps = sim::SolverSettings{}.max_substeps;  ///< the most that a solver may choose
+  sim::IdealSettings ideal;                               ///< `provot` uses these springs too
   sim::StrongSettings strong;
-  sim::BoundedSettings bounded;  ///< `provot` has the same largest stretch
+  sim::BoundedSettings bounded;  ///< `provot` uses this largest stretch too
 
   bool operator==(const SolverChoice&) const = default;
 };
 
-/// Of the solver that is chosen.
+/// The settings of the solver that is used.
 sim::SolverSettings solver_settings(const SolverChoice& choice);
 
 /// How a scene is simulated.
@@ -31,6 +31,7 @@ struct RunSettings {
   bool operator==(const RunSettings&) const = default;
 };
 
+/// The same settings as the simulation takes them.
 sim::SimulationSettings simulation_settings(const RunSettings& run);
 
 }  // namespace taut::app

@@ -15,41 +15,42 @@
 
 namespace taut::app {
 
-/// A regular grid, or a model file where one is named.
+/// Where the garment comes from: a model file, or a regular grid if no file is named.
 struct GarmentSource {
   std::filesystem::path file;   ///< empty: the grid
-  std::optional<double> scale;  ///< the file's unit in metres; none: the file's own, or a guess
-  std::optional<ModelAxis> up;  ///< of the file; none: the file's own, or a guess
-  double weld_m = 0.0;          ///< borders nearer to each other than this are sewn
-  int subdivisions = 0;         ///< of the file's triangles, four for one each time
-  /// A model file whose vertices are the garment's, in metres with y up: where the cloth begins. Empty: at
-  /// rest, as it was modelled.
+  std::optional<double> scale;  ///< metres per unit of the file; empty: the file's own unit, or a guess
+  std::optional<ModelAxis> up;  ///< in the file's coordinates; empty: the file's own, or a guess
+  double weld_m = 0.0;          ///< vertices of borders that are closer than this become one
+  int subdivisions = 0;         ///< each makes four triangles of one; only for a file
+  /// Model file with the positions at the start: the garment's vertices, in metres with y up. Empty: the
+  /// garment starts as it was modelled.
   std::filesystem::path start;
   sim::GridSettings grid;
 };
 
-/// The vertex nearest to a point, in metres.
+/// Means the vertex nearest to a point.
 struct NearestTo {
   sim::Vec3 point_m = {0.0, 0.0, 0.0};
 };
 
-/// Vertices that are held: a landmark of the garment or a name of `pin_names` (pins.hpp), a vertex by its
-/// number in the garment's file (file_vertices.hpp), or the vertex nearest to a point.
+/// Which vertices to pin. A text is a landmark or a name of pin_names() (pins.hpp); a number is a vertex of
+/// the garment's file (file_vertices.hpp).
 using PinSelector = std::variant<std::string, sim::Index, NearestTo>;
 
-/// All there is to say about a run; nothing of how it is drawn.
+/// All that the simulation needs to know about a scene. How it is drawn is in DrawnScene.
 struct Scene {
-  std::string name;  ///< how it was asked for; not a key of the file
+  std::string name;  ///< as it was asked for; not a key of the file
   std::string title;
   GarmentSource garment;
   sim::MappingSettings mapping;
   sim::Material material;
-  std::optional<std::vector<PinSelector>> pins;  ///< none: by its top
+  std::optional<std::vector<PinSelector>> pins;  ///< empty: the garment hangs by its top
   RunSettings simulation;
-  sim::Surroundings surroundings;                ///< but for the distance of layers
-  std::optional<double> layer_distance_m = 0.0;  ///< none: what suits the garment's mesh
+  sim::Surroundings surroundings;  ///< without the distance of layers
+  /// 0: layers are not kept apart; empty: suitable_layer_distance()
+  std::optional<double> layer_distance_m = 0.0;
   std::filesystem::path checkpoint;  ///< a saved moment to begin with (run_checkpoint.hpp); empty: none
-  int frames = 600;
+  int frames = 600;                  ///< length of the run
 };
 
 }  // namespace taut::app

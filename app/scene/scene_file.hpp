@@ -10,33 +10,34 @@
 
 namespace taut::app {
 
-/// One key set on the command line.
+/// A key that was set on the command line.
 struct Override {
   std::string key;
   std::string value;
-  std::string option;  ///< as written, for messages: "--set solver.substeps=40"
+  std::string option;  ///< the whole option, for messages: "--set solver.substeps=40"
 };
 
-/// "KEY=VALUE". Throws UsageError without "=".
+/// Reads "KEY=VALUE". Throws UsageError if there is no "=".
 Override parse_override(const std::string& text);
 
-/// Throws by `fail` unless the file names one garment: a model or a grid.
+/// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_value.hpp).
 void require_one_garment(const ValueTable& file, const Source& source);
 
-/// The keys of [garment] that name files.
+/// The keys of [garment] that name files, and their members.
 inline constexpr std::array garment_files = {std::pair("file", &GarmentSource::file),
                                              std::pair("start", &GarmentSource::start)};
 
-/// Throws by `fail` where one of the garment's files that the scene file names is not there. Not looked for
-/// is what `used` does not have any more as it was `named`.
+/// Requires that the garment's files exist. `named` is what the scene file says; `used` is that after
+/// overrides. A file that was overridden is not checked. Throws by `fail`.
 void require_garment_of(const ValueTable& file, const Source& source, const GarmentSource& named,
                         const GarmentSource& used);
 
-/// The same of one file, which the key garment.KEY names on `line`; 0: nowhere.
+/// Requires that the file of key garment.KEY exists. `line` is where the scene file names it; 0: nowhere.
+/// Throws by `fail`.
 void require_named(const std::string& key, const std::filesystem::path& named, const Source& source,
                    int line);
 
-/// Puts a value where a key with its sections ("solver.substeps") belongs.
+/// Inserts a value under a key with its sections, such as "solver.substeps".
 void insert(ValueTable& table, const std::string& name, const Value& value);
 
 }  // namespace taut::app

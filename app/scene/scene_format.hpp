@@ -13,19 +13,18 @@
 
 namespace taut::app {
 
-/// How scenes of type S are read and written. S is Scene, or derived from it with more to say than the
-/// simulation needs.
+/// How scenes of type S are read and written. S is Scene or a type derived from it.
 template <class S>
 struct SceneFormat {
   std::vector<Key<S>> keys;
-  /// What no single key can check. Throws by `fail`.
+  /// Checks what concerns several keys. Throws by `fail` (scene_value.hpp).
   std::function<void(const S&, const Source&)> check;
 };
 
-/// The keys a simulation reads: the one table behind reading, `--set` and `taut help scene`.
+/// The keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
 SceneFormat<Scene> simulation_format();
 
-/// Changes keys of a scene. Throws UsageError.
+/// Sets keys of a scene. Throws UsageError if a key or a value is not valid.
 template <class S>
 void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
   for (const Override& changed : overrides) {
@@ -42,8 +41,9 @@ void apply_overrides(const SceneFormat<S>& format, std::span<const Override> ove
   }
 }
 
-/// Reads a scene. `name` is the file's: relative garment files are looked for beside it. Throws InputError
-/// naming the file, the line, the key, what was found and what is expected; UsageError for an override.
+/// Reads a scene from text. `name` is its file; relative garment files are looked for beside it. Throws
+/// InputError that names the file, the line, the key, what was found and what was expected. Throws UsageError
+/// for an override.
 template <class S>
 S read_scene(const SceneFormat<S>& format, const std::string& text, const std::string& name,
              std::span<const Override> overrides) {
@@ -59,7 +59,7 @@ S read_scene(const SceneFormat<S>& format, const std::string& text, const std::s
   return scene;
 }
 
-/// Every key with its value, nested as in a file.
+/// All keys with their values, nested as in a file.
 template <class S>
 Value settings_of(const SceneFormat<S>& format, const S& scene) {
   ValueTable table;
@@ -69,7 +69,7 @@ Value settings_of(const SceneFormat<S>& format, const S& scene) {
   return {table};
 }
 
-/// A key with its default, unit, range and meaning, for people.
+/// A key with default, unit, range and meaning, as text for people.
 template <class T>
 std::string describe_key(const Key<T>& key, const T& defaults) {
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
@@ -78,7 +78,7 @@ std::string describe_key(const Key<T>& key, const T& defaults) {
          '\n';
 }
 
-/// The entries of [[forces]] and [[colliders]], as `describe_key` has them.
+/// The keys of [[forces]] and [[colliders]], as describe_key() writes them.
 std::string list_entries_help();
 
 }  // namespace taut::app

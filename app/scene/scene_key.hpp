@@ -13,42 +13,43 @@
 
 namespace taut::app {
 
-/// One thing a scene file can say about a T.
+/// One key of a scene file. It sets something of a T.
 template <class T>
 struct Key {
   std::string name;      ///< with its section: "solver.substeps"
-  std::string unit;      ///< empty: a pure number, or no number
-  std::string expected;  ///< "a whole number from 1 to 1000"
+  std::string unit;      ///< empty: no unit
+  std::string expected;  ///< what a value must be: "a whole number from 1 to 1000"
   std::string meaning;   ///< one line
-  /// Stores the value; false where it is not what is expected. May throw a message of its own.
+  /// Stores a value. Returns false if it is not as expected. May also throw by `fail`, with its own message.
   std::function<bool(const Value&, const Source&, T&)> read;
-  std::function<Value(const T&)> write;  ///< what is stored, also to print the default
+  std::function<Value(const T&)> write;  ///< returns what is stored, also for printing the default
 };
 
-/// What a number may be.
+/// An interval of numbers.
 struct Range {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
-  bool above_lowest = false;  ///< the lowest itself is not allowed
+  bool above_lowest = false;  ///< `lowest` itself is excluded
 
   bool contains(double value) const {
     return value <= highest && (above_lowest ? value > lowest : value >= lowest);
   }
 };
 
-inline constexpr Range not_negative = {.lowest = 0.0};
-inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};
+inline constexpr Range not_negative = {.lowest = 0.0};                    ///< 0 and all above
+inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};  ///< all above 0
 
-/// "a whole number from 1 to 1000"; `what` is "a number" or "a whole number".
+/// The range in words: "a whole number from 1 to 1000". `what` is "a number" or "a whole number".
 std::string describe(const std::string& what, const Range& range);
 
+/// What a value holds: a finite number, a whole number, a list of three finite numbers. Empty for anything
+/// else.
 std::optional<double> finite_number(const Value& value);
 std::optional<std::int64_t> whole_number(const Value& value);
-/// Three finite numbers.
 std::optional<std::array<double, 3>> three_numbers(const Value& value);
 Value list_of(const std::array<double, 3>& numbers);
 
-/// "#rrggbb".
+/// Red, green and blue, 0 to 1, of a text "#rrggbb"; empty for anything else.
 std::optional<std::array<float, 3>> colour_value(const Value& value);
 Value colour_text(const std::array<float, 3>& colour);
 
@@ -131,16 +132,17 @@ Key<T> text_key(std::string name, Access access, std::string meaning) {
   return {std::move(name), "", "a text", std::move(meaning), read, write};
 }
 
-/// What three numbers have to be: within `largest` of zero, and with `may_be_zero` also all zero.
+/// What a vector of three numbers may be.
 struct VectorLimits {
-  bool may_be_zero = true;
-  double largest = 1e6;  ///< far beyond anything a garment meets, and short of what numbers overflow at
+  bool may_be_zero = true;  ///< all three may be 0
+  /// Largest magnitude of each number: far more than any garment needs, and too small for overflow.
+  double largest = 1e6;
 };
 
 std::string describe(const VectorLimits& limits);
 bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers);
 
-/// A point or a direction; `access` returns any type of vector with x, y and z.
+/// Makes a key for a point or a direction. `access` returns a vector type with members x, y and z.
 template <class T, class Access>
 Key<T> vector_key(std::string name, std::string unit, Access access, std::string meaning,
                   VectorLimits limits = {}) {
@@ -179,7 +181,7 @@ Key<T> colour_key(std::string name, Access access, std::string meaning) {
   return {std::move(name), "", "a colour \"#rrggbb\"", std::move(meaning), read, write};
 }
 
-/// One of several names.
+/// Makes a key whose value is one of several names.
 template <class T, class Choice, class Access>
 Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> choices, Access access,
                   std::string meaning) {
@@ -207,20 +209,22 @@ Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> 
   return {std::move(name), "", std::move(expected), std::move(meaning), read, write};
 }
 
-/// Finds keys by name for a table of a scene file and says what is wrong with those it does not find.
+/// Reads a table of a scene file into a T. Every error message names the key that is wrong and, for an
+/// unknown key, those that are near.
 template <class T>
 class KeyReader {
  public:
   KeyReader(const std::vector<Key<T>>& keys, const Source& source, T& target)
       : keys_(keys), source_(source), target_(target) {}
 
-  /// Reads every value of the table; throws by `fail` (scene_value.hpp) at the first that cannot be used.
+  /// Reads all values of the table. Throws by `fail` (scene_value.hpp) at the first one that is not valid.
   void read(const ValueTable& table, const std::string& section = "") {
     for (const auto& [key, value] : table) {
       read_value(section.empty() ? key : section + '.' + key, value);
     }
   }
 
+  /// Reads the value of one key or section. Throws by `fail`.
   void read_value(const std::string& name, const Value& value) {
     for (const Key<T>& key : keys_) {
       if (key.name == name) {
@@ -255,7 +259,7 @@ class KeyReader {
     return false;
   }
 
-  /// Keys and sections directly in a section.
+  /// The names of keys and sections directly in this section.
   std::string keys_of(const std::string& section) const {
     const std::string prefix = section.empty() ? "" : section + '.';
     std::vector<std::string> names;

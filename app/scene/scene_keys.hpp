@@ -7,13 +7,13 @@
 
 namespace taut::app {
 
-/// Everything a scene file can say: the one table behind reading, `--set` and `taut help scene`.
+/// All keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
 std::vector<Key<Scene>> scene_keys();
 
-/// What an entry of [[colliders]] can say, by its shape ("plane", "sphere" or "capsule").
+/// The keys of an entry of [[colliders]]. `shape` is "plane", "sphere" or "capsule".
 std::vector<Key<sim::Collider>> collider_keys(const std::string& shape);
 
-/// What an entry of [[forces]] can say.
+/// The keys of an entry of [[forces]].
 std::vector<Key<sim::PointForce>> force_keys();
 
 }  // namespace taut::app

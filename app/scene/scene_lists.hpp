@@ -20,7 +20,9 @@ Key<Scene> forces_key();
 Key<Scene> colliders_key();
 Key<Scene> layer_distance_key();
 
+/// The names of the solvers in scene files.
 std::vector<std::pair<std::string, sim::SolverKind>> solver_choices();
+/// The names of the vector units in scene files.
 std::vector<std::pair<std::string, sim::VectorUnit>> vector_unit_choices();
 
 }  // namespace taut::app

@@ -9,32 +9,33 @@
 
 namespace taut::app {
 
+/// A scene that comes with the program.
 struct BuiltInScene {
-  std::string name;
+  std::string name;  ///< without folder and extension
   std::filesystem::path file;
 };
 
-/// The files scenes/NAME.toml of the first folder of assets that has any: $TAUT_ASSETS, the one the program
-/// is installed with, the one of its source tree. By name.
+/// The scenes that come with the program, sorted by name: the files scenes/NAME.toml in assets_folder().
 std::vector<BuiltInScene> built_in_scenes();
 
-/// Where the built-in scenes and their garments are; empty where there are none.
+/// The first of these folders that holds scenes: $TAUT_ASSETS; that of the installed program; that of the
+/// source tree. Empty if there is none.
 std::filesystem::path assets_folder();
 
-/// What was given for SCENE.
+/// What the argument SCENE means.
 struct FoundScene {
   std::string name;  ///< without folder and extension
   std::filesystem::path file;
-  bool is_garment = false;  ///< a garment file, and not a scene file
+  bool is_garment = false;  ///< a garment file instead of a scene file
 };
 
-/// A scene file, a garment file or the name of a built-in scene. Throws InputError.
+/// Finds a scene file, a garment file or a built-in scene by name. Throws InputError.
 FoundScene locate_scene(const std::string& name);
 
-/// What is simulated of a garment file that comes without a scene.
+/// Sets the scene to a default scene for this garment file.
 void set_garment(const std::filesystem::path& file, Scene& scene);
 
-/// A scene by what was given for SCENE. Throws InputError, UsageError for an override.
+/// Returns the scene that the argument SCENE means. Throws InputError; UsageError for an override.
 template <class S>
 S find_scene(const SceneFormat<S>& format, const std::string& name, std::span<const Override> overrides) {
   const FoundScene found = locate_scene(name);

@@ -7,13 +7,13 @@
 
 namespace taut::app {
 
-/// The table in a TOML file. Throws InputError naming file, line and reason.
+/// Reads a TOML file; returns its table. Throws InputError that names the file, the line and the reason.
 Value read_toml(const std::filesystem::path& path);
 
-/// The table in a text that is no file of its own; `name` is for messages.
+/// Reads TOML from text. `name` stands for the file in messages.
 Value read_toml_text(const std::string& text, const std::string& name);
 
-/// What stands behind `key=` on the command line: a TOML value, or else plain text, so that a shell user need
+/// Reads what follows `key=` on the command line. It is a TOML value, or else plain text, so that a user need
 /// not quote twice.
 Value read_toml_value(const std::string& text);
 

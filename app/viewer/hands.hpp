@@ -11,37 +11,39 @@
 
 namespace taut::app {
 
-/// The pointer as it is in a frame of the window.
+/// The pointer in one frame of the window.
 struct Pointer {
-  glm::vec2 place_px{-1.0F};
-  glm::vec2 way_px{0.0F};         ///< since the frame before, or since a button went down in this one
-  std::array<bool, 3> down{};     ///< by renderer::PointerButton
-  std::array<bool, 3> pressed{};  ///< went down in this frame
-  float notches = 0.0F;           ///< of the wheel
+  glm::vec2 place_px{-1.0F};   ///< position, from the window's upper left corner
+  glm::vec2 way_px{0.0F};      ///< movement since the frame before, or since a button went down in this frame
+  std::array<bool, 3> down{};  ///< whether a button is down, indexed by renderer::PointerButton
+  std::array<bool, 3> pressed{};  ///< whether it went down in this frame
+  float notches = 0.0F;           ///< of the wheel, positive away from the user
 
   bool is_down(renderer::PointerButton button) const { return down[static_cast<std::size_t>(button)]; }
   bool was_pressed(renderer::PointerButton button) const { return pressed[static_cast<std::size_t>(button)]; }
 };
 
-/// What the pointer does to the scene: turns, moves and scales the view, and pulls the cloth.
+/// What the pointer does in the scene: it turns, moves and zooms the view, and pulls the cloth.
 class Hands {
  public:
-  /// `is_free`: the pointer is not the panel's. Adds what the simulation shall do.
+  /// Handles one frame of the window. `is_free` is true if the panel does not use the pointer. Appends
+  /// commands for the simulation to `commands`.
   void update(const Pointer& pointer, bool is_free, const ViewArea& area, ViewerState& state,
               std::vector<SimulationCommand>& commands);
 
-  /// Forgets what is held, for a garment that is gone.
+  /// Lets go without a command. Call it when the garment has been replaced.
   void drop() { hold_.reset(); }
 
+  /// Whether the pointer turns or moves the view, or holds cloth.
   bool is_busy() const { return is_turning_ || is_moving_ || hold_.has_value(); }
-  /// The vertex that is held.
+  /// The vertex that the pointer holds; empty if it holds none.
   std::optional<sim::Index> held_vertex() const;
 
  private:
   struct Hold {
     Grip grip;
-    glm::dvec3 through{0.0};    ///< a point of the plane that the hand moves in
-    glm::dvec3 to_vertex{0.0};  ///< from where the pointer took hold
+    glm::dvec3 through{0.0};    ///< point in metres of the plane that the hand moves in
+    glm::dvec3 to_vertex{0.0};  ///< from the picked point to the vertex, in metres
   };
 
   void press(const Pointer& pointer, const ViewArea& area, const ViewerState& state,
@@ -54,7 +56,7 @@ class Hands {
   std::optional<Hold> hold_;
 };
 
-/// The cloth under the pointer, of what is shown.
+/// The point of the shown cloth under a pixel; empty if there is none.
 std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area,
                                        const ViewerState& state);
 

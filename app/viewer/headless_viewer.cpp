@@ -1,35 +1,21 @@
+#include "app/viewer/headless_viewer.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/viewer/simulation/stepped_simulation.hpp"
-#include "app/viewer/view_session.hpp"
 
 namespace taut::app {
-
-DrawingPlace::DrawingPlace(MakeContext make_context) : make_context_(std::move(make_context)) {
-  renew();
-}
-
-DrawingPlace::~DrawingPlace() = default;
-
-void DrawingPlace::renew() {
-  picture_.reset();
-  // One at a time: a window system may have no second one to give.
-  context_.reset();
-  context_ = make_context_();
-  picture_ = std::make_unique<ViewerPicture>(*context_);
-}
 
 HeadlessViewer::HeadlessViewer(const DrawnScene& scene, const SessionStart& start,
                                const std::filesystem::path& keep_folder, const std::string& backend)
     : simulation_(std::make_unique<SteppedSimulation>(scene)),
       viewer_(*simulation_, {start.size, start.scale, keep_folder, false}),
-      place_([backend] { return renderer::create_context(backend); }),
-      target_(std::make_unique<renderer::ColourTarget>(place_.context())) {}
+      context_([backend] { return renderer::create_context(backend); }),
+      target_(std::make_unique<renderer::ColourTarget>(context_.context())) {}
 
 SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
   throw_if_interrupted();
@@ -38,8 +24,8 @@ SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
   });
   if (loses_context) {
     target_.reset();
-    place_.renew();
-    target_ = std::make_unique<renderer::ColourTarget>(place_.context());
+    context_.renew();
+    target_ = std::make_unique<renderer::ColourTarget>(context_.context());
     viewer_.tell("the graphics driver lost the picture; it was made anew", true);
   }
   SessionFrame played = viewer_.update(frame);
@@ -56,15 +42,16 @@ SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
 renderer::Image HeadlessViewer::draw_scene() {
   const WindowLayout layout = viewer_.layout();
   const unsigned framebuffer = target_->framebuffer(layout.width_px, layout.height_px);
-  return place_.picture().picture(framebuffer, viewer_.state(), layout, 0, viewer_.letters(),
-                                  viewer_.picture_overlay());
+  return context_.picture().picture(framebuffer, viewer_.state(), layout, 0, viewer_.letters(),
+                                    viewer_.picture_overlay());
 }
 
 renderer::Image HeadlessViewer::draw() {
   const WindowLayout layout = viewer_.layout();
   const unsigned framebuffer = target_->framebuffer(layout.width_px, layout.height_px);
-  place_.picture().draw(framebuffer, viewer_.state(), layout, 0, viewer_.letters(), viewer_.overlay(), true);
-  return renderer::read_framebuffer(place_.context(), framebuffer, layout.width_px, layout.height_px);
+  context_.picture().draw(framebuffer, viewer_.state(), layout, 0, viewer_.letters(), viewer_.overlay(),
+                          true);
+  return renderer::read_framebuffer(context_.context(), framebuffer, layout.width_px, layout.height_px);
 }
 
 }  // namespace taut::app

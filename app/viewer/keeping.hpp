@@ -11,38 +11,41 @@
 
 namespace taut::app {
 
-/// `folder`/STEM-N.EXTENSION with the first N that is not there yet.
+/// `folder`/STEM-N.EXTENSION, with the smallest N from 1 that is not taken.
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
                                 const std::string& extension);
 
-/// The scene as it is set now: settings, camera and looks, with the pins and the frame that are shown.
+/// The scene as it is set now, for saving: settings, camera and look, with the pins and the frame that are
+/// shown.
 DrawnScene kept_scene(const ViewerState& state, const ViewArea& area);
 
-/// Whether a run of the scene from its start comes to what is shown: nobody pulled, and no setting was
-/// changed on the way there.
+/// Whether running the scene from its start gives what is shown. That is so if nobody pulled and no setting
+/// changed.
 bool is_pristine(const ViewerState& state);
 
-/// The moment that is shown, for start.checkpoint of the kept scene. No hand pulls any more.
+/// The state that is shown, for start.checkpoint of the kept scene. It holds no hand.
 RunCheckpoint kept_moment(const ViewerState& state, const DrawnScene& kept);
 
 /// The camera as a section of a scene file.
 std::string camera_text(const renderer::Camera& camera);
 
-/// Makes a video or a folder of pictures of what the scene shows, in step with the clock.
+/// Writes what the scene shows to a video, or to a folder of pictures, in real time.
 class WindowRecorder {
  public:
-  /// Throws InputError where it cannot begin.
+  /// The target's name is that of free_name(). Throws InputError if it cannot be written.
   WindowRecorder(const std::filesystem::path& folder, const std::string& stem, RecordingKind kind,
                  int width_px, int height_px);
 
-  /// As often as the time that went by needs. Throws InputError; std::invalid_argument for another size.
+  /// Adds the picture as often as `elapsed_s` at rate_hz requires; that may be never. Throws InputError;
+  /// std::invalid_argument if the picture has another size.
   void add(const renderer::Image& picture, double elapsed_s);
-  /// Completes the video. Says what was written.
+  /// Completes the video. Returns what was written, for people.
   std::string finish();
 
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
 
+  /// Pictures per second.
   static constexpr double rate_hz = 30.0;
 
  private:

@@ -14,51 +14,55 @@
 
 namespace taut::app {
 
+/// How a viewer begins.
 struct ViewerSettings {
-  renderer::Resized size;
-  double scale = 1.0;
-  std::filesystem::path keep_folder = ".";  ///< where screenshots, videos and scenes go
-  bool shows_times = true;                  ///< false: what is drawn depends on the input alone
+  renderer::Resized size;                   ///< of the window
+  double scale = 1.0;                       ///< of the display
+  std::filesystem::path keep_folder = ".";  ///< for screenshots, videos and saved scenes
+  bool shows_times = true;  ///< false: the picture depends only on the input, not on measured times
 };
 
-/// The viewer without a window: input comes in frame by frame, commands for the simulation, a state to draw
-/// and the panel's triangles go out. Whatever is asked for and cannot be done becomes a message.
+/// The viewer without window and OpenGL. Input goes in frame by frame. Out come commands for the simulation,
+/// a state to draw, and the triangles of the panel. What cannot be done becomes a message on the screen.
 class Viewer {
  public:
   /// `simulation` has to outlive the viewer.
   Viewer(SimulationHost& simulation, const ViewerSettings& settings);
 
-  /// One frame of the window. Returns it with the pace, as it has to be recorded. Throws InputError where
-  /// the frame's own pace cannot be followed or it points at something that is not there.
+  /// Handles one frame of the window. Returns it with the pace it had, so that it can be recorded. Throws
+  /// InputError if it has a pace that cannot be followed, or if it points at an item that does not exist.
   SessionFrame update(SessionFrame frame);
 
   // Of the last frame.
   const ViewerState& state() const { return state_; }
   const renderer::OverlayView& overlay() const { return interface_.overlay(); }
-  /// What of the overlay belongs into a picture of the scene.
+  /// The part of the overlay that belongs in a picture of the scene: the legends.
   const renderer::OverlayView& picture_overlay() const { return interface_.picture_overlay(); }
   UserInterface::Letters letters() const { return interface_.letters(); }
   WindowLayout layout() const;
-  /// Nothing that is drawn has changed in this frame or is about to.
+  /// Whether nothing visible changed in this frame or will change in the next one.
   bool is_still() const { return still_frames_ > 2; }
 
-  /// A person does something, or did in the last frame or two: the panel shows what came of it one later.
+  /// Whether there was input in one of the last frames. The panel shows the effect of input one frame later.
   bool has_input() const { return frames_since_input_ <= 2; }
 
-  /// A person has asked to end.
+  /// Whether the user has asked to quit.
   bool is_ended() const { return is_ended_; }
 
-  /// The scene's picture is wanted: for a screenshot, or a recording goes on.
+  /// Whether take_picture() has to be called, for a screenshot or a recording.
   bool wants_picture() const { return screenshot_ || recorder_; }
   bool wants_screenshot() const { return screenshot_; }
+  /// Takes a picture of the scene, with its legends.
   void take_picture(const renderer::Image& picture);
-  /// Text for the clipboard, once.
+  /// Text for the clipboard; each text is returned once.
   std::optional<std::string> take_clipboard();
-  /// How long the frame took; of the processor's time, the simulation's last. Since the last call the program
-  /// had all processors busy for so long. Shown in the panel.
+  /// Takes measured times, for display. `draw_ms` and `panel_ms` belong to this frame. `simulate_ms` is
+  /// processor time of the last simulated frame. `busy_s` is the processor time that this program used since
+  /// the last call, divided by the number of processors.
   void note_times(double draw_ms, double panel_ms, double simulate_ms, double busy_s);
   void tell(const std::string& text, bool is_error) { app::tell(state_, text, is_error); }
-  /// Completes a recording that is under way; says what came of it, as a message too.
+  /// Completes a recording of pictures, if there is one. Returns what was written, which is also shown as a
+  /// message.
   std::optional<std::string> finish_recording();
 
  private:
@@ -78,7 +82,7 @@ class Viewer {
   void change_wind(double by_m_per_s);
   void turn_wind(double by_rad);
   void toggle_pin();
-  void frame_garment();
+  void show_whole_garment();
   void start_or_stop_recording();
   void save_scene();
   void load_asked();

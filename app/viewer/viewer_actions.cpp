@@ -17,7 +17,9 @@
 namespace taut::app {
 namespace {
 
+// What one press of a key changes.
 constexpr double wind_step_m_per_s = 0.5;
+// Keys do not go beyond this speed, as the slider does not.
 constexpr double strongest_m_per_s = 20.0;
 constexpr double turn_step_rad = 0.08726646259971647;  // 5 degrees
 
@@ -67,8 +69,8 @@ void Viewer::perform(Action action) {
     case Action::release_right:
       commands_.emplace_back(ReleasePins{.right = true});
       return;
-    case Action::frame_garment:
-      return frame_garment();
+    case Action::show_whole_garment:
+      return show_whole_garment();
     case Action::screenshot:
       screenshot_ = true;
       return;
@@ -135,8 +137,8 @@ void Viewer::toggle_pin() {
   }
 }
 
-void Viewer::frame_garment() {
-  state_.camera.frame(renderer::bounding_box(to_float(state_.shown->positions())), scene_area(layout()));
+void Viewer::show_whole_garment() {
+  state_.camera.fit(renderer::bounding_box(to_float(state_.shown->positions())), scene_area(layout()));
 }
 
 void Viewer::save_scene() {

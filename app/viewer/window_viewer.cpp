@@ -1,3 +1,5 @@
+#include "app/viewer/window_viewer.hpp"
+
 #include <fmt/core.h>
 
 #include <chrono>
@@ -10,28 +12,31 @@
 #include "app/base/stopwatch.hpp"
 #include "app/viewer/session/input_queue.hpp"
 #include "app/viewer/simulation/simulation_thread.hpp"
-#include "app/viewer/view_session.hpp"
+#include "app/viewer/viewer.hpp"
+#include "app/viewer/viewer_context.hpp"
 #include "renderer/context/window.hpp"
 
 namespace taut::app {
 namespace {
 
 constexpr double frame_time_s = 1.0 / 60.0;
-// While nothing moves: how late a signal or a message that has to go is noticed.
+// Pause between frames while nothing moves. It limits how late a signal is noticed or a message disappears.
 constexpr double rest_time_s = 0.1;
-// A picture at best quality takes some time: a hand that only pauses should not have to wait for it.
+// The scene must be still for this long before it is drawn at best quality. That takes time, and a hand that
+// only pauses should not have to wait for it.
 constexpr double until_best_s = 0.3;
-// A driver that loses every context it is asked for has to be given up on.
+// The program gives up after this many lost contexts, if they follow each other within
+// losses_forgotten_after_s.
 constexpr int most_losses = 3;
 constexpr double losses_forgotten_after_s = 10.0;
 
-class WindowSession {
+class WindowViewer {
  public:
-  WindowSession(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
-                const std::filesystem::path& record_to)
+  WindowViewer(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+               const std::filesystem::path& record_to)
       : simulation_(scene),
         title_(title_of(scene)),
-        place_([this, size = start.size] { return open(title_, size); }),
+        context_([this, size = start.size] { return open(title_, size); }),
         viewer_(simulation_, {window_->framebuffer_size(), window_->content_scale(), keep_folder, true}) {
     if (!record_to.empty()) {
       SessionStart actual = start;
@@ -135,7 +140,7 @@ class WindowSession {
         viewer_.wants_screenshot() || since_change_.elapsed_ms() > 1000.0 * until_best_s;
     const std::size_t level = is_best_wanted ? 0 : quality_.level();
     const bool is_shown =
-        place_.picture().is_drawn(viewer_.state(), viewer_.layout(), level, viewer_.overlay());
+        context_.picture().is_drawn(viewer_.state(), viewer_.layout(), level, viewer_.overlay());
     if (is_minimised || (!window_->take_damage() && is_shown && !viewer_.wants_picture())) {
       return;
     }
@@ -153,16 +158,16 @@ class WindowSession {
     const Stopwatch drawing;
     const bool is_urgent = viewer_.has_input() || viewer_.is_still() || viewer_.wants_screenshot();
     if (viewer_.wants_picture()) {
-      viewer_.take_picture(place_.picture().picture(0, viewer_.state(), viewer_.layout(), level,
-                                                    viewer_.letters(), viewer_.picture_overlay()));
+      viewer_.take_picture(context_.picture().picture(0, viewer_.state(), viewer_.layout(), level,
+                                                      viewer_.letters(), viewer_.picture_overlay()));
     }
-    place_.picture().draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(),
-                          is_urgent);
+    context_.picture().draw(0, viewer_.state(), viewer_.layout(), level, viewer_.letters(), viewer_.overlay(),
+                            is_urgent);
     renderer::finish_drawing(*window_);
     const double draw_ms = drawing.elapsed_ms();
     viewer_.note_times(draw_ms, panel_ms_, simulation_.worked_ms(), next_busy_s());
     window_->present();
-    if (place_.picture().drew_scene() && level == quality_.level()) {
+    if (context_.picture().drew_scene() && level == quality_.level()) {
       quality_.note(panel_ms_ + drawing.elapsed_ms(), simulation_.take_given_up_ms());
     }
   }
@@ -176,7 +181,7 @@ class WindowSession {
     if (++losses_ > most_losses) {
       throw error;
     }
-    place_.renew();
+    context_.renew();
     queue_.add(renderer::WindowEvent(window_->framebuffer_size()));
     queue_.add(renderer::WindowEvent(renderer::ScaleChanged{window_->content_scale()}));
     viewer_.tell(std::string(error.what()) + "; the window was opened anew", true);
@@ -195,8 +200,8 @@ class WindowSession {
 
   SimulationThread simulation_;
   std::string title_;
-  renderer::Window* window_ = nullptr;  ///< the context of `place_`
-  DrawingPlace place_;
+  renderer::Window* window_ = nullptr;  ///< the context of `context_`
+  ViewerContext context_;
   Viewer viewer_;
   InputQueue queue_;
   std::optional<SessionRecorder> recorder_;
@@ -213,7 +218,7 @@ class WindowSession {
 
 void view_in_window(const DrawnScene& scene, const SessionStart& start,
                     const std::filesystem::path& keep_folder, const std::filesystem::path& record_to) {
-  WindowSession session(scene, start, keep_folder, record_to);
+  WindowViewer session(scene, start, keep_folder, record_to);
   session.run();
 }
 

@@ -7,8 +7,8 @@
 
 namespace taut::tailor {
 
-/// How many times an edge passes through a triangle it does not touch: 0 for a surface without
-/// self-intersections.
+/// Counts the pairs of an edge and a triangle, without a common vertex, where the edge passes through the
+/// triangle. 0 means that the surface does not intersect itself.
 std::size_t count_crossings(const sim::Mesh& mesh, const sim::Adjacency& adjacency);
 
 }  // namespace taut::tailor

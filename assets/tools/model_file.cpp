@@ -1,5 +1,6 @@
 #include "tailor/model_file.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -95,6 +96,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
 }  // namespace
 
 Model make_model(const Shirt& shirt, const std::vector<Vec3>& positions) {
+  assert(positions.size() == shirt.vertex_count);
   Model model;
   const Index unused = static_cast<Index>(positions.size());
   std::vector<Index> number(positions.size(), unused);

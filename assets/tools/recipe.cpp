@@ -30,7 +30,8 @@ const std::array<FitLevel, 3>& fit_levels() {
   return levels;
 }
 
-// A reduced shirt cuts the corners of the fine one; a moment's relaxing gives it the size of its pieces back.
+// A reduced shirt is smaller than the fine one, because its edges are chords. Relaxing for a moment restores
+// its size.
 constexpr FitPhase settling = {.frames = 10, .flexural = 0.02, .air_drag_per_s = 60.0};
 
 constexpr double largest_rms_strain = 0.015;

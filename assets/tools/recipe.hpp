@@ -10,32 +10,33 @@
 
 namespace taut::tailor {
 
-/// The paper's three models, in triangles.
+/// Triangles of the paper's three models.
 inline constexpr std::array<std::size_t, 3> model_sizes = {10600, 5280, 1028};
 
+/// A shirt and where it is on the body: positions in metres, per vertex.
 struct FittedShirt {
   Shirt shirt;
   std::vector<Vec3> positions;
 };
 
-/// Told after each meshing has been fitted.
+/// Called after each mesh has been fitted.
 using FitProgress = std::function<void(const FittedShirt&)>;
 
-/// Sews the pieces and fits them to the body, first coarsely, in the end with 24000 triangles.
+/// Sews the pieces and fits them to the body, with meshes from coarse to fine. The last has 24000 triangles.
 FittedShirt fit_shirt(const std::array<Piece, piece_count>& pieces, const FitProgress& progress);
 
-/// The fitted shirt with exactly that many triangles: another meshing of the same pieces, each vertex where
-/// its place on the flat piece lies on the fitted shirt, relaxed for a moment.
+/// The fitted shirt with exactly `triangle_count` triangles. It is a new mesh of the same pieces. Each vertex
+/// is placed where its point of the flat piece is on the fitted shirt. Then the shirt relaxes for a moment.
 FittedShirt reduce_shirt(const std::array<Piece, piece_count>& pieces, const FittedShirt& fitted,
                          std::size_t triangle_count);
 
-/// Throws std::runtime_error unless the shirt is nearly isometric to its flat pieces: strain at most 1.5 %
-/// root mean square, 10 % at worst.
+/// Throws std::runtime_error unless the strain is at most 1.5 % root mean square and at most 10 % at any
+/// edge.
 void require_fit(const Strain& strain);
 
-/// Throws std::runtime_error saying what was found and expected, unless the mesh is one oriented surface of
-/// that many triangles with four openings, turned outside out, without self-intersections, with no angle
-/// below 10 degrees and with the area of the fine shirt to 1 %.
+/// Throws std::runtime_error with what was found and expected unless all of this holds. The mesh is one
+/// oriented surface with `triangle_count` triangles and four openings. Its outside is outside, it does not
+/// intersect itself, and no angle is below 10 degrees. Its area is `fine_area_m2` within 1 %.
 void require_quality(const MeshQuality& quality, std::size_t triangle_count, double fine_area_m2);
 
 }  // namespace taut::tailor

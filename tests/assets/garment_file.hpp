@@ -9,11 +9,11 @@
 
 namespace taut::test {
 
-/// Reads the positions and triangles of an OBJ file that holds nothing else, with an eye of its own: not
-/// through the code that wrote it. Throws std::runtime_error on any other line.
+/// Reads an OBJ file that holds only positions and triangles. It shares no code with the program, so that it
+/// is an independent check. Throws std::runtime_error for any other line.
 sim::Mesh read_obj(const std::filesystem::path& file);
 
-/// Named lists of vertices. Throws on anything else.
+/// Reads the landmarks of a garment. Throws std::runtime_error for anything else in the file.
 std::map<std::string, std::vector<sim::Index>> read_landmarks(const std::filesystem::path& file);
 
 }  // namespace taut::test

@@ -278,13 +278,13 @@ TEST(BulletPeer, FallsAndSwingsAsTheSceneSays) {
   const double expected_m = -9.81 / 2.0 * (1.0 - (1.0 - std::exp(-2.0)) / 2.0);
   EXPECT_NEAR(engine->positions()[12].y - cloth.garment->mesh.positions[12].y, expected_m, 0.02);
 
-  const GarmentInScene held = cloth_of(5, {0, 4});
+  const GarmentInScene pinned = cloth_of(5, {0, 4});
   air.pin_motion = {{0.1, 0.0, 0.0}, 1.0};
-  const auto shaken = make_bullet_engine(*held.garment, held.pins, air, 1.0 / 60.0, {10, 2});
+  const auto shaken = make_bullet_engine(*pinned.garment, pinned.pins, air, 1.0 / 60.0, {10, 2});
   for (int frame = 0; frame < 15; ++frame) {
     shaken->advance_frame();
   }
-  EXPECT_NEAR(shaken->positions()[4].x - held.garment->mesh.positions[4].x, 0.1, 1e-5);
+  EXPECT_NEAR(shaken->positions()[4].x - pinned.garment->mesh.positions[4].x, 0.1, 1e-5);
 }
 
 TEST(BulletPeer, IsBlownByTheSameWind) {
@@ -311,8 +311,7 @@ TEST(BulletPeer, IsBlownByTheSameWind) {
 TEST(SweepSpeed, OfTheWidestUnitIsTheOneThatFramesAreMeasuredBy) {
   sim::GridSettings grid;
   grid.columns = grid.rows = 33;
-  const std::vector<SweepSpeed> speeds =
-      measure_sweep_speeds(sim::make_garment(sim::make_grid(grid)));
+  const std::vector<SweepSpeed> speeds = measure_sweep_speeds(sim::make_garment(sim::make_grid(grid)));
   const std::vector<sim::VectorUnit> units = sim::available_vector_units();
   ASSERT_EQ(speeds.size() + 1, units.size()) << "all but the best, which is one of them";
   EXPECT_EQ(speeds.back().unit, sim::name_of(units.back()));

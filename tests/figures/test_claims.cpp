@@ -16,7 +16,7 @@ constexpr Verdict no = Verdict::does_not_hold;
 
 using Numbers = std::vector<double>;
 
-TEST(Verdicts, StretchBound) {
+TEST(Verdicts, TheBoundHoldsWhereEveryFrameKeepsIt) {
   using Runs = std::vector<StretchNumbers>;
   const StretchNumbers kept = {0.04, 0.05}, kept_at_end = {0.05, 0.3};
   EXPECT_EQ(judge_stretch_bound(Runs{kept, kept}), yes);
@@ -30,7 +30,7 @@ TEST(Verdicts, StretchBound) {
   }
 }
 
-TEST(Verdicts, Convergence) {
+TEST(Verdicts, ConvergenceHoldsBelowAThousandthOfThePeak) {
   EXPECT_EQ(judge_convergence(1.0, 0.5, true), yes);
   EXPECT_EQ(judge_convergence(1.0, 9e-4, false), yes);
   EXPECT_EQ(judge_convergence(1.0, 2e-3, false), partly);
@@ -39,12 +39,12 @@ TEST(Verdicts, Convergence) {
 }
 
 // Bits are equal or not: there is no third verdict.
-TEST(Verdicts, NoVelocity) {
+TEST(Verdicts, NoVelocityHoldsWhereBitsAreEqual) {
   EXPECT_EQ(judge_no_velocity(7, 7), yes);
   EXPECT_EQ(judge_no_velocity(7, 8), no);
 }
 
-TEST(Verdicts, RealTime) {
+TEST(Verdicts, RealTimeNeedsOneFastSettingOfEveryModel) {
   using Models = std::vector<PacedModel>;
   const PacedModel good = {1000, 16.6, 0.05}, slow = {1000, 16.7, 0.01}, torn = {1000, 4.0, 8.48};
   const auto of = [](PacedModel model, int triangles) {
@@ -71,7 +71,7 @@ TimeGrowth growth_like(const std::function<double(double)>& time_ms) {
   return measure_growth(times, 1);
 }
 
-TEST(Verdicts, Growth) {
+TEST(Verdicts, GrowthIsJudgedByTheLawThatFitsBest) {
   EXPECT_EQ(judge_growth(growth_like([](double n) { return 0.1 * std::exp(1e-3 * n); })), yes);
   EXPECT_EQ(judge_growth(growth_like([](double n) { return 1e-6 * n * n; })), partly);
   EXPECT_EQ(judge_growth(growth_like([](double n) { return 1e-6 * std::pow(n, 1.21); })), partly);
@@ -91,7 +91,7 @@ GarmentTrial trial_with(const Mapping& mapping, double stretch) {
   return trial;
 }
 
-TEST(Verdicts, AnyGarment) {
+TEST(Verdicts, AnyGarmentHoldsWhereAllAreMappedAndKeepTheBound) {
   using Trials = std::vector<GarmentTrial>;
   const Mapping good = {3, 1, 10, 10, 3, 0};
   const GarmentTrial kept = trial_with(good, 0.05);
@@ -108,7 +108,7 @@ TEST(Verdicts, AnyGarment) {
   EXPECT_EQ(judge_any_garment(Trials{kept, refused}), no);
 }
 
-TEST(Verdicts, ThresholdVibrates) {
+TEST(Verdicts, TheThresholdVibratesWhereItsStepsDoAndStrongDoesNot) {
   const UnrestNumbers calm = {1e-5, 1e-5}, shaking = {1.0, 1.0}, late = {1e-5, 1.0}, early = {1.0, 1e-5};
   EXPECT_EQ(judge_threshold_vibrates(shaking, calm), yes);
   EXPECT_EQ(judge_threshold_vibrates(late, calm), partly);
@@ -119,7 +119,7 @@ TEST(Verdicts, ThresholdVibrates) {
   EXPECT_EQ(judge_threshold_vibrates(shaking, {INFINITY, NAN}), no);
 }
 
-TEST(Verdicts, IdealOverstretches) {
+TEST(Verdicts, IdealOverstretchesWhereAllExceedWhatStrongKeeps) {
   EXPECT_EQ(judge_ideal_overstretches(Numbers{0.078, 0.051, INFINITY}, 0.001), yes);
   EXPECT_EQ(judge_ideal_overstretches(Numbers{0.078, 0.02}, 0.001), partly);
   EXPECT_EQ(judge_ideal_overstretches(Numbers{0.05, 0.02}, 0.001), no);
@@ -365,7 +365,7 @@ TEST(Report, ShowsEachVerdictAndWhatBoundedReaches) {
   }
 }
 
-TEST(Report, Base64) {
+TEST(Report, Base64PadsIncompleteGroups) {
   const std::string text = "Man is";
   const auto encoded = [&](std::size_t count) {
     return base64(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), count));

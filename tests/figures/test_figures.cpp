@@ -52,8 +52,8 @@ TEST(Jobs, ResultsDoNotDependOnTheNumberOfThreads) {
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < recordings.size(); ++i) {
       jobs.push_back(
-          {"run", 1.0, [&, i](const Checkpoint& checkpoint) {
-             recordings[i] = record_frames(scene, std::array{0, 20 + static_cast<int>(i)}, checkpoint);
+          {"run", 1.0, [&, i](const ProgressCallback& report_progress) {
+             recordings[i] = record_frames(scene, std::array{0, 20 + static_cast<int>(i)}, report_progress);
            }});
     }
     std::vector<std::size_t> finished;
@@ -71,10 +71,10 @@ TEST(Jobs, ResultsDoNotDependOnTheNumberOfThreads) {
 
 TEST(Jobs, FirstErrorStopsTheOthersAndIsThrownOn) {
   std::atomic<int> stopped = 0;
-  const Job endless = {"endless", 2.0, [&](const Checkpoint& checkpoint) {
+  const Job endless = {"endless", 2.0, [&](const ProgressCallback& report_progress) {
                          try {
                            while (true) {
-                             checkpoint(0.5);
+                             report_progress(0.5);
                              std::this_thread::yield();
                            }
                          } catch (...) {
@@ -83,7 +83,7 @@ TEST(Jobs, FirstErrorStopsTheOthersAndIsThrownOn) {
                          }
                        }};
   const Job failing = {"failing", 1.0,
-                       [](const Checkpoint&) { throw std::runtime_error("no such garment"); }};
+                       [](const ProgressCallback&) { throw std::runtime_error("no such garment"); }};
   const std::vector<Job> jobs = {endless, failing};
   try {
     run_jobs(jobs, 2, [](std::size_t) { FAIL(); });
@@ -93,7 +93,7 @@ TEST(Jobs, FirstErrorStopsTheOthersAndIsThrownOn) {
   }
   EXPECT_EQ(stopped, 1);
   // What is thrown while drawing stops the work as well.
-  const std::vector<Job> drawn = {endless, {"short", 1.0, [](const Checkpoint&) {}}};
+  const std::vector<Job> drawn = {endless, {"short", 1.0, [](const ProgressCallback&) {}}};
   EXPECT_THROW(run_jobs(drawn, 2, [](std::size_t) { throw std::logic_error("pen broken"); }),
                std::logic_error);
   EXPECT_EQ(stopped, 2);

@@ -67,14 +67,14 @@ TEST(Axis, WritesPowersAsPeopleDo) {
   EXPECT_EQ(scientific(1.868), "1.9");
 }
 
-TEST(Plot, CutsSegmentsAtTheFrame) {
-  const Area frame{0.0F, 0.0F, 10.0F, 10.0F};
-  const auto crossing = clipped({-5.0F, 5.0F}, {15.0F, 5.0F}, frame);
+TEST(Plot, CutsSegmentsAtTheEdgeOfTheArea) {
+  const Area data_area{0.0F, 0.0F, 10.0F, 10.0F};
+  const auto crossing = clipped({-5.0F, 5.0F}, {15.0F, 5.0F}, data_area);
   ASSERT_TRUE(crossing);
   EXPECT_NEAR((*crossing)[0].x, 0.0F, 1e-5F);
   EXPECT_NEAR((*crossing)[1].x, 10.0F, 1e-5F);
-  EXPECT_FALSE(clipped({-5.0F, 20.0F}, {15.0F, 20.0F}, frame));
-  const auto inside = clipped({1.0F, 2.0F}, {3.0F, 4.0F}, frame);
+  EXPECT_FALSE(clipped({-5.0F, 20.0F}, {15.0F, 20.0F}, data_area));
+  const auto inside = clipped({1.0F, 2.0F}, {3.0F, 4.0F}, data_area);
   ASSERT_TRUE(inside);
   EXPECT_EQ((*inside)[1], glm::vec2(3.0F, 4.0F));
 }
@@ -100,7 +100,7 @@ TEST(Plot, ThinningKeepsTheExtremes) {
   EXPECT_EQ(thin.back(), noise.back());
 }
 
-TEST(Plot, CurveEndsAtTheFrameAndStandsWhereItsValuesSay) {
+TEST(Plot, CurveEndsAtTheDataAreaAndStandsWhereItsValuesSay) {
   Plot plot;
   plot.x = {"x", 0.0, 1.0};
   plot.y = {"y", 1.0, 100.0, true};
@@ -110,17 +110,17 @@ TEST(Plot, CurveEndsAtTheFrameAndStandsWhereItsValuesSay) {
                   {renderer::Colour{0.0F}, 6.0F, {}}}};
   const Area area{0.0F, 0.0F, 600.0F, 400.0F};
   renderer::Canvas canvas(600, 400);
-  const Area frame = frame_of(canvas, plot, area);
+  const Area data_area = data_area_of(canvas, plot, area);
   draw_plot(canvas, plot, area);
   const renderer::Image image = canvas.to_image();
   const auto is_dark = [&](double x, double y) {
-    return image.at(static_cast<int>(frame.x_px + x * frame.width_px),
-                    static_cast<int>(frame.y_px + (1.0 - y) * frame.height_px))[0] < 60;
+    return image.at(static_cast<int>(data_area.x_px + x * data_area.width_px),
+                    static_cast<int>(data_area.y_px + (1.0 - y) * data_area.height_px))[0] < 60;
   };
   EXPECT_TRUE(is_dark(0.25, 0.5));
   EXPECT_FALSE(is_dark(0.75, 0.5)) << "a value with no place on the axis leaves a gap";
   for (int x = 0; x < 600; ++x) {
-    EXPECT_GT(image.at(x, 2)[0], 200) << "nothing above the frame";
+    EXPECT_GT(image.at(x, 2)[0], 200) << "nothing above the data_area";
   }
 }
 

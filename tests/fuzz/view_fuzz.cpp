@@ -14,8 +14,8 @@
 #include <random>
 
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/state/key_bindings.hpp"
-#include "app/viewer/view_session.hpp"
 
 namespace {
 

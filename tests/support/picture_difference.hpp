@@ -8,44 +8,47 @@
 
 namespace taut::tests {
 
-/// What may differ before two pictures count as different. The defaults pass every variation of the software
-/// rasteriser that was tried and catch a cloth moved by 0.3 mm.
+/// How much two pictures may differ and still pass. The defaults pass every variation of the software
+/// rasteriser that was tried, and fail for a cloth moved by 0.3 mm.
 struct PictureLimit {
-  int channel_difference = 2;          ///< of 255; a pixel counts when any channel differs by more
+  int channel_difference = 2;          ///< of 255; a pixel counts if a channel differs by more
   double differing_fraction = 0.0001;  ///< of all pixels
   double mean_difference = 0.002;      ///< of 255, over all channels
 };
 
+/// A pixel in which two pictures differ.
 struct DifferingPixel {
   int x_px = 0;
   int y_px = 0;
-  int difference = 0;  ///< the largest over its channels
+  int difference = 0;  ///< of the channel that differs most
 };
 
+/// The result of a comparison.
 struct PictureDifference {
   bool same_size = false;
-  std::size_t differing_pixels = 0;
+  std::size_t differing_pixels = 0;  ///< pixels beyond PictureLimit::channel_difference
   double differing_fraction = 0.0;
-  double mean_difference = 0.0;
+  double mean_difference = 0.0;       ///< of 255, over all channels of all pixels
   std::vector<DifferingPixel> worst;  ///< at most ten, the largest difference first
 };
 
-/// Compares RGB pictures pixel by pixel.
+/// Compares two RGB pictures pixel by pixel.
 PictureDifference compare(const renderer::Image& expected, const renderer::Image& actual,
                           const PictureLimit& limit);
 
+/// Whether the sizes are equal and no limit is exceeded.
 bool passes(const PictureDifference& difference, const PictureLimit& limit);
 
-/// Says in words what differs, the ten worst pixels included.
+/// What differs, in words, with the ten worst pixels.
 std::string describe(const PictureDifference& difference, const PictureLimit& limit);
 
-/// How many times larger than they are differences are shown.
+/// Factor by which amplified_difference() multiplies differences.
 inline constexpr int difference_amplification = 16;
 
-/// Black where both are equal. Both have to be of the same size.
+/// The absolute difference of two pictures of the same size, amplified. Black means equal.
 renderer::Image amplified_difference(const renderer::Image& expected, const renderer::Image& actual);
 
-/// Expected, actual and their amplified difference. Both have to be of the same size.
+/// Expected picture, actual picture and their amplified difference. Both must have the same size.
 renderer::Image side_by_side(const renderer::Image& expected, const renderer::Image& actual);
 
 }  // namespace taut::tests

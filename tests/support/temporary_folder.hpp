@@ -9,7 +9,7 @@
 
 namespace taut::test {
 
-/// A folder that goes with the test.
+/// A new folder for the running test. It is removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder()
@@ -23,11 +23,13 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
+  /// Writes a file; returns its path.
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::ofstream(path_ / name) << text;
     return path_ / name;
   }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  /// Number of entries in the folder.
   std::size_t file_count() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
   }
@@ -36,7 +38,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// What a statement throws, as text; empty where it throws nothing of this type.
+/// The message of the Error that `statement` throws. Empty if it throws none.
 template <class Error, class Statement>
 std::string message_of(const Statement& statement) {
   try {
@@ -47,6 +49,7 @@ std::string message_of(const Statement& statement) {
   return "";
 }
 
+/// Expects that `text` contains `part`.
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
 }  // namespace taut::test

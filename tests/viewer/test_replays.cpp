@@ -2,7 +2,7 @@
 
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/scene/promise.hpp"
-#include "app/viewer/view_session.hpp"
+#include "app/viewer/headless_viewer.hpp"
 #include "sim/measures.hpp"
 
 // What people did in the window and what went wrong, as it was recorded.

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/panel/panel_hints.hpp"
 #include "app/viewer/simulation/stepped_simulation.hpp"
-#include "app/viewer/view_session.hpp"
 #include "app/viewer/viewer.hpp"
 #include "picture_reading.hpp"
 #include "temporary_folder.hpp"

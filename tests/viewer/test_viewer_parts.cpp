@@ -81,7 +81,7 @@ TEST(OrbitCamera, FramesABoxAndStaysWithinBoundsHoweverFarTheWheelTurns) {
   OrbitCamera camera = from_the_front();
   camera.zoom(1e9F, {5.0F, 700.0F}, area);
   camera.zoom(-1e9F, {950.0F, 3.0F}, area);
-  camera.frame({{-1.0F, -1.0F, -1.0F}, {1.0F, 1.0F, 1.0F}}, area);
+  camera.fit({{-1.0F, -1.0F, -1.0F}, {1.0F, 1.0F, 1.0F}}, area);
   for (const float x : {-1.0F, 1.0F}) {
     EXPECT_TRUE(area.contains(*camera.pixel_of({x, x, x}, area)));
   }

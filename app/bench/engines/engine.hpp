@@ -9,25 +9,28 @@
 
 namespace taut::app {
 
-/// What one frame cost an engine, and what the engine says of it.
+/// What one frame cost an engine, and what the engine reports about it.
 struct FrameCost {
-  double cpu_ms = 0.0;  ///< of the whole process; preparations any engine would need are left out
+  /// Processor time of the whole process. Preparation that every engine needs is not counted.
+  double cpu_ms = 0.0;
   int substeps = 0;
-  double springs_projected = 0.0;  ///< corrections of one spring, all substeps and iterations together
-  bool is_certified = true;        ///< false: the engine itself says that the bound may not hold
-  /// Of the worst spring before the engine's last correction; none where it makes no such correction.
+  double springs_projected = 0.0;  ///< corrections of one spring, summed over all substeps and iterations
+  bool is_certified = true;        ///< false: the engine reports that the bound may not hold
+  /// Stretch of the worst spring before the engine's last correction, a fraction. Empty if there is no such
+  /// correction.
   std::optional<double> raw_stretch;
 };
 
-/// A cloth engine at work on one garment. Engines are driven alike and judged by their positions alone.
+/// A cloth engine running on one garment. All engines are driven in the same way and are judged only by their
+/// positions.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Moves on by one frame of the scene. Throws sim::Diverged where the engine finds that itself.
+  /// Advances the cloth by one frame of the scene. Throws sim::Diverged if the engine notices divergence.
   virtual FrameCost advance_frame() = 0;
 
-  /// In metres, one per vertex; valid until the next frame.
+  /// In metres, per vertex of the garment. Valid until the next frame.
   virtual std::span<const sim::Vec3> positions() const = 0;
 };
 

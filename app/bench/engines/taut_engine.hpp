@@ -8,7 +8,8 @@
 
 namespace taut::app {
 
-/// Taut with the solver of the scene, never put to sleep: every frame is computed. The garment is shared.
+/// Taut with the scene's solver. The garment never sleeps, so every frame is computed. The engine shares the
+/// ownership of the garment.
 std::unique_ptr<Engine> make_taut_engine(const GarmentInScene& cloth, const Scene& scene);
 
 }  // namespace taut::app

@@ -9,7 +9,7 @@
 namespace taut::app {
 namespace {
 
-// Decades apart of the ticks whose labels would else run into each other.
+// With more decades than this, only some ticks have labels, so that labels do not overlap.
 constexpr double most_labelled_decades = 8.0;
 
 // 1, 2 or 5 times a power of ten, so that there are about six.

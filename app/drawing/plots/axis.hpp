@@ -9,32 +9,35 @@ namespace taut::app {
 struct Axis {
   std::string label;
   double minimum = 0.0;
-  double maximum = 1.0;  ///< above minimum; both above 0 where logarithmic
+  double maximum = 1.0;  ///< larger than minimum; both must be above 0 if logarithmic
   bool logarithmic = false;
-  std::string suffix = {};  ///< behind every number, such as " %"
-  /// Numbers to be labelled instead of round ones, such as the sizes of models.
+  std::string suffix = {};  ///< printed after every number, such as " %"
+  /// Values to label instead of round ones, such as the sizes of models. Empty: round values.
   std::vector<double> chosen = {};
 };
 
+/// A mark on an axis.
 struct Tick {
   double value = 0.0;
-  std::string label;  ///< empty for the small ones between the decades
+  std::string label;  ///< empty for small ticks
 };
 
-/// Round numbers within the axis, ascending: about six on a linear axis; the decades on a logarithmic one
-/// with small ticks at their multiples, or 1, 2 and 5 times the decades where the axis spans less than two.
+/// The ticks within the axis, ascending. A linear axis has about six round values. A logarithmic axis has the
+/// powers of ten, with small ticks at their multiples. If it spans less than two decades, it has 1, 2 and 5
+/// times the powers of ten.
 std::vector<Tick> ticks_of(const Axis& axis);
 
-/// Where a value lies, 0 at the minimum and 1 at the maximum; beyond for values outside.
+/// Position of a value along the axis: 0 at the minimum, 1 at the maximum. Values outside give less than 0 or
+/// more than 1.
 double position_on(const Axis& axis, double value);
 
-/// The axis widened to whole decades around the values. Values of 0 or less are left out of account.
+/// A logarithmic axis of whole decades around the values. Values of 0 or less are ignored.
 Axis decades_around(std::string label, const std::vector<double>& values);
 
-/// "10" with the exponent raised.
+/// "10" with the exponent as superscript.
 std::string power_of_ten(int exponent);
 
-/// Two digits, and a power of ten where there would be many noughts: "1.9", "2.2 × 10⁻⁸".
+/// A number with two digits, and a power of ten if it is very large or small: "1.9", "2.2 × 10⁻⁸".
 std::string scientific(double value);
 
 }  // namespace taut::app

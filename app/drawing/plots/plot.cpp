@@ -12,7 +12,7 @@ using renderer::Canvas;
 using renderer::HorizontalAlign;
 using renderer::VerticalAlign;
 
-struct Frame {
+struct Axes {
   const Plot& plot;
   Area area;
 
@@ -35,35 +35,34 @@ float widest_label_px(const Canvas& canvas, const Axis& axis, const PlotStyle& s
   return widest_px;
 }
 
-void draw_x_ticks(Canvas& canvas, const Frame& frame, const PlotStyle& style) {
+void draw_x_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   renderer::TextStyle text = text_style(style.text_px);
   text.horizontal = HorizontalAlign::centre;
   text.vertical = VerticalAlign::top;
-  const float bottom_px = frame.area.y_px + frame.area.height_px;
-  for (const Tick& tick : ticks_of(frame.plot.x)) {
-    const float x_px = frame.x_of(tick.value);
+  const float bottom_px = axes.area.y_px + axes.area.height_px;
+  for (const Tick& tick : ticks_of(axes.plot.x)) {
+    const float x_px = axes.x_of(tick.value);
     const float length_px = tick.label.empty() ? 0.5F * style.tick_px : style.tick_px;
     if (!tick.label.empty()) {
-      canvas.line(x_px, frame.area.y_px, x_px, bottom_px, palette::hairline, 0.6F * style.line_px);
+      canvas.line(x_px, axes.area.y_px, x_px, bottom_px, palette::hairline, 0.6F * style.line_px);
     }
     canvas.line(x_px, bottom_px, x_px, bottom_px + length_px, palette::ink, style.line_px);
     canvas.text(x_px, bottom_px + style.tick_px + 0.15F * style.text_px, tick.label, text);
   }
-  canvas.text(frame.area.x_px + 0.5F * frame.area.width_px, bottom_px + style.tick_px + 1.5F * style.text_px,
-              frame.plot.x.label, text);
+  canvas.text(axes.area.x_px + 0.5F * axes.area.width_px, bottom_px + style.tick_px + 1.5F * style.text_px,
+              axes.plot.x.label, text);
 }
 
-void draw_y_ticks(Canvas& canvas, const Frame& frame, const PlotStyle& style) {
+void draw_y_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   renderer::TextStyle text = text_style(style.text_px);
   text.horizontal = HorizontalAlign::right;
   text.vertical = VerticalAlign::middle;
-  const float left_px = frame.area.x_px;
-  for (const Tick& tick : ticks_of(frame.plot.y)) {
-    const float y_px = frame.y_of(tick.value);
+  const float left_px = axes.area.x_px;
+  for (const Tick& tick : ticks_of(axes.plot.y)) {
+    const float y_px = axes.y_of(tick.value);
     const float length_px = tick.label.empty() ? 0.5F * style.tick_px : style.tick_px;
     if (!tick.label.empty()) {
-      canvas.line(left_px, y_px, left_px + frame.area.width_px, y_px, palette::hairline,
-                  0.6F * style.line_px);
+      canvas.line(left_px, y_px, left_px + axes.area.width_px, y_px, palette::hairline, 0.6F * style.line_px);
     }
     canvas.line(left_px - length_px, y_px, left_px, y_px, palette::ink, style.line_px);
     canvas.text(left_px - style.tick_px - 0.3F * style.text_px, y_px, tick.label, text);
@@ -71,15 +70,15 @@ void draw_y_ticks(Canvas& canvas, const Frame& frame, const PlotStyle& style) {
 }
 
 // Above the axis and level: read without turning the head.
-void draw_y_label(Canvas& canvas, const Frame& frame, const Area& area, const PlotStyle& style) {
-  canvas.text(area.x_px, frame.area.y_px - 0.75F * style.text_px, frame.plot.y.label,
+void draw_y_label(Canvas& canvas, const Axes& axes, const Area& area, const PlotStyle& style) {
+  canvas.text(area.x_px, axes.area.y_px - 0.75F * style.text_px, axes.plot.y.label,
               text_style(style.text_px));
 }
 
-void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const Frame& frame, const Stroke& stroke) {
+void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const Axes& axes, const Stroke& stroke) {
   std::vector<glm::vec2> piece;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto segment = clipped(points[i - 1], points[i], frame.area);
+    const auto segment = clipped(points[i - 1], points[i], axes.area);
     if (!segment || piece.empty() || piece.back() != (*segment)[0]) {
       draw_polyline(canvas, piece, stroke);
       piece.clear();
@@ -94,17 +93,17 @@ void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const Frame& fr
   draw_polyline(canvas, piece, stroke);
 }
 
-void draw_line(Canvas& canvas, const Curve& curve, const Frame& frame) {
+void draw_line(Canvas& canvas, const Curve& curve, const Axes& axes) {
   std::vector<glm::vec2> run;
   for (const DataPoint& point : curve.points) {
-    if (frame.has_place(point)) {
-      run.emplace_back(frame.x_of(point[0]), frame.y_of(point[1]));
+    if (axes.has_place(point)) {
+      run.emplace_back(axes.x_of(point[0]), axes.y_of(point[1]));
       continue;
     }
-    draw_run(canvas, thinned_out(run), frame, curve.stroke);
+    draw_run(canvas, thinned_out(run), axes, curve.stroke);
     run.clear();
   }
-  draw_run(canvas, thinned_out(run), frame, curve.stroke);
+  draw_run(canvas, thinned_out(run), axes, curve.stroke);
 }
 
 void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, float radius_px) {
@@ -125,56 +124,56 @@ void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, flo
   }
 }
 
-void draw_points(Canvas& canvas, const Curve& curve, const Frame& frame, const PlotStyle& style) {
+void draw_points(Canvas& canvas, const Curve& curve, const Axes& axes, const PlotStyle& style) {
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    if (!frame.has_place(curve.points[i])) {
+    if (!axes.has_place(curve.points[i])) {
       continue;
     }
-    const float x_px = frame.x_of(curve.points[i][0]);
+    const float x_px = axes.x_of(curve.points[i][0]);
     if (i < curve.bars.size()) {
-      const float low_px = frame.y_of(curve.bars[i][0]), high_px = frame.y_of(curve.bars[i][1]);
+      const float low_px = axes.y_of(curve.bars[i][0]), high_px = axes.y_of(curve.bars[i][1]);
       canvas.line(x_px, low_px, x_px, high_px, curve.stroke.colour, 1.2F * style.line_px);
       for (const float end_px : {low_px, high_px}) {
         canvas.line(x_px - style.marker_px, end_px, x_px + style.marker_px, end_px, curve.stroke.colour,
                     1.2F * style.line_px);
       }
     }
-    draw_marker(canvas, x_px, frame.y_of(curve.points[i][1]), curve, style.marker_px);
+    draw_marker(canvas, x_px, axes.y_of(curve.points[i][1]), curve, style.marker_px);
   }
 }
 
-void draw_levels(Canvas& canvas, const Frame& frame, const PlotStyle& style) {
+void draw_levels(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   renderer::TextStyle text = text_style(0.9F * style.text_px, palette::quiet_ink);
   text.horizontal = HorizontalAlign::right;
-  for (const Level& level : frame.plot.levels) {
-    const float y_px = frame.y_of(level.y);
-    const float right_px = frame.area.x_px + frame.area.width_px;
-    draw_polyline(canvas, std::vector<glm::vec2>{{frame.area.x_px, y_px}, {right_px, y_px}},
+  for (const Level& level : axes.plot.levels) {
+    const float y_px = axes.y_of(level.y);
+    const float right_px = axes.area.x_px + axes.area.width_px;
+    draw_polyline(canvas, std::vector<glm::vec2>{{axes.area.x_px, y_px}, {right_px, y_px}},
                   {palette::quiet_ink, 1.2F * style.line_px, {2.0F, 4.0F}});
     canvas.text(right_px - 0.5F * style.text_px, y_px - 0.35F * style.text_px, level.label, text);
   }
 }
 
-void draw_legend_lines(Canvas& canvas, const Frame& frame, const PlotStyle& style) {
+void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   const renderer::TextStyle text = text_style(style.text_px);
   const float sample_px = 2.6F * style.text_px, row_px = 1.5F * style.text_px;
   float width_px = 0.0F, rows = 0.0F;
-  for (const Curve& curve : frame.plot.curves) {
+  for (const Curve& curve : axes.plot.curves) {
     width_px = std::max(width_px, canvas.measure(curve.name, text).width_px);
     rows += curve.name.empty() ? 0.0F : 1.0F;
   }
   width_px += sample_px + 1.3F * style.text_px;
   const float height_px = rows * row_px + 0.5F * style.text_px;
-  const LegendCorner corner = frame.plot.legend;
+  const LegendCorner corner = axes.plot.legend;
   const bool is_right = corner == LegendCorner::upper_right || corner == LegendCorner::lower_right;
   const bool is_lower = corner == LegendCorner::lower_left || corner == LegendCorner::lower_right;
   const float inset_px = 0.5F * style.text_px;
-  const Area& area = frame.area;
+  const Area& area = axes.area;
   const float x_px = is_right ? area.x_px + area.width_px - width_px - inset_px : area.x_px + inset_px;
   float y_px = is_lower ? area.y_px + area.height_px - height_px - inset_px : area.y_px + inset_px;
   canvas.fill_rectangle(x_px, y_px, width_px, height_px, renderer::Colour{1.0F}, 0.88F);
   y_px += 0.25F * style.text_px;
-  for (const Curve& curve : frame.plot.curves) {
+  for (const Curve& curve : axes.plot.curves) {
     if (curve.name.empty()) {
       continue;
     }
@@ -214,7 +213,7 @@ std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::v
   return std::array{enter > 0.0F ? a + enter * along : a, leave < 1.0F ? a + leave * along : b};
 }
 
-Area frame_of(const Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
+Area data_area_of(const Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
   const float left_px = widest_label_px(canvas, plot.y, style) + style.tick_px + 0.5F * style.text_px;
   // The last number of the x axis is centred under its tick and half of it stands out.
   const float right_px = 0.5F * widest_label_px(canvas, plot.x, style) + style.line_px;
@@ -225,21 +224,21 @@ Area frame_of(const Canvas& canvas, const Plot& plot, const Area& area, const Pl
 }
 
 void draw_plot(Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
-  const Frame frame{plot, frame_of(canvas, plot, area, style)};
-  draw_x_ticks(canvas, frame, style);
-  draw_y_ticks(canvas, frame, style);
-  draw_y_label(canvas, frame, area, style);
-  draw_levels(canvas, frame, style);
+  const Axes axes{plot, data_area_of(canvas, plot, area, style)};
+  draw_x_ticks(canvas, axes, style);
+  draw_y_ticks(canvas, axes, style);
+  draw_y_label(canvas, axes, area, style);
+  draw_levels(canvas, axes, style);
   for (const Curve& curve : plot.curves) {
     if (curve.stroke.thickness_px > 0.0F) {
-      draw_line(canvas, curve, frame);
+      draw_line(canvas, curve, axes);
     }
-    draw_points(canvas, curve, frame, style);
+    draw_points(canvas, curve, axes, style);
   }
-  canvas.rectangle(frame.area.x_px, frame.area.y_px, frame.area.width_px, frame.area.height_px, palette::ink,
+  canvas.rectangle(axes.area.x_px, axes.area.y_px, axes.area.width_px, axes.area.height_px, palette::ink,
                    style.line_px);
   if (plot.legend != LegendCorner::none) {
-    draw_legend_lines(canvas, frame, style);
+    draw_legend_lines(canvas, axes, style);
   }
 }
 

@@ -11,16 +11,19 @@
 
 namespace taut::app {
 
+/// x and y.
 using DataPoint = std::array<double, 2>;
 
+/// What is drawn at each point of a curve.
 enum class Marker { none, disc, square, ring };
 
+/// One series of points in a plot.
 struct Curve {
-  std::string name;  ///< in the legend; empty: not there
+  std::string name;  ///< text in the legend; empty: no entry
   std::vector<DataPoint> points;
-  Stroke stroke;  ///< thickness 0: the markers alone
+  Stroke stroke;  ///< thickness 0: no line, markers only
   Marker marker = Marker::none;
-  std::vector<DataPoint> bars = {};  ///< smallest and largest y of every point; empty: none
+  std::vector<DataPoint> bars = {};  ///< Error bars: smallest and largest y for each point. Empty: none.
 };
 
 /// A horizontal line across the plot, labelled at its end.
@@ -29,8 +32,10 @@ struct Level {
   std::string label;
 };
 
+/// Where the legend is.
 enum class LegendCorner { none, upper_left, upper_right, lower_left, lower_right };
 
+/// Axes, curves and legend of one plot.
 struct Plot {
   Axis x;
   Axis y;
@@ -39,7 +44,7 @@ struct Plot {
   LegendCorner legend = LegendCorner::upper_right;
 };
 
-/// A part of a canvas.
+/// A rectangle on a canvas. x and y are its upper left corner.
 struct Area {
   float x_px = 0.0F;
   float y_px = 0.0F;
@@ -47,6 +52,7 @@ struct Area {
   float height_px = 0.0F;
 };
 
+/// Sizes in a plot.
 struct PlotStyle {
   float text_px = 34.0F;
   float line_px = 2.5F;
@@ -54,15 +60,15 @@ struct PlotStyle {
   float marker_px = 11.0F;  ///< radius
 };
 
-/// Draws the plot, its numbers and labels within the area. Curves end at the frame; points that have no place
-/// on a logarithmic axis, or are not finite, leave a gap.
+/// Draws the plot with its numbers and labels within `area`. Curves are cut at the edge of the data area. A
+/// point that is not finite, or not positive on a logarithmic axis, leaves a gap.
 void draw_plot(renderer::Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style = {});
 
-/// Where the frame lies within the area draw_plot is given.
-Area frame_of(const renderer::Canvas& canvas, const Plot& plot, const Area& area,
-              const PlotStyle& style = {});
+/// The rectangle within `area` that holds the curves, for the same arguments as draw_plot.
+Area data_area_of(const renderer::Canvas& canvas, const Plot& plot, const Area& area,
+                  const PlotStyle& style = {});
 
-/// The part of the segment within a rectangle, if there is one (Liang and Barsky 1984).
+/// The part of the segment a-b within the rectangle, or nothing (Liang and Barsky 1984).
 std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::vec2& b, const Area& area);
 
 }  // namespace taut::app

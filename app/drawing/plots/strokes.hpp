@@ -8,23 +8,25 @@
 
 namespace taut::app {
 
-/// How a line looks. Dashes alternate with gaps, in multiples of the thickness; none: a solid line.
+/// How a line looks. `dashes` holds lengths of dashes and gaps in turn, as multiples of the thickness. Empty:
+/// a solid line.
 struct Stroke {
   renderer::Colour colour{0.0F};
   float thickness_px = 4.0F;
   std::vector<float> dashes;
 };
 
-/// The points joined in their order; dashes run on around corners.
+/// Draws a line through the points in their order. Dashes continue around corners.
 void draw_polyline(renderer::Canvas& canvas, std::span<const glm::vec2> points, const Stroke& stroke);
 
-/// The line as the pieces that are drawn: the whole where it is solid.
+/// The pieces of the line that are drawn. A solid line is one piece.
 std::vector<std::vector<glm::vec2>> cut_into_dashes(std::span<const glm::vec2> points, const Stroke& stroke);
 
-/// From a to b, bowed sideways by a fraction of its length.
+/// A curved line from a to b. In its middle it is away from the straight line by `sideways` times its length.
 std::vector<glm::vec2> bow(const glm::vec2& a, const glm::vec2& b, float sideways);
 
-/// At most four points for every column of pixels: what thousands of samples show on paper, no more.
+/// At most four points for each column of pixels. The curve looks the same, because the lowest and the
+/// highest point of each column stay.
 std::vector<glm::vec2> thinned_out(std::span<const glm::vec2> points);
 
 }  // namespace taut::app

@@ -28,33 +28,33 @@ void map_models(Results& results) {
   results.shirt_patch = patch_around(shirt, nearest_vertex(shirt.mesh.positions, chest_m).vertex, 2);
 }
 
-StepRecording record_fall(const Checkpoint& checkpoint) {
+StepRecording record_fall(const ProgressCallback& report_progress) {
   DrawnScene scene = find_scene(fall_scene, {});
   scene.simulation.rest.speed_m_per_s = fall_rest_m / fall_rest_s;
   scene.simulation.rest.frames = static_cast<int>(std::lround(fall_rest_s * scene.simulation.frame_rate_hz));
-  return record_steps(scene, fall_frames, followed_vertex(scene), checkpoint);
+  return record_steps(scene, fall_frames, followed_vertex(scene), report_progress);
 }
 
-void run_methods(Results& results, const Checkpoint& checkpoint) {
+void run_methods(Results& results, const ProgressCallback& report_progress) {
   for (const double rate_hz : method_rates_hz) {
     for (const sim::SolverKind kind : compared_methods) {
       results.methods.push_back(run_method(kind, rate_hz, methods_duration_s));
-      checkpoint(static_cast<double>(results.methods.size()) / 6.0);
+      report_progress(static_cast<double>(results.methods.size()) / 6.0);
     }
   }
 }
 
-void run_stiffnesses(Results& results, const Checkpoint& checkpoint) {
+void run_stiffnesses(Results& results, const ProgressCallback& report_progress) {
   for (const double factor : stiffness_factors) {
     results.ideal_stiffnesses.push_back(
         run_method(sim::SolverKind::ideal, method_rates_hz[0], methods_duration_s, factor));
-    checkpoint(static_cast<double>(results.ideal_stiffnesses.size()) / stiffness_factors.size());
+    report_progress(static_cast<double>(results.ideal_stiffnesses.size()) / stiffness_factors.size());
   }
 }
 
 // The scene asks for everything but what is varied.
 StrongRun run_strong(const std::string& garment, DrawnScene scene, bool is_rigid, int frames,
-                     const Checkpoint& checkpoint) {
+                     const ProgressCallback& report_progress) {
   SolverChoice& solver = scene.simulation.solver;
   if (is_rigid) {
     solver.strong.rigidity = {};
@@ -62,7 +62,7 @@ StrongRun run_strong(const std::string& garment, DrawnScene scene, bool is_rigid
   StrongRun run = {
       garment, is_rigid, solver.substeps.value_or(0), solver.strong.iterations, {INFINITY, INFINITY}};
   try {
-    const Recording recording = record_frames(scene, std::array{frames}, checkpoint);
+    const Recording recording = record_frames(scene, std::array{frames}, report_progress);
     run.stretch = {recording.last().record.stretch.max, recording.largest_stretch};
   } catch (const sim::Diverged&) {
     // Infinite stretch says so.
@@ -70,11 +70,11 @@ StrongRun run_strong(const std::string& garment, DrawnScene scene, bool is_rigid
   return run;
 }
 
-void run_strong_shirts(Results& results, const Checkpoint& checkpoint) {
+void run_strong_shirts(Results& results, const ProgressCallback& report_progress) {
   constexpr int frames = 45;
   constexpr std::array<std::array<int, 2>, 4> settings = {{{1, 10}, {1, 50}, {1, 200}, {100, 1}}};
   const DrawnScene cloth = find_scene(pinned_scenes[0], {});
-  results.strong_runs.push_back(run_strong("9x9 cloth", cloth, true, cloth.frames, checkpoint));
+  results.strong_runs.push_back(run_strong("9x9 cloth", cloth, true, cloth.frames, report_progress));
   for (const bool is_rigid : {false, true}) {
     for (const auto& [substeps, sweeps] : settings) {
       DrawnScene scene = strong_shirt_scene(model_sizes.back());
@@ -82,7 +82,7 @@ void run_strong_shirts(Results& results, const Checkpoint& checkpoint) {
       scene.simulation.solver.strong.iterations = sweeps;
       const auto before = static_cast<double>(results.strong_runs.size() - 1);
       results.strong_runs.push_back(run_strong("shirt", scene, is_rigid, frames, [&](double fraction) {
-        checkpoint((before + fraction) / (2.0 * settings.size()));
+        report_progress((before + fraction) / (2.0 * settings.size()));
       }));
     }
   }
@@ -90,9 +90,9 @@ void run_strong_shirts(Results& results, const Checkpoint& checkpoint) {
 
 Job recording_job(const std::string& scene_name, double cost, std::optional<Recording>& place,
                   int most_frames = std::numeric_limits<int>::max()) {
-  return {scene_name, cost, [scene_name, most_frames, &place](const Checkpoint& checkpoint) {
+  return {scene_name, cost, [scene_name, most_frames, &place](const ProgressCallback& report_progress) {
             const DrawnScene scene = find_scene(scene_name, {});
-            place = record_frames(scene, std::array{std::min(scene.frames, most_frames)}, checkpoint);
+            place = record_frames(scene, std::array{std::min(scene.frames, most_frames)}, report_progress);
           }};
 }
 
@@ -101,10 +101,11 @@ Job recording_job(const std::string& scene_name, double cost, std::optional<Reco
 Job job_of(Experiment experiment, Results& results) {
   switch (experiment) {
     case Experiment::mapping:
-      return {"mapping", 0.1, [&results](const Checkpoint&) { map_models(results); }};
+      return {"mapping", 0.1, [&results](const ProgressCallback&) { map_models(results); }};
     case Experiment::fall:
-      return {fall_scene, 10.0,
-              [&results](const Checkpoint& checkpoint) { results.fall = record_fall(checkpoint); }};
+      return {fall_scene, 10.0, [&results](const ProgressCallback& report_progress) {
+                results.fall = record_fall(report_progress);
+              }};
     case Experiment::pinned_5:
       return recording_job(pinned_scenes[0], 0.1, results.pinned[0]);
     case Experiment::pinned_20:
@@ -116,18 +117,22 @@ Job job_of(Experiment experiment, Results& results) {
     case Experiment::shirt_wind_10:
       return recording_job(shirt_scenes[2], 26.0, results.shirts[2], strong_wind_frames);
     case Experiment::methods:
-      return {"methods", 0.3, [&results](const Checkpoint& checkpoint) { run_methods(results, checkpoint); }};
+      return {"methods", 0.3,
+              [&results](const ProgressCallback& report_progress) { run_methods(results, report_progress); }};
     case Experiment::stiffnesses:
-      return {"stiffnesses", 0.2,
-              [&results](const Checkpoint& checkpoint) { run_stiffnesses(results, checkpoint); }};
+      return {"stiffnesses", 0.2, [&results](const ProgressCallback& report_progress) {
+                run_stiffnesses(results, report_progress);
+              }};
     case Experiment::strong_runs:
-      return {"shirts by the paper's method", 14.0,
-              [&results](const Checkpoint& checkpoint) { run_strong_shirts(results, checkpoint); }};
+      return {"shirts by the paper's method", 14.0, [&results](const ProgressCallback& report_progress) {
+                run_strong_shirts(results, report_progress);
+              }};
     case Experiment::garments:
-      return {"garments of many kinds", 14.0,
-              [&results](const Checkpoint& checkpoint) { results.garments = try_garments(checkpoint); }};
+      return {"garments of many kinds", 14.0, [&results](const ProgressCallback& report_progress) {
+                results.garments = try_garments(report_progress);
+              }};
     case Experiment::restart:
-      return {"restart", 0.05, [&results](const Checkpoint&) {
+      return {"restart", 0.05, [&results](const ProgressCallback&) {
                 results.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60);
               }};
   }

@@ -14,42 +14,45 @@
 
 namespace taut::app {
 
-/// A method run on the cloth of figure 7, measured after every time step.
+/// A run of one method on the cloth of figure 7. It is measured after every time step; vectors have one entry
+/// per step.
 struct MethodRun {
   sim::SolverKind kind = sim::SolverKind::strong;
   double time_step_s = 0.0;
-  std::vector<double> max_stretch;
-  std::vector<double> moved_rms_m;  ///< root mean square of |p(t) - p(t - dt)| over the vertices
-  std::optional<double> diverged_at_s;
-  double stiffness_n_per_m = 0.0;  ///< of structural springs, where the method has any
+  std::vector<double> max_stretch;      ///< of all springs, a fraction
+  std::vector<double> moved_rms_m;      ///< root mean square of |p(t) - p(t - dt)| over the vertices
+  std::optional<double> diverged_at_s;  ///< simulated time; empty: it did not diverge
+  double stiffness_n_per_m = 0.0;       ///< of structural springs; 0 for a method without
 };
 
-/// How the springs of a method behave when the cloth should long be at rest: over the last quarter of a run.
+/// How much the cloth still moves when it should be at rest, measured over the last quarter of a run.
 struct Unrest {
-  double speed_m_per_s = 0.0;     ///< root mean square movement of a step over the step
-  double smallest_stretch = 0.0;  ///< of the largest stretch, which goes up and down where springs vibrate
-  double largest_stretch = 0.0;
+  double speed_m_per_s = 0.0;  ///< root mean square movement in a step, divided by the step
+  /// Smallest value of the largest stretch of a step. It differs from `largest_stretch` if springs vibrate.
+  double smallest_stretch = 0.0;
+  double largest_stretch = 0.0;  ///< Largest value of the largest stretch of a step.
 };
 
-/// Nothing for a run that diverged.
+/// Empty if the run diverged.
 std::optional<Unrest> measure_unrest(const MethodRun& run);
 
-/// The largest stretch of a run's last frame and of all its frames; not finite where it diverged.
+/// Largest stretch of a run, a fraction. Not finite if the run diverged.
 struct StretchNumbers {
-  double at_end = 0.0;
-  double on_the_way = 0.0;
+  double at_end = 0.0;      ///< of the last frame
+  double on_the_way = 0.0;  ///< of all frames
 };
 
-/// What the paper's method makes of a cloth with so many steps a frame and sweeps a step.
+/// A run of the paper's method with a number of steps per frame and of sweeps per step.
 struct StrongRun {
   std::string garment;
-  bool is_rigid = false;  ///< equation (3) in full; else springs give way to compression, so that cloth folds
-  int substeps = 0;
-  int sweeps = 0;
+  /// Equation (3) in full. Otherwise springs give way to compression, so that cloth can fold.
+  bool is_rigid = false;
+  int substeps = 0;  ///< time steps per frame
+  int sweeps = 0;    ///< over all springs, per step
   StretchNumbers stretch;
 };
 
-/// A run that was taken up in the middle from nothing but p(t) and p(t - dt).
+/// Compares an uninterrupted run with one that was continued from p(t) and p(t - dt) alone.
 struct RestartRun {
   std::uint64_t uninterrupted_hash = 0;
   std::uint64_t restarted_hash = 0;
@@ -57,37 +60,40 @@ struct RestartRun {
   int steps_after = 0;
 };
 
+/// The median of the values, which must not be empty.
 double median(std::vector<double> values);
 
-/// Frame times of one model and one setting of the solver.
+/// How long frames of one model take with one setting of the solver.
 struct FrameTimes {
   int triangles = 0;
-  int substeps = 0;  ///< of `bounded`, which chooses them: 0, and no sweeps
-  int sweeps = 0;
-  std::vector<double> frame_ms;
-  double largest_stretch = 0.0;  ///< of the frames that were timed; not read back from a table
+  int substeps = 0;              ///< time steps per frame; 0 for `bounded`, which chooses them
+  int sweeps = 0;                ///< per step; 0 for `bounded`
+  std::vector<double> frame_ms;  ///< processor time, one entry per repeat
+  double largest_stretch = 0.0;  ///< of the frames that were timed; not stored in tables
 
   double median_ms() const;
   double shortest_ms() const;
   double longest_ms() const;
 };
 
-/// Everything the figures and the report are made from. A part is there once its experiment has been made.
+/// Everything the figures and the report are made from. Each experiment fills its own members.
 struct Results {
   SpringPatch grid_patch;
   SpringPatch shirt_patch;
   std::vector<GarmentTrial> garments;
   std::optional<StepRecording> fall;
-  std::array<std::optional<Recording>, 2> pinned;
-  std::array<std::optional<Recording>, 3> shirts;
-  std::vector<MethodRun> methods;            ///< three methods with the short step, then with the long one
-  std::vector<MethodRun> ideal_stiffnesses;  ///< ideal springs with the short step, `stiffness_factors`
+  std::array<std::optional<Recording>, 2> pinned;  ///< of pinned_scenes
+  std::array<std::optional<Recording>, 3> shirts;  ///< of shirt_scenes
+  std::vector<MethodRun> methods;  ///< compared_methods with the short step, then with the long step
+  /// Ideal springs with the short step, one run for each of stiffness_factors.
+  std::vector<MethodRun> ideal_stiffnesses;
   std::vector<StrongRun> strong_runs;
   RestartRun restart;
   std::vector<FrameTimes> frame_times;    ///< of the paper's method
-  std::vector<FrameTimes> bounded_times;  ///< of `bounded`, the same shirts and moments
+  std::vector<FrameTimes> bounded_times;  ///< of `bounded`, on the same shirts and frames
 };
 
+/// Simulations that figures and the report need.
 enum class Experiment {
   mapping,
   fall,
@@ -103,7 +109,8 @@ enum class Experiment {
   restart,
 };
 
-/// The experiment as a job that fills its own part of the results and touches no other.
+/// The experiment as a job. It fills its own part of `results` and touches no other part, so jobs may run in
+/// parallel.
 Job job_of(Experiment experiment, Results& results);
 
 // Scenes of figures 2 to 5.
@@ -111,45 +118,52 @@ inline constexpr const char* fall_scene = "cloth-fall";
 inline constexpr std::array pinned_scenes = {"pinned-9x9-5", "pinned-9x9-20"};
 inline constexpr std::array shirt_scenes = {"tshirt-gravity", "tshirt-wind-1", "tshirt-wind-10"};
 
-/// The vertex that figure 3 follows: the middle of the free edge of the falling cloth.
+/// The vertex that figure 3 follows: the middle of the falling cloth's free edge.
 sim::Index followed_vertex(const DrawnScene& scene);
 
-/// Steps a second of figure 7, and how long its runs are.
+/// Time steps per second of figure 7: the short step and the long step.
 inline constexpr std::array method_rates_hz = {640.0, 160.0};
+/// Simulated time of each of its runs.
 inline constexpr double methods_duration_s = 10.0;
-/// What the paper sets against each other in its section III.
+/// The methods that the paper compares in its section III.
 inline constexpr std::array compared_methods = {sim::SolverKind::ideal, sim::SolverKind::provot,
                                                 sim::SolverKind::strong};
+/// Runs a method on the cloth of figure 7. `stiffness_factor` multiplies the stiffness of its springs.
 MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s,
                      double stiffness_factor = 1.0);
-/// Times the stiffness of figure 7: the last is near the most that its short step allows.
+/// Multiples of the stiffness of figure 7. The last one is near the most that the short step allows.
 inline constexpr std::array stiffness_factors = {1.0, 2.0, 4.0};
 
-/// Runs the scene to the middle, copies its two position arrays into a new state, and goes on from both.
+/// Runs the scene for `steps_before` steps and copies its two position arrays into a new state. Then
+/// continues both for `steps_after` steps.
 RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_after);
 
-/// The three shirts under gravity, without layers, in turn and several times over, with the paper's method
-/// and with `bounded`. To be measured while nothing else runs.
-void measure_frame_times(int repeats, const Checkpoint& checkpoint, Results& results);
+/// Measures frames of the three shirts under gravity, without layers, by the paper's method and by `bounded`.
+/// The shirts take turns, `repeats` times. Nothing else should run meanwhile. Fills frame_times and
+/// bounded_times.
+void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results);
 
-/// ms = factor * triangles^exponent, through the shortest times.
-/// Other programs can only lengthen a time: on a busy machine medians bend the law, the shortest hardly do.
+/// Fits ms = factor * triangles^exponent to the shortest time of each model. Other programs can only lengthen
+/// a time. So on a busy machine the shortest times are more reliable than the medians.
 PowerLaw fit_power_law(const std::vector<FrameTimes>& times, int substeps);
 
-/// How the shortest times grow with the triangles. A geometric law multiplies the time by the same factor for
-/// every triangle more.
+/// How the shortest times grow with the triangles, by two laws. A geometric law multiplies the time by a
+/// constant factor for each added triangle. A misfit is the root mean square distance of the logarithms of
+/// the times.
 struct TimeGrowth {
-  double exponent = 0.0;          ///< of the power law that fits best
-  double power_misfit = 0.0;      ///< of that law, and of the geometric one: root mean square distance of the
-  double geometric_misfit = 0.0;  ///< logarithms of the times
+  double exponent = 0.0;          ///< of the best power law
+  double power_misfit = 0.0;      ///< of the best power law
+  double geometric_misfit = 0.0;  ///< of the best geometric law
 };
+/// Fits both laws to the times that were measured with this number of substeps.
 TimeGrowth measure_growth(const std::vector<FrameTimes>& times, int substeps);
 
-/// A built-in scene with another model of the shirt.
+/// A built-in scene with the shirt model that has this number of triangles.
 DrawnScene shirt_scene(const std::string& name, int triangles);
 
-/// The shirt under gravity by the paper's method, which figure 6 and the report try to its limits.
+/// The shirt under gravity, simulated by the paper's method. Figure 6 and the report use it.
 DrawnScene strong_shirt_scene(int triangles);
+/// Triangles of the paper's models.
 inline constexpr std::array model_sizes = {1028, 5280, 10600};
 
 }  // namespace taut::app

@@ -15,7 +15,8 @@ struct StepSettings {
   int sweeps;
 };
 
-// One long step with a few sweeps, and many short ones, which stretch far less.
+// {substeps, sweeps}: one long step with several sweeps, and many short steps with one sweep. The second
+// stretches far less.
 constexpr std::array<StepSettings, 2> measured_settings = {{{1, 10}, {100, 1}}};
 
 struct TimedRun {
@@ -79,7 +80,7 @@ double FrameTimes::longest_ms() const {
   return *std::max_element(frame_ms.begin(), frame_ms.end());
 }
 
-void measure_frame_times(int repeats, const Checkpoint& checkpoint, Results& results) {
+void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results) {
   std::vector<TimedRun> runs = make_timed_runs();
   for (TimedRun& run : runs) {
     // The first frame fills the caches.
@@ -90,7 +91,7 @@ void measure_frame_times(int repeats, const Checkpoint& checkpoint, Results& res
     for (TimedRun& run : runs) {
       time_frame(run);
     }
-    checkpoint(static_cast<double>(repeat + 1) / repeats);
+    report_progress(static_cast<double>(repeat + 1) / repeats);
   }
   for (TimedRun& run : runs) {
     (run.times.substeps > 0 ? results.frame_times : results.bounded_times).push_back(std::move(run.times));

@@ -58,11 +58,12 @@ Mapping mapping_of(const sim::Garment& garment) {
   return mapping;
 }
 
-TrialRun run_trial(const LoadedGarment& loaded, const DrawnScene& scene, const Checkpoint& checkpoint) {
+TrialRun run_trial(const LoadedGarment& loaded, const DrawnScene& scene,
+                   const ProgressCallback& report_progress) {
   sim::Simulation simulation = make_simulation(scene, loaded);
   FrameOutputs outputs;
   outputs.report = [&](const FrameRecord& record) {
-    checkpoint(static_cast<double>(record.frame) / trial_frames);
+    report_progress(static_cast<double>(record.frame) / trial_frames);
   };
   try {
     std::vector<double> times_ms;
@@ -80,7 +81,8 @@ TrialRun run_trial(const LoadedGarment& loaded, const DrawnScene& scene, const C
 
 }  // namespace
 
-GarmentTrial try_garment(const std::string& file, const std::string& kind, const Checkpoint& checkpoint) {
+GarmentTrial try_garment(const std::string& file, const std::string& kind,
+                         const ProgressCallback& report_progress) {
   GarmentTrial trial;
   trial.file = std::filesystem::path(file).filename().string();
   trial.kind = kind;
@@ -93,17 +95,17 @@ GarmentTrial try_garment(const std::string& file, const std::string& kind, const
     solver.kind = sim::SolverKind::strong;
     solver.substeps = trial_steps;
     solver.strong.iterations = trial_sweeps;
-    trial.strong = run_trial(loaded, scene, [&](double done) { checkpoint(0.8 * done); });
+    trial.strong = run_trial(loaded, scene, [&](double done) { report_progress(0.8 * done); });
     solver = {};
     solver.bounded.max_stretch = trial_bound;
-    trial.bounded = run_trial(loaded, scene, [&](double done) { checkpoint(0.8 + 0.2 * done); });
+    trial.bounded = run_trial(loaded, scene, [&](double done) { report_progress(0.8 + 0.2 * done); });
   } catch (const InputError& error) {
     trial.refusal = error.what();
   }
   return trial;
 }
 
-std::vector<GarmentTrial> try_garments(const Checkpoint& checkpoint) {
+std::vector<GarmentTrial> try_garments(const ProgressCallback& report_progress) {
   const ScratchFolder folder;
   struct Model {
     std::string file, kind;
@@ -126,7 +128,7 @@ std::vector<GarmentTrial> try_garments(const Checkpoint& checkpoint) {
   std::vector<GarmentTrial> trials;
   for (const Model& model : models) {
     trials.push_back(try_garment(model.file, model.kind, [&](double fraction) {
-      checkpoint((done + fraction * model.cost) / total);
+      report_progress((done + fraction * model.cost) / total);
     }));
     done += model.cost;
   }

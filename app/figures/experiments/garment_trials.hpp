@@ -8,42 +8,45 @@
 
 namespace taut::app {
 
-/// How a model maps to springs.
+/// How a model maps to springs: the number of each.
 struct Mapping {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t edges = 0;
-  std::size_t structural = 0;
-  std::size_t flexural = 0;
-  std::size_t loose_vertices = 0;  ///< that no spring holds
+  std::size_t structural = 0;      ///< springs
+  std::size_t flexural = 0;        ///< springs
+  std::size_t loose_vertices = 0;  ///< vertices without a spring
 };
 
-/// What a solver made of a garment that was let go.
+/// The result of one solver on a garment that starts as it was modelled.
 struct TrialRun {
-  double largest_stretch = 0.0;  ///< of all frames; not finite where the run diverged
-  double median_ms = 0.0;        ///< of a frame, while other experiments ran
+  double largest_stretch = 0.0;  ///< of all frames, a fraction; not finite if the run diverged
+  double median_ms = 0.0;        ///< per frame; other experiments ran at the same time
 };
 
-/// A model read from a file, mapped and simulated.
+/// A model that was read, mapped to springs and simulated.
 struct GarmentTrial {
   std::string file;
-  std::string kind;     ///< what is particular about it
-  std::string refusal;  ///< why it could not be read or mapped; then nothing below is set
+  std::string kind;     ///< what is special about it
+  std::string refusal;  ///< Why it could not be read or mapped. If not empty, the members below are not set.
   Mapping mapping;
-  TrialRun strong;   ///< the paper's method: equation (3) in full
-  TrialRun bounded;  ///< asked for `trial_bound`
+  TrialRun strong;   ///< the paper's method, with equation (3) in full
+  TrialRun bounded;  ///< with the bound trial_bound
 };
 
+/// Frames of each trial.
 inline constexpr int trial_frames = 45;
 // The solver's own where nothing is said.
 inline constexpr int trial_steps = 20;
 inline constexpr int trial_sweeps = 4;
+/// Bound on stretch for `bounded`, a fraction.
 inline constexpr double trial_bound = 0.05;
 
-/// Any model file: read as every command reads it, hung by its top, simulated with both solvers.
-GarmentTrial try_garment(const std::string& file, const std::string& kind, const Checkpoint& checkpoint);
+/// Reads a model file as every command does, hangs it by its top and simulates it with both solvers.
+GarmentTrial try_garment(const std::string& file, const std::string& kind,
+                         const ProgressCallback& report_progress);
 
-/// Writes sample garments in their formats, and tries them and the three shirts.
-std::vector<GarmentTrial> try_garments(const Checkpoint& checkpoint);
+/// Writes the sample garments to files, and tries them and the three shirts.
+std::vector<GarmentTrial> try_garments(const ProgressCallback& report_progress);
 
 }  // namespace taut::app

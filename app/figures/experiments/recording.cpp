@@ -24,7 +24,8 @@ void keep(const sim::Simulation& simulation, int frame, Recording& recording) {
 
 }  // namespace
 
-Recording record_frames(const DrawnScene& scene, std::span<const int> frames, const Checkpoint& checkpoint) {
+Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
+                        const ProgressCallback& report_progress) {
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   Recording recording = begin_recording(scene, simulation);
   if (frames.front() == 0) {
@@ -38,7 +39,7 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames, co
   };
   outputs.report = [&](const FrameRecord& record) {
     recording.largest_stretch = std::max(recording.largest_stretch, record.stretch.max);
-    checkpoint(static_cast<double>(record.frame) / frames.back());
+    report_progress(static_cast<double>(record.frame) / frames.back());
   };
   run_frames(simulation, frames.back(), outputs);
   return recording;
@@ -55,7 +56,7 @@ DrawnScene with_steps_as_frames(DrawnScene scene) {
 }
 
 StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames, sim::Index vertex,
-                           const Checkpoint& checkpoint) {
+                           const ProgressCallback& report_progress) {
   const int steps_in_frame = sim::equal_substeps(solver_settings(scene.simulation.solver));
   const DrawnScene stepped = with_steps_as_frames(scene);
   sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
@@ -78,7 +79,7 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
     if (recording.came_to_rest || std::binary_search(frames.begin(), frames.end(), frame)) {
       keep(simulation, frame, recording.frames);
     }
-    checkpoint(static_cast<double>(frame) / frames.back());
+    report_progress(static_cast<double>(frame) / frames.back());
   }
   return recording;
 }

@@ -12,41 +12,42 @@
 
 namespace taut::app {
 
-/// One moment of a run: where every vertex was, and what was measured then.
+/// One frame of a run: what was measured, and the positions in metres, per vertex.
 struct Moment {
   FrameRecord record;
   std::vector<sim::Vec3> positions;
 };
 
-/// What figures are drawn from once a scene has been run.
+/// Selected frames of a run, from which figures are drawn.
 struct Recording {
   DrawnScene scene;
   std::shared_ptr<const sim::Garment> garment;
   std::vector<sim::Index> pins;
-  std::vector<Moment> moments;
-  double largest_stretch = 0.0;  ///< of all frames
+  std::vector<Moment> moments;   ///< the selected frames, ascending
+  double largest_stretch = 0.0;  ///< of all frames of the run, a fraction
 
   const Moment& last() const { return moments.back(); }
 };
 
-/// Runs the scene up to the last of the frames (ascending) and keeps those.
-Recording record_frames(const DrawnScene& scene, std::span<const int> frames, const Checkpoint& checkpoint);
+/// Simulates the scene up to the last of `frames`, which must be ascending, and keeps these frames.
+Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
+                        const ProgressCallback& report_progress);
 
-/// A run looked at after every single time step, which is the paper's iteration.
+/// A run that was looked at after every time step. The paper calls a step an iteration.
 struct StepRecording {
   Recording frames;
   double time_step_s = 0.0;
-  sim::Index vertex = 0;
-  std::vector<double> moved_m;  ///< |p(t) - p(t - dt)| of the vertex, one entry a step
-  bool came_to_rest = false;
+  sim::Index vertex = 0;        ///< the vertex that was followed
+  std::vector<double> moved_m;  ///< p(t) - p(t - dt)| of the vertex, one entry per step
+  bool came_to_rest = false;    ///< as moments.hpp defines it
 };
 
-/// Runs the scene until it is at rest, at most to the last of the frames (ascending). They are kept as by
-/// `record_frames`; where the cloth is at rest earlier, that moment stands for those that would follow.
+/// Simulates the scene until it is at rest, but not beyond the last of `frames`, which must be ascending. It
+/// keeps these frames. If the cloth comes to rest earlier, that moment replaces the frames after it.
 StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames, sim::Index vertex,
-                           const Checkpoint& checkpoint);
+                           const ProgressCallback& report_progress);
 
-/// The scene with one time step a frame instead of several, of the same length: frames become steps.
+/// The scene with one time step per frame, where the steps keep their length. So each step becomes a frame.
 DrawnScene with_steps_as_frames(DrawnScene scene);
 
 }  // namespace taut::app

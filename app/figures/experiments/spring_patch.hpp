@@ -8,23 +8,26 @@
 
 namespace taut::app {
 
+/// One spring of a patch.
 struct PatchSpring {
-  std::array<std::size_t, 2> ends;  ///< points of the patch
+  std::array<std::size_t, 2> ends;  ///< indices of points of the patch
   sim::SpringKind kind;
 };
 
-/// Mass points and the springs between them, laid flat for a diagram: what the mapping made, nothing added.
+/// Mass points and springs of a part of a garment, in a plane, for a diagram.
 struct SpringPatch {
   std::vector<glm::vec2> points_m;  ///< x to the right, y up
   std::vector<PatchSpring> springs;
 
+  /// How many springs of this kind there are.
   std::size_t count(sim::SpringKind kind) const;
 };
 
-/// All of a garment that lies in the xy plane.
+/// All points and springs of a garment that lies in the xy plane.
 SpringPatch whole_patch(const sim::Garment& garment);
 
-/// The vertices within so many edges of one vertex, seen along the surface's normal there.
+/// The vertices within `rings` edges of a vertex, with their springs. Seen along the surface's normal at the
+/// vertex.
 SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rings);
 
 }  // namespace taut::app

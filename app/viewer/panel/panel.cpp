@@ -10,7 +10,11 @@
 namespace taut::app {
 namespace {
 
+// At scale 1.
 constexpr float panel_width_px = 320.0F;
+// The pointer must rest on an item for this long before its hint appears. A shorter time makes the panel
+// flicker.
+constexpr double hint_after_s = 0.5;
 
 int panel_width(const WindowLayout& layout) {
   return static_cast<int>(panel_width_px * layout.scale);
@@ -32,9 +36,6 @@ void lay_out_panel(ViewerState& state, const WindowLayout& layout, const ViewAre
   }
   ImGui::End();
 }
-
-// A pointer on its way elsewhere should not make the panel flicker.
-constexpr double hint_after_s = 0.5;
 
 void explain(ViewerState& state, const std::string& name) {
   const double before_s = state.hovered && state.hovered->name == name ? state.hovered->for_s : 0.0;

@@ -4,26 +4,28 @@
 
 namespace taut::app {
 
-/// A window, in pixels, and how much larger than usual things are drawn.
+/// The size of a window, and how its parts are arranged.
 struct WindowLayout {
   int width_px = 0;
   int height_px = 0;
-  float scale = 1.0F;
-  bool has_panel = true;
+  float scale = 1.0F;     ///< of text and controls
+  bool has_panel = true;  ///< the user has not hidden the panel
 };
 
-/// The panel has no background of its own: a quarter of a million pixels that need no shader.
+/// Grey of the background behind the panel. The framebuffer is cleared to it, which is cheaper than drawing
+/// it.
 inline constexpr float behind_panel_grey = 0.965F;
 
-/// What the panel leaves for the scene. A window too narrow for both has no panel.
+/// The part of the window that shows the scene.
 ViewArea scene_area(const WindowLayout& layout);
+/// Whether the panel is shown. A window that is too narrow has none.
 bool panel_fits(const WindowLayout& layout);
 
-/// Lays everything out that is not the scene itself, between begin_frame and end_frame of UserInterface;
-/// changes the state's settings as a person does and notes what else was asked for.
+/// Makes the whole user interface for one frame. Changes settings in `state` as the user does, and notes
+/// there what else the user asked for. Call it between begin_frame and end_frame of UserInterface.
 void lay_out(ViewerState& state, const WindowLayout& layout);
 
-/// Whether what the pointer rests on is about to be explained.
+/// Whether a hint for the item under the pointer is about to appear.
 bool is_hint_due(const ViewerState& state);
 
 }  // namespace taut::app

@@ -14,19 +14,21 @@ void lay_out_keeping(ViewerState& state);
 void lay_out_time_bar(ViewerState& state, const ViewArea& area, float scale);
 void lay_out_messages(const ViewerState& state, const ViewArea& area, float scale);
 void lay_out_key_sheet(ViewerState& state, const ViewArea& area);
-/// What the colours on the cloth mean.
+/// The legends that explain the colours on the cloth.
 void lay_out_legends(const ViewerState& state, float scale);
 
-/// Notes where the last thing laid out is, and explains it to a pointer that rests on it.
+/// Notes the rectangle of the last item under this name. Shows its hint if the pointer rests on it.
 void note_place(ViewerState& state, const char* name);
-/// A list that opens, for ImGui::EndCombo where it does; Escape closes it.
+/// Begins a list of choices. If it returns true the list is open and ImGui::EndCombo must be called. Escape
+/// closes it.
 bool begin_list(const char* label, const char* chosen);
 /// A button that asks for an action.
 void action_button(ViewerState& state, const char* label, Action action, const char* name,
                    float width_px = 0.0F);
-/// A slider over a number of the scene, noted by the number's key.
+/// A slider for a number of the scene; `name` is its key. Returns whether the user changed it.
 bool number_slider(ViewerState& state, const char* label, const char* name, double& value, double lowest,
                    double highest, const char* format, bool logarithmic = false);
+/// As number_slider, for whole numbers.
 bool whole_slider(ViewerState& state, const char* label, const char* name, int& value, int lowest,
                   int highest, const char* format = "%d");
 

@@ -13,10 +13,12 @@
 namespace taut::app {
 namespace {
 
+// The right end of the slider.
 constexpr double strongest_m_per_s = 20.0;
-// The two wind values of the paper's Figure 5; the slider holds on to them.
+// The two wind values of the paper's figure 5. The slider snaps to them.
 constexpr std::array<double, 2> paper_values = {1.0, 10.0};
-constexpr double hold_m_per_s = 0.12;
+// Distance within which it snaps. A larger value makes nearby speeds unreachable.
+constexpr double snap_m_per_s = 0.12;
 
 struct Colours {
   ImU32 track = ImGui::GetColorU32(ImGuiCol_FrameBg);
@@ -27,9 +29,9 @@ struct Colours {
   ImU32 mark = IM_COL32(192, 57, 43, 255);
 };
 
-double held(double speed) {
+double snapped(double speed) {
   for (const double value : paper_values) {
-    if (std::abs(speed - value) < hold_m_per_s) {
+    if (std::abs(speed - value) < snap_m_per_s) {
       return value;
     }
   }
@@ -76,7 +78,7 @@ void speed_slider(ViewerState& state, float scale) {
   const float length = width - 2.0F * knob;
   if (ImGui::IsItemActive()) {
     const double place = std::clamp((ImGui::GetIO().MousePos.x - left.x) / length, 0.0F, 1.0F);
-    speed = held(place * strongest_m_per_s);
+    speed = snapped(place * strongest_m_per_s);
   }
 
   const Colours colours;

@@ -12,8 +12,8 @@ struct ImGuiContext;  // <imgui.h>
 
 namespace taut::app {
 
-/// Dear ImGui between a window's events and triangles. The library keeps its state in a global of its own:
-/// there can be one at a time. It reads and writes no file but the font's.
+/// Dear ImGui, from events of the window to triangles. The library has global state, so only one object may
+/// exist at a time. It reads no file except the font and writes none.
 class UserInterface {
  public:
   explicit UserInterface(double scale);
@@ -21,21 +21,23 @@ class UserInterface {
   UserInterface(const UserInterface&) = delete;
   UserInterface& operator=(const UserInterface&) = delete;
 
-  /// Of the display; makes the letters anew.
+  /// Sets the scale of the display and renders the font again.
   void set_scale(double scale);
 
-  /// Between two frames, at most one change of each button and key.
+  /// Takes an event. Between two frames each button and each key may change at most once.
   void feed(const renderer::WindowEvent& event);
   void begin_frame(int width_px, int height_px, double elapsed_s);
   void end_frame();
 
-  /// What was laid out in the last frame, valid until the next one ends; nothing before the first.
+  /// The triangles of the last frame, valid until the next end_frame. Empty before the first frame.
   const renderer::OverlayView& overlay() const { return overlay_; }
-  /// The part of it that belongs into a picture of the scene: the windows of this name.
+  /// The part of it that belongs in a picture of the scene.
   const renderer::OverlayView& picture_overlay() const { return picture_overlay_; }
+  /// Name of the ImGui windows that belong in a picture of the scene.
   static constexpr const char* in_pictures = "legends";
 
-  /// The letters for renderer::OverlayPass; the number changes when they do.
+  /// The font as an image, for renderer::OverlayPass. `coverage` has one byte per pixel. `number` changes
+  /// when the image changes.
   struct Letters {
     int width_px = 0;
     int height_px = 0;
@@ -44,8 +46,8 @@ class UserInterface {
   };
   Letters letters() const;
 
-  bool wants_pointer() const;  ///< the pointer is over the panel, or drags something of it
-  bool wants_keys() const;     ///< a number is being typed
+  bool wants_pointer() const;  ///< the pointer is over the panel, or drags one of its items
+  bool wants_keys() const;     ///< the user is typing a number
 
  private:
   void make_letters();

@@ -8,25 +8,27 @@
 
 namespace taut::app {
 
-/// The user interface in an OpenGL context. The panel has thousands of small triangles and changes with every
-/// simulated frame, if only in its curves: it is kept as a picture, which may be a little old.
+/// Draws the user interface in an OpenGL context. The panel has thousands of small triangles and changes in
+/// every simulated frame. Therefore it is kept as a picture, which is renewed a few times per second.
 class InterfacePicture {
  public:
-  /// The context has to outlive it. Throws renderer::ContextError or renderer::ShaderError.
+  /// The context must outlive it. Throws renderer::ContextError or renderer::ShaderError.
   explicit InterfacePicture(renderer::Context& context);
 
-  /// Draws over a framebuffer of the layout's size (0: the window). Unless it is urgent, as after input, the
-  /// panel may be that of up to `longest_s` ago. Throws renderer::ContextError.
+  /// Draws over a framebuffer of the window's size; framebuffer 0 is the window. If `is_urgent`, as after
+  /// input, the panel is up to date; else it may be `longest_s` old. Throws renderer::ContextError.
   void draw(unsigned framebuffer, const WindowLayout& layout, const UserInterface::Letters& letters,
             const renderer::OverlayView& overlay, bool is_urgent);
 
-  /// Some of it, over what was drawn.
+  /// Draws `overlay` over the framebuffer, without the kept panel.
   void draw_over(unsigned framebuffer, const WindowLayout& layout, const UserInterface::Letters& letters,
                  const renderer::OverlayView& overlay);
 
-  /// Whether this is what was drawn last.
+  /// Whether `overlay` is what was drawn last.
   bool is_drawn(const renderer::OverlayView& overlay) const;
 
+  /// Largest age of the panel's picture. A larger value saves drawing, and the panel's curves move less
+  /// smoothly.
   static constexpr double longest_s = 0.2;
 
  private:

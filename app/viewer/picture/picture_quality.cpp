@@ -5,24 +5,29 @@
 namespace taut::app {
 namespace {
 
-// The first frames of a level compile and allocate.
+// The first frames at a level are ignored, because they compile shaders and allocate memory.
 constexpr int ignored_frames = 2;
-// A third of a second: other programs come and go.
+// Slow frames in a row before the quality is reduced: 1/3 s. Fewer would react to short loads of other
+// programs.
 constexpr int frames_to_worsen = 10;
-// So slow, there is nothing to wait for, and the next level would not do.
+// With a mean above this the quality is reduced sooner, after frames_to_worsen_fast frames.
 constexpr double far_too_long_ms = 1.6 * QualityControl::longest_ms;
 constexpr int frames_to_worsen_fast = 4;
-// A level that was held so long has proven itself.
+// A level that was kept for this many frames has proven itself.
 constexpr int proven_frames = 300;
+// Upper limit of patience_, in frames.
 constexpr int most_patience = 3000;
+// Weight of the newest frame in running means. A larger value reacts faster and less steadily.
 constexpr double newest_weight = 0.2;
-// A single frame that another program delayed says little.
+// A longer frame counts as this long, because one frame that another program delayed says little.
 constexpr double longest_believed_ms = 1.9 * QualityControl::longest_ms;
-// Of the longest time: a dearer level is tried when it should take less.
+// A better level is tried if its expected time is below this fraction of longest_ms.
 constexpr double room = 0.95;
-// Shares of the simulation's time: more is seen as slow motion, less is nothing.
+// Fractions of simulated time. Giving up more than `much` is visible as slow motion; less than `little` does
+// not matter.
 constexpr double much_given_up = 0.05;
 constexpr double little_given_up = 0.01;
+// How much the pause after a frame grows or shrinks in one frame.
 constexpr double more_rest_ms = 2.0;
 constexpr double less_rest_ms = 0.2;
 

@@ -5,21 +5,21 @@
 
 namespace taut::app {
 
-/// How well the scene is drawn, as far as the machine allows. Always at the window's resolution: a software
-/// rasteriser takes as long to stretch a picture of half the size as to draw the whole one.
+/// How well the scene is drawn. The resolution is always that of the window: with software rendering,
+/// enlarging a picture of half the size costs as much as drawing the whole one.
 struct PictureQuality {
-  int samples = 4;
-  int shadow_map_px = 2048;
-  int shadow_taps = 16;
-  int sky_directions = 24;
-  int shading_px = 1;  ///< side of the square of pixels that are shaded as one
-  double cost = 1.0;   ///< of a frame with all that belongs to it, relative to the cheapest
+  int samples = 4;           ///< per pixel
+  int shadow_map_px = 2048;  ///< width and height of the shadow map
+  int shadow_taps = 16;      ///< samples of the shadow map per pixel
+  int sky_directions = 24;   ///< directions in which shadow from the sky is computed; 0: none
+  int shading_px = 1;        ///< shading is computed once per square of this side
+  double cost = 1.0;         ///< of a whole frame, relative to the cheapest quality
 
   bool operator==(const PictureQuality&) const = default;
 };
 
-/// From best to cheapest: first the sky's shade and the size of shadows give way, then samples, then the
-/// resolution of the surfaces' shading.
+/// From best to cheapest. First the sky's shadow and the size of the shadow map are reduced, then samples,
+/// then the resolution of shading.
 inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 16, 24, 1, 2.6},
                                                                      {4, 1024, 16, 12, 1, 2.3},
                                                                      {1, 1024, 8, 6, 1, 1.5},
@@ -27,21 +27,22 @@ inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 1
                                                                      {1, 256, 6, 4, 2, 1.1},
                                                                      {1, 256, 4, 0, 2, 1.0}}};
 
-/// Chooses the quality by how long frames took: 30 of them a second, as well as that allows. Where drawing
-/// takes processors from the simulation, the picture gives way as well, and in the end its rate.
+/// Chooses the best quality that still allows 30 frames per second. If drawing takes processors away from the
+/// simulation, quality is reduced further, and at last the frame rate.
 class QualityControl {
  public:
-  /// One of picture_qualities, for what a frame that moves is to be drawn with.
+  /// Index into picture_qualities, for frames in which something moves.
   std::size_t level() const { return level_; }
 
-  /// How long the window is to rest after a frame, so that the simulation gets on.
+  /// How long the window has to pause after a frame, so that the simulation gets processors.
   double rest_ms() const { return rest_ms_; }
 
-  /// All the work for a frame in which the scene was drawn took so long; meanwhile the simulation waited for
-  /// a processor so long that it gave time up.
+  /// Takes the duration of a frame in which the scene was drawn. Also takes the simulated time that was given
+  /// up meanwhile because no processor was free.
   void note(double frame_ms, double given_up_ms);
 
-  static constexpr double longest_ms = 32.0;  ///< above: cheaper; leaves a little of 1/30 s
+  static constexpr double longest_ms = 32.0;  ///< longer frames reduce the quality; a little less than 1/30 s
+  /// Longest pause after a frame; more would make the window slower.
   static constexpr double most_rest_ms = 40.0;
 
  private:
@@ -52,12 +53,12 @@ class QualityControl {
 
   std::size_t level_ = 2;
   double mean_ms_ = 0.0;
-  double given_up_ = 0.0;  ///< mean share of the time
+  double given_up_ = 0.0;  ///< mean fraction of simulated time that was given up
   double rest_ms_ = 0.0;
   int frames_ = 0;                 ///< since the level changed
   int slow_frames_ = 0;            ///< in a row
-  int patience_ = least_patience;  ///< frames that have to be fast enough before a dearer level is tried
-  bool is_trial_ = false;          ///< the level is dearer than the one before, and new
+  int patience_ = least_patience;  ///< frames that must be fast enough before a better level is tried
+  bool is_trial_ = false;          ///< the level is better than the one before and not yet proven
 
   static constexpr int least_patience = 90;
 };

@@ -13,11 +13,12 @@
 namespace taut::app {
 namespace {
 
-// What cannot be seen need not be drawn; smaller targets than this are a window being dragged shut.
+// A smaller target is a window being closed, and nothing is drawn.
 constexpr int smallest_side_px = 8;
+// Width of lines that show springs.
 constexpr float spring_width_px = 1.2F;
 constexpr renderer::Colour normal_colour = renderer::rgb(0x2E7D32);
-// Relative to the diagonal of the garment at rest.
+// Length of lines that show normals, as a fraction of the diagonal of the garment at rest.
 constexpr float normal_length = 0.012F;
 
 bool has_room(const ViewArea& area) {

@@ -12,30 +12,30 @@
 
 namespace taut::app {
 
-/// Everything of the viewer that lives in an OpenGL context; made anew when the context is lost.
+/// Everything of the viewer that lives in an OpenGL context. It is made again if the context is lost.
 class ViewerPicture {
  public:
-  /// The context has to outlive it. Throws renderer::ContextError or renderer::ShaderError.
+  /// The context must outlive it. Throws renderer::ContextError or renderer::ShaderError.
   explicit ViewerPicture(renderer::Context& context);
 
-  /// Draws the scene and the user interface to a framebuffer of the layout's size (0: the window). `level` is
-  /// one of picture_qualities. Unless it is urgent, the panel may be a little old. Throws
+  /// Draws the scene and the user interface to a framebuffer of the window's size; framebuffer 0 is the
+  /// window. `level` is an index into picture_qualities. `is_urgent` is as in InterfacePicture::draw. Throws
   /// renderer::ContextError.
   void draw(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout, std::size_t level,
             const UserInterface::Letters& letters, const renderer::OverlayView& overlay, bool is_urgent);
 
-  /// The scene as `draw` draws it, with its legends and nothing else of the user interface; draws to the same
-  /// framebuffer, so it comes before `draw`. Throws renderer::ContextError.
+  /// Returns the scene as `draw` shows it, with its legends and without the rest of the user interface. It
+  /// uses the same framebuffer, so call it before `draw`. Throws renderer::ContextError.
   renderer::Image picture(unsigned framebuffer, const ViewerState& state, const WindowLayout& layout,
                           std::size_t level, const UserInterface::Letters& letters,
                           const renderer::OverlayView& legends);
 
-  /// Whether `draw` would draw the same as before.
+  /// Whether `draw` would give the same result as the last one.
   bool is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
                 const renderer::OverlayView& overlay) const;
 
-  /// Whether the last `draw`, or `picture` before it, drew the scene, which takes most of the time. A scene
-  /// that has not changed since it was drawn and kept at least as well is only copied.
+  /// Whether the last `draw`, or the `picture` before it, drew the scene, which takes most of the time. A
+  /// scene that did not change since it was drawn at the same or a better level is only copied.
   bool drew_scene() const { return drew_scene_; }
 
  private:
@@ -81,10 +81,10 @@ class ViewerPicture {
   renderer::SceneRenderer scene_renderer_;
   InterfacePicture interface_;
   std::optional<SceneLook> drawn_look_;
-  bool is_kept_ = false;  ///< the renderer has what was drawn and can show it again
+  bool is_kept_ = false;  ///< the renderer still has the picture and can copy it
   std::size_t drawn_level_ = 0;
   bool drew_scene_ = false;
-  bool has_picture_ = false;  ///< `picture` has drawn the scene that `draw` is to show
+  bool has_picture_ = false;  ///< `picture` has drawn the scene that the next `draw` shows
   PaintedAs painted_as_;
   std::optional<GarmentPainter> painter_;
   std::array<std::vector<glm::vec3>, sim::all_spring_kinds.size()> spring_points_;

@@ -7,14 +7,15 @@
 
 namespace taut::app {
 
-/// Events that wait for a frame of the window. A user interface looks at the pointer, the buttons and the
-/// keys once a frame; a click that comes and goes between two frames has to be spread over two.
+/// Events that wait for the next frame of the window. The user interface reads pointer, buttons and keys once
+/// per frame. So a click that begins and ends between two frames has to be split over two frames.
 class InputQueue {
  public:
   void add(SessionEvent event) { waiting_.push_back(std::move(event)); }
   bool empty() const { return waiting_.empty(); }
 
-  /// As many events as one frame can tell apart; a run of moves becomes its last.
+  /// Removes and returns as many events as one frame can tell apart. Of several moves in a row only the last
+  /// is kept.
   std::vector<SessionEvent> take_frame();
 
  private:

@@ -5,10 +5,10 @@
 
 namespace taut::app {
 
-/// How a key is called in sessions: "space", "f12", "left", the character it carries in small letters, or
-/// "#348" for one without a name.
+/// The name of a key in sessions: "space", "f12", "left", its character in lower case, or "#348" if it has no
+/// name.
 std::string key_name(int key);
-/// The other way round; nothing for any other word.
+/// The key with this name; empty if there is none.
 std::optional<int> key_named(const std::string& name);
 
 }  // namespace taut::app

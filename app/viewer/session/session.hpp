@@ -13,8 +13,8 @@
 
 namespace taut::app {
 
-/// The pointer goes to a named thing of the panel: a session that is written by hand should not have to know
-/// where things are. `x` and `y` are 0..1 across it.
+/// Moves the pointer to an item of the panel by its name. So a session written by hand does not depend on
+/// where items are. `x` and `y` are 0 to 1 across the item.
 struct PointAt {
   std::string item;
   double x = 0.5;
@@ -23,38 +23,39 @@ struct PointAt {
   bool operator==(const PointAt&) const = default;
 };
 
-/// The graphics driver throws its context away, as a test wants it.
+/// Simulates that the graphics driver loses the context, for tests.
 struct ContextLost {
   bool operator==(const ContextLost&) const = default;
 };
 
+/// One event of a session.
 using SessionEvent = std::variant<renderer::WindowEvent, PointAt, ContextLost>;
 
-/// How far the simulation was when a frame of the window was made; without it a replay could hand a command
-/// to another step, or aim at another cloth.
+/// How far the simulation was in a frame of the window. A replay needs it to give commands to the same step
+/// and to point at the same cloth.
 struct Pace {
-  std::uint64_t advances = 0;  ///< simulated frames begun when the frame's commands were handed over
-  std::uint64_t shown = 0;     ///< serial of the snapshot the frame showed
+  std::uint64_t advances = 0;  ///< simulated frames that had begun when the commands were handed over
+  std::uint64_t shown = 0;     ///< serial number of the snapshot that was shown
 
   bool operator==(const Pace&) const = default;
 };
 
-/// What went into one frame of the window.
+/// The input of one frame of the window.
 struct SessionFrame {
   std::vector<SessionEvent> events;
   double elapsed_s = 1.0 / 60.0;                ///< since the frame before
-  std::optional<Pace> pace;                     ///< none: the simulation follows `elapsed_s`
-  std::optional<std::uint64_t> expected_state;  ///< hash of the newest state after this frame
+  std::optional<Pace> pace;                     ///< empty: the simulation follows `elapsed_s`
+  std::optional<std::uint64_t> expected_state;  ///< hash that the newest state must have after this frame
 
   bool operator==(const SessionFrame&) const = default;
 };
 
-/// What a session begins with.
+/// What a session begins with: the scene and the window.
 struct SessionStart {
   std::string scene;
   std::vector<Override> overrides;
   renderer::Resized size = {1280, 720};
-  double scale = 1.0;
+  double scale = 1.0;  ///< content scale of the display
 };
 
 /// Input to a window from its start: recorded, written by hand or made at random. A text file, one event a
@@ -82,19 +83,22 @@ struct Session {
   std::vector<SessionFrame> frames;
 };
 
-/// Throws InputError naming the file, the line, what was found and what is expected.
+/// Reads a session. Throws InputError that names the file, the line, what was found and what was expected.
 Session read_session(const std::filesystem::path& file);
-/// As read_session; `name` stands for the file in messages.
+/// As read_session, from text. `name` stands for the file in messages.
 Session parse_session(const std::string& text, const std::string& name);
 
+/// The first lines of a session.
 std::string session_head(const SessionStart& start);
+/// The lines of one frame.
 std::string session_lines(const SessionFrame& frame);
 
-/// Writes a session while it goes on, so that it is there even after a crash.
+/// Writes a session while it is recorded, so that it can be read even after a crash.
 class SessionRecorder {
  public:
   /// Throws InputError where the file cannot be written.
   SessionRecorder(const std::filesystem::path& file, const SessionStart& start);
+  /// Appends one frame. Throws InputError if it cannot be written.
   void add(const SessionFrame& frame);
 
  private:

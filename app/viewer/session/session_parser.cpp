@@ -10,6 +10,7 @@ namespace {
 
 using renderer::WindowEvent;
 
+// Limits on what a session may ask for, so that a damaged one ends with an error.
 constexpr int most_frames = 1000000;
 constexpr int largest_side_px = 16384;
 

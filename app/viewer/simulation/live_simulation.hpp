@@ -13,21 +13,21 @@ namespace taut::app {
 /// clock.
 class LiveSimulation {
  public:
-  /// Throws InputError where the garment cannot be loaded.
+  /// Throws InputError if the garment cannot be loaded.
   explicit LiveSimulation(const DrawnScene& scene);
 
   void apply(const SimulationCommand& command);
 
-  /// Whether a frame is wanted: not paused, or a single step asked for.
+  /// Whether the next frame is wanted: the simulation is not paused, or a single step was asked for.
   bool wants_to_advance() const { return !stopped_ && (!paused_ || steps_left_ > 0); }
   double speed() const { return speed_; }
   double frame_time_s() const { return simulation_->frame_time_s(); }
   std::uint64_t advances() const { return advances_; }
 
-  /// One frame, or nothing after it has diverged.
+  /// Computes one frame. Does nothing after the simulation has diverged.
   void advance();
 
-  /// Where things are now. Serials rise by 1 with every call.
+  /// The state of now. Each call returns a serial number larger by 1.
   SnapshotPtr take_snapshot();
 
   std::uint64_t state_hash() const { return sim::hash(simulation_->state()); }
@@ -62,7 +62,7 @@ class LiveSimulation {
   std::shared_ptr<const std::vector<Notice>> notices_ = std::make_shared<const std::vector<Notice>>();
   std::uint64_t serial_ = 0;
   std::uint64_t advances_ = 0;
-  int start_frame_ = 0;  ///< with which the scene begins
+  int start_frame_ = 0;  ///< the frame that the scene begins with
   int frame_ = 0;
   int steps_left_ = 0;
   double speed_ = 1.0;

@@ -13,13 +13,14 @@ namespace taut::app {
 
 // What the window asks of the simulation; done between two simulated frames, in the order it was asked.
 
+/// Replaces scene and garment.
 struct LoadScene {
   std::shared_ptr<const DrawnScene> scene;
 };
 /// All that can change while a garment moves. Artificial forces are the scene's own; a hand's come on top.
 struct ChangeSettings {
   ChangeSettings() = default;
-  /// To those of the scene.
+  /// The settings of the scene.
   explicit ChangeSettings(const Scene& scene)
       : simulation(scene.simulation),
         surroundings(scene.surroundings),
@@ -33,30 +34,33 @@ struct ChangeSettings {
   std::optional<double> layer_distance_m;
   sim::Material material;
 };
-/// Holds the vertex where it is, or lets it go.
+/// Pins the vertex where it is, or removes its pin.
 struct TogglePin {
   sim::Index vertex = 0;
 };
-/// Lets go the pins of one side: those in the outer third of the pins' extent across.
+/// Removes the pins of one side: those in the outer third of the width of all pins.
 struct ReleasePins {
   bool right = false;
 };
+/// Takes hold of cloth, or moves the hand that holds it.
 struct TakeHold {
   Grip grip;
 };
+/// Lets go of the cloth.
 struct LetGo {};
-/// Back to where the garment began, with the scene's pins and the present settings.
+/// Returns to the start of the scene, with the scene's pins and the present settings.
 struct Reset {};
-/// Back to a frame, with the pins of then and the present settings; what came after it is forgotten.
+/// Returns to an earlier frame, with its pins and the present settings. Later frames are dropped.
 struct GoBack {
   SnapshotPtr to;
 };
+/// Pauses the simulation or lets it continue.
 struct SetPaused {
   bool paused = false;
 };
-/// One frame while paused.
+/// Computes one frame while paused.
 struct StepOnce {};
-/// Simulated seconds in a second of the clock.
+/// Sets the simulated seconds per second of real time.
 struct SetSpeed {
   double factor = 1.0;
 };

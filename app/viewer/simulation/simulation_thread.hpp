@@ -15,9 +15,9 @@ namespace taut::app {
 /// has no influence on the states but through the moments its commands come in, which `post` tells.
 class SimulationThread : public SimulationHost {
  public:
-  /// Throws InputError where the garment cannot be loaded.
+  /// Throws InputError if the garment cannot be loaded.
   explicit SimulationThread(const DrawnScene& scene);
-  /// Waits for the frame that is under way.
+  /// Waits for the frame that is being computed.
   ~SimulationThread() override;
 
   SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;
@@ -25,12 +25,12 @@ class SimulationThread : public SimulationHost {
   SnapshotPtr past_frame(const SnapshotPtr& now, int frame) override;
   std::uint64_t state_hash() override;
 
-  /// Nothing is simulated any more; waits for what is under way and for commands that were posted.
+  /// Stops the simulation. Waits for the frame that is being computed and for posted commands.
   void end();
   /// Simulated time that was given up since the last call because other work had the processors; 0 where
   /// the simulation could not have kept up anyway.
   double take_given_up_ms();
-  /// Of the processor's time, for the last frame.
+  /// Processor time of the last frame.
   double worked_ms();
   std::uint64_t advances() const { return simulation_.advances(); }  ///< after `end`
 
@@ -42,14 +42,14 @@ class SimulationThread : public SimulationHost {
   void perform_posted(std::unique_lock<std::mutex>& lock);
   void advance(std::unique_lock<std::mutex>& lock);
 
-  LiveSimulation simulation_;  ///< the thread's alone while `busy_`
+  LiveSimulation simulation_;  ///< used only by the thread while `busy_`
   std::mutex mutex_;
   std::condition_variable changed_;
   Timeline timeline_;
   std::deque<std::vector<SimulationCommand>> posted_;  ///< one entry for each frame of the window
   std::uint64_t begun_ = 0;
   Clock::duration given_up_{};
-  Clock::duration worked_{};  ///< by the processor for the last frame
+  Clock::duration worked_{};  ///< processor time of the last frame
   bool busy_ = false;
   bool ending_ = false;
   Clock::time_point due_;

@@ -17,21 +17,21 @@ namespace taut::app {
 /// A scene with its garment, as it was loaded.
 struct LoadedScene : GarmentInScene {
   DrawnScene scene;
-  std::uint64_t generation = 0;  ///< another number for every load
+  std::uint64_t generation = 0;  ///< a new number for each load
 };
 
-/// What a person is told.
+/// A message to the user.
 struct Notice {
   std::string text;
   bool is_error = false;
-  std::uint64_t number = 0;  ///< rises with every notice; 0: none yet
+  std::uint64_t number = 0;  ///< larger for each new notice; 0: none yet
 };
 
 /// Everything the window may know of the simulation at one moment. Never changes once made, so both threads
 /// read it freely.
 struct Snapshot {
   std::uint64_t serial = 0;    ///< rises by 1 from snapshot to snapshot
-  std::uint64_t advances = 0;  ///< simulated frames since the session began
+  std::uint64_t advances = 0;  ///< simulated frames since the window was opened
   std::shared_ptr<const LoadedScene> loaded;
   std::shared_ptr<const std::vector<sim::Index>> pins;
   std::shared_ptr<const sim::Checkpoint> checkpoint;
@@ -43,10 +43,10 @@ struct Snapshot {
   /// The latest, oldest first; never null. A window that missed a snapshot must not miss what it said.
   std::shared_ptr<const std::vector<Notice>> notices;
   bool paused = false;
-  bool stopped = false;   ///< diverged: nothing moves before a reset
+  bool stopped = false;   ///< diverged: nothing moves until a reset
   bool pristine = false;  ///< since the start or the last reset no setting changed and nobody pulled
 
-  /// To be drawn; metres, one for each vertex.
+  /// What is drawn: in metres, per vertex.
   const std::vector<sim::Vec3>& positions() const { return checkpoint->state.current; }
 };
 

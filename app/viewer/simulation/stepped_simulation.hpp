@@ -9,10 +9,10 @@ namespace taut::app {
 /// the same states.
 class SteppedSimulation : public SimulationHost {
  public:
-  /// Throws InputError where the garment cannot be loaded.
+  /// Throws InputError if the garment cannot be loaded.
   explicit SteppedSimulation(const DrawnScene& scene);
 
-  /// Throws InputError where `pace` cannot follow what was done before.
+  /// Throws InputError if `pace` is not possible after the frames before it.
   SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;
   std::uint64_t post(std::vector<SimulationCommand> commands) override;
   SnapshotPtr past_frame(const SnapshotPtr& now, int frame) override {
@@ -26,7 +26,7 @@ class SteppedSimulation : public SimulationHost {
 
   LiveSimulation simulation_;
   Timeline timeline_;
-  double owed_s_ = 0.0;  ///< of simulated time
+  double owed_s_ = 0.0;  ///< simulated time that is due
 };
 
 }  // namespace taut::app

@@ -13,7 +13,7 @@ class Timeline {
   void add(SnapshotPtr snapshot);
 
   const SnapshotPtr& newest() const { return kept_.back(); }
-  /// The snapshot with this serial, or the one kept that is nearest to it.
+  /// The snapshot with this serial number, or the nearest one that is kept.
   const SnapshotPtr& with_serial(std::uint64_t serial) const;
   /// The last snapshot of a frame in the past of `now`, or of the nearest frame that is kept; `now` itself
   /// where it has no past. What was gone back from, before a reset or of another garment, is not its past.
@@ -26,8 +26,8 @@ class Timeline {
  private:
   void forget_what_is_past();
 
-  std::deque<SnapshotPtr> kept_;  ///< by serial
-  int added_ = 0;                 ///< since the last look at what can be forgotten
+  std::deque<SnapshotPtr> kept_;  ///< by serial number
+  int added_ = 0;                 ///< since snapshots were last dropped
 };
 
 /// The first frame that can be gone back to from `newest`; the same whatever a timeline happens to keep

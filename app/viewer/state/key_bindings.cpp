@@ -22,7 +22,7 @@ constexpr std::array<KeyBinding, 25> bindings = {{
     {"P", "pin or free the cloth under the pointer", 'P', Action::toggle_pin},
     {"1, 2", "let go the left, the right corner", '1', Action::release_left},
     {"", "", '2', Action::release_right},
-    {"F", "look at the whole garment", 'F', Action::frame_garment},
+    {"F", "look at the whole garment", 'F', Action::show_whole_garment},
     {"F12", "picture of the scene, without the panel", keys::f12, Action::screenshot},
     {"F10", "record the scene, stop recording", keys::f10, Action::record},
     {"S", "save the settings as a scene file", 'S', Action::save_scene},

@@ -8,8 +8,8 @@
 
 namespace taut::app {
 
-/// What to tell a person who sees no cloth: that it has left the picture, or the world that the camera can
-/// look at, and what to do. Empty where a triangle may be in the picture.
+/// Tells a user who sees no cloth that it left the picture, or the range of the camera, and what to do. Empty
+/// if some triangle may be visible. `positions` are in metres, per vertex.
 std::string lost_cloth(std::span<const sim::Vec3> positions, std::span<const sim::Triangle> triangles,
                        const OrbitCamera& camera, const ViewArea& area);
 

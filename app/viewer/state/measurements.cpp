@@ -3,6 +3,18 @@
 #include <cmath>
 
 namespace taut::app {
+namespace {
+
+// Time constant of the averages of RealTime. A larger value is steadier and reacts more slowly.
+constexpr double memory_s = 1.0;
+// RealTime::factor says nothing before this much real time.
+constexpr double first_moments_s = 0.5;
+// Fraction of the speed asked for, or of the time a frame may take, that counts as all of it.
+constexpr double as_good_as_asked = 0.95;
+// Share of the processors' time above which this program itself is the reason.
+constexpr double most_of_it = 0.75;
+
+}  // namespace
 
 void RecentValues::add(float value) {
   if (values_.size() == most) {
@@ -12,7 +24,6 @@ void RecentValues::add(float value) {
 }
 
 void RealTime::add(double elapsed_s, double simulated_s, double busy_s) {
-  constexpr double memory_s = 1.0;
   const double kept = std::exp(-elapsed_s / memory_s);
   elapsed_s_ = kept * elapsed_s_ + elapsed_s;
   simulated_s_ = kept * simulated_s_ + simulated_s;
@@ -20,7 +31,6 @@ void RealTime::add(double elapsed_s, double simulated_s, double busy_s) {
 }
 
 std::optional<double> RealTime::factor() const {
-  constexpr double first_moments_s = 0.5;
   return elapsed_s_ > first_moments_s ? std::optional(simulated_s_ / elapsed_s_) : std::nullopt;
 }
 
@@ -29,8 +39,6 @@ double RealTime::busy_share() const {
 }
 
 SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share) {
-  constexpr double as_good_as_asked = 0.95;
-  constexpr double most_of_it = 0.75;
   if (factor >= as_good_as_asked * asked) {
     return SlowedBy::nothing;
   }

@@ -10,29 +10,32 @@
 
 namespace taut::app {
 
-/// The last values of something, oldest first.
+/// The last values of a measurement, oldest first.
 class RecentValues {
  public:
   void add(float value);
   void clear() { values_.clear(); }
   std::span<const float> values() const { return values_; }
+  /// 0 if there is none.
   float last() const { return values_.empty() ? 0.0F : values_.back(); }
 
+  /// Values that are kept; older ones are forgotten.
   static constexpr std::size_t most = 300;
 
  private:
   std::vector<float> values_;
 };
 
-/// How simulated time goes by beside the clock's, over about the last second.
+/// Compares simulated time with real time, averaged over about the last second.
 class RealTime {
  public:
-  /// In `elapsed_s` of the clock so much was simulated, and so long this program had all processors busy.
+  /// In `elapsed_s` of real time, `simulated_s` was simulated. `busy_s` is the processor time this program
+  /// used, divided by the number of processors.
   void add(double elapsed_s, double simulated_s, double busy_s);
   void forget() { *this = {}; }
-  /// Simulated seconds in a second of the clock; none in the first moments.
+  /// Simulated seconds per second of real time. Empty at the beginning.
   std::optional<double> factor() const;
-  /// Share of the processors' time that this program has had.
+  /// Fraction of all processors' time that this program used.
   double busy_share() const;
 
  private:
@@ -41,28 +44,29 @@ class RealTime {
   double busy_s_ = 0.0;
 };
 
-/// Why a simulation is slower than it was asked to be.
+/// Why a simulation is slower than it should be.
 enum class SlowedBy { nothing, simulation, drawing, other_programs };
 
-/// `simulate_ms` is what the processor takes for a frame, `frame_ms` what it may take at the speed asked for.
-/// Where it could keep up and does not, something else has the processors: the window's drawing, if the
-/// program has had most of their time, else other programs.
+/// Finds the reason. `factor` is RealTime::factor and `asked` what it should be. `simulate_ms` is the
+/// processor time of a frame; `frame_ms` is what it may take at the speed asked for. If the simulation could
+/// keep up, something else uses the processors: drawing if `busy_share` is high, else other programs.
 SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share);
 
-/// What is plotted beside the scene.
+/// The measurements that the panel plots.
 struct Measurements {
   RecentValues max_stretch;
-  RecentValues convergence_mm;  ///< the largest |p(t) - p(t - dt)| of a frame
+  RecentValues convergence_mm;  ///< the largest |p(t) - p(t - dt)| of any vertex in a frame
   // Milliseconds of the clock; a run that has to look the same every time does not show them.
   RecentValues simulate_ms;
   RecentValues draw_ms;
   RecentValues panel_ms;
   RealTime real_time;
-  double worked_ms = 0.0;  ///< of the processor, for the last simulated frame
+  double worked_ms = 0.0;  ///< processor time of the last simulated frame
   bool shows_times = true;
 
-  /// Takes note of what a frame of the simulation measured.
+  /// Appends what was measured of a simulated frame.
   void add(const FrameRecord& record);
+  /// Removes all values.
   void forget();
 };
 

@@ -10,10 +10,14 @@
 namespace taut::app {
 namespace {
 
+// Largest elevation. At 90 degrees the up direction is undefined.
 constexpr float steepest_rad = glm::radians(89.0F);
+// Smallest distance to the target.
 constexpr float nearest_m = 0.01F;
+// Factor on the distance for each notch of the wheel.
 constexpr float closer_by_notch = 0.88F;
-constexpr float frame_margin = 0.06F;
+// Fraction of the picture that `fit` leaves free around the box.
+constexpr float fit_margin = 0.06F;
 
 }  // namespace
 
@@ -58,9 +62,9 @@ void OrbitCamera::zoom(float notches, const glm::vec2& point_px, const ViewArea&
   move_target(under + (distance_m_ / before_m) * (target_ - under));
 }
 
-void OrbitCamera::frame(const renderer::Box& box, const ViewArea& area) {
+void OrbitCamera::fit(const renderer::Box& box, const ViewArea& area) {
   const renderer::Camera framed = renderer::fit_camera_to_box(
-      box, {azimuth_rad_, elevation_rad_, vertical_fov_rad_, frame_margin}, area.aspect());
+      box, {azimuth_rad_, elevation_rad_, vertical_fov_rad_, fit_margin}, area.aspect());
   move_target(framed.target);
   distance_m_ = std::clamp(glm::distance(framed.eye, framed.target), nearest_m, farthest_m);
 }

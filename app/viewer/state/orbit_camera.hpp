@@ -7,11 +7,12 @@
 
 namespace taut::app {
 
-/// A part of the window that shows the scene, in pixels from the window's upper left corner.
+/// The part of the window that shows the scene. Its upper left corner is that of the window.
 struct ViewArea {
   int width_px = 1;
   int height_px = 1;
 
+  /// Width over height.
   float aspect() const { return static_cast<float>(width_px) / static_cast<float>(height_px); }
   bool contains(const glm::vec2& point_px) const {
     return point_px.x >= 0.0F && point_px.y >= 0.0F && point_px.x < static_cast<float>(width_px) &&
@@ -19,38 +20,39 @@ struct ViewArea {
   }
 };
 
-/// From a point, of unit length.
+/// A ray in the scene. `direction` has unit length.
 struct Ray {
   glm::vec3 origin{0.0F};
   glm::vec3 direction{0.0F, 0.0F, -1.0F};
 };
 
-/// A camera that turns about what it looks at. y stays up.
+/// A camera that turns around a target point. y stays up. Points are in metres; pixels count from the upper
+/// left corner of the area.
 class OrbitCamera {
  public:
   OrbitCamera() = default;
   explicit OrbitCamera(const renderer::Camera& camera);
 
-  /// By a way of the pointer; the height of the area is half a turn.
+  /// Turns by a movement of the pointer. The height of the area is half a turn.
   void orbit(const glm::vec2& way_px, const ViewArea& area);
-  /// What is at the target's depth follows the pointer.
+  /// Moves the target so that points at its depth follow the pointer.
   void pan(const glm::vec2& way_px, const ViewArea& area);
-  /// Nearer for positive notches of the wheel. What is seen at the pixel stays there.
+  /// Moves nearer for positive notches of the wheel. What is seen at `point_px` stays there.
   void zoom(float notches, const glm::vec2& point_px, const ViewArea& area);
-  /// Looks at the whole box from the same side.
-  void frame(const renderer::Box& box, const ViewArea& area);
+  /// Moves so that the whole box is visible, from the same side.
+  void fit(const renderer::Box& box, const ViewArea& area);
 
   renderer::Camera camera() const;
   float azimuth_rad() const { return azimuth_rad_; }
 
-  /// Through a pixel.
+  /// The ray from the eye through a pixel.
   Ray ray_through(const glm::vec2& point_px, const ViewArea& area) const;
-  /// Where a point is seen; nothing for one behind the eye.
+  /// The pixel where a point is seen; empty if it is behind the eye.
   std::optional<glm::vec2> pixel_of(const glm::vec3& point, const ViewArea& area) const;
 
   bool operator==(const OrbitCamera&) const = default;
 
-  /// No camera looks farther, nor at a point that is farther from the origin along any axis.
+  /// Largest distance to the target, and largest coordinate of the target.
   static constexpr float farthest_m = 1000.0F;
 
  private:

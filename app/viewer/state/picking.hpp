@@ -8,19 +8,20 @@
 
 namespace taut::app {
 
-/// The point of the cloth that is under the pointer.
+/// A point of the cloth under the pointer.
 struct PickedPoint {
-  sim::Index vertex = 0;  ///< the corner nearest to the point
+  sim::Index vertex = 0;  ///< corner of the triangle that is nearest to the point
   glm::dvec3 point_m{0.0};
   double distance_m = 0.0;  ///< from the eye
 };
 
-/// The nearest of all triangles that the ray meets, from either side. Looks at every triangle: ten thousand
-/// take a tenth of a millisecond.
+/// The nearest point where the ray meets a triangle, from either side; empty if it meets none. `positions`
+/// are in metres, per vertex. It tests every triangle: ten thousand take 0.1 ms.
 std::optional<PickedPoint> pick(const Ray& ray, std::span<const sim::Vec3> positions,
                                 std::span<const sim::Triangle> triangles);
 
-/// Where the ray meets the plane through a point that faces the camera; nothing where it does not.
+/// Where the ray meets the plane through the point `through` that faces the camera. Empty if it does not meet
+/// it.
 std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through,
                                      const renderer::Camera& camera);
 

@@ -5,8 +5,10 @@
 namespace taut::app {
 namespace {
 
+// How long messages are shown. Errors stay longer.
 constexpr double short_message_s = 4.0;
 constexpr double error_message_s = 12.0;
+// With more messages the oldest disappears.
 constexpr std::size_t most_messages = 4;
 
 }  // namespace

@@ -28,7 +28,7 @@ enum class Action {
   toggle_pin,
   release_left,
   release_right,
-  frame_garment,
+  show_whole_garment,
   screenshot,
   record,
   save_scene,
@@ -39,35 +39,36 @@ enum class Action {
   quit,
 };
 
-/// A rectangle in pixels of the window.
+/// The rectangle of an item, in pixels of the window.
 struct ItemPlace {
   glm::vec2 lower_px{0.0F};
   glm::vec2 upper_px{0.0F};
 };
 
-/// A built-in scene or a garment that can be chosen.
+/// A built-in scene or a garment that the user can choose.
 struct Choice {
   std::string name;
-  std::string label;  ///< of a figure of the paper: "5, left"; otherwise empty
+  std::string label;  ///< figure of the paper, such as "5, left"; otherwise empty
   std::filesystem::path file;
 };
 
-/// The thing of the panel that the pointer rests on.
+/// The item of the panel under the pointer, and for how long.
 struct Hovered {
   std::string name;
   double for_s = 0.0;
 };
 
-/// A line of text that goes away by itself.
+/// A line of text that disappears after some time.
 struct Message {
   std::string text;
   bool is_error = false;
-  double left_s = 0.0;
+  double left_s = 0.0;  ///< remaining time
 };
 
+/// What a recording of the window becomes.
 enum class RecordingKind { video, pictures };
 
-/// What the panel shows and changes. `scene` is how things shall be from now on.
+/// What the panel shows and changes. `scene` holds the settings from now on.
 struct ViewerState {
   DrawnScene scene;
   OrbitCamera camera;
@@ -76,18 +77,18 @@ struct ViewerState {
   bool show_panel = true;
   bool show_keys = false;
   bool paused = false;
-  double speed = 1.0;             ///< simulated seconds in a second; below 1 is slow motion
-  std::optional<int> past_frame;  ///< gone back to; none: the newest
+  double speed = 1.0;             ///< simulated seconds per second; below 1 is slow motion
+  std::optional<int> past_frame;  ///< frame of the past that is shown; empty: the newest
   RecordingKind recording_kind = RecordingKind::video;
 
   // To be shown.
   SnapshotPtr newest;
-  SnapshotPtr shown;  ///< what is drawn: the newest or a past one
+  SnapshotPtr shown;  ///< what is drawn: `newest` or an earlier one
   Measurements measurements;
   std::vector<Choice> scenes;
   std::vector<Choice> garments;
   std::vector<Message> messages;
-  std::string warning;  ///< said as long as it is true; empty: nothing
+  std::string warning;  ///< shown while it applies; empty: none
   bool is_recording = false;
 
   // What was asked for in this frame.
@@ -97,7 +98,7 @@ struct ViewerState {
 
   std::optional<Hovered> hovered;
 
-  /// Where named things of the panel are: for sessions written by hand and for tests.
+  /// Rectangles of the panel's items by name, for sessions written by hand and for tests.
   std::map<std::string, ItemPlace> places;
 };
 

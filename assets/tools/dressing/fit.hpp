@@ -7,15 +7,16 @@
 
 namespace taut::tailor {
 
-/// How long and how stiffly the shirt relaxes on the body.
+/// One phase in which the shirt relaxes on the body.
 struct FitPhase {
-  int frames;             ///< of 1/60 s
-  double flexural;        ///< share of their error that flexural springs correct: more is smoother
-  double air_drag_per_s;  ///< more settles sooner
+  int frames;       ///< of 1/60 s
+  double flexural;  ///< Fraction of their error that flexural springs correct. More gives a smoother shirt.
+  double air_drag_per_s;  ///< more lets the shirt settle sooner
 };
 
-/// Lets the shirt find its shape on the body, without gravity: folds are the business of a scene. Vertices
-/// move from `positions` by the simulation's Verlet steps, rigid springs and colliders.
+/// Lets the shirt find its shape on the body, without gravity, so that it has no folds. Starts at `positions`
+/// and uses the simulation's Verlet steps, rigid springs and colliders. Positions are in metres, per vertex
+/// of the shirt.
 std::vector<Vec3> relax_on_body(const Shirt& shirt, const std::vector<Vec3>& positions, const Stance& stance,
                                 const std::vector<FitPhase>& phases);
 

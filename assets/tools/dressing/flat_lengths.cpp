@@ -1,6 +1,7 @@
 #include "tailor/dressing/flat_lengths.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -90,6 +91,7 @@ Lengths unfolded_lengths(const sim::Garment& garment, const Lengths& flat) {
 }  // namespace
 
 Strain measure_strain(const Shirt& shirt, const std::vector<Vec3>& positions) {
+  assert(positions.size() == shirt.vertex_count);
   double sum_of_squares = 0.0;
   double worst = 0.0;
   std::size_t count = 0;
@@ -105,6 +107,7 @@ Strain measure_strain(const Shirt& shirt, const std::vector<Vec3>& positions) {
 }
 
 sim::Garment make_flat_garment(const Shirt& shirt, const std::vector<Vec3>& positions) {
+  assert(positions.size() == shirt.vertex_count);
   const sim::MappingSettings mapping = {.flexural_rule = sim::FlexuralRule::opposite_vertex};
   sim::Garment garment =
       sim::make_garment({positions, shirt.triangles(), {}}, mapping, {.thickness_m = 0.002});

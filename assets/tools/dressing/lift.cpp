@@ -1,6 +1,7 @@
 #include "tailor/dressing/lift.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace taut::tailor {
 namespace {
@@ -36,6 +37,7 @@ Vec3 on_panel(const Panel& panel, const Vec2& flat, const std::vector<Vec3>& pos
 
 std::vector<Vec3> lift_onto(const Shirt& shirt, const Shirt& surface,
                             const std::vector<Vec3>& surface_positions) {
+  assert(surface_positions.size() == surface.vertex_count);
   std::vector<Vec3> positions(shirt.vertex_count);
   for (const Seam& seam : shirt.seams) {
     const Seam& there = surface.seam(seam.name);

@@ -6,9 +6,9 @@
 
 namespace taut::tailor {
 
-/// Where the vertices of one meshing of the pattern lie on the surface of another one of the same pattern:
-/// every vertex keeps its place on the flat piece, every seam vertex its place along the seam. This carries a
-/// fit from a coarse shirt to a finer one, and reduces a fine shirt to fewer triangles.
+/// Places the vertices of `shirt` on the surface of `surface`, another mesh of the same pattern. Each vertex
+/// keeps its place on its flat piece; a vertex of a seam keeps its place along the seam. Returns positions in
+/// metres, per vertex of `shirt`. `surface_positions` has one position per vertex of `surface`.
 std::vector<Vec3> lift_onto(const Shirt& shirt, const Shirt& surface,
                             const std::vector<Vec3>& surface_positions);
 

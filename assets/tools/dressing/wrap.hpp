@@ -7,8 +7,8 @@
 
 namespace taut::tailor {
 
-/// A first guess of where the vertices of the sewn shirt lie around the wearer: front and back bent around
-/// half ellipses, sleeves rolled around the arms, and the mean of those wherever pieces meet.
+/// A first guess for positions on the wearer, in metres, per vertex of the shirt. Front and back lie on half
+/// ellipses, sleeves are rolled around the arms. Where pieces meet it is the mean of both.
 std::vector<Vec3> wrap_shirt(const Shirt& shirt, const Stance& stance);
 
 }  // namespace taut::tailor

@@ -8,26 +8,29 @@
 
 namespace taut::tailor {
 
-/// The outlines a pattern file holds, in metres, y up (the file is in millimetres, y down, as patterns are
-/// drafted). Every line runs counter-clockwise around its piece, seen from the outside of the cloth.
+/// Half of the front or the back. Every line runs counter-clockwise around the piece, seen from outside.
+/// Metres, y up; the file has millimetres, y down, as patterns are drafted.
 struct HalfBody {
-  std::vector<Vec2> hem, side_seam, armhole, shoulder_seam, neckline;  ///< from the fold, x = 0, to the fold
+  /// In order, from the fold at x = 0 around to the fold.
+  std::vector<Vec2> hem, side_seam, armhole, shoulder_seam, neckline;
 };
 
+/// The right sleeve, its lines as in HalfBody.
 struct RightSleeve {
   std::vector<Vec2> cuff, underarm_front, cap_front, cap_back, underarm_back;
 };
 
+/// The outlines of a pattern file.
 struct Pattern {
   HalfBody front;
   HalfBody back;
   RightSleeve sleeve;
-  std::string source;  ///< who drafted it, for the header of what is made from it
+  std::string source;  ///< who drafted it; written into the header of the garments
   std::string licence;
 };
 
-/// Throws std::runtime_error naming the file and the field on anything missing or malformed, on segments that
-/// do not join and on seams whose two sides differ by more than 1 mm.
+/// Throws std::runtime_error that names the file and the field if something is missing or malformed. Also
+/// throws if lines do not join, or if the two sides of a seam differ by more than 1 mm.
 Pattern read_pattern(const std::filesystem::path& file);
 
 }  // namespace taut::tailor

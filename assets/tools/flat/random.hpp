@@ -4,15 +4,16 @@
 
 namespace taut::tailor {
 
-/// SplitMix64 (Steele, Lea and Flood 2014). Our own, because the distributions of <random> differ from one
-/// standard library to the next and the garments are reproduced byte for byte.
+/// The random number generator SplitMix64 (Steele, Lea and Flood 2014). It is not from <random>, because the
+/// distributions there differ between standard libraries, and the garments have to be the same byte for byte.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  /// In [0, 1), with 53 random bits: exact in a double.
+  /// In [0, 1), with 53 random bits.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
 
+  /// In [low, high).
   double between(double low, double high) { return low + (high - low) * uniform(); }
 
  private:

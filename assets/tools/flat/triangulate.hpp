@@ -9,11 +9,10 @@
 
 namespace taut::tailor {
 
-/// The Delaunay triangles inside a counter-clockwise outline, which is the first `outline_count` points, in
-/// order; the rest are interior points. Counter-clockwise, each beginning with its smallest index, sorted:
-/// the result does not depend on the order in which the library finds them.
-/// Throws std::runtime_error where the triangulation is not exactly the outline's inside, that is, where an
-/// outline edge is no Delaunay edge because a point lies too close to it.
+/// Delaunay triangulation of the inside of an outline. The first `outline_count` points are the outline, in
+/// counter-clockwise order; the others are inside. Triangles are counter-clockwise and begin with their
+/// smallest index. They are sorted, so the result does not depend on the library's order. Throws
+/// std::runtime_error if an edge of the outline is not a Delaunay edge, because a point is too close to it.
 std::vector<sim::Triangle> triangulate(std::span<const Vec2> points, std::size_t outline_count);
 
 }  // namespace taut::tailor

@@ -9,13 +9,16 @@
 namespace taut::tailor {
 namespace {
 
-constexpr double first_spacing = 0.85;  // of the edge length: nearly as dense as random points get
-constexpr double spacing_decay = 0.98;  // taken where no more points fit
+// Of the edge length: nearly as dense as random points can be.
+constexpr double first_spacing = 0.85;
+// Factor on the spacing after misses_before_decay points in a row that did not fit.
+constexpr double spacing_decay = 0.98;
 constexpr int misses_before_decay = 2000;
-// Nearer to the outline a point would take an outline edge out of the triangulation: it must not lie in the
-// circle over that edge.
-constexpr double outline_clearance = 0.6;  // of the edge length
-constexpr int smoothing_rounds = 12;       // more would approach a regular hexagonal grid
+// Of the edge length. A point closer to the outline could lie in the circle over an outline edge; then that
+// edge would not be a Delaunay edge.
+constexpr double outline_clearance = 0.6;
+// More rounds give a more regular mesh; many would approach a hexagonal grid.
+constexpr int smoothing_rounds = 12;
 
 /// Points by square cells, for finding whether any lies within a cell's width.
 class PointGrid {

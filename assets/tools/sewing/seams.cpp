@@ -7,7 +7,9 @@
 namespace taut::tailor {
 namespace {
 
-constexpr double jitter = 0.15;  // of a step, each way: enough to look irregular, too little for needles
+// Largest shift of a point each way, as a fraction of a step. Enough to look irregular; more would give thin
+// triangles.
+constexpr double jitter = 0.15;
 
 /// Every name once, in order of first use, with the length of its first side.
 std::vector<std::pair<std::string, double>> name_seams(const std::array<Piece, piece_count>& pieces) {

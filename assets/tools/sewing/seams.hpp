@@ -8,14 +8,15 @@
 
 namespace taut::tailor {
 
-/// Samples every seam once, at slightly irregular steps of about `edge_length_m`, and numbers its vertices:
-/// first the corners where seams meet, then the seams in the order the pieces name them. Returns the seams
-/// and sets `vertex_count`. `extra_border_points` more are put on the first border of the shirt, the front
-/// hem: the number of triangles of a mesh has the parity of the number of its border edges.
+/// Samples every seam once, in slightly irregular steps of about `edge_length_m`. Numbers the vertices: first
+/// the corners where seams meet, then the seams in the order of the pieces. Sets `vertex_count`.
+///
+/// `extra_border_points` are added to the front hem, the first border. They make an exact number of triangles
+/// possible: it is odd or even as the number of border edges is.
 std::vector<Seam> sample_seams(const std::array<Piece, piece_count>& pieces, double edge_length_m,
                                std::size_t extra_border_points, Random& random, std::size_t& vertex_count);
 
-/// The points of a piece's outline where its seams were sampled, without interior points or triangles.
+/// The points on a piece's outline where its seams were sampled, without interior points or triangles.
 Panel outline_panel(const Piece& piece, const std::vector<Seam>& seams);
 
 }  // namespace taut::tailor

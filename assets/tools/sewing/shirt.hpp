@@ -13,32 +13,32 @@ using sim::Index;
 using sim::Triangle;
 using sim::Vec3;
 
-/// A seam or an open border, sampled once for all pieces that meet there.
+/// A seam or an open border. It is sampled once for all pieces that meet there.
 struct Seam {
   std::string name;
-  std::vector<double> fractions;  ///< of its length, ascending from 0 to 1
+  std::vector<double> fractions;  ///< of the seam's length, ascending from 0 to 1
   std::vector<Index> vertices;    ///< of the shirt, one per fraction
 };
 
-/// A triangulated piece. Its points are numbered from 0, those of the outline first and in order.
+/// A triangulated piece. Its points count from 0; the outline comes first, in order.
 struct Panel {
   PieceKind kind;
-  std::vector<Vec2> flat_m;     ///< where each point lies in the flat piece
-  std::vector<Index> vertices;  ///< which vertex of the shirt each point became
-  std::size_t outline_count = 0;
-  std::vector<Triangle> triangles;  ///< of points, counter-clockwise seen from outside
+  std::vector<Vec2> flat_m;         ///< per point: its place in the flat piece
+  std::vector<Index> vertices;      ///< per point: the vertex of the shirt that it became
+  std::size_t outline_count = 0;    ///< points on the outline
+  std::vector<Triangle> triangles;  ///< indices of points, counter-clockwise seen from outside
 };
 
-/// Which triangles and which flat lengths, but not yet where: the topology of the sewn shirt.
+/// The sewn shirt: triangles and flat lengths, but no positions in space.
 struct Shirt {
   std::vector<Seam> seams;
   std::array<Panel, piece_count> panels;
   std::size_t vertex_count = 0;
 
-  /// Of all panels in order, as vertices of the shirt.
+  /// Triangles of all panels in order, as indices of vertices of the shirt.
   std::vector<Triangle> triangles() const;
 
-  /// Throws std::out_of_range.
+  /// The seam with this name. Throws std::out_of_range if there is none.
   const Seam& seam(const std::string& name) const;
 };
 

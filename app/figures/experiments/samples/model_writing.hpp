@@ -6,8 +6,9 @@
 
 namespace taut::app {
 
-/// The model, in metres with y up, as a file of the format dae, fbx, obj, off, ply or stl. Written from the
-/// formats' descriptions, not with the library that reads them. Throws std::invalid_argument on any other.
+/// The content of a model file. `format` is dae, fbx, obj, off, ply or stl. The model is in metres with y up.
+/// Written from the descriptions of the formats, not with the library that reads them. Throws
+/// std::invalid_argument for another format.
 std::string model_text(const ModelArrays& model, const std::string& format);
 
 }  // namespace taut::app

@@ -7,15 +7,15 @@
 
 namespace taut::app {
 
-/// A model that differs from the others in what its faces are or how they hang together.
+/// A model whose faces, or their connections, are unlike those of the other samples.
 struct SampleGarment {
-  std::string name;    ///< of its file, without what tells the format
-  std::string format;  ///< of `model_text`
-  std::string kind;    ///< what is particular about it, in words
-  ModelArrays model;   ///< about a metre large, y up
+  std::string name;    ///< of its file, without extension
+  std::string format;  ///< an argument of model_text()
+  std::string kind;    ///< what is special about it, for people
+  ModelArrays model;   ///< about 1 m large, y up
 };
 
-/// One of every kind, each in one format; always the same.
+/// One sample of every kind, each in one format. Every call gives the same models.
 std::vector<SampleGarment> make_sample_garments();
 
 }  // namespace taut::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "app/viewer/simulation/simulation_host.hpp"
+#include "app/viewer/viewer.hpp"
+#include "app/viewer/viewer_context.hpp"
+#include "renderer/gl/colour_target.hpp"
+
+namespace taut::app {
+
+/// The viewer without a window. It plays sessions and draws what the window would show.
+class HeadlessViewer {
+ public:
+  /// `backend` is as in renderer::create_context. Throws InputError if the garment cannot be loaded;
+  /// renderer::ContextError.
+  HeadlessViewer(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
+                 const std::string& backend);
+
+  /// Plays one frame of a session. It is drawn only if a screenshot or a recording needs it. Throws
+  /// InputError if the state differs from the one the session expects, with both hashes; Interrupted.
+  SessionFrame play(const SessionFrame& frame);
+  /// Draws the whole window at best quality. Width and height must not be 0.
+  renderer::Image draw();
+  /// Draws the scene alone, as screenshots and recordings do.
+  renderer::Image draw_scene();
+
+  Viewer& viewer() { return viewer_; }
+  /// Hash of the newest state of the simulation.
+  std::uint64_t state_hash() { return simulation_->state_hash(); }
+  const std::string& gl_renderer() { return context_.context().renderer(); }
+
+ private:
+  std::unique_ptr<SimulationHost> simulation_;
+  Viewer viewer_;
+  ViewerContext context_;
+  std::unique_ptr<renderer::ColourTarget> target_;
+};
+
+}  // namespace taut::app

@@ -140,9 +140,9 @@ const Case cases[] = {{"in a storm", cloth_on_a_line, SolverKind::ideal, storm()
                       {"at rest", cloth_on_a_line, SolverKind::bounded, {}, 900, 3}};
 INSTANTIATE_TEST_SUITE_P(Checkpoint, GoingOn, testing::ValuesIn(cases));
 
-std::string saved_in_a_storm(SolverKind solver) {
+std::string saved_in_a_storm(const SolverSettings& solver) {
   SimulationSettings settings;
-  settings.solver = solver_of(solver);
+  settings.solver = solver;
   Simulation simulation(share(sheet()), corners, settings, storm());
   for (int frame = 0; frame < 5; ++frame) {
     simulation.advance_frame();
@@ -186,7 +186,7 @@ TEST(Checkpoint, NeighbourListsAreThoseThatWereMade) {
 }
 
 TEST(Checkpoint, RefusesEveryDamagedByteAndEveryLength) {
-  const std::string whole = saved_in_a_storm(SolverKind::bounded);
+  const std::string whole = saved_in_a_storm(solver_of(SolverKind::bounded));
   ASSERT_EQ(refusal(whole), "");
   for (std::size_t at = 0; at < whole.size(); at += at < 100 ? 1 : 61) {
     std::string damaged = whole;
@@ -199,11 +199,10 @@ TEST(Checkpoint, RefusesEveryDamagedByteAndEveryLength) {
 
 // Bytes that somebody made up with a hash that fits: refused, or gone on from as from any other shape.
 TEST(Checkpoint, DoesNoHarmWhateverItsBytesAre) {
-  for (const SolverKind solver : {SolverKind::strong, SolverKind::bounded}) {
-    const std::string whole = saved_in_a_storm(solver);
+  for (const SolverMethod& method : {SolverMethod(StrongSettings{}), SolverMethod(BoundedSettings{})}) {
     SimulationSettings settings;
-    settings.solver = solver_of(solver);
-    settings.solver.max_substeps = 200;
+    settings.solver = {.max_substeps = 40, .method = method};
+    const std::string whole = saved_in_a_storm(settings.solver);
     int taken = 0;
     for (std::size_t at = 44; at + 8 < whole.size(); at += at % 8 == 7 ? 89 : 1) {
       std::string forged = whole.substr(0, whole.size() - 8);
@@ -226,10 +225,10 @@ TEST(Checkpoint, DoesNoHarmWhateverItsBytesAre) {
 TEST(Checkpoint, SaysWhatIsWrong) {
   EXPECT_EQ(refusal("nothing of ours"), "byte 0, what the bytes are: found 'nothing ', expected 'TAUTSAVE'");
   EXPECT_EQ(refusal("TAUT"), "byte 0, what the bytes are: found 4 bytes, expected at least 8");
-  std::string later = saved_in_a_storm(SolverKind::bounded);
+  std::string later = saved_in_a_storm(solver_of(SolverKind::bounded));
   later[8] = 2;
   EXPECT_EQ(refusal(later), "byte 8, the version: found 2, expected 1");
-  EXPECT_EQ(refusal(saved_in_a_storm(SolverKind::strong)),
+  EXPECT_EQ(refusal(saved_in_a_storm(solver_of(SolverKind::strong))),
             "what the solver 'strong' remembers, expected 'bounded'");
   const Garment other = make_garment(make_grid({}));
   const Simulation simulation(share(other), corners, {}, {});

@@ -42,12 +42,14 @@ class Diverged : public std::runtime_error {
 /// A garment, where it is, and what acts on it, moved on frame by frame.
 class Simulation {
  public:
-  /// Pinned by `pins`. The cloth begins at rest where it was modelled, or in the shape `start_m`, in
-  /// metres by vertex, moved within the bound where the solver promises one.
-  /// Throws std::invalid_argument on settings a solver refuses, a frame rate that is not positive,
-  /// surroundings that are not possible (require_possible) or in which the solver does not promise its bound
-  /// (promise.hpp), a pin that is no vertex, and a start with another number of vertices or a position that
-  /// is not finite.
+  /// Pinned by `pins`. The cloth begins where it was modelled, or in the shape `start_m`, in metres, one
+  /// position per vertex. A solver that promises a bound moves the start within it.
+  /// Throws std::invalid_argument:
+  /// - on settings that the solver refuses, or a frame rate that is not above 0;
+  /// - on surroundings that are not possible (require_possible), or in which the bound is not promised
+  ///   (promise.hpp);
+  /// - on a pin that is no vertex;
+  /// - on a start with another number of positions, or with one that is not finite.
   Simulation(std::shared_ptr<const Garment> garment, std::vector<Index> pins,
              const SimulationSettings& settings, Surroundings surroundings,
              std::optional<std::vector<Vec3>> start_m = {});

@@ -14,6 +14,10 @@
 namespace taut::sim {
 namespace {
 
+/// Time steps in a frame, where nothing else asks for more. Fewer let sheets of some hundred vertices
+/// stretch.
+constexpr int enough_for_small_sheets = 20;
+
 const SpringStiffness* hooke_springs(const SolverSettings& settings) {
   if (const auto* ideal = std::get_if<IdealSettings>(&settings.method)) {
     return &ideal->stiffness;
@@ -112,7 +116,6 @@ SolverKind kind_of(const SolverMethod& method) {
 }
 
 int equal_substeps(const SolverSettings& settings) {
-  constexpr int enough_for_small_sheets = 20;
   return settings.substeps.value_or(enough_for_small_sheets);
 }
 

@@ -62,9 +62,9 @@ double followed_compression(double mobility_per_kg, double time_step_s) {
 
 /// What the solver derives from a garment, and keeps from frame to frame.
 struct BoundedSolver::Cloth : SteppedCloth {
-  Cloth(const Garment& garment, const Pins& held, const BoundedSettings& settings, double frame_time_s)
-      : SteppedCloth(garment, held, frame_time_s),
-        pins(held.vertices),
+  Cloth(const Garment& garment, const Pins& pinned, const BoundedSettings& settings, double frame_time_s)
+      : SteppedCloth(garment, pinned, frame_time_s),
+        pins(pinned.vertices),
         compression_stiffness_n_per_m(garment.material.compression_stiffness_n_per_m),
         projection(layout),
         mobility_per_kg(mean_mobility_per_kg(layout)) {

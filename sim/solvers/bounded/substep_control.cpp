@@ -125,12 +125,12 @@ double allowed_shift_m(const Layout& layout, double max_stretch) {
 int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
                    double frame_time_s, double max_stretch) {
   const SpringLanes& springs = layout.springs;
-  double held_kg = 0.0;
+  double joined_kg = 0.0;
   double length_m = 0.0;
   int count = 0;
   for (std::size_t k = 0; k < springs.lane_count(); ++k) {
     if (springs.spring[k] != SpringLanes::no_spring && springs.row_i(k) < layout.pin_count) {
-      held_kg += garment.masses_kg[layout.vertex_of_row[springs.row_j(k)]];
+      joined_kg += garment.masses_kg[layout.vertex_of_row[springs.row_j(k)]];
       length_m += garment.springs.rest_lengths_m[springs.spring[k]];
       ++count;
     }
@@ -145,7 +145,7 @@ int first_substeps(const Garment& garment, const Layout& layout, const Surroundi
   }
   const double raw = raw_per_bound * std::max(max_stretch, smallest_bound);
   const double stretch_per_squared_step =
-      load_factor * acceleration(garment, surroundings) * (hanging_kg / held_kg) / (length_m / count);
+      load_factor * acceleration(garment, surroundings) * (hanging_kg / joined_kg) / (length_m / count);
   const double substeps = frame_time_s * std::sqrt(stretch_per_squared_step / raw);
   return static_cast<int>(std::ceil(std::min(substeps, 1e6)));
 }

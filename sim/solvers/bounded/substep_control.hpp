@@ -42,8 +42,8 @@ class SubstepControl {
   bool took_fewer_ = false;  ///< since more were last needed
 };
 
-/// How far the last correction of a frame should move a vertex at most, in m: some thousandths of the cloth's
-/// reach from its pins.
+/// Returns how far the last correction of a frame should move a vertex at most, in m. This is some
+/// thousandths of the cloth's reach from its pins.
 double allowed_shift_m(const Layout& layout, double max_stretch);
 
 /// For the first frame: hanging cloth stretches next to its pins by about c g dt^2 M / (m L), with the mass M

@@ -1,5 +1,7 @@
 #include "app/drawing/drawn_scene_file.hpp"
 
+#include "app/scene/scene_format.hpp"
+
 namespace taut::app {
 
 DrawnScene read_scene_file(const std::filesystem::path& path, std::span<const Override> overrides) {
@@ -19,12 +21,12 @@ void apply_overrides(std::span<const Override> overrides, DrawnScene& scene) {
   apply_overrides(drawn_scene_format(), overrides, scene);
 }
 
-Value scene_settings(const DrawnScene& scene) {
+Json scene_settings(const DrawnScene& scene) {
   return settings_of(drawn_scene_format(), scene);
 }
 
 std::string scene_text(const DrawnScene& scene, GarmentNaming naming) {
-  return text_of(*scene_settings(scene).table(), scene, naming);
+  return text_of(scene_settings(scene), scene, naming);
 }
 
 std::string scene_help() {

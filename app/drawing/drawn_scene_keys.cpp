@@ -3,6 +3,7 @@
 
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/drawn_scene_lists.hpp"
+#include "app/scene/scene_format.hpp"
 #include "app/scene/scene_keys.hpp"
 
 namespace taut::app {

@@ -5,12 +5,13 @@
 namespace taut::app {
 namespace {
 
-std::optional<std::array<double, 2>> two_rising_numbers(const Value& value) {
-  if (value.list() == nullptr || value.list()->size() != 2) {
+std::optional<std::array<double, 2>> two_rising_numbers(const toml::node& value) {
+  const toml::array* list = value.as_array();
+  if (list == nullptr || list->size() != 2) {
     return std::nullopt;
   }
-  const auto low = finite_number(value.list()->front());
-  const auto high = finite_number(value.list()->back());
+  const auto low = finite_number(list->front());
+  const auto high = finite_number(list->back());
   return low && high && *low < *high ? std::optional(std::array{*low, *high}) : std::nullopt;
 }
 
@@ -18,16 +19,17 @@ glm::vec3 to_vec3(const std::array<double, 3>& numbers) {
   return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]), static_cast<float>(numbers[2])};
 }
 
-Value list_of(const glm::vec3& v) {
-  return app::list_of({v.x, v.y, v.z});
+Json list_of(const glm::vec3& v) {
+  return Json::array({v.x, v.y, v.z});
 }
 
-bool read_camera_box(const Value& value, const Source&, DrawnScene& scene) {
-  if (value.list() == nullptr || value.list()->size() != 2) {
+bool read_camera_box(const toml::node& value, const Source&, DrawnScene& scene) {
+  const toml::array* list = value.as_array();
+  if (list == nullptr || list->size() != 2) {
     return false;
   }
-  const auto lower = three_numbers(value.list()->front());
-  const auto upper = three_numbers(value.list()->back());
+  const auto lower = three_numbers(list->front());
+  const auto upper = three_numbers(list->back());
   for (std::size_t i = 0; lower && upper && i < 3; ++i) {
     if ((*lower)[i] > (*upper)[i]) {
       return false;
@@ -39,14 +41,14 @@ bool read_camera_box(const Value& value, const Source&, DrawnScene& scene) {
   return lower && upper;
 }
 
-Value write_camera_box(const DrawnScene& scene) {
+Json write_camera_box(const DrawnScene& scene) {
   const auto& box = scene.camera.box;
-  return box ? Value{ValueList{list_of(box->lower), list_of(box->upper)}} : Value{};
+  return box ? Json::array({list_of(box->lower), list_of(box->upper)}) : Json();
 }
 
 Key<DrawnScene> camera_point_key(std::string name, std::optional<glm::vec3> CameraSettings::*member,
                                  std::string meaning) {
-  auto read = [member](const Value& value, const Source&, DrawnScene& scene) {
+  auto read = [member](const toml::node& value, const Source&, DrawnScene& scene) {
     const auto point = three_numbers(value);
     if (point) {
       scene.camera.*member = to_vec3(*point);
@@ -55,30 +57,31 @@ Key<DrawnScene> camera_point_key(std::string name, std::optional<glm::vec3> Came
   };
   auto write = [member](const DrawnScene& scene) {
     const auto& point = scene.camera.*member;
-    return point ? list_of(*point) : Value{};
+    return point ? list_of(*point) : Json();
   };
   return {std::move(name), "m", "three numbers [x, y, z]", std::move(meaning), read, write};
 }
 
-bool read_ground(const Value& value, const Source&, DrawnScene& scene) {
+bool read_ground(const toml::node& value, const Source&, DrawnScene& scene) {
   Ground& ground = scene.picture.ground;
   if (const auto height = finite_number(value)) {
     ground = {GroundKind::fixed, *height};
     return true;
   }
-  if (value.text() == nullptr || (*value.text() != "auto" && *value.text() != "none")) {
+  const auto text = text_in(value);
+  if (text != "auto" && text != "none") {
     return false;
   }
-  ground = {*value.text() == "auto" ? GroundKind::automatic : GroundKind::none, 0.0};
+  ground = {text == "auto" ? GroundKind::automatic : GroundKind::none, 0.0};
   return true;
 }
 
-Value write_ground(const DrawnScene& scene) {
+Json write_ground(const DrawnScene& scene) {
   const Ground& ground = scene.picture.ground;
   if (ground.kind == GroundKind::fixed) {
-    return {ground.height_m};
+    return ground.height_m;
   }
-  return {std::string(ground.kind == GroundKind::automatic ? "auto" : "none")};
+  return ground.kind == GroundKind::automatic ? "auto" : "none";
 }
 
 }  // namespace
@@ -110,16 +113,12 @@ Key<DrawnScene> ground_key() {
 }
 
 Key<DrawnScene> stretch_range_key() {
-  auto read = [](const Value& value, const Source&, DrawnScene& scene) {
-    const auto range = two_rising_numbers(value);
-    if (range) {
-      scene.picture.stretch_range = *range;
-    }
-    return range.has_value();
+  auto read = [](const toml::node& value, const Source&, DrawnScene& scene) {
+    return store(two_rising_numbers(value), scene.picture.stretch_range);
   };
   auto write = [](const DrawnScene& scene) {
     const auto& range = scene.picture.stretch_range;
-    return range ? Value{ValueList{Value{(*range)[0]}, Value{(*range)[1]}}} : Value{};
+    return range ? Json(*range) : Json();
   };
   return {"picture.stretch_range",
           "",

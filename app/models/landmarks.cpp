@@ -6,9 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/base/files.hpp"
 #include "app/models/pins.hpp"
 #include "app/scene/scene_key.hpp"
-#include "app/scene/toml_reader.hpp"
 
 namespace taut::app {
 namespace {
@@ -25,12 +25,12 @@ struct Search {
   const Placement& placement;
 };
 
-sim::Index vertex_at(const std::string& name, const Value& value, const sim::Vec3& point,
+sim::Index vertex_at(const std::string& name, const toml::node& value, const sim::Vec3& point,
                      const Search& search) {
   const sim::Vec3 scaled = search.placement(point);
   const auto [vertex, distance_m] = nearest_vertex(search.positions, scaled);
   if (!(distance_m <= same_point_m)) {
-    fail(search.source, value.line,
+    fail(search.source, line_of(value),
          fmt::format("landmark {}: the garment has no vertex at [{:.6g}, {:.6g}, {:.6g}] m; the nearest is "
                      "{:.3g} m away",
                      name, scaled.x, scaled.y, scaled.z, distance_m));
@@ -38,39 +38,40 @@ sim::Index vertex_at(const std::string& name, const Value& value, const sim::Vec
   return vertex;
 }
 
-sim::Index find_vertex(const std::string& name, const Value& value, const Search& search) {
+sim::Index find_vertex(const std::string& name, const toml::node& value, const Search& search) {
   if (const auto point = three_numbers(value)) {
     return vertex_at(name, value, {(*point)[0], (*point)[1], (*point)[2]}, search);
   }
   const std::optional<std::int64_t> number = whole_number(value);
   if (!number || *number < 0) {
-    fail(search.source, value.line,
+    fail(search.source, line_of(value),
          fmt::format("landmark {}: found {}, expected a point [x, y, z] or one of the {}", name,
                      to_text(value), search.file_vertices.describe()));
   }
   const auto index = static_cast<std::size_t>(*number);
   const std::optional<sim::Index> vertex = search.file_vertices.find(index);
   if (!vertex) {
-    fail(search.source, value.line, "landmark " + name + ": " + search.file_vertices.why_missing(index));
+    fail(search.source, line_of(value), "landmark " + name + ": " + search.file_vertices.why_missing(index));
   }
   return *vertex;
 }
 
-std::vector<sim::Index> find_vertices(const std::string& name, const ValueList& list, const Search& search) {
+std::vector<sim::Index> find_vertices(const std::string& name, const toml::array& list,
+                                      const Search& search) {
   std::vector<sim::Index> found;
-  for (const Value& value : list) {
+  for (const toml::node& value : list) {
     found.push_back(find_vertex(name, value, search));
   }
   return found;
 }
 
 // Landmarks may stand in tables, whose names do not matter.
-void collect(const ValueTable& table, const Search& search, Landmarks& landmarks) {
-  for (const auto& [name, value] : table) {
-    if (value.table() != nullptr) {
-      collect(*value.table(), search, landmarks);
-    } else if (value.list() != nullptr) {
-      landmarks.emplace_back(name, find_vertices(name, *value.list(), search));
+void collect(const toml::table& table, const Search& search, Landmarks& landmarks) {
+  for (const auto& [name, value] : entries_of(table)) {
+    if (value->is_table()) {
+      collect(*value->as_table(), search, landmarks);
+    } else if (value->is_array()) {
+      landmarks.emplace_back(name, find_vertices(name, *value->as_array(), search));
     }
   }
 }
@@ -90,8 +91,8 @@ Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& 
   if (!std::filesystem::exists(path, error)) {
     return landmarks;
   }
-  const Value file = read_toml(path);
-  collect(*file.table(), {{path.string(), false}, mesh.positions, file_vertices, placement}, landmarks);
+  const toml::table file = read_toml_text(read_text_file(path), path.string());
+  collect(file, {{path.string(), false}, mesh.positions, file_vertices, placement}, landmarks);
   return landmarks;
 }
 

@@ -11,7 +11,7 @@
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/scene/toml_reader.hpp"
+#include "app/scene/scene_format.hpp"
 
 namespace taut::app {
 namespace {
@@ -52,28 +52,16 @@ std::filesystem::path find_garment(const std::filesystem::path& recorded,
   return recorded;
 }
 
-// As it stands in the record: reading the key puts a scene file's folder in front of it.
-std::filesystem::path recorded_file(const Value& scene, const char* name) {
-  for (const auto& [section, keys] : *scene.table()) {
-    for (const auto& [key, value] : section == "garment" && keys.table() ? *keys.table() : ValueTable{}) {
-      if (key == name && value.text() != nullptr) {
-        return *value.text();
-      }
-    }
-  }
-  return {};
-}
-
 DrawnScene read_scene(const std::string& text, const std::filesystem::path& file) {
   const Source source{"the scene in '" + file.string() + '\'', false};
-  const Value value = read_toml_text(text, source.name);
+  const toml::table settings = read_toml_text(text, source.name);
   DrawnScene scene;
   const SceneFormat<DrawnScene> format = drawn_scene_format();
-  KeyReader(format.keys, source, scene).read(*value.table());
+  KeyReader(format.keys, source, scene).read(settings);
   for (const auto& [name, member] : garment_files) {
-    const std::filesystem::path recorded = recorded_file(value, name);
-    if (!recorded.empty()) {
-      scene.garment.*member = find_garment(recorded, file.parent_path());
+    // As it stands there: reading the key puts a scene file's folder in front of it.
+    if (const auto recorded = settings["garment"][name].value<std::string>()) {
+      scene.garment.*member = find_garment(*recorded, file.parent_path());
     }
   }
   scene.name = file.stem().string();

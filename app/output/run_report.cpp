@@ -16,28 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct JsonWriter {
-  Json operator()(std::monostate) const { return nullptr; }
-  Json operator()(bool value) const { return value; }
-  Json operator()(std::int64_t value) const { return value; }
-  Json operator()(double value) const { return value; }
-  Json operator()(const std::string& value) const { return value; }
-  Json operator()(const ValueList& values) const {
-    Json list = Json::array();
-    for (const Value& value : values) {
-      list.push_back(std::visit(*this, value.data));
-    }
-    return list;
-  }
-  Json operator()(const ValueTable& table) const {
-    Json object = Json::object();
-    for (const auto& [key, value] : table) {
-      object[key] = std::visit(*this, value.data);
-    }
-    return object;
-  }
-};
-
 /// What stands in the statistics of a frame.
 struct FrameColumn {
   const char* name;
@@ -169,7 +147,7 @@ std::string statistics_header(StatisticsFormat format, const RunDescription& run
   if (format == StatisticsFormat::json_lines) {
     return line_of({{"scene", run.scene.name},
                     {"garment", garment_json(run.garment, run.pins)},
-                    {"settings", std::visit(JsonWriter{}, scene_settings(run.scene).data)},
+                    {"settings", scene_settings(run.scene)},
                     {"versions", versions_json(run.gl_renderer)}});
   }
   std::string names;

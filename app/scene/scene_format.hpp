@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "app/base/files.hpp"
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_key.hpp"
-#include "app/scene/toml_reader.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_value.hpp"
 
 namespace taut::app {
 
@@ -24,12 +26,29 @@ struct SceneFormat {
 /// The keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
 SceneFormat<Scene> simulation_format();
 
+/// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_value.hpp).
+void require_one_garment(const toml::table& file, const Source& source);
+
+/// Requires that the garment's files exist. `named` is what the scene file says; `used` is that after
+/// overrides. A file that was overridden is not checked. Throws by `fail`.
+void require_garment_of(const toml::table& file, const Source& source, const GarmentSource& named,
+                        const GarmentSource& used);
+
+/// Requires that the file of key garment.KEY exists. `line` is where the scene file names it; 0: nowhere.
+/// Throws by `fail`.
+void require_named(const std::string& key, const std::filesystem::path& named, const Source& source,
+                   int line);
+
+/// The place of a key with its sections, such as "solver.substeps", in `settings_of`.
+Json::json_pointer pointer_to(std::string key);
+
 /// Sets keys of a scene. Throws UsageError if a key or a value is not valid.
 template <class S>
 void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
   for (const Override& changed : overrides) {
     const Source source{changed.option, true};
-    KeyReader(format.keys, source, scene).read_value(changed.key, read_toml_value(changed.value));
+    const toml::table value = read_toml_value(changed.value);
+    KeyReader(format.keys, source, scene).read_value(changed.key, *value.get("value"));
     for (const auto& [name, member] : garment_files) {
       if (changed.key == std::string("garment.") + name) {
         require_named(name, scene.garment.*member, source, 0);
@@ -47,26 +66,41 @@ void apply_overrides(const SceneFormat<S>& format, std::span<const Override> ove
 template <class S>
 S read_scene(const SceneFormat<S>& format, const std::string& text, const std::string& name,
              std::span<const Override> overrides) {
-  const Value file = read_toml_text(text, name);
+  const toml::table file = read_toml_text(text, name);
   const Source source{name, false};
   S scene;
-  KeyReader(format.keys, source, scene).read(*file.table());
-  require_one_garment(*file.table(), source);
+  KeyReader(format.keys, source, scene).read(file);
+  require_one_garment(file, source);
   format.check(scene, source);
   const GarmentSource named = scene.garment;
   apply_overrides(format, overrides, scene);
-  require_garment_of(*file.table(), source, named, scene.garment);
+  require_garment_of(file, source, named, scene.garment);
+  return scene;
+}
+
+/// Returns the scene that the argument SCENE means. Throws InputError; UsageError for an override.
+template <class S>
+S find_scene(const SceneFormat<S>& format, const std::string& name, std::span<const Override> overrides) {
+  const FoundScene found = locate_scene(name);
+  S scene;
+  if (found.is_garment) {
+    set_garment(found.file, scene);
+    apply_overrides(format, overrides, scene);
+  } else {
+    scene = read_scene(format, read_text_file(found.file), found.file.string(), overrides);
+  }
+  scene.name = found.name;
   return scene;
 }
 
 /// All keys with their values, nested as in a file.
 template <class S>
-Value settings_of(const SceneFormat<S>& format, const S& scene) {
-  ValueTable table;
+Json settings_of(const SceneFormat<S>& format, const S& scene) {
+  Json settings;
   for (const Key<S>& key : format.keys) {
-    insert(table, key.name, key.write(scene));
+    settings[pointer_to(key.name)] = key.write(scene);
   }
-  return {table};
+  return settings;
 }
 
 /// A key with default, unit, range and meaning, as text for people.

@@ -33,26 +33,26 @@ bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers) {
   return size <= limits.largest && (limits.may_be_zero || size > 0.0);
 }
 
-std::optional<double> finite_number(const Value& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
-    return static_cast<double>(*whole);
+std::optional<double> finite_number(const toml::node& value) {
+  if (const auto* whole = value.as_integer()) {
+    return static_cast<double>(whole->get());
   }
-  const auto* number = std::get_if<double>(&value.data);
-  return number != nullptr && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
+  const auto* number = value.as_floating_point();
+  return number != nullptr && std::isfinite(number->get()) ? std::optional(number->get()) : std::nullopt;
 }
 
-std::optional<std::int64_t> whole_number(const Value& value) {
-  const auto* whole = std::get_if<std::int64_t>(&value.data);
-  return whole != nullptr ? std::optional(*whole) : std::nullopt;
+std::optional<std::int64_t> whole_number(const toml::node& value) {
+  return value.value_exact<std::int64_t>();
 }
 
-std::optional<std::array<double, 3>> three_numbers(const Value& value) {
-  if (value.list() == nullptr || value.list()->size() != 3) {
+std::optional<std::array<double, 3>> three_numbers(const toml::node& value) {
+  const toml::array* list = value.as_array();
+  if (list == nullptr || list->size() != 3) {
     return std::nullopt;
   }
   std::array<double, 3> numbers{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<double> number = finite_number((*value.list())[i]);
+    const std::optional<double> number = finite_number((*list)[i]);
     if (!number) {
       return std::nullopt;
     }
@@ -61,14 +61,10 @@ std::optional<std::array<double, 3>> three_numbers(const Value& value) {
   return numbers;
 }
 
-Value list_of(const std::array<double, 3>& numbers) {
-  return {ValueList{Value{numbers[0]}, Value{numbers[1]}, Value{numbers[2]}}};
-}
-
-std::optional<std::array<float, 3>> colour_value(const Value& value) {
+std::optional<std::array<float, 3>> colour_value(const toml::node& value) {
   constexpr std::string_view digits = "0123456789abcdef";
-  const std::string* text = value.text();
-  if (text == nullptr || text->size() != 7 || text->front() != '#') {
+  const std::optional<std::string> text = text_in(value);
+  if (!text || text->size() != 7 || text->front() != '#') {
     return std::nullopt;
   }
   std::array<float, 3> colour{};
@@ -83,12 +79,12 @@ std::optional<std::array<float, 3>> colour_value(const Value& value) {
   return colour;
 }
 
-Value colour_text(const std::array<float, 3>& colour) {
+std::string colour_text(const std::array<float, 3>& colour) {
   std::string text = "#";
   for (const float channel : colour) {
     text += fmt::format("{:02x}", static_cast<int>(std::lround(std::clamp(channel, 0.0F, 1.0F) * 255.0F)));
   }
-  return {text};
+  return text;
 }
 
 }  // namespace taut::app

@@ -21,8 +21,8 @@ struct Key {
   std::string expected;  ///< what a value must be: "a whole number from 1 to 1000"
   std::string meaning;   ///< one line
   /// Stores a value. Returns false if it is not as expected. May also throw by `fail`, with its own message.
-  std::function<bool(const Value&, const Source&, T&)> read;
-  std::function<Value(const T&)> write;  ///< returns what is stored, also for printing the default
+  std::function<bool(const toml::node&, const Source&, T&)> read;
+  std::function<Json(const T&)> write;  ///< returns what is stored, also for printing the default
 };
 
 /// An interval of numbers.
@@ -44,14 +44,13 @@ std::string describe(const std::string& what, const Range& range);
 
 /// What a value holds: a finite number, a whole number, a list of three finite numbers. Empty for anything
 /// else.
-std::optional<double> finite_number(const Value& value);
-std::optional<std::int64_t> whole_number(const Value& value);
-std::optional<std::array<double, 3>> three_numbers(const Value& value);
-Value list_of(const std::array<double, 3>& numbers);
+std::optional<double> finite_number(const toml::node& value);
+std::optional<std::int64_t> whole_number(const toml::node& value);
+std::optional<std::array<double, 3>> three_numbers(const toml::node& value);
 
 /// Red, green and blue, 0 to 1, of a text "#rrggbb"; empty for anything else.
-std::optional<std::array<float, 3>> colour_value(const Value& value);
-Value colour_text(const std::array<float, 3>& colour);
+std::optional<std::array<float, 3>> colour_value(const toml::node& value);
+std::string colour_text(const std::array<float, 3>& colour);
 
 /// `access` of a key: the member, in a const T or not.
 #define MEMBER(path)     \
@@ -73,13 +72,22 @@ double stored(const Member& member) {
   return static_cast<double>(std::optional(member).value_or(0));
 }
 
+// Stores what was found. Returns false if nothing was.
+template <class Found, class Member>
+bool store(const std::optional<Found>& found, Member& member) {
+  if (found) {
+    member = *found;
+  }
+  return found.has_value();
+}
+
 // Makers of keys. `access` returns a reference to the member of the T it is given, const or not. A number is
 // stored times `factor`: degrees in files, radians in code.
 
 template <class T, class Access>
 Key<T> number_key(std::string name, std::string unit, const Range& range, Access access, std::string meaning,
                   double factor = 1.0) {
-  auto read = [=](const Value& value, const Source&, T& target) {
+  auto read = [=](const toml::node& value, const Source&, T& target) {
     const std::optional<double> number = finite_number(value);
     if (!number || !range.contains(*number)) {
       return false;
@@ -87,14 +95,14 @@ Key<T> number_key(std::string name, std::string unit, const Range& range, Access
     store(*number * factor, access(target));
     return true;
   };
-  auto write = [=](const T& source) { return Value{stored(access(source)) / factor}; };
+  auto write = [=](const T& source) { return Json(stored(access(source)) / factor); };
   return {std::move(name), std::move(unit), describe("a number", range), std::move(meaning), read, write};
 }
 
 template <class T, class Access>
 Key<T> whole_key(std::string name, const Range& range, Access access, std::string meaning,
                  std::string unit = "") {
-  auto read = [=](const Value& value, const Source&, T& target) {
+  auto read = [=](const toml::node& value, const Source&, T& target) {
     const std::optional<std::int64_t> number = whole_number(value);
     if (!number || !range.contains(static_cast<double>(*number))) {
       return false;
@@ -102,33 +110,26 @@ Key<T> whole_key(std::string name, const Range& range, Access access, std::strin
     store(static_cast<double>(*number), access(target));
     return true;
   };
-  auto write = [=](const T& source) { return Value{static_cast<std::int64_t>(stored(access(source)))}; };
+  auto write = [=](const T& source) { return Json(static_cast<std::int64_t>(stored(access(source)))); };
   return {
       std::move(name), std::move(unit), describe("a whole number", range), std::move(meaning), read, write};
 }
 
 template <class T, class Access>
 Key<T> switch_key(std::string name, Access access, std::string meaning) {
-  auto read = [=](const Value& value, const Source&, T& target) {
-    const bool* found = std::get_if<bool>(&value.data);
-    if (found != nullptr) {
-      access(target) = *found;
-    }
-    return found != nullptr;
+  auto read = [=](const toml::node& value, const Source&, T& target) {
+    return store(value.value_exact<bool>(), access(target));
   };
-  auto write = [=](const T& source) { return Value{access(source)}; };
+  auto write = [=](const T& source) { return Json(access(source)); };
   return {std::move(name), "", "true or false", std::move(meaning), read, write};
 }
 
 template <class T, class Access>
 Key<T> text_key(std::string name, Access access, std::string meaning) {
-  auto read = [=](const Value& value, const Source&, T& target) {
-    if (value.text() != nullptr) {
-      access(target) = *value.text();
-    }
-    return value.text() != nullptr;
+  auto read = [=](const toml::node& value, const Source&, T& target) {
+    return store(text_in(value), access(target));
   };
-  auto write = [=](const T& source) { return Value{std::string(access(source))}; };
+  auto write = [=](const T& source) { return Json(access(source)); };
   return {std::move(name), "", "a text", std::move(meaning), read, write};
 }
 
@@ -146,7 +147,7 @@ bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers);
 template <class T, class Access>
 Key<T> vector_key(std::string name, std::string unit, Access access, std::string meaning,
                   VectorLimits limits = {}) {
-  auto read = [=](const Value& value, const Source&, T& target) {
+  auto read = [=](const toml::node& value, const Source&, T& target) {
     const auto numbers = three_numbers(value);
     if (!numbers || !allows(limits, *numbers)) {
       return false;
@@ -160,14 +161,14 @@ Key<T> vector_key(std::string name, std::string unit, Access access, std::string
   };
   auto write = [=](const T& source) {
     const auto& v = access(source);
-    return list_of({v.x, v.y, v.z});
+    return Json::array({v.x, v.y, v.z});
   };
   return {std::move(name), std::move(unit), describe(limits), std::move(meaning), read, write};
 }
 
 template <class T, class Access>
 Key<T> colour_key(std::string name, Access access, std::string meaning) {
-  auto read = [=](const Value& value, const Source&, T& target) {
+  auto read = [=](const toml::node& value, const Source&, T& target) {
     const auto colour = colour_value(value);
     if (colour) {
       access(target) = {(*colour)[0], (*colour)[1], (*colour)[2]};
@@ -189,9 +190,10 @@ Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> 
   for (const auto& [text, choice] : choices) {
     expected += (expected.empty() ? "\"" : " or \"") + text + '"';
   }
-  auto read = [=](const Value& value, const Source&, T& target) {
+  auto read = [=](const toml::node& value, const Source&, T& target) {
+    const auto found = text_in(value);
     for (const auto& [text, choice] : choices) {
-      if (value.text() != nullptr && *value.text() == text) {
+      if (found == text) {
         access(target) = choice;
         return true;
       }
@@ -201,10 +203,10 @@ Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> 
   auto write = [=](const T& source) {
     for (const auto& [text, choice] : choices) {
       if (access(source) == choice) {
-        return Value{text};
+        return Json(text);
       }
     }
-    return Value{};
+    return Json();
   };
   return {std::move(name), "", std::move(expected), std::move(meaning), read, write};
 }
@@ -218,31 +220,31 @@ class KeyReader {
       : keys_(keys), source_(source), target_(target) {}
 
   /// Reads all values of the table. Throws by `fail` (scene_value.hpp) at the first one that is not valid.
-  void read(const ValueTable& table, const std::string& section = "") {
-    for (const auto& [key, value] : table) {
-      read_value(section.empty() ? key : section + '.' + key, value);
+  void read(const toml::table& table, const std::string& section = "") {
+    for (const auto& [key, value] : entries_of(table)) {
+      read_value(section.empty() ? key : section + '.' + key, *value);
     }
   }
 
   /// Reads the value of one key or section. Throws by `fail`.
-  void read_value(const std::string& name, const Value& value) {
+  void read_value(const std::string& name, const toml::node& value) {
     for (const Key<T>& key : keys_) {
       if (key.name == name) {
         if (!key.read(value, source_, target_)) {
-          fail(source_, value.line, name + ": found " + to_text(value) + ", expected " + expected(key));
+          fail(source_, line_of(value), name + ": found " + to_text(value) + ", expected " + expected(key));
         }
         return;
       }
     }
     if (is_section(name)) {
-      if (value.table() == nullptr) {
-        fail(source_, value.line,
+      if (!value.is_table()) {
+        fail(source_, line_of(value),
              name + ": found " + to_text(value) + ", expected a table with the keys " + keys_of(name));
       }
-      read(*value.table(), name);
+      read(*value.as_table(), name);
       return;
     }
-    fail_unknown(name, value.line);
+    fail_unknown(name, line_of(value));
   }
 
  private:

@@ -163,12 +163,12 @@ void add_forces(SceneKeys& keys) {
 
 // Of a collider 0 is a friction as good as any other.
 Key<sim::Collider> friction_key() {
-  auto read = [](const Value& value, const Source&, sim::Collider& collider) {
+  auto read = [](const toml::node& value, const Source&, sim::Collider& collider) {
     collider.friction = finite_number(value);
     return collider.friction && friction.contains(*collider.friction);
   };
   auto write = [](const sim::Collider& collider) {
-    return collider.friction ? Value{*collider.friction} : Value{};
+    return collider.friction ? Json(*collider.friction) : Json();
   };
   return {"friction", "",   describe("a number", friction), "Coulomb's coefficient; not set: cloth.friction",
           read,       write};
@@ -216,7 +216,7 @@ std::vector<Key<sim::Collider>> collider_keys(const std::string& shape) {
   using C = sim::Collider;
   std::vector<Key<C>> keys = {
       {"shape", "", "\"plane\" or \"sphere\" or \"capsule\"", "",
-       [](const Value&, const Source&, C&) { return true; }, [shape](const C&) { return Value{shape}; }},
+       [](const toml::node&, const Source&, C&) { return true; }, [shape](const C&) { return Json(shape); }},
       friction_key()};
   if (shape == "plane") {
     keys.push_back(vector_key<C>("point", "m", MEMBER_OF(Plane, point_m), "any point of it"));

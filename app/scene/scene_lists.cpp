@@ -9,18 +9,16 @@
 namespace taut::app {
 namespace {
 
-std::optional<NearestTo> nearest_of(const Value& value) {
-  const ValueTable* table = value.table();
-  if (table == nullptr || table->size() != 1 || table->front().key != "nearest") {
-    return std::nullopt;
-  }
-  const auto point = three_numbers(table->front().value);
+std::optional<NearestTo> nearest_of(const toml::node& value) {
+  const toml::table* table = value.as_table();
+  const toml::node* nearest = table != nullptr && table->size() == 1 ? table->get("nearest") : nullptr;
+  const auto point = nearest != nullptr ? three_numbers(*nearest) : std::nullopt;
   return point ? std::optional(NearestTo{{(*point)[0], (*point)[1], (*point)[2]}}) : std::nullopt;
 }
 
-std::optional<PinSelector> pin_of(const Value& value) {
-  if (value.text() != nullptr) {
-    return *value.text();
+std::optional<PinSelector> pin_of(const toml::node& value) {
+  if (const auto text = text_in(value)) {
+    return *text;
   }
   if (const auto index = whole_number(value); index && *index >= 0 && *index < 0xFFFFFFFFLL) {
     return static_cast<sim::Index>(*index);
@@ -31,19 +29,19 @@ std::optional<PinSelector> pin_of(const Value& value) {
   return std::nullopt;
 }
 
-bool read_pins(const Value& value, const Source&, Scene& scene) {
+bool read_pins(const toml::node& value, const Source&, Scene& scene) {
   std::vector<PinSelector> pins;
-  if (value.text() != nullptr) {
-    if (*value.text() != "none") {
-      pins.emplace_back(*value.text());
+  if (const auto text = text_in(value)) {
+    if (*text != "none") {
+      pins.emplace_back(*text);
     }
     scene.pins = pins;
     return true;
   }
-  if (value.list() == nullptr) {
+  if (!value.is_array()) {
     return false;
   }
-  for (const Value& item : *value.list()) {
+  for (const toml::node& item : *value.as_array()) {
     const auto pin = pin_of(item);
     if (!pin) {
       return false;
@@ -54,8 +52,8 @@ bool read_pins(const Value& value, const Source&, Scene& scene) {
   return true;
 }
 
-bool read_layer_distance(const Value& value, const Source&, Scene& scene) {
-  const bool from_mesh = value.text() != nullptr && *value.text() == "auto";
+bool read_layer_distance(const toml::node& value, const Source&, Scene& scene) {
+  const bool from_mesh = text_in(value) == "auto";
   const std::optional<double> distance_m = finite_number(value);
   if (!from_mesh && !(distance_m && *distance_m >= 0.0)) {
     return false;
@@ -64,40 +62,40 @@ bool read_layer_distance(const Value& value, const Source&, Scene& scene) {
   return true;
 }
 
-Value write_layer_distance(const Scene& scene) {
-  return scene.layer_distance_m ? Value{*scene.layer_distance_m} : Value{std::string("auto")};
+Json write_layer_distance(const Scene& scene) {
+  return scene.layer_distance_m ? Json(*scene.layer_distance_m) : Json("auto");
 }
 
 struct PinWriter {
-  Value operator()(const std::string& name) const { return {name}; }
-  Value operator()(sim::Index vertex) const { return {static_cast<std::int64_t>(vertex)}; }
-  Value operator()(const NearestTo& nearest) const {
+  Json operator()(const std::string& name) const { return name; }
+  Json operator()(sim::Index vertex) const { return vertex; }
+  Json operator()(const NearestTo& nearest) const {
     const sim::Vec3& p = nearest.point_m;
-    return {ValueTable{{"nearest", list_of({p.x, p.y, p.z})}}};
+    return Json::object({{"nearest", {p.x, p.y, p.z}}});
   }
 };
 
-Value write_pins(const Scene& scene) {
+Json write_pins(const Scene& scene) {
   if (!scene.pins) {
     return {};
   }
-  ValueList list;
+  Json list = Json::array();
   for (const PinSelector& pin : *scene.pins) {
     list.push_back(std::visit(PinWriter{}, pin));
   }
-  return {list};
+  return list;
 }
 
 template <class T>
-Value write_entry(const std::vector<Key<T>>& keys, const T& entry) {
-  ValueTable table;
+Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
+  Json table = Json::object();
   for (const Key<T>& key : keys) {
-    const Value value = key.write(entry);
-    if (is_set(value)) {
-      table.push_back({key.name, value});
+    const Json value = key.write(entry);
+    if (!value.is_null()) {
+      table[key.name] = value;
     }
   }
-  return {table};
+  return table;
 }
 
 const char* shape_name(const sim::Shape& shape) {
@@ -115,70 +113,68 @@ std::optional<sim::Collider> collider_of_shape(const std::string& name) {
   return std::nullopt;
 }
 
-sim::Collider read_collider(const Value& value, const Source& source) {
+sim::Collider read_collider(const toml::table& entry, const Source& source) {
   const std::string expected = "expected a shape, \"plane\" or \"sphere\" or \"capsule\"";
-  for (const auto& [key, item] : *value.table()) {
-    if (key != "shape") {
-      continue;
-    }
-    auto collider = item.text() != nullptr ? collider_of_shape(*item.text()) : std::nullopt;
-    if (!collider) {
-      fail(source, item.line, "colliders.shape: found " + to_text(item) + ", " + expected);
-    }
-    const auto keys = collider_keys(*item.text());
-    KeyReader(keys, source, *collider).read(*value.table());
-    if (auto* plane = std::get_if<sim::Plane>(&collider->shape)) {
-      plane->normal = glm::normalize(plane->normal);
-    }
-    return *collider;
+  const toml::node* shape = entry.get("shape");
+  if (shape == nullptr) {
+    fail(source, line_of(entry), "an entry of colliders has no shape; " + expected);
   }
-  fail(source, value.line, "an entry of colliders has no shape; " + expected);
+  auto collider = collider_of_shape(text_in(*shape).value_or(""));
+  if (!collider) {
+    fail(source, line_of(*shape), "colliders.shape: found " + to_text(*shape) + ", " + expected);
+  }
+  const auto keys = collider_keys(shape_name(collider->shape));
+  KeyReader(keys, source, *collider).read(entry);
+  if (auto* plane = std::get_if<sim::Plane>(&collider->shape)) {
+    plane->normal = glm::normalize(plane->normal);
+  }
+  return *collider;
 }
 
-bool is_list_of_tables(const Value& value) {
-  const auto is_table = [](const Value& item) { return item.table() != nullptr; };
-  return value.list() != nullptr && std::all_of(value.list()->begin(), value.list()->end(), is_table);
+bool is_list_of_tables(const toml::node& value) {
+  const toml::array* list = value.as_array();
+  return list != nullptr && (list->empty() || list->is_homogeneous<toml::table>());
 }
 
-bool read_colliders(const Value& value, const Source& source, Scene& scene) {
+bool read_colliders(const toml::node& value, const Source& source, Scene& scene) {
   if (!is_list_of_tables(value)) {
     return false;
   }
   scene.surroundings.colliders.clear();
-  for (const Value& item : *value.list()) {
-    scene.surroundings.colliders.push_back(read_collider(item, source));
+  for (const toml::node& item : *value.as_array()) {
+    scene.surroundings.colliders.push_back(read_collider(*item.as_table(), source));
   }
   return true;
 }
 
-Value write_colliders(const Scene& scene) {
-  ValueList list;
+Json write_colliders(const Scene& scene) {
+  Json list = Json::array();
   for (const sim::Collider& collider : scene.surroundings.colliders) {
     list.push_back(write_entry(collider_keys(shape_name(collider.shape)), collider));
   }
-  return {list};
+  return list;
 }
 
-bool read_forces(const Value& value, const Source& source, Scene& scene) {
+bool read_forces(const toml::node& value, const Source& source, Scene& scene) {
   if (!is_list_of_tables(value)) {
     return false;
   }
   const auto keys = force_keys();
   scene.surroundings.forces.artificial_forces.clear();
-  for (const Value& item : *value.list()) {
+  for (const toml::node& item : *value.as_array()) {
     sim::PointForce force;
-    KeyReader(keys, source, force).read(*item.table());
+    KeyReader(keys, source, force).read(*item.as_table());
     scene.surroundings.forces.artificial_forces.push_back(force);
   }
   return true;
 }
 
-Value write_forces(const Scene& scene) {
-  ValueList list;
+Json write_forces(const Scene& scene) {
+  Json list = Json::array();
   for (const sim::PointForce& force : scene.surroundings.forces.artificial_forces) {
     list.push_back(write_entry(force_keys(), force));
   }
-  return {list};
+  return list;
 }
 
 // Files are named relative to the scene that names them.
@@ -190,18 +186,28 @@ std::filesystem::path beside(const Source& source, const std::filesystem::path& 
 
 Key<Scene> file_name_key(std::string name, std::filesystem::path GarmentSource::*member,
                          std::string meaning) {
-  auto read = [member](const Value& value, const Source& source, Scene& scene) {
-    if (value.text() == nullptr || value.text()->empty()) {
+  auto read = [member](const toml::node& value, const Source& source, Scene& scene) {
+    const auto text = text_in(value);
+    if (!text || text->empty()) {
       return false;
     }
-    scene.garment.*member = beside(source, *value.text());
+    scene.garment.*member = beside(source, *text);
     return true;
   };
   auto write = [member](const Scene& scene) {
     const std::filesystem::path& file = scene.garment.*member;
-    return file.empty() ? Value{} : Value{file.string()};
+    return file.empty() ? Json() : Json(file.string());
   };
   return {std::move(name), "", "a file name", std::move(meaning), read, write};
+}
+
+template <class Choices>
+auto named(const Choices& all) {
+  std::vector<std::pair<std::string, typename Choices::value_type>> choices;
+  for (const auto choice : all) {
+    choices.emplace_back(sim::name_of(choice), choice);
+  }
+  return choices;
 }
 
 }  // namespace
@@ -218,15 +224,15 @@ Key<Scene> start_key() {
 }
 
 Key<Scene> checkpoint_key() {
-  auto read = [](const Value& value, const Source& source, Scene& scene) {
-    if (value.text() == nullptr) {
-      return false;
+  auto read = [](const toml::node& value, const Source& source, Scene& scene) {
+    const auto text = text_in(value);
+    if (text) {
+      scene.checkpoint = text->empty() ? std::filesystem::path() : beside(source, *text);
     }
-    scene.checkpoint = value.text()->empty() ? std::filesystem::path() : beside(source, *value.text());
-    return true;
+    return text.has_value();
   };
   auto write = [](const Scene& scene) {
-    return scene.checkpoint.empty() ? Value{} : Value{scene.checkpoint.string()};
+    return scene.checkpoint.empty() ? Json() : Json(scene.checkpoint.string());
   };
   return {"start.checkpoint",
           "",
@@ -237,31 +243,15 @@ Key<Scene> checkpoint_key() {
 }
 
 Key<Scene> up_key() {
-  auto read = [](const Value& value, const Source&, Scene& scene) {
-    if (value.text() == nullptr) {
-      return false;
-    }
-    if (*value.text() == "auto") {
-      scene.garment.up.reset();
-      return true;
-    }
-    const auto* const name = std::find(axis_names.begin(), axis_names.end(), *value.text());
-    if (name == axis_names.end()) {
-      return false;
-    }
-    scene.garment.up = static_cast<ModelAxis>(name - axis_names.begin());
-    return true;
-  };
-  auto write = [](const Scene& scene) {
-    return Value{
-        std::string(scene.garment.up ? axis_names[static_cast<std::size_t>(*scene.garment.up)] : "auto")};
-  };
-  return {"garment.up",
-          "",
-          "\"auto\" or \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\"",
-          "the model's direction that is up; auto: what the file says, or else a guess from its size",
-          read,
-          write};
+  std::vector<std::pair<std::string, std::optional<ModelAxis>>> choices = {{"auto", std::nullopt}};
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    choices.emplace_back(axis_names[i], static_cast<ModelAxis>(i));
+  }
+  Key<Scene> key = choice_key<Scene, std::optional<ModelAxis>>(
+      "garment.up", choices, MEMBER(garment.up),
+      "the model's direction that is up; auto: what the file says, or else a guess from its size");
+  key.expected = "\"auto\" or \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\"";
+  return key;
 }
 
 Key<Scene> pins_key() {
@@ -299,19 +289,11 @@ Key<Scene> layer_distance_key() {
 }
 
 std::vector<std::pair<std::string, sim::SolverKind>> solver_choices() {
-  std::vector<std::pair<std::string, sim::SolverKind>> choices;
-  for (const sim::SolverKind kind : sim::all_solver_kinds) {
-    choices.emplace_back(sim::name_of(kind), kind);
-  }
-  return choices;
+  return named(sim::all_solver_kinds);
 }
 
 std::vector<std::pair<std::string, sim::VectorUnit>> vector_unit_choices() {
-  std::vector<std::pair<std::string, sim::VectorUnit>> choices;
-  for (const sim::VectorUnit unit : sim::all_vector_units) {
-    choices.emplace_back(sim::name_of(unit), unit);
-  }
-  return choices;
+  return named(sim::all_vector_units);
 }
 
 }  // namespace taut::app

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/base/files.hpp"
-#include "app/scene/scene_format.hpp"
+#include "app/scene/scene.hpp"
 
 namespace taut::app {
 
@@ -34,20 +33,5 @@ FoundScene locate_scene(const std::string& name);
 
 /// Sets the scene to a default scene for this garment file.
 void set_garment(const std::filesystem::path& file, Scene& scene);
-
-/// Returns the scene that the argument SCENE means. Throws InputError; UsageError for an override.
-template <class S>
-S find_scene(const SceneFormat<S>& format, const std::string& name, std::span<const Override> overrides) {
-  const FoundScene found = locate_scene(name);
-  S scene;
-  if (found.is_garment) {
-    set_garment(found.file, scene);
-    apply_overrides(format, overrides, scene);
-  } else {
-    scene = read_scene(format, read_text_file(found.file), found.file.string(), overrides);
-  }
-  scene.name = found.name;
-  return scene;
-}
 
 }  // namespace taut::app

@@ -1,62 +1,30 @@
 #include "app/scene/scene_text.hpp"
 
-#include <fmt/core.h>
-#include <toml++/toml.h>
-
-#include <sstream>
-#include <vector>
+#include <algorithm>
 
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_value.hpp"
 
 namespace taut::app {
 namespace {
 
-// Between double quotes, all that is not ASCII escaped.
-std::string quoted(const std::string& text) {
-  std::ostringstream out;
-  out << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
-  return out.str();
+bool is_set(const Json& value) {
+  return value.is_object() ? std::any_of(value.begin(), value.end(), is_set) : !value.is_null();
 }
 
-struct TomlWriter {
-  std::string operator()(std::monostate) const { return "\"\""; }
-  std::string operator()(bool value) const { return value ? "true" : "false"; }
-  std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
-  // The fewest digits that read back as the same bits; with a point, or TOML takes -0 for a whole 0.
-  std::string operator()(double value) const {
-    std::string text = fmt::format("{}", value);
-    return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
-  }
-  std::string operator()(const std::string& value) const { return quoted(value); }
-  std::string operator()(const ValueList& values) const {
-    std::string text;
-    for (const Value& value : values) {
-      text += (text.empty() ? "" : ", ") + std::visit(*this, value.data);
-    }
-    return '[' + text + ']';
-  }
-  std::string operator()(const ValueTable& table) const {
-    std::string text;
-    for (const auto& [key, value] : table) {
-      text += (text.empty() ? "" : ", ") + key + " = " + std::visit(*this, value.data);
-    }
-    return "{ " + text + " }";
-  }
-};
-
 // Keys first, then the sections below: behind a section's header TOML has no way back.
-void append_section(std::string& text, const std::string& section, const ValueTable& table) {
-  for (const auto& [key, value] : table) {
-    if (is_set(value) && value.table() == nullptr) {
-      text += key + " = " + std::visit(TomlWriter{}, value.data) + '\n';
+void append_section(std::string& text, const std::string& section, const Json& table) {
+  for (const auto& [key, value] : table.items()) {
+    if (!value.is_null() && !value.is_object()) {
+      text += key + " = " + toml_text(value) + '\n';
     }
   }
-  for (const auto& [key, value] : table) {
-    if (value.table() != nullptr && is_set(value)) {
+  for (const auto& [key, value] : table.items()) {
+    if (value.is_object() && is_set(value)) {
       const std::string name = section.empty() ? key : section + '.' + key;
       text += "\n[" + name + "]\n";
-      append_section(text, name, *value.table());
+      append_section(text, name, value);
     }
   }
 }
@@ -72,28 +40,19 @@ std::filesystem::path garment_name(const std::filesystem::path& garment, Garment
   return is_inside ? relative : full;
 }
 
-void name_files(const GarmentSource& source, GarmentNaming naming, ValueTable& garment) {
-  for (auto& [key, value] : garment) {
-    for (const auto& [name, member] : garment_files) {
-      if (key == name && is_set(value)) {
-        value = {garment_name(source.*member, naming).string()};
-      }
-    }
-  }
-}
-
 }  // namespace
 
-std::string text_of(ValueTable settings, const Scene& scene, GarmentNaming naming) {
-  const bool has_file = !scene.garment.file.empty();
-  for (auto& [key, value] : settings) {
-    if (key == "start" && !scene.checkpoint.empty() && naming == GarmentNaming::in_assets) {
-      std::get<ValueTable>(value.data).front().value = {std::filesystem::absolute(scene.checkpoint).string()};
-    }
-    if (key == "garment") {
-      ValueTable& garment = std::get<ValueTable>(value.data);
-      std::erase_if(garment, [&](const auto& entry) { return has_file && entry.key == "grid"; });
-      name_files(scene.garment, naming, garment);
+std::string text_of(Json settings, const Scene& scene, GarmentNaming naming) {
+  if (!scene.checkpoint.empty() && naming == GarmentNaming::in_assets) {
+    settings["start"]["checkpoint"] = std::filesystem::absolute(scene.checkpoint).string();
+  }
+  Json& garment = settings["garment"];
+  if (!scene.garment.file.empty()) {
+    garment.erase("grid");
+  }
+  for (const auto& [name, member] : garment_files) {
+    if (!garment[name].is_null()) {
+      garment[name] = garment_name(scene.garment.*member, naming).string();
     }
   }
   std::string text;

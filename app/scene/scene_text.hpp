@@ -1,9 +1,9 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "app/scene/scene.hpp"
-#include "app/scene/scene_value.hpp"
 
 namespace taut::app {
 
@@ -14,6 +14,6 @@ enum class GarmentNaming { in_assets, full_path };
 
 /// The scene as a scene file, from its settings (scene_format.hpp). It holds every key, so that a change of a
 /// default does not change the scene. Reading it gives the same bits. ASCII only.
-std::string text_of(ValueTable settings, const Scene& scene, GarmentNaming naming);
+std::string text_of(nlohmann::ordered_json settings, const Scene& scene, GarmentNaming naming);
 
 }  // namespace taut::app

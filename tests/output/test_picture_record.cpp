@@ -118,6 +118,17 @@ TEST(PictureRecord, AGarmentIsFoundInTheAssetsOrBesideThePicture) {
   EXPECT_EQ(read_picture_record(picture, {}).scene.garment.file, beside);
 }
 
+// File names can hold any bytes; a scene that is TOML no more could not be read back at all.
+TEST(PictureRecord, AGarmentWhoseNameIsNoUtf8CanBeReadBack) {
+  const TemporaryFolder folder;
+  DrawnScene scene = find_scene("tshirt-gravity", {});
+  scene.garment.file = "/nowhere/bl\xFFse \xC3\xA9.obj";
+  const std::string text = scene_text(scene);
+  EXPECT_TRUE(is_ascii(text)) << text;
+  EXPECT_EQ(read_picture_record(write_record(folder, scene), {}).scene.garment.file,
+            "/nowhere/bl\xEF\xBF\xBDse \xC3\xA9.obj");
+}
+
 TEST(PictureRecord, APictureOfAnotherOriginIsNamed) {
   const TemporaryFolder folder;
   write_file(folder / "plain.png", renderer::encode_png(small_picture()));

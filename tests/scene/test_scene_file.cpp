@@ -4,6 +4,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/scene/scene_format.hpp"
 #include "app/scene/scene_keys.hpp"
 #include "temporary_folder.hpp"
 
@@ -244,9 +245,9 @@ TEST(SceneKeys, AcceptTheirOwnDefaults) {
   const Source source{"defaults", true};
   for (const Key<DrawnScene>& key : drawn_scene_format().keys) {
     DrawnScene scene;
-    const Value value = key.write(scene);
-    if (!std::holds_alternative<std::monostate>(value.data)) {
-      EXPECT_TRUE(key.read(value, source, scene)) << key.name;
+    const Json value = key.write(scene);
+    if (!value.is_null()) {
+      EXPECT_TRUE(key.read(*read_toml_value(toml_text(value)).get("value"), source, scene)) << key.name;
       EXPECT_EQ(to_text(key.write(scene)), to_text(value)) << key.name;
     }
     EXPECT_FALSE(key.meaning.empty()) << key.name;

@@ -263,6 +263,14 @@ std::function<Command()> add_scenes(CLI::App& app) {
   return [] { return Command(ScenesOptions{}); };
 }
 
+// At once where it is asked for, before values are read: what is wrong with them may be why help is needed.
+void show_help_first(CLI::App& app) {
+  const auto show = [](const std::string&) { throw CLI::CallForHelp(); };
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    command->get_help_ptr()->each(show)->trigger_on_parse();
+  }
+}
+
 }  // namespace
 
 Command parse_command_line(int argument_count, const char* const* arguments) {
@@ -275,6 +283,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   const std::vector<std::function<Command()>> commands = {
       add_figures(app), add_render(app), add_simulate(app),     add_view(app), add_inspect(app),
       add_bench(app),   add_scenes(app), add_import_model(app), add_help(app)};
+  show_help_first(app);
   require_command(app, std::span(arguments, static_cast<std::size_t>(argument_count)));
   try {
     app.parse(argument_count, arguments);

@@ -4,17 +4,11 @@
 #include <limits>
 #include <numeric>
 
+#include "app/base/ranking.hpp"
 #include "app/figures/experiments/power_law.hpp"
 
 namespace taut::app {
 namespace {
-
-template <typename Number>
-Number ranked(std::vector<Number> values, double fraction) {
-  const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
-}
 
 bool was_asked_for(const Run& run, double bound) {
   return !run.entrant.bound || *run.entrant.bound == bound;

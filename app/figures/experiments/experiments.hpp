@@ -60,9 +60,6 @@ struct RestartRun {
   int steps_after = 0;
 };
 
-/// The median of the values, which must not be empty.
-double median(std::vector<double> values);
-
 /// How long frames of one model take with one setting of the solver.
 struct FrameTimes {
   int triangles = 0;

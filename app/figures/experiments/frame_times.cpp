@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/models/garment_loading.hpp"
@@ -61,12 +62,6 @@ void time_frame(TimedRun& run) {
 }
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 double FrameTimes::median_ms() const {
   return median(frame_ms);

@@ -10,6 +10,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/ranking.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/figures/experiments/samples/model_writing.hpp"

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,8 +16,10 @@
 #include <new>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "app/base/child_process.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/models/model_reading.hpp"
@@ -48,92 +49,48 @@ fs::path importer_program() {
   return !is_taut && fs::exists(TAUT_BUILT_PROGRAM, error) ? fs::path(TAUT_BUILT_PROGRAM) : self;
 }
 
-/// A child process and the pipe it writes to; ended with this object.
-class ImportProcess {
- public:
-  ImportProcess(const fs::path& model, const ImportLimits& limits);
-  ~ImportProcess();
-  ImportProcess(const ImportProcess&) = delete;
-  ImportProcess& operator=(const ImportProcess&) = delete;
-
-  /// Everything it writes; nothing where time runs out.
-  std::optional<std::string> read_all(Clock::time_point deadline);
-  /// The status of waitpid. To be called after all was read.
-  int wait();
-
- private:
-  pid_t process_ = -1;
-  int output_ = -1;
+/// A child process and the pipe it writes to.
+struct Importer {
+  Descriptor output;
+  ChildProcess process;
 };
 
-int spawn(std::vector<std::string> arguments, int output, pid_t& process) {
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) {
-    pointers.push_back(argument.data());
-  }
-  pointers.push_back(nullptr);
-  std::string mark = std::string(nested) + "=1";
-  std::vector<char*> environment;
-  for (char** variable = environ; *variable != nullptr; ++variable) {
-    environment.push_back(*variable);
-  }
-  environment.push_back(mark.data());
-  environment.push_back(nullptr);
-
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  const int error = posix_spawn(&process, pointers[0], &files, nullptr, pointers.data(), environment.data());
-  posix_spawn_file_actions_destroy(&files);
-  return error;
-}
-
-ImportProcess::ImportProcess(const fs::path& model, const ImportLimits& limits) {
+Importer start_importer(const fs::path& model, const ImportLimits& limits) {
   // A program that does not know the command would start itself again and again.
   if (std::getenv(nested) != nullptr) {
     throw InputError("the importer was started by itself");
   }
   const fs::path program = importer_program();
-  std::array<int, 2> ends{};
-  int error = ::pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno;
-  if (error == 0) {
-    error = spawn({program.string(), "import-model", "--memory", std::to_string(limits.memory_mib),
-                   "--seconds", std::to_string(limits.seconds), fs::absolute(model).string()},
-                  ends[1], process_);
-    ::close(ends[1]);
-    output_ = ends[0];
-  }
-  if (error != 0) {
-    process_ = -1;
-    if (output_ >= 0) {
-      ::close(output_);
+  try {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+      throw std::system_error(errno, std::generic_category());
     }
-    throw InputError("the importer '" + program.string() +
-                     "' does not start: " + std::generic_category().message(error));
+    Descriptor ours(ends[0]);
+    const Descriptor its(ends[1]);
+    return {std::move(ours),
+            ChildProcess({.arguments = {fs::absolute(program).string(), "import-model", "--memory",
+                                        std::to_string(limits.memory_mib), "--seconds",
+                                        std::to_string(limits.seconds), fs::absolute(model).string()},
+                          .variable = std::string(nested) + "=1",
+                          .output = its.number()})};
+  } catch (const std::system_error& error) {
+    throw InputError("the importer '" + program.string() + "' does not start: " + error.code().message());
   }
 }
 
-ImportProcess::~ImportProcess() {
-  if (process_ > 0) {
-    ::kill(process_, SIGKILL);
-    wait();
-  }
-  ::close(output_);
-}
-
-std::optional<std::string> ImportProcess::read_all(Clock::time_point deadline) {
+/// Everything that is written to the pipe; nothing where time runs out.
+std::optional<std::string> read_all(const Descriptor& output, Clock::time_point deadline) {
   constexpr int look_up_after_ms = 100;
   std::string bytes;
   std::vector<char> part(std::size_t{1} << 18);
   while (Clock::now() < deadline && bytes.size() <= most_bytes + header_bytes) {
     throw_if_interrupted();
-    pollfd ready{output_, POLLIN, 0};
+    pollfd ready{output.number(), POLLIN, 0};
     if (::poll(&ready, 1, look_up_after_ms) <= 0) {
       continue;
     }
-    const ssize_t count = ::read(output_, part.data(), part.size());
+    const ssize_t count = ::read(output.number(), part.data(), part.size());
     if (count == 0) {
       return bytes;
     }
@@ -146,14 +103,6 @@ std::optional<std::string> ImportProcess::read_all(Clock::time_point deadline) {
   return std::nullopt;
 }
 
-int ImportProcess::wait() {
-  int status = 0;
-  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
-  process_ = -1;
-  return status;
-}
-
 std::string too_slow(const ImportLimits& limits) {
   return fmt::format("reading it takes more than {} s", limits.seconds);
 }
@@ -164,8 +113,7 @@ std::string too_big(const ImportLimits& limits) {
 
 std::string describe_failure(int status, const ImportLimits& limits) {
   if (!WIFSIGNALED(status)) {
-    return fmt::format("the library that reads models failed on it (exit code {}); it may be damaged",
-                       WEXITSTATUS(status));
+    return "the library that reads models failed on it (" + describe_end(status) + "); it may be damaged";
   }
   if (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL) {
     return too_slow(limits);
@@ -238,13 +186,13 @@ std::string reason_of(const std::exception& error, const ImportLimits& limits) {
 
 ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limits) {
   const auto deadline = Clock::now() + std::chrono::seconds(limits.seconds);
-  ImportProcess importer(path, limits);
-  const std::optional<std::string> bytes = importer.read_all(deadline);
+  Importer importer = start_importer(path, limits);
+  const std::optional<std::string> bytes = read_all(importer.output, deadline);
   if (!bytes) {
     throw InputError(Clock::now() < deadline ? "it is larger than anything that can be simulated"
                                              : too_slow(limits));
   }
-  const int status = importer.wait();
+  const int status = importer.process.wait();
   const std::optional<std::string> content = unframed(*bytes);
   if (!content) {
     throw InputError(describe_failure(status, limits));

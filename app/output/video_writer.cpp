@@ -3,16 +3,13 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -35,10 +32,6 @@ bool is_gif(const fs::path& file) {
 
 int pictures_for_a_frame(const fs::path& file, double frame_rate_hz) {
   return is_gif(file) ? static_cast<int>(std::ceil(frame_rate_hz / fastest_gif_hz)) : 1;
-}
-
-std::string reason_of(int error_number) {
-  return std::generic_category().message(error_number);
 }
 
 // The colours of a GIF are chosen after all frames were seen, which holds them in memory.
@@ -93,34 +86,6 @@ std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& 
   return arguments;
 }
 
-// The child has a process group of its own: a Ctrl-C at the terminal reaches this program alone, which then
-// decides what becomes of the video.
-int spawn(std::vector<std::string>& arguments, int input, int messages, pid_t& process) {
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) {
-    pointers.push_back(argument.data());
-  }
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawnattr_t attributes;
-  posix_spawn_file_actions_init(&files);
-  posix_spawnattr_init(&attributes);
-  posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&files, messages, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, messages, STDERR_FILENO);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  const int error = posix_spawnp(&process, pointers.front(), &files, &attributes, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  posix_spawnattr_destroy(&attributes);
-  return error;
-}
-
-std::string describe_end(int status) {
-  return WIFSIGNALED(status) ? fmt::format("signal {}", WTERMSIG(status))
-                             : fmt::format("exit code {}", WEXITSTATUS(status));
-}
-
 }  // namespace
 
 bool is_video(const fs::path& file) {
@@ -147,32 +112,27 @@ VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
   require_video_size(file_, settings);
   // A socket and not a pipe: writing to one can be told not to raise SIGPIPE when ffmpeg is gone.
   std::array<int, 2> ends{};
-  messages_ = memfd_create("ffmpeg messages", MFD_CLOEXEC);
-  if (messages_ < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    const int error = errno;
-    ::close(messages_);
-    throw InputError("cannot start ffmpeg: " + reason_of(error));
+  messages_ = Descriptor(memfd_create("ffmpeg messages", MFD_CLOEXEC));
+  if (messages_.number() < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw InputError("cannot start ffmpeg: " + std::generic_category().message(errno));
   }
-  std::vector<std::string> arguments = ffmpeg_arguments(file_, temporary_, settings);
-  const int error = spawn(arguments, ends[1], messages_, process_);
-  ::close(ends[1]);
-  input_ = ends[0];
-  if (error != 0) {
-    close_input();
-    ::close(messages_);
+  input_ = Descriptor(ends[0]);
+  const Descriptor its_input(ends[1]);
+  try {
+    ffmpeg_.emplace(ChildCommand{.arguments = ffmpeg_arguments(file_, temporary_, settings),
+                                 .input = its_input.number(),
+                                 .output = messages_.number(),
+                                 .errors = messages_.number(),
+                                 .own_group = true});
+  } catch (const std::system_error& error) {
     throw InputError("cannot make '" + file_.string() + "': the program ffmpeg does not start (" +
-                     reason_of(error) + "); install it, or write pictures such as frame_{frame:04}.png");
+                     error.code().message() +
+                     "); install it, or write pictures such as frame_{frame:04}.png");
   }
 }
 
 VideoWriter::~VideoWriter() {
-  if (process_ > 0) {
-    ::kill(process_, SIGKILL);
-    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-    }
-  }
-  close_input();
-  ::close(messages_);
+  ffmpeg_.reset();
   std::error_code ignored;
   fs::remove(temporary_, ignored);
 }
@@ -196,12 +156,12 @@ void VideoWriter::stop_if_interrupted() const {
 void VideoWriter::send(std::span<const std::uint8_t> bytes) {
   constexpr int look_up_after_ms = 100;
   while (!bytes.empty()) {
-    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t sent = ::send(input_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(sent));
     } else if (errno == EAGAIN) {
       stop_if_interrupted();
-      pollfd room{input_, POLLOUT, 0};
+      pollfd room{input_.number(), POLLOUT, 0};
       ::poll(&room, 1, look_up_after_ms);
     } else if (errno != EINTR) {
       fail_stopped();
@@ -210,7 +170,7 @@ void VideoWriter::send(std::span<const std::uint8_t> bytes) {
 }
 
 void VideoWriter::finish() {
-  close_input();
+  input_ = Descriptor();
   const int status = wait_for_end();
   if (status != 0) {
     throw InputError(fmt::format("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(),
@@ -224,7 +184,7 @@ void VideoWriter::finish() {
 }
 
 void VideoWriter::fail_stopped() {
-  close_input();
+  input_ = Descriptor();
   const int status = wait_for_end();
   throw InputError(fmt::format("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(),
                                describe_end(status), counted(frames_, "frame"), last_words()));
@@ -232,28 +192,20 @@ void VideoWriter::fail_stopped() {
 
 int VideoWriter::wait_for_end() {
   constexpr int look_again_after_ms = 5;
-  int status = 0;
-  while (::waitpid(process_, &status, WNOHANG) == 0) {
+  while (!ffmpeg_->has_ended()) {
     stop_if_interrupted();
     ::poll(nullptr, 0, look_again_after_ms);
   }
-  process_ = -1;
-  return status;
-}
-
-void VideoWriter::close_input() {
-  if (input_ >= 0) {
-    ::close(input_);
-    input_ = -1;
-  }
+  return ffmpeg_->wait();
 }
 
 // The end of what it wrote: the last message says what went wrong.
 std::string VideoWriter::last_words() const {
   constexpr std::size_t enough = 400;
-  const off_t size = ::lseek(messages_, 0, SEEK_END);
+  const off_t size = ::lseek(messages_.number(), 0, SEEK_END);
   std::string text(enough, '\0');
-  const ssize_t count = ::pread(messages_, text.data(), enough, std::max<off_t>(0, size - off_t{enough}));
+  const ssize_t count =
+      ::pread(messages_.number(), text.data(), enough, std::max<off_t>(0, size - off_t{enough}));
   text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
   while (!text.empty() && text.back() == '\n') {
     text.pop_back();

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "app/base/child_process.hpp"
 #include "renderer/page/image.hpp"
 
 namespace taut::app {
@@ -55,7 +55,6 @@ class VideoWriter {
   void stop_if_interrupted() const;
   void send(std::span<const std::uint8_t> bytes);
   int wait_for_end();
-  void close_input();
   std::string last_words() const;
 
   std::filesystem::path file_;
@@ -65,9 +64,9 @@ class VideoWriter {
   int pictures_for_a_frame_ = 1;
   int pictures_ = 0;
   int frames_ = 0;
-  pid_t process_ = -1;  ///< -1: ended
-  int input_ = -1;      ///< our end of ffmpeg's standard input
-  int messages_ = -1;   ///< what ffmpeg writes to standard error, a file in memory
+  Descriptor input_;     ///< our end of ffmpeg's standard input
+  Descriptor messages_;  ///< what ffmpeg writes, a file in memory
+  std::optional<ChildProcess> ffmpeg_;
 };
 
 }  // namespace taut::app

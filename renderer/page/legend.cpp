@@ -2,41 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <vector>
 
-#include "renderer/page/whole_number.hpp"
+#include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {
 
 namespace {
-
-// 1, 2 or 5 times a power of ten: the step that gives about six ticks.
-float round_step(float range) {
-  const float rough = range / 6.0F;
-  const float power = std::pow(10.0F, std::floor(std::log10(rough)));
-  for (const float factor : {1.0F, 2.0F, 5.0F}) {
-    if (factor * power >= rough * 0.999F) return factor * power;
-  }
-  return 10.0F * power;
-}
-
-std::vector<float> ticks(float minimum, float maximum) {
-  const float step = round_step(maximum - minimum);
-  std::vector<float> values;
-  for (float i = std::ceil(minimum / step - 0.001F); i * step <= maximum + 0.001F * step; i += 1.0F) {
-    values.push_back(i * step);
-  }
-  return values;
-}
-
-std::string number(float value, float step, const std::string& suffix) {
-  const int digits = whole_within(std::ceil(-std::log10(step) - 0.001F), 0, 40);
-  char text[64];
-  // Adding zero turns a minus zero into zero.
-  std::snprintf(text, sizeof text, "%.*f", digits, static_cast<double>(value) + 0.0);
-  return text + suffix;
-}
 
 void draw_bar(Canvas& canvas, const Legend& legend, const LegendPlace& place) {
   const int rows = static_cast<int>(std::ceil(place.bar_height_px));
@@ -82,12 +53,12 @@ void draw_ticks(Canvas& canvas, const Legend& legend, const Scale& scale, const 
   const float low = legend.minimum * legend.factor;
   const float high = legend.maximum * legend.factor;
   const float step = round_step(high - low);
-  for (const float shown : ticks(low, high)) {
+  for (const float shown : multiples_within(low, high, step)) {
     const float value = shown / legend.factor;
     const float y = std::floor(scale.y_of(value)) + 0.5F;
     const bool hidden = legend.bound && std::abs(scale.y_of(*legend.bound) - y) < 1.1F * text.size_px;
     canvas.line(right, y, right + 4.0F, y, text.colour);
-    if (!hidden) canvas.text(right + 8.0F, y, number(shown, step, legend.suffix), text);
+    if (!hidden) canvas.text(right + 8.0F, y, tick_text(shown, step) + legend.suffix, text);
   }
 }
 
@@ -105,7 +76,8 @@ void draw_bound(Canvas& canvas, const Legend& legend, const Scale& scale, TextSt
   const bool on_tick = std::abs(shown / step - std::round(shown / step)) < 0.01F;
   text.bold = true;
   canvas.text(right + 9.0F, y,
-              number(shown, on_tick ? step : 0.1F * step, legend.suffix) + " " + legend.bound_label, text);
+              tick_text(shown, on_tick ? step : 0.1F * step) + legend.suffix + " " + legend.bound_label,
+              text);
 }
 
 }  // namespace

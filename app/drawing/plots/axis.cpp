@@ -6,31 +6,19 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/page/ticks.hpp"
+
 namespace taut::app {
 namespace {
 
 // With more decades than this, only some ticks have labels, so that labels do not overlap.
 constexpr double most_labelled_decades = 8.0;
 
-// 1, 2 or 5 times a power of ten, so that there are about six.
-double round_step(double range) {
-  const double rough = range / 6.0;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= rough * 0.999) {
-      return factor * power;
-    }
-  }
-  return 10.0 * power;
-}
-
 std::vector<Tick> linear_ticks(const Axis& axis) {
-  const double step = round_step(axis.maximum - axis.minimum);
-  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 0.001)));
+  const double step = renderer::round_step(axis.maximum - axis.minimum);
   std::vector<Tick> ticks;
-  for (double i = std::ceil(axis.minimum / step - 0.001); i * step <= axis.maximum + 0.001 * step; i += 1.0) {
-    // Adding zero turns a minus zero into zero.
-    ticks.push_back({i * step, fmt::format("{:.{}f}", i * step + 0.0, digits) + axis.suffix});
+  for (const double value : renderer::multiples_within(axis.minimum, axis.maximum, step)) {
+    ticks.push_back({value, renderer::tick_text(value, step) + axis.suffix});
   }
   return ticks;
 }

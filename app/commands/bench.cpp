@@ -11,7 +11,7 @@
 #include "app/bench/bench_output.hpp"
 #include "app/commands/options.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/output/obj_export.hpp"
+#include "app/models/obj_writing.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {

@@ -3,9 +3,10 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <sstream>
-#include <stdexcept>
+
+#include "app/base/files.hpp"
+#include "app/models/obj_writing.hpp"
 
 namespace taut::tailor {
 namespace {
@@ -44,29 +45,6 @@ std::vector<Landmark> find_landmarks(const Shirt& shirt) {
           walk(shirt, "right_side_seam", {"right_side_seam"})};
 }
 
-std::string metres_text(std::int64_t micrometres) {
-  const std::int64_t size = micrometres < 0 ? -micrometres : micrometres;
-  const std::string decimals = std::to_string(size % micrometres_per_metre);
-  std::string text = micrometres < 0 ? "-" : "";
-  text += std::to_string(size / micrometres_per_metre);
-  text += '.';
-  text.append(6 - decimals.size(), '0');
-  return text + decimals;
-}
-
-std::string obj_text(const sim::Mesh& mesh, const std::string& header) {
-  std::ostringstream out;
-  out << header;
-  for (const Vec3& p : mesh.positions) {
-    out << "v " << metres_text(to_micrometres(p.x)) << ' ' << metres_text(to_micrometres(p.y)) << ' '
-        << metres_text(to_micrometres(p.z)) << '\n';
-  }
-  for (const Triangle& t : mesh.triangles) {
-    out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
-  }
-  return out.str();
-}
-
 std::string landmarks_text(const std::vector<Landmark>& landmarks, const std::string& name) {
   std::ostringstream out;
   out << "# Vertices of " << name << ".obj, counted from 0, in order along each seam or border.\n"
@@ -79,18 +57,6 @@ std::string landmarks_text(const std::vector<Landmark>& landmarks, const std::st
     out << "]\n";
   }
   return out.str();
-}
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path unfinished = file.string() + ".part";
-  std::ofstream out(unfinished, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code failed;
-  std::filesystem::rename(unfinished, file, failed);
-  if (!out || failed) {
-    throw std::runtime_error(file.string() + ": cannot be written");
-  }
 }
 
 }  // namespace
@@ -125,8 +91,9 @@ Model make_model(const Shirt& shirt, const std::vector<Vec3>& positions) {
 
 void write_model(const Model& model, const std::filesystem::path& folder, const std::string& name,
                  const std::string& header) {
-  write_text(folder / (name + ".obj"), obj_text(model.mesh, header));
-  write_text(folder / (name + ".landmarks.toml"), landmarks_text(model.landmarks, name));
+  app::write_text_file(folder / (name + ".obj"),
+                       app::obj_text(model.mesh, model.mesh.positions, header, "{:.6f}"));
+  app::write_text_file(folder / (name + ".landmarks.toml"), landmarks_text(model.landmarks, name));
 }
 
 }  // namespace taut::tailor

@@ -27,8 +27,8 @@ struct Model {
 /// vertex of the shirt.
 Model make_model(const Shirt& shirt, const std::vector<Vec3>& positions);
 
-/// Writes NAME.obj and NAME.landmarks.toml, each to a temporary name first. Throws std::runtime_error that
-/// names the file that cannot be written.
+/// Writes NAME.obj and NAME.landmarks.toml, each to a temporary name first. Throws app::InputError that names
+/// the file that cannot be written.
 void write_model(const Model& model, const std::filesystem::path& folder, const std::string& name,
                  const std::string& header);
 

@@ -2,41 +2,27 @@
 
 #include <toml++/toml.h>
 
-#include <fstream>
-#include <sstream>
+#include <algorithm>
 #include <stdexcept>
+
+#include "app/base/files.hpp"
+#include "app/models/obj_reading.hpp"
 
 namespace taut::test {
 
 sim::Mesh read_obj(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) {
-    throw std::runtime_error(file.string() + " cannot be read");
-  }
+  const app::ModelArrays model = app::read_obj(app::read_text_file(file)).value();
   sim::Mesh mesh;
-  std::string line;
-  while (std::getline(in, line)) {
-    std::istringstream words(line);
-    std::string kind;
-    words >> kind;
-    if (kind == "v") {
-      sim::Vec3 p;
-      words >> p.x >> p.y >> p.z;
-      mesh.positions.push_back(p);
-    } else if (kind == "f") {
-      sim::Triangle t;
-      words >> t[0] >> t[1] >> t[2];
-      mesh.triangles.push_back({t[0] - 1, t[1] - 1, t[2] - 1});
-    } else if (!kind.starts_with("#")) {
-      throw std::runtime_error(file.string() + ": unexpected line: " + line);
-    }
-    std::string rest;
-    if (!words && !kind.starts_with("#")) {
-      throw std::runtime_error(file.string() + ": malformed line: " + line);
-    }
-    if (!kind.starts_with("#") && words >> rest) {
-      throw std::runtime_error(file.string() + ": too much on the line: " + line);
-    }
+  mesh.positions = model.positions;
+  for (std::size_t c = 0; c + 2 < model.corners.size(); c += 3) {
+    mesh.triangles.push_back({model.corners[c], model.corners[c + 1], model.corners[c + 2]});
+  }
+  const bool triangles_alone = mesh.triangles.size() == model.corner_counts.size() &&
+                               model.corners.size() == 3 * mesh.triangles.size() &&
+                               model.ignored_lines + model.ignored_points == 0;
+  if (!triangles_alone || !std::is_sorted(model.position_of_vertex.begin(), model.position_of_vertex.end())) {
+    throw std::runtime_error(file.string() +
+                             ": expected triangles, their vertices in the order of first use");
   }
   return mesh;
 }

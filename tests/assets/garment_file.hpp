@@ -9,8 +9,8 @@
 
 namespace taut::test {
 
-/// Reads an OBJ file that holds only positions and triangles. It shares no code with the program, so that it
-/// is an independent check. Throws std::runtime_error for any other line.
+/// Reads an OBJ file as the program does. Throws std::runtime_error if there are faces that are no triangles,
+/// points or lines, or vertices in another order than triangles first use them.
 sim::Mesh read_obj(const std::filesystem::path& file);
 
 /// Reads the landmarks of a garment. Throws std::runtime_error for anything else in the file.

@@ -6,7 +6,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/output/obj_export.hpp"
+#include "app/models/obj_writing.hpp"
 #include "app/scene/scene_file.hpp"
 #include "temporary_folder.hpp"
 

@@ -43,6 +43,7 @@ std::string counted_face(Face face) {
   return fmt::format("{}{}\n", face.size(), numbers_text(face));
 }
 
+// Not obj_writing.hpp, which writes meshes: of what all six formats share, OBJ needs these three lines more.
 std::string obj_text(const ModelArrays& model) {
   return points_text(model, "v ", " ", "\n") +
          faces_text(model, [](Face face) { return fmt::format("f{}\n", numbers_text(face, 1)); });

@@ -1,4 +1,4 @@
-#include "app/output/obj_export.hpp"
+#include "app/models/obj_writing.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,13 @@
 
 namespace taut::app {
 
-std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions) {
+std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions, std::string text,
+                     const std::string& number) {
   assert(positions.size() == mesh.positions.size());
-  std::string text = "# Taut; metres, y up\n";
   auto end = std::back_inserter(text);
+  const std::string line = "v " + number + ' ' + number + ' ' + number + '\n';
   for (const sim::Vec3& p : positions) {
-    fmt::format_to(end, "v {} {} {}\n", p.x, p.y, p.z);
+    fmt::format_to(end, fmt::runtime(line), p.x, p.y, p.z);
   }
   // Grid cells stay quads, so that the file maps to the same edges.
   for (const sim::Quad& q : mesh.quads) {

@@ -25,7 +25,7 @@ class Descriptor {
   int number_;
 };
 
-/// What is started, and how.
+/// How a program is started.
 struct ChildCommand {
   std::vector<std::string> arguments;  ///< the program first, looked for in $PATH where its name has no slash
   std::string variable = {};           ///< "NAME=VALUE" beside this program's environment; empty: none
@@ -39,13 +39,13 @@ struct ChildCommand {
 /// A running program; killed with this object.
 class ChildProcess {
  public:
-  /// Throws std::system_error where it does not start.
+  /// Starts the program. Throws std::system_error if that fails.
   explicit ChildProcess(ChildCommand command);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Waits for its end, which is asked for once. Returns the status of waitpid.
+  /// Waits for the end and returns the status of waitpid. Must be called only once.
   int wait();
   /// Whether `wait` would return at once.
   bool has_ended() const;
@@ -54,7 +54,7 @@ class ChildProcess {
   pid_t process_ = -1;  ///< -1: ended
 };
 
-/// "exit code 1" or "signal 9", of a status of waitpid.
+/// A status of waitpid in words: "exit code 1" or "signal 9".
 std::string describe_end(int status);
 
 }  // namespace taut::app

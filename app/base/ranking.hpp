@@ -6,8 +6,8 @@
 
 namespace taut::app {
 
-/// Of at least one value the one that `fraction` (0 to 1) of the others do not exceed, between two of them
-/// the lower: always one of the values, as a count of steps has to be.
+/// The value at place `fraction` (0 to 1) of the sorted values, between two places the lower. It is always
+/// one of the values, as a count of steps must be. `values` must not be empty.
 template <class Number>
 Number ranked(std::vector<Number> values, double fraction) {
   const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
@@ -15,8 +15,8 @@ Number ranked(std::vector<Number> values, double fraction) {
   return values[static_cast<std::size_t>(rank)];
 }
 
-/// The middle of at least one value, of an even number the mean of the two in the middle. That is not
-/// `ranked(values, 0.5)`, the lower of the two.
+/// The median of the values, which must not be empty. For an even number of values it is the mean of the two
+/// in the middle. `ranked(values, 0.5)` is the lower of the two.
 inline double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);

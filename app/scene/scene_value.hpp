@@ -24,29 +24,29 @@ struct Source {
 /// file. 0: no line.
 [[noreturn]] void fail(const Source& source, int line, const std::string& message);
 
-/// The line of its file that the value stands in; 0: in no file.
+/// Line of the value in its file; 0: not from a file.
 int line_of(const toml::node& value);
 
-/// The table in a TOML text; `name` is for messages. Throws InputError naming it, the line and the reason.
+/// Parses a TOML text. `name` is for messages. Throws InputError with the name, the line and the reason.
 toml::table read_toml_text(const std::string& text, const std::string& name);
 
-/// The key `value` with what stands behind `key=` on the command line: a TOML value, or else plain text, so
-/// that a shell user need not quote twice.
+/// Parses the argument after `key=` on the command line. Returns a table with the one key `value`. What is
+/// not TOML becomes a text, so that a shell user need not quote twice.
 toml::table read_toml_value(const std::string& text);
 
-/// A text as it stands there; a date is one too. Nothing of other values.
+/// The text that a value holds; a date counts as text. Empty for anything else.
 std::optional<std::string> text_in(const toml::node& value);
 
-/// The entries in the order of their lines: a message should speak of the first mistake in the file, and
-/// toml++ sorts by name. Valid as long as the table.
+/// The entries of a table, in the order of their lines. toml++ sorts them by name, but a message should name
+/// the first mistake of the file. Valid as long as the table.
 std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table);
 
-/// For messages: numbers with six digits, texts between quotes, tables in braces, "not set" for null.
+/// The value for messages: numbers with six digits, texts in quotes, tables in braces, "not set" for null.
 std::string to_text(const Json& value);
 std::string to_text(const toml::node& value);
 
-/// As TOML that reads back bit for bit, on one line. ASCII only; bytes that are no UTF-8, which file names
-/// can hold, become U+FFFD.
+/// The value as TOML, on one line. Reading it gives the same bits. ASCII only. File names can hold bytes that
+/// are not UTF-8; these become U+FFFD.
 std::string toml_text(const Json& value);
 
 }  // namespace taut::app

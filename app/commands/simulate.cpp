@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
+#include <utility>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
@@ -111,13 +112,6 @@ RunCheckpoint begin(const SimulateOptions& options, const DrawnScene& scene, sim
   return run;
 }
 
-void save(const SimulateOptions& options, const sim::Simulation& simulation, RunCheckpoint& run) {
-  if (!options.saved_to().empty()) {
-    run.simulation = sim::encode(simulation.save(), simulation.garment());
-    write_run_checkpoint(options.saved_to(), run);
-  }
-}
-
 /// The statistics of the run, new or gone on with.
 std::optional<StatisticsFile> statistics_of(const SimulateOptions& options, const RunDescription& description,
                                             const RunCheckpoint& run) {
@@ -144,14 +138,6 @@ void hand_over(const SimulateOptions& options, const RunSummary& summary,
   }
 }
 
-int say_how_to_resume(const SimulateOptions& options, const RunCheckpoint& run) {
-  std::fflush(stdout);
-  fmt::print(stderr,
-             "taut: stopped after frame {0}, saved in '{1}': the same command with --resume {1} goes on\n",
-             run.frame, options.saved_to().string());
-  return exit_can_be_resumed;
-}
-
 void try_outputs(const SimulateOptions& options) {
   for (const std::filesystem::path& file : {options.statistics, options.saved_to()}) {
     if (!file.empty()) {
@@ -159,6 +145,54 @@ void try_outputs(const SimulateOptions& options) {
     }
   }
 }
+
+/// A run under way.
+struct Running {
+  const SimulateOptions& options;
+  const sim::Simulation& simulation;
+  Progress& progress;
+  FrameLines lines;
+  RunCheckpoint run;
+  std::optional<StatisticsFile> statistics;
+
+  /// What is counted, written and said of a frame, as it comes.
+  void report(const FrameRecord& record) {
+    run.frame = record.frame;
+    run.summary.add(record);
+    if (statistics) {
+      statistics->add(record);
+    }
+    if (options.json) {
+      fmt::print("{}", statistics_line(StatisticsFormat::json_lines, record));
+    }
+    if (is_told(options)) {
+      progress.hide();
+      lines.print(record);
+    }
+    if (record.frame % options.checkpoint_every == 0) {
+      save();
+    }
+    progress.begin(fmt::format("frame {}", record.frame + 1));
+  }
+
+  void save() {
+    if (!options.saved_to().empty()) {
+      run.simulation = sim::encode(simulation.save(), simulation.garment());
+      write_run_checkpoint(options.saved_to(), run);
+    }
+  }
+
+  /// Saves the run and says how it goes on. Returns the exit code.
+  int stop() {
+    save();
+    progress.hide();
+    std::fflush(stdout);
+    fmt::print(stderr,
+               "taut: stopped after frame {0}, saved in '{1}': the same command with --resume {1} goes on\n",
+               run.frame, options.saved_to().string());
+    return exit_can_be_resumed;
+  }
+};
 
 }  // namespace
 
@@ -180,48 +214,29 @@ int run(const SimulateOptions& options) {
                                        options.quiet  ? nullptr
                                        : options.json ? stderr
                                                       : stdout);
-  RunCheckpoint run = begin(options, scene, simulation);
-  require_begun(run.frame, range.last);
-  outputs.start_frame = run.frame;
-  outputs.with_start = options.resume.empty() && range.first <= run.frame;
+  RunCheckpoint begun = begin(options, scene, simulation);
+  require_begun(begun.frame, range.last);
+  outputs.start_frame = begun.frame;
+  outputs.with_start = options.resume.empty() && range.first <= begun.frame;
   const RunDescription description = {scene, simulation.garment(), simulation.pins().vertices.size(), ""};
-  std::optional<StatisticsFile> statistics = statistics_of(options, description, run);
+  std::optional<StatisticsFile> statistics = statistics_of(options, description, begun);
   if (options.json) {
     fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
   }
-  FrameLines lines(range);
-  outputs.report = [&](const FrameRecord& record) {
-    run.frame = record.frame;
-    run.summary.add(record);
-    if (statistics) {
-      statistics->add(record);
-    }
-    if (options.json) {
-      fmt::print("{}", statistics_line(StatisticsFormat::json_lines, record));
-    }
-    if (is_told(options)) {
-      progress.hide();
-      lines.print(record);
-    }
-    if (record.frame % options.checkpoint_every == 0) {
-      save(options, simulation, run);
-    }
-    progress.begin(fmt::format("frame {}", record.frame + 1));
-  };
+  Running running{options, simulation, progress, FrameLines(range), std::move(begun), std::move(statistics)};
+  outputs.report = [&](const FrameRecord& record) { running.report(record); };
   try {
     run_frames(simulation, range.last, outputs);
   } catch (const Interrupted&) {
     if (options.saved_to().empty()) {
       throw;
     }
-    save(options, simulation, run);
-    progress.hide();
-    return say_how_to_resume(options, run);
+    return running.stop();
   }
   progress.hide();
-  save(options, simulation, run);
-  hand_over(options, run.summary, shapes, statistics);
-  return judge_bound(scene, run.summary);
+  running.save();
+  hand_over(options, running.run.summary, shapes, running.statistics);
+  return judge_bound(scene, running.run.summary);
 }
 
 }  // namespace taut::app

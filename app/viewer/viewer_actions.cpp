@@ -19,8 +19,6 @@ namespace {
 
 // What one press of a key changes.
 constexpr double wind_step_m_per_s = 0.5;
-// Keys do not go beyond this speed, as the slider does not.
-constexpr double strongest_m_per_s = 20.0;
 constexpr double turn_step_rad = 0.08726646259971647;  // 5 degrees
 
 }  // namespace
@@ -116,7 +114,7 @@ void Viewer::go_on_from_shown() {
 void Viewer::change_wind(double by_m_per_s) {
   double& speed = state_.scene.surroundings.forces.wind.speed_m_per_s;
   const double stepped = std::round((speed + by_m_per_s) / wind_step_m_per_s) * wind_step_m_per_s;
-  speed = std::clamp(stepped, 0.0, std::max(strongest_m_per_s, speed));
+  speed = std::clamp(stepped, 0.0, std::max(strongest_wind_m_per_s, speed));
 }
 
 void Viewer::turn_wind(double by_rad) {

@@ -12,6 +12,9 @@ struct WindowLayout {
   bool has_panel = true;  ///< the user has not hidden the panel
 };
 
+/// The right end of the wind slider. Keys do not go beyond it either.
+inline constexpr double strongest_wind_m_per_s = 20.0;
+
 /// Grey of the background behind the panel. The framebuffer is cleared to it, which is cheaper than drawing
 /// it.
 inline constexpr float behind_panel_grey = 0.965F;

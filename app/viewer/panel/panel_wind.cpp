@@ -13,8 +13,6 @@
 namespace taut::app {
 namespace {
 
-// The right end of the slider.
-constexpr double strongest_m_per_s = 20.0;
 // The two wind values of the paper's figure 5. The slider snaps to them.
 constexpr std::array<double, 2> paper_values = {1.0, 10.0};
 // Distance within which it snaps. A larger value makes nearby speeds unreachable.
@@ -40,7 +38,7 @@ double snapped(double speed) {
 
 void draw_scale(ImDrawList& list, const Colours& colours, const ImVec2& left, float width, float scale) {
   const auto x_of = [&](double speed) {
-    return left.x + width * static_cast<float>(speed / strongest_m_per_s);
+    return left.x + width * static_cast<float>(speed / strongest_wind_m_per_s);
   };
   for (int speed = 5; speed <= 20; speed += 5) {
     if (speed == 10) {
@@ -78,13 +76,13 @@ void speed_slider(ViewerState& state, float scale) {
   const float length = width - 2.0F * knob;
   if (ImGui::IsItemActive()) {
     const double place = std::clamp((ImGui::GetIO().MousePos.x - left.x) / length, 0.0F, 1.0F);
-    speed = snapped(place * strongest_m_per_s);
+    speed = snapped(place * strongest_wind_m_per_s);
   }
 
   const Colours colours;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float thick = 4.0F * scale;
-  const float x = left.x + length * static_cast<float>(std::min(speed / strongest_m_per_s, 1.0));
+  const float x = left.x + length * static_cast<float>(std::min(speed / strongest_wind_m_per_s, 1.0));
   list.AddRectFilled({left.x, left.y - thick}, {left.x + length, left.y + thick}, colours.track, thick);
   list.AddRectFilled({left.x, left.y - thick}, {x, left.y + thick}, colours.filled, thick);
   list.AddCircleFilled({x, left.y}, knob, colours.filled, 32);

@@ -62,6 +62,7 @@ Garment make_garment(Mesh mesh, const MappingSettings& mapping, const Material& 
   garment.mesh = std::move(mesh);
   garment.adjacency = make_adjacency(garment.mesh);
   garment.springs = map_to_springs(garment.mesh, garment.adjacency, mapping);
+  garment.triangles_at_rest = triangles_at_rest(garment.mesh);
   garment.masses_kg = lumped_masses(garment.mesh, material.areal_density_kg_per_m2);
   garment.material = material;
   return garment;

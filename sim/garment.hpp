@@ -8,6 +8,7 @@
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/mesh.hpp"
 #include "sim/springs.hpp"
+#include "sim/surface.hpp"
 
 namespace taut::sim {
 
@@ -16,7 +17,8 @@ struct Garment {
   Mesh mesh;  ///< at rest; its edge lengths are the rest lengths of the springs
   Adjacency adjacency;
   Springs springs;
-  std::vector<double> masses_kg;  ///< per vertex, all above 0
+  std::vector<TriangleAtRest> triangles_at_rest;  ///< per triangle
+  std::vector<double> masses_kg;                  ///< per vertex, all above 0
   Material material;
 };
 

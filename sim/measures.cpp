@@ -14,6 +14,21 @@ double stretch_of(const Springs& springs, std::size_t s, std::span<const Vec3> p
   return glm::length(positions[i] - positions[j]) / springs.rest_lengths_m[s] - 1.0;
 }
 
+double surface_stretch_of(const Garment& garment, std::size_t t, std::span<const Vec3> positions) {
+  const auto corners = corners_of(garment.mesh.triangles[t], positions);
+  return principal_stretches(deformation_gradient(garment.triangles_at_rest[t], corners)).largest - 1.0;
+}
+
+/// By the nearest rank: of the values, of which there is at least one, 99 of 100 are at or below it. Changes
+/// their order.
+double percentile_99(std::vector<double>& values) {
+  const auto rank = values.begin() + static_cast<std::ptrdiff_t>((99 * values.size() + 99) / 100 - 1);
+  std::nth_element(values.begin(), rank, values.end());
+  return *rank;
+}
+
+constexpr double none = -std::numeric_limits<double>::infinity();
+
 }  // namespace
 
 Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions) {
@@ -31,22 +46,48 @@ Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions)
   result.max = *largest;
   result.mean = sum / static_cast<double>(stretches.size());
   result.max_compression = std::max(0.0, -*smallest);
-  // The nearest rank: of the springs, 99 of 100 are at or below it.
-  const auto rank = stretches.begin() + static_cast<std::ptrdiff_t>((99 * stretches.size() + 99) / 100 - 1);
-  std::nth_element(stretches.begin(), rank, stretches.end());
-  result.p99 = *rank;
+  result.p99 = percentile_99(stretches);
   return result;
 }
 
 std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3> positions) {
-  std::vector<double> stretch(positions.size(), -std::numeric_limits<double>::infinity());
+  std::vector<double> stretch(positions.size(), none);
   for (std::size_t s = 0; s < springs.structural_count; ++s) {
     const double value = stretch_of(springs, s, positions);
     for (const Index v : springs.ends[s]) {
       stretch[v] = std::max(stretch[v], value);
     }
   }
-  std::replace(stretch.begin(), stretch.end(), -std::numeric_limits<double>::infinity(), 0.0);
+  std::replace(stretch.begin(), stretch.end(), none, 0.0);
+  return stretch;
+}
+
+SurfaceStretch measure_surface_stretch(const Garment& garment, std::span<const Vec3> positions) {
+  std::vector<double> stretches;
+  stretches.reserve(garment.mesh.triangles.size());
+  for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
+    if (garment.triangles_at_rest[t].has_surface()) {
+      stretches.push_back(surface_stretch_of(garment, t, positions));
+    }
+  }
+  if (stretches.empty()) {
+    return {};
+  }
+  const double largest = *std::max_element(stretches.begin(), stretches.end());
+  return {largest, percentile_99(stretches)};
+}
+
+std::vector<double> vertex_surface_stretch(const Garment& garment, std::span<const Vec3> positions) {
+  std::vector<double> stretch(positions.size(), none);
+  for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
+    if (garment.triangles_at_rest[t].has_surface()) {
+      const double value = surface_stretch_of(garment, t, positions);
+      for (const Index v : garment.mesh.triangles[t]) {
+        stretch[v] = std::max(stretch[v], value);
+      }
+    }
+  }
+  std::replace(stretch.begin(), stretch.end(), none, 0.0);
   return stretch;
 }
 

@@ -25,6 +25,21 @@ Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions)
 /// Returns, per vertex, the largest stretch of the structural springs that end there, or 0 where none ends.
 std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3> positions);
 
+/// Statistics over the triangles that have a surface: the largest singular value of the deformation gradient
+/// F, minus 1, which has no unit. No direction within a triangle is stretched by more. Springs are edges and
+/// can be stretched by less: a triangle whose edges shorten can grow across them. A cell of a grid is
+/// measured as the two triangles it is made of. All zero if no triangle has a surface.
+struct SurfaceStretch {
+  double max = 0.0;  ///< of the most stretched triangle; negative if all are smaller than at rest
+  /// The 99th percentile: at most one triangle in a hundred is stretched more than this.
+  double p99 = 0.0;
+};
+
+SurfaceStretch measure_surface_stretch(const Garment& garment, std::span<const Vec3> positions);
+
+/// Returns, per vertex, the largest surface stretch of the triangles there, or 0 where none has a surface.
+std::vector<double> vertex_surface_stretch(const Garment& garment, std::span<const Vec3> positions);
+
 /// Two shapes, one frame apart. Positions are in metres, one per vertex, in both spans. Speeds are measured
 /// over a whole frame because a solver may move resting cloth back and forth within a frame.
 struct ShapeChange {

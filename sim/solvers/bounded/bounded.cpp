@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/bounded.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -59,6 +60,11 @@ double followed_compression(double mobility_per_kg, double time_step_s) {
 }
 
 }  // namespace
+
+const char* name_of(BoundKind kind) {
+  constexpr std::array names = {"springs", "surface"};
+  return names[static_cast<std::size_t>(kind)];
+}
 
 /// What the solver derives from a garment, and keeps from frame to frame.
 struct BoundedSolver::Cloth : SteppedCloth {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "sim/solvers/bounded/kernels/vector_unit.hpp"
@@ -9,10 +10,24 @@ namespace taut::sim {
 /// The largest number of threads a solver accepts.
 inline constexpr int most_threads = 64;
 
+/// What the bound on stretch holds.
+enum class BoundKind {
+  springs,  ///< the length of every structural and shear spring, as the paper has it
+  /// The length along every direction within every triangle, which holds the springs too: the largest
+  /// singular value of each triangle's deformation gradient (sim/surface.hpp).
+  surface,
+};
+
+inline constexpr std::array all_bound_kinds = {BoundKind::springs, BoundKind::surface};
+
+/// The name used in files and messages.
+const char* name_of(BoundKind kind);
+
 /// The settings of `bounded`.
 struct BoundedSettings {
-  /// The bound on stretch: at the end of a frame every structural and shear spring is at most (1 +
-  /// max_stretch) times its rest length.
+  BoundKind bound = BoundKind::springs;
+  /// The bound on stretch: at the end of a frame every length that is held is at most (1 + max_stretch) times
+  /// the length at rest.
   double max_stretch = 0.05;
   /// Accepts bounds and loads for which the bound is not promised (promise.hpp).
   bool allow_exceeding = false;

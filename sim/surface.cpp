@@ -1,0 +1,60 @@
+#include "sim/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace taut::sim {
+namespace {
+
+/// The smallest height of a triangle with a surface, in parts of its longest edge.
+constexpr double thinnest = 1e-3;
+
+TriangleAtRest at_rest(const std::array<Vec3, 3>& corners) {
+  const Vec3 e1 = corners[1] - corners[0];
+  const Vec3 e2 = corners[2] - corners[0];
+  const double base_m = glm::length(e1);
+  const double longest_m = std::max({base_m, glm::length(e2), glm::distance(corners[1], corners[2])});
+  const double doubled_area_m2 = glm::length(glm::cross(e1, e2));
+  if (!(doubled_area_m2 >= thinnest * longest_m * longest_m && base_m > 0.0)) {
+    return {};
+  }
+  TriangleAtRest rest;
+  rest.along_per_m = 1.0 / base_m;
+  rest.across_per_m = base_m / doubled_area_m2;
+  rest.skew_per_m = glm::dot(e1, e2) / (base_m * doubled_area_m2);
+  return rest;
+}
+
+}  // namespace
+
+std::array<Vec3, 3> corners_of(const Triangle& t, std::span<const Vec3> positions) {
+  return {positions[t[0]], positions[t[1]], positions[t[2]]};
+}
+
+std::vector<TriangleAtRest> triangles_at_rest(const Mesh& mesh) {
+  std::vector<TriangleAtRest> rest;
+  rest.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    rest.push_back(at_rest(corners_of(t, mesh.positions)));
+  }
+  return rest;
+}
+
+DeformationGradient deformation_gradient(const TriangleAtRest& rest, const std::array<Vec3, 3>& corners) {
+  const Vec3 e1 = corners[1] - corners[0];
+  const Vec3 e2 = corners[2] - corners[0];
+  return {rest.along_per_m * e1, rest.across_per_m * e2 - rest.skew_per_m * e1};
+}
+
+PrincipalStretches principal_stretches(const DeformationGradient& gradient) {
+  const double a = glm::dot(gradient.along, gradient.along);
+  const double b = glm::dot(gradient.along, gradient.across);
+  const double c = glm::dot(gradient.across, gradient.across);
+  const double mean = (a + c) / 2.0;
+  const double half = (a - c) / 2.0;
+  const double radius = std::sqrt(half * half + b * b);
+  return {std::sqrt(mean + radius), std::sqrt(std::max(0.0, mean - radius))};
+}
+
+}  // namespace taut::sim

@@ -19,6 +19,11 @@ std::optional<double> stretch_bound(const Scene& scene) {
   return keeps_bound ? std::optional(solver.bounded.max_stretch) : std::nullopt;
 }
 
+sim::BoundKind bound_kind(const Scene& scene) {
+  const SolverChoice& solver = scene.simulation.solver;
+  return solver.kind == sim::SolverKind::bounded ? solver.bounded.bound : sim::BoundKind::springs;
+}
+
 const char* bound_word(const Scene& scene) {
   return scene.simulation.solver.kind == sim::SolverKind::bounded ? "bound" : "threshold";
 }

@@ -14,6 +14,9 @@ std::optional<std::string> beyond_promise(const Scene& scene);
 /// The largest stretch that the scene's solver tries to keep, a fraction. Empty if it has none.
 std::optional<double> stretch_bound(const Scene& scene);
 
+/// What that bound holds. It is springs for every solver other than `bounded`.
+sim::BoundKind bound_kind(const Scene& scene);
+
 /// "bound" if the solver keeps it; "threshold" if springs are only pulled back to it.
 const char* bound_word(const Scene& scene);
 

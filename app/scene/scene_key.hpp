@@ -182,6 +182,16 @@ Key<T> colour_key(std::string name, Access access, std::string meaning) {
   return {std::move(name), "", "a colour \"#rrggbb\"", std::move(meaning), read, write};
 }
 
+/// The choices by their names, for choice_key.
+template <class Choices>
+auto named(const Choices& all) {
+  std::vector<std::pair<std::string, typename Choices::value_type>> choices;
+  for (const auto choice : all) {
+    choices.emplace_back(name_of(choice), choice);
+  }
+  return choices;
+}
+
 /// Makes a key whose value is one of several names.
 template <class T, class Choice, class Access>
 Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> choices, Access access,

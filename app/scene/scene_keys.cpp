@@ -78,8 +78,8 @@ void add_run(SceneKeys& keys) {
   keys.push_back(number("time.frame_rate", "Hz", {1.0, 10000.0}, MEMBER(simulation.frame_rate_hz),
                         "frames in a simulated second"));
   keys.push_back(whole("time.frames", 1, 1000000, MEMBER(frames), "length of the run"));
-  keys.push_back(choice_key<Scene, sim::SolverKind>("solver.kind", solver_choices(),
-                                                    MEMBER(simulation.solver.kind), "how springs answer"));
+  keys.push_back(choice_key<Scene>("solver.kind", named(sim::all_solver_kinds),
+                                   MEMBER(simulation.solver.kind), "how springs answer"));
   keys.push_back(
       whole("solver.substeps", 0, 10000, MEMBER(simulation.solver.substeps),
             "time steps in a frame; more stretch less and cost in proportion; 0: as many as needed"));
@@ -94,12 +94,17 @@ void add_run(SceneKeys& keys) {
                         "strong: how much of its error a flexural spring corrects; less bends more easily"));
   keys.push_back(
       number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.bounded.max_stretch),
-             "bounded: no frame shows a spring stretched more; provot: above it springs are pulled back"));
+             "bounded: no frame shows what solver.bound names stretched more; provot: springs stretched more "
+             "are pulled back"));
+  keys.push_back(choice_key<Scene>(
+      "solver.bound", named(sim::all_bound_kinds), MEMBER(simulation.solver.bounded.bound),
+      "bounded: what is held: every spring; or the surface, which is every triangle in every direction, and "
+      "springs too"));
   keys.push_back(switch_key<Scene>("solver.tethers", MEMBER(simulation.solver.bounded.tethers),
                                    "bounded: cloth is held by long threads from its pins too; less work"));
-  keys.push_back(choice_key<Scene, sim::VectorUnit>("solver.vector_unit", vector_unit_choices(),
-                                                    MEMBER(simulation.solver.bounded.vector_unit),
-                                                    "bounded: instructions to use; none changes a result"));
+  keys.push_back(choice_key<Scene>("solver.vector_unit", named(sim::all_vector_units),
+                                   MEMBER(simulation.solver.bounded.vector_unit),
+                                   "bounded: instructions to use; none changes a result"));
   keys.push_back(whole("solver.threads", 0, sim::most_threads, MEMBER(simulation.solver.bounded.threads),
                        "bounded: none changes a result; 0: more than one above some 20000 triangles"));
   keys.push_back(switch_key<Scene>("solver.allow_exceeding",

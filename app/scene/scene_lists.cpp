@@ -201,15 +201,6 @@ Key<Scene> file_name_key(std::string name, std::filesystem::path GarmentSource::
   return {std::move(name), "", "a file name", std::move(meaning), read, write};
 }
 
-template <class Choices>
-auto named(const Choices& all) {
-  std::vector<std::pair<std::string, typename Choices::value_type>> choices;
-  for (const auto choice : all) {
-    choices.emplace_back(sim::name_of(choice), choice);
-  }
-  return choices;
-}
-
 }  // namespace
 
 Key<Scene> file_key() {
@@ -286,14 +277,6 @@ Key<Scene> layer_distance_key() {
       "model is given without a scene; 0: they pass through",
       read_layer_distance,
       write_layer_distance};
-}
-
-std::vector<std::pair<std::string, sim::SolverKind>> solver_choices() {
-  return named(sim::all_solver_kinds);
-}
-
-std::vector<std::pair<std::string, sim::VectorUnit>> vector_unit_choices() {
-  return named(sim::all_vector_units);
 }
 
 }  // namespace taut::app

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_key.hpp"
 
@@ -19,10 +15,5 @@ Key<Scene> pins_key();
 Key<Scene> forces_key();
 Key<Scene> colliders_key();
 Key<Scene> layer_distance_key();
-
-/// The names of the solvers in scene files.
-std::vector<std::pair<std::string, sim::SolverKind>> solver_choices();
-/// The names of the vector units in scene files.
-std::vector<std::pair<std::string, sim::VectorUnit>> vector_unit_choices();
 
 }  // namespace taut::app

@@ -187,8 +187,9 @@ std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation,
     if (statistics) {
       statistics->add(record);
     }
-    progress.show(fmt::format("frame {} of {}, stretch {:.2f} %", record.frame, job.frames.back(),
-                              100.0 * record.stretch.max));
+    progress.show(fmt::format("frame {} of {}, stretch {:.2f} %, of the surface {:.2f} %", record.frame,
+                              job.frames.back(), 100.0 * record.stretch.max,
+                              100.0 * record.surface_stretch.max));
   };
   return run_frames(simulation, job.frames.back(), outputs);
 }

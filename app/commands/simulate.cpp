@@ -35,9 +35,12 @@ class FrameLines {
       return;
     }
     sleep_is_said_ = record.asleep;
-    fmt::print("frame {:5}  time {:8.4f} s  max stretch {:8.4f} %  p99 {:8.4f} %  rms speed {:9.6f} m/s{}\n",
-               record.frame, record.time_s, 100.0 * record.stretch.max, 100.0 * record.stretch.p99,
-               record.rms_speed_m_per_s, record.asleep ? "  asleep, no more lines until it wakes" : "");
+    fmt::print(
+        "frame {:5}  time {:8.4f} s  max stretch {:8.4f} %  p99 {:8.4f} %  surface {:8.4f} %  p99 {:8.4f} %  "
+        "rms speed {:9.6f} m/s{}\n",
+        record.frame, record.time_s, 100.0 * record.stretch.max, 100.0 * record.stretch.p99,
+        100.0 * record.surface_stretch.max, 100.0 * record.surface_stretch.p99, record.rms_speed_m_per_s,
+        record.asleep ? "  asleep, no more lines until it wakes" : "");
     // Whoever reads it through a pipe sees it now and not when the run is over.
     std::fflush(stdout);
   }
@@ -49,9 +52,11 @@ class FrameLines {
 
 void print_summary(const RunSummary& summary) {
   fmt::print(
-      "{}, {:.2f} ms of processor time each; largest stretch {:.4f} % (frame {}), at the end {:.4f} %{}\n",
+      "{}, {:.2f} ms of processor time each; largest stretch {:.4f} % (frame {}), at the end {:.4f} %; "
+      "of the surface {:.4f} % (frame {}), at the end {:.4f} %{}\n",
       counted(summary.frames, "frame"), summary.mean_sim_ms(), 100.0 * summary.max_stretch,
-      summary.max_stretch_frame, 100.0 * summary.final_max_stretch,
+      summary.max_stretch_frame, 100.0 * summary.final_max_stretch, 100.0 * summary.max_surface_stretch,
+      summary.max_surface_stretch_frame, 100.0 * summary.final_max_surface_stretch,
       summary.asleep_since_frame < 0 ? ""
                                      : fmt::format("; at rest since frame {}", summary.asleep_since_frame));
 }

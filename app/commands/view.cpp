@@ -81,8 +81,9 @@ void view_headless(const ViewOptions& options, const Session& session, const Dra
     write_text_file(options.layout, layout_text(viewer.viewer().state()));
   }
   const FrameRecord& shown = viewer.viewer().state().newest->record;
-  fmt::print("frame {} state {:016x} largest stretch {:.4f} % drawn by {}\n", shown.frame,
-             viewer.state_hash(), 100.0 * shown.stretch.max, viewer.gl_renderer());
+  fmt::print("frame {} state {:016x} largest stretch {:.4f} %, of the surface {:.4f} %, drawn by {}\n",
+             shown.frame, viewer.state_hash(), 100.0 * shown.stretch.max, 100.0 * shown.surface_stretch.max,
+             viewer.gl_renderer());
 }
 
 }  // namespace

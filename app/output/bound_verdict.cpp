@@ -36,6 +36,20 @@ void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
       asked, summary.mean_substeps(), followed, remedy);
 }
 
+/// "the surface is stretched by up to 0.23, 0.22 too much".
+std::string describe(const char* what, double largest, double bound) {
+  const std::string text = fmt::format("{} stretched by up to {:.4g}", what, largest);
+  return largest > bound + bound_rounding ? text + fmt::format(", {:.2g} too much", largest - bound) : text;
+}
+
+/// All that the bound holds, by the worst frames.
+std::string describe_stretch(const sim::BoundedSettings& bound, const RunSummary& summary) {
+  const std::string springs = describe("springs are", summary.max_stretch, bound.max_stretch);
+  return bound.bound == sim::BoundKind::springs
+             ? springs
+             : springs + "; " + describe("the surface is", summary.max_surface_stretch, bound.max_stretch);
+}
+
 }  // namespace
 
 int judge_bound(const Scene& scene, const RunSummary& summary) {
@@ -44,14 +58,15 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
   if (summary.frames_over_bound == 0) {
     return 0;
   }
-  const bool allowed = scene.simulation.solver.bounded.allow_exceeding;
+  const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
+  const bool allowed = bounded.allow_exceeding;
   fmt::print(stderr,
-             "taut: {}: {} of {} {} solver.max_stretch = {:g}, the first is frame {}; the largest "
-             "stretch is {:.4g}. Pins may pull the cloth apart, or more time steps are needed "
+             "taut: {}: {} of {} {} solver.max_stretch = {:g} of the {}, the first is frame {}; {}. Pins may "
+             "pull the cloth apart, or more time steps are needed "
              "(solver.max_substeps = {}){}\n",
              allowed ? "warning" : "error", summary.frames_over_bound, counted(summary.frames, "frame"),
-             summary.frames_over_bound == 1 ? "exceeds" : "exceed",
-             scene.simulation.solver.bounded.max_stretch, summary.first_frame_over_bound, summary.max_stretch,
+             summary.frames_over_bound == 1 ? "exceeds" : "exceed", bounded.max_stretch,
+             sim::name_of(bounded.bound), summary.first_frame_over_bound, describe_stretch(bounded, summary),
              scene.simulation.solver.max_substeps,
              allowed ? "" : "; solver.allow_exceeding = true accepts such frames");
   return allowed ? 0 : exit_promise_broken;

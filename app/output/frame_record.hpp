@@ -12,7 +12,8 @@ namespace taut::app {
 struct FrameRecord {
   int frame = 0;
   double time_s = 0.0;
-  sim::Stretch stretch;
+  sim::Stretch stretch;  ///< of the springs
+  sim::SurfaceStretch surface_stretch;
   double raw_max_stretch = 0.0;  ///< before the solver's last correction
   bool bound_kept = true;        ///< false: the solver has a bound and exceeded it
   int substeps = 0;
@@ -30,6 +31,16 @@ struct FrameRecord {
   double encode_ms = 0.0;  ///< wall time of encoding and writing the picture or the shape
 };
 
+/// How much more than the bound a stretch may be and still count as kept, a fraction.
+inline constexpr double bound_rounding = 1e-6;
+
+/// Whether the record's stretches are within the bound: that of the springs, and that of the surface too if
+/// the bound holds it.
+bool is_within(const sim::BoundedSettings& bound, const FrameRecord& record);
+
+/// Measures both stretches of the present shape.
+void measure_stretches(const sim::Simulation& simulation, FrameRecord& record);
+
 /// Measures the present state. The times stay 0.
 FrameRecord measure_frame(const sim::Simulation& simulation, int frame);
 
@@ -46,6 +57,10 @@ struct RunSummary {
   int max_stretch_frame = 0;
   double max_p99_stretch = 0.0;
   double final_max_stretch = 0.0;
+  double max_surface_stretch = 0.0;  ///< of all frames
+  int max_surface_stretch_frame = 0;
+  double max_p99_surface_stretch = 0.0;
+  double final_max_surface_stretch = 0.0;
   double max_raw_stretch = 0.0;
   int frames_over_bound = 0;
   int first_frame_over_bound = -1;  ///< none: -1

@@ -22,6 +22,7 @@ constexpr const char* scene_keyword = "Taut Scene";
 constexpr const char* frame_keyword = "Taut Frame";
 constexpr const char* state_keyword = "Taut State";
 constexpr const char* stretch_keyword = "Taut Stretch";
+constexpr const char* surface_stretch_keyword = "Taut Surface Stretch";
 constexpr const char* renderer_keyword = "Taut Renderer";
 
 std::string shell_word(const std::string& word) {
@@ -107,7 +108,8 @@ std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const 
           {renderer_keyword, origin.gl_renderer},
           {frame_keyword, fmt::format("{}", record.frame)},
           {state_keyword, fmt::format("{:016x}", record.state_hash)},
-          {stretch_keyword, fmt::format("{}", record.stretch.max)}};
+          {stretch_keyword, fmt::format("{}", record.stretch.max)},
+          {surface_stretch_keyword, fmt::format("{}", record.surface_stretch.max)}};
 }
 
 bool is_picture(const std::filesystem::path& file) {

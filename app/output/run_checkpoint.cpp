@@ -11,7 +11,7 @@ namespace taut::app {
 namespace {
 
 constexpr std::string_view magic = "TAUTRUN\n";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 template <class Summary, class Field>
 void for_each_field(Summary& summary, const Field& field) {
@@ -21,6 +21,10 @@ void for_each_field(Summary& summary, const Field& field) {
   field(summary.max_stretch_frame);
   field(summary.max_p99_stretch);
   field(summary.final_max_stretch);
+  field(summary.max_surface_stretch);
+  field(summary.max_surface_stretch_frame);
+  field(summary.max_p99_surface_stretch);
+  field(summary.final_max_surface_stretch);
   field(summary.max_raw_stretch);
   field(summary.frames_over_bound);
   field(summary.first_frame_over_bound);

@@ -32,10 +32,15 @@ const FrameColumn frame_columns[] = {
      [](const auto& r) -> Json { return r.stretch.max; }},
     {"p99_stretch", "", "99 of 100 springs are stretched no more",
      [](const auto& r) -> Json { return r.stretch.p99; }},
+    {"max_surface_stretch", "",
+     "the largest singular value of a triangle's deformation gradient - 1: the same of any direction in it",
+     [](const auto& r) -> Json { return r.surface_stretch.max; }},
+    {"p99_surface_stretch", "", "99 of 100 triangles are stretched no more",
+     [](const auto& r) -> Json { return r.surface_stretch.p99; }},
     {"mean_stretch", "", "of all structural springs", [](const auto& r) -> Json { return r.stretch.mean; }},
     {"raw_max_stretch", "", "the largest before the solver's last correction, which keeps the bound",
      [](const auto& r) -> Json { return r.raw_max_stretch; }},
-    {"bound_kept", "", "false: the solver promised solver.max_stretch and could not keep it",
+    {"bound_kept", "", "false: the solver promised solver.max_stretch of solver.bound and could not keep it",
      [](const auto& r) -> Json { return r.bound_kept; }},
     {"substeps", "", "time steps in the frame", [](const auto& r) -> Json { return r.substeps; }},
     {"max_compression", "", "1 - length / rest length, the largest",
@@ -92,6 +97,10 @@ Json summary_json(const RunSummary& summary) {
                {"max_stretch_frame", summary.max_stretch_frame},
                {"max_p99_stretch", summary.max_p99_stretch},
                {"final_max_stretch", summary.final_max_stretch},
+               {"max_surface_stretch", summary.max_surface_stretch},
+               {"max_surface_stretch_frame", summary.max_surface_stretch_frame},
+               {"max_p99_surface_stretch", summary.max_p99_surface_stretch},
+               {"final_max_surface_stretch", summary.final_max_surface_stretch},
                {"max_raw_stretch", summary.max_raw_stretch},
                {"frames_over_bound", summary.frames_over_bound},
                {"mean_substeps", summary.mean_substeps()},
@@ -185,7 +194,7 @@ std::string statistics_help() {
       "every\n"
       "frame, as it comes, and at the end one with a summary of the run. Of every frame:\n\n";
   for (const FrameColumn& column : frame_columns) {
-    text += fmt::format("  {:<17} {:<4} {}\n", column.name, column.unit, column.meaning);
+    text += fmt::format("  {:<19} {:<4} {}\n", column.name, column.unit, column.meaning);
   }
   return text;
 }

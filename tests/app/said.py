@@ -60,6 +60,21 @@ def keeps_quiet():
         rows = list(csv.DictReader(file))
     expect([row['frame'] for row in rows] == ['0', '1', '2', '3', '4', '5'], 'rows of the table: %r' % rows)
     expect(all(float(row['max_stretch']) >= 0 for row in rows), 'a stretch in the table is no number')
+    expect(all(float(row['max_surface_stretch']) >= float(row['max_stretch']) - 1e-9 for row in rows),
+           'a triangle is stretched less than its edges')
+
+
+def says_both_stretches():
+    said = run('simulate', 'pinned-9x9-5', '--frames', ':5', '--stats', 'both.csv').stdout
+    with open(folder / 'both.csv', newline='') as file:
+        last = list(csv.DictReader(file))[-1]
+    percent = {name: '%.4f' % (100 * float(last[name])) for name in last if name.endswith('_stretch')}
+    line = re.search(r'^frame +5 .*max stretch +(\S+) %  p99 +(\S+) %  surface +(\S+) %  p99 +(\S+) %', said, re.M)
+    names = ['max_stretch', 'p99_stretch', 'max_surface_stretch', 'p99_surface_stretch']
+    expect(line and list(line.groups()) == [percent[name] for name in names], 'not the numbers of the table:\n' + said)
+    end = re.search(r'at the end (\S+) %; of the surface .*at the end (\S+) %', said)
+    expect(end and list(end.groups()) == [percent['max_stretch'], percent['max_surface_stretch']],
+           'the summary ends otherwise than the table:\n' + said)
 
 
 def speaks_json():
@@ -138,8 +153,8 @@ def helps():
 
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
-for check in (says_sleep_once, prints_as_it_goes, keeps_quiet, speaks_json, exports, measures_processor_time,
-              counts_what_resume_wrote, names_the_scene_of_a_missing_garment, helps):
+for check in (says_sleep_once, prints_as_it_goes, keeps_quiet, says_both_stretches, speaks_json, exports,
+              measures_processor_time, counts_what_resume_wrote, names_the_scene_of_a_missing_garment, helps):
     before = failures
     try:
         check()

@@ -4,7 +4,9 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/frame_loop.hpp"
+#include "app/models/garment_loading.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
 #include "sim/mesh/grid.hpp"
@@ -157,16 +159,84 @@ TEST(RunSummary, FindsTheWorstFrameAndTheRest) {
     records[static_cast<std::size_t>(i)].sim_ms = 2.0;
   }
   records[1].stretch.max = 0.3;
+  records[2].surface_stretch = {0.5, 0.4};
+  records[3].surface_stretch = {0.2, 0.1};
   records[3].stretch.max = 0.1;
   records[2].asleep = records[3].asleep = true;
   const RunSummary summary = summary_of(records);
   EXPECT_EQ(summary.max_stretch, 0.3);
   EXPECT_EQ(summary.max_stretch_frame, 2);
   EXPECT_EQ(summary.final_max_stretch, 0.1);
+  EXPECT_EQ(summary.max_surface_stretch, 0.5);
+  EXPECT_EQ(summary.max_surface_stretch_frame, 3);
+  EXPECT_EQ(summary.max_p99_surface_stretch, 0.4);
+  EXPECT_EQ(summary.final_max_surface_stretch, 0.2);
   EXPECT_EQ(summary.asleep_since_frame, 3);
   EXPECT_EQ(summary.mean_sim_ms(), 2.0);
   records.back().asleep = false;
   EXPECT_EQ(summary_of(records).asleep_since_frame, -1);
+}
+
+TEST(FrameRecord, IsWithinTheBoundOfWhatItHolds) {
+  using enum sim::BoundKind;
+  FrameRecord record;
+  record.stretch.max = 0.01;
+  record.surface_stretch.max = 0.02;
+  EXPECT_TRUE(is_within({.bound = springs, .max_stretch = 0.01}, record));
+  EXPECT_FALSE(is_within({.bound = surface, .max_stretch = 0.01}, record));
+  EXPECT_TRUE(is_within({.bound = surface, .max_stretch = 0.02 - 0.5 * bound_rounding}, record));
+  EXPECT_FALSE(is_within({.bound = surface, .max_stretch = 0.02 - 2.0 * bound_rounding}, record));
+  record.surface_stretch.max = 0.0;
+  for (const sim::BoundKind bound : sim::all_bound_kinds) {
+    EXPECT_FALSE(is_within({.bound = bound, .max_stretch = 0.009}, record)) << "springs are held by both";
+  }
+}
+
+TEST(FrameRecord, MeasuresWhatTheBoundHolds) {
+  for (const sim::BoundKind bound : sim::all_bound_kinds) {
+    DrawnScene scene = find_scene("pinned-9x9-20", {});
+    scene.simulation.solver.kind = sim::SolverKind::bounded;
+    scene.simulation.solver.bounded = {.bound = bound, .max_stretch = 0.01, .allow_exceeding = true};
+    sim::Simulation simulation = make_simulation(scene, load_garment(scene));
+    for (const FrameRecord& record : run_frames(simulation, 20, {})) {
+      EXPECT_GE(record.surface_stretch.max, record.stretch.max - 1e-12)
+          << "a spring is one direction of many";
+      if (record.frame > 0 && simulation.frame_report().bound_kept) {
+        EXPECT_EQ(record.bound_kept, is_within(scene.simulation.solver.bounded, record)) << record.frame;
+      }
+    }
+    const FrameRecord last = measure_frame(simulation, 20);
+    const double expected =
+        sim::measure_surface_stretch(simulation.garment(), simulation.state().current).max;
+    EXPECT_EQ(last.surface_stretch.max, expected);
+    EXPECT_GT(expected, 0.001);
+  }
+}
+
+TEST(BoundVerdict, SaysWhatExceedsTheBoundAndByHowMuch) {
+  std::vector<FrameRecord> records(2);
+  records[1].frame = 1;
+  records[1].bound_kept = false;
+  records[1].stretch.max = 0.04;
+  records[1].surface_stretch.max = 0.25;
+  Scene scene;
+  scene.simulation.solver.bounded.max_stretch = 0.05;
+  const auto said = [&](sim::BoundKind bound) {
+    scene.simulation.solver.bounded.bound = bound;
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(judge_bound(scene, summary_of(records)), 3);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_CONTAINS(
+      said(sim::BoundKind::surface),
+      "1 of 2 frames exceeds solver.max_stretch = 0.05 of the surface, the first is frame 1; "
+      "springs are stretched by up to 0.04; the surface is stretched by up to 0.25, 0.2 too much.");
+  records[1].stretch.max = 0.06;
+  const std::string of_springs = said(sim::BoundKind::springs);
+  EXPECT_CONTAINS(of_springs,
+                  "0.05 of the springs, the first is frame 1; springs are stretched by up to "
+                  "0.06, 0.01 too much. Pins");
+  EXPECT_EQ(of_springs.find("surface"), std::string::npos) << "which is not held";
 }
 
 TEST(BoundVerdict, EndsTheProgramAsASchedulerCanTell) {

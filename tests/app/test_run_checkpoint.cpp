@@ -50,6 +50,10 @@ INSTANTIATE_TEST_SUITE_P(RunCheckpoint, BuiltIn, testing::ValuesIn(names_of_scen
 RunCheckpoint small_run(const sim::Simulation& simulation) {
   RunCheckpoint run{"small", "[wind]\nspeed = 4.0\n", 7, {}, {}};
   run.summary.max_stretch = 0.25;
+  run.summary.max_surface_stretch = 0.5;
+  run.summary.max_surface_stretch_frame = 6;
+  run.summary.max_p99_surface_stretch = 0.375;
+  run.summary.final_max_surface_stretch = 0.125;
   run.summary.frames_over_bound = 3;
   run.simulation = sim::encode(simulation.save(), simulation.garment());
   return run;
@@ -67,6 +71,10 @@ TEST(RunCheckpoint, ComesBackFromItsFile) {
   EXPECT_EQ(read.frame, run.frame);
   EXPECT_EQ(read.simulation, run.simulation);
   EXPECT_EQ(read.summary.max_stretch, 0.25);
+  EXPECT_EQ(read.summary.max_surface_stretch, 0.5);
+  EXPECT_EQ(read.summary.max_surface_stretch_frame, 6);
+  EXPECT_EQ(read.summary.max_p99_surface_stretch, 0.375);
+  EXPECT_EQ(read.summary.final_max_surface_stretch, 0.125);
   EXPECT_EQ(read.summary.frames_over_bound, 3);
   EXPECT_EQ(read.summary.first_frame_over_bound, -1);
 }

@@ -42,15 +42,30 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
   EXPECT_TRUE(line.starts_with(statistics_line_start(json_lines, 2))) << line;
   const json frame = json::parse(line);
   for (const char* key :
-       {"frame", "time_s", "max_stretch", "p99_stretch", "mean_stretch", "max_compression", "rms_speed",
-        "kinetic_energy", "potential_energy", "convergence", "sim_ms", "draw_ms", "encode_ms"}) {
+       {"frame", "time_s", "max_stretch", "p99_stretch", "max_surface_stretch", "p99_surface_stretch",
+        "mean_stretch", "max_compression", "rms_speed", "kinetic_energy", "potential_energy", "convergence",
+        "sim_ms", "draw_ms", "encode_ms"}) {
     EXPECT_TRUE(frame[key].is_number()) << key;
   }
   EXPECT_EQ(frame["state_hash"].get<std::string>().size(), 16U);
   EXPECT_EQ(frame["asleep"], false);
   RunSummary summary;
+  FrameRecord stretched;
+  stretched.surface_stretch = {0.75, 0.25};
+  const json numbers = json::parse(statistics_line(json_lines, stretched));
+  EXPECT_EQ(numbers["max_surface_stretch"], 0.75);
+  EXPECT_EQ(numbers["p99_surface_stretch"], 0.25);
   summary.add(records[0]);
   EXPECT_EQ(json::parse(statistics_end(json_lines, summary))["summary"]["frames"], 1);
+  summary.max_surface_stretch = 0.5;
+  summary.max_surface_stretch_frame = 4;
+  summary.max_p99_surface_stretch = 0.25;
+  summary.final_max_surface_stretch = 0.125;
+  const json end = json::parse(statistics_end(json_lines, summary))["summary"];
+  EXPECT_EQ(end["max_surface_stretch"], 0.5);
+  EXPECT_EQ(end["max_surface_stretch_frame"], 4);
+  EXPECT_EQ(end["max_p99_surface_stretch"], 0.25);
+  EXPECT_EQ(end["final_max_surface_stretch"], 0.125);
 }
 
 // As a spreadsheet reads it, and the same numbers as the JSON.

@@ -52,6 +52,17 @@ void measure_edges(const sim::Garment& garment, Inspection& result) {
   result.mean_edge_m = sum_m / static_cast<double>(garment.adjacency.edges.size());
 }
 
+void measure_surface(const LoadedGarment& loaded, Inspection& result) {
+  const sim::Garment& garment = *loaded.garment;
+  result.without_surface = static_cast<std::size_t>(
+      std::count_if(garment.triangles_at_rest.begin(), garment.triangles_at_rest.end(),
+                    [](const sim::TriangleAtRest& t) { return !t.has_surface(); }));
+  if (loaded.start_m) {
+    result.start = StretchAtStart{sim::measure_stretch(garment.springs, *loaded.start_m),
+                                  sim::measure_surface_stretch(garment, *loaded.start_m)};
+  }
+}
+
 void remark(Inspection& result) {
   const double size_m = glm::length(result.upper_m - result.lower_m);
   if (size_m > 10.0 || size_m < 0.05) {
@@ -67,6 +78,11 @@ void remark(Inspection& result) {
   }
   if (result.smallest_angle_rad * degrees_per_radian < 2.0) {
     result.remarks.emplace_back("some triangles are needles, which make cloth stiff there");
+  }
+  if (result.without_surface > 0) {
+    result.remarks.push_back(
+        fmt::format("{} too thin to have a surface, of which only the edges are held and measured",
+                    counted(result.without_surface, "triangle is", "triangles are")));
   }
 }
 
@@ -107,6 +123,14 @@ std::string describe_reading(const Inspection& i) {
                      i.repairs.parted_vertices);
 }
 
+std::string describe_start(const StretchAtStart& start) {
+  return fmt::format(
+      "start       springs stretched by up to {:.4f} %, 99 of 100 by {:.4f} %\n"
+      "            surface stretched by up to {:.4f} %, 99 of 100 triangles by {:.4f} %\n",
+      100.0 * start.springs.max, 100.0 * start.springs.p99, 100.0 * start.surface.max,
+      100.0 * start.surface.p99);
+}
+
 std::string describe_topology(const sim::Topology& t) {
   const std::string border =
       t.boundary_loops == 0
@@ -140,6 +164,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   result.triangles = garment.mesh.triangles.size();
   measure_size(garment.mesh, result);
   measure_edges(garment, result);
+  measure_surface(loaded, result);
   result.topology = sim::measure_topology(garment.mesh, garment.adjacency);
   result.structural_springs = garment.springs.count(sim::SpringKind::structural);
   result.shear_springs = garment.springs.count(sim::SpringKind::shear);
@@ -159,6 +184,7 @@ std::string describe(const Inspection& i) {
   text += describe_topology(i.topology);
   text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs,
                       i.shear_springs, i.flexural_springs);
+  text += i.start ? describe_start(*i.start) : "";
   text += fmt::format("numbers     in pins.at count the {}\n", i.vertex_numbers);
   for (const std::string& line : i.hanging) {
     text += "hung        " + line + '\n';

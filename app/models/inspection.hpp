@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/models/garment_loading.hpp"
 #include "app/scene/scene.hpp"
+#include "sim/measures.hpp"
 #include "sim/mesh/topology.hpp"
 
 namespace taut::app {
@@ -13,6 +15,12 @@ namespace taut::app {
 struct LandmarkSize {
   std::string name;
   std::size_t vertices = 0;
+};
+
+/// How much the garment is stretched in the shape it begins in.
+struct StretchAtStart {
+  sim::Stretch springs;
+  sim::SurfaceStretch surface;
 };
 
 /// What is in a model file and how it maps to springs. All numbers are counts unless a unit is given.
@@ -32,6 +40,8 @@ struct Inspection {
   double mean_edge_m = 0.0;
   double longest_edge_m = 0.0;
   double smallest_angle_rad = 0.0;
+  std::size_t without_surface = 0;      ///< triangles that sim::TriangleAtRest finds too thin to have one
+  std::optional<StretchAtStart> start;  ///< empty if the scene names no start: it begins at rest
   sim::Topology topology;
   std::size_t structural_springs = 0;
   std::size_t shear_springs = 0;

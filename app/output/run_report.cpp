@@ -133,6 +133,16 @@ Json parts_json(const std::vector<HungPart>& parts) {
   return list;
 }
 
+Json start_json(const std::optional<StretchAtStart>& start) {
+  if (!start) {
+    return {};
+  }
+  return {{"max_stretch", start->springs.max},
+          {"p99_stretch", start->springs.p99},
+          {"max_surface_stretch", start->surface.max},
+          {"p99_surface_stretch", start->surface.p99}};
+}
+
 // File names can hold bytes that are no UTF-8.
 std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -245,6 +255,8 @@ std::string inspection_json(const Inspection& i) {
        {"area_m2", i.area_m2},
        {"edge_length_m", {{"min", i.shortest_edge_m}, {"mean", i.mean_edge_m}, {"max", i.longest_edge_m}}},
        {"smallest_angle_degrees", i.smallest_angle_rad * 180.0 / std::numbers::pi},
+       {"triangles_without_surface", i.without_surface},
+       {"start", start_json(i.start)},
        {"topology", topology},
        {"springs", spring_counts(i.structural_springs, i.shear_springs, i.flexural_springs)},
        {"landmarks", landmarks},

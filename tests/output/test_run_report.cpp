@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -49,14 +50,13 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
   }
   EXPECT_EQ(frame["state_hash"].get<std::string>().size(), 16U);
   EXPECT_EQ(frame["asleep"], false);
-  RunSummary summary;
   FrameRecord stretched;
   stretched.surface_stretch = {0.75, 0.25};
   const json numbers = json::parse(statistics_line(json_lines, stretched));
   EXPECT_EQ(numbers["max_surface_stretch"], 0.75);
   EXPECT_EQ(numbers["p99_surface_stretch"], 0.25);
+  RunSummary summary;
   summary.add(records[0]);
-  EXPECT_EQ(json::parse(statistics_end(json_lines, summary))["summary"]["frames"], 1);
   summary.max_surface_stretch = 0.5;
   summary.max_surface_stretch_frame = 4;
   summary.max_p99_surface_stretch = 0.25;
@@ -66,6 +66,7 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
   EXPECT_EQ(end["max_surface_stretch_frame"], 4);
   EXPECT_EQ(end["max_p99_surface_stretch"], 0.25);
   EXPECT_EQ(end["final_max_surface_stretch"], 0.125);
+  EXPECT_EQ(json::parse(statistics_end(json_lines, summary))["summary"]["frames"], 1);
 }
 
 // As a spreadsheet reads it, and the same numbers as the JSON.
@@ -186,6 +187,46 @@ TEST(Inspection, CountsInPlainEnglish) {
   scene.garment.file =
       folder.write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\nf 4 5 6\n");
   EXPECT_CONTAINS(describe(inspect_garment(scene, load_garment(scene))), "2 boundary loops (6 edges in all)");
+}
+
+// As high as half a thousandth of its longest edge, which is not so thin that it is removed.
+TEST(Inspection, CountsTrianglesWithoutASurface) {
+  const test::TemporaryFolder folder;
+  DrawnScene scene;
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  scene.garment.file = folder.write("needle.obj", square + "v 0.5 1.0005 0\nf 1 2 3\nf 2 4 3\nf 3 4 5\n");
+  const Inspection inspection = inspect_garment(scene, load_garment(scene));
+  EXPECT_EQ(inspection.without_surface, 1U);
+  EXPECT_CONTAINS(describe(inspection),
+                  "remark      1 triangle is too thin to have a surface, of which only the edges are held");
+  EXPECT_EQ(json::parse(inspection_json(inspection))["triangles_without_surface"], 1);
+  scene.garment.file = folder.write("square.obj", square + "f 1 2 3\nf 2 4 3\n");
+  const Inspection whole = inspect_garment(scene, load_garment(scene));
+  EXPECT_EQ(whole.without_surface, 0U);
+  EXPECT_EQ(describe(whole).find("surface"), std::string::npos) << "it begins at rest";
+  EXPECT_TRUE(json::parse(inspection_json(whole))["start"].is_null());
+}
+
+// A square sheared so that its sides keep their length: the diagonal that is no spring grows.
+TEST(Inspection, MeasuresTheShapeAtTheStart) {
+  const test::TemporaryFolder folder;
+  DrawnScene scene;
+  scene.garment.scale = 1.0;
+  scene.garment.up = ModelAxis::y;
+  const std::string faces = "f 1 2 3\nf 2 4 3\n";
+  scene.garment.file = folder.write("square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n" + faces);
+  scene.garment.start =
+      folder.write("sheared.obj", "v 0 0 0\nv 1 0 0\nv 0.28 0.96 0\nv 1.28 0.96 0\n" + faces);
+  const Inspection inspection = inspect_garment(scene, load_garment(scene));
+  ASSERT_TRUE(inspection.start);
+  EXPECT_NEAR(inspection.start->springs.max, 0.0, 1e-12);
+  // The angle between the sides has the cosine 0.28.
+  EXPECT_NEAR(inspection.start->surface.max, std::sqrt(1.28) - 1.0, 1e-12);
+  EXPECT_CONTAINS(
+      describe(inspection),
+      "0.0000 %\n            surface stretched by up to 13.1371 %, 99 of 100 triangles by 13.1371 %\n");
+  EXPECT_NEAR(json::parse(inspection_json(inspection))["start"]["p99_surface_stretch"].get<double>(),
+              inspection.start->surface.p99, 1e-12);
 }
 
 TEST(Inspection, MeasuresTheTShirt) {

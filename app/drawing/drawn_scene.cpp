@@ -14,4 +14,18 @@ std::array<double, 2> shown_stretch_range(const DrawnScene& scene) {
   return scene.picture.stretch_range.value_or(from_zero);
 }
 
+std::optional<double> shown_bound(const DrawnScene& scene) {
+  const bool holds_shown =
+      scene.picture.stretch_of == StretchOf::springs || bound_kind(scene) == sim::BoundKind::surface;
+  return holds_shown ? stretch_bound(scene) : std::nullopt;
+}
+
+const char* name_of(StretchOf shown) {
+  return shown == StretchOf::springs ? "springs" : "surface";
+}
+
+const char* legend_title(StretchOf shown) {
+  return shown == StretchOf::springs ? "stretch of springs" : "stretch of the surface";
+}
+
 }  // namespace taut::app

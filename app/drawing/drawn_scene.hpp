@@ -20,8 +20,14 @@ struct CameraSettings {
 /// How the cloth's surface is drawn.
 enum class SurfaceLook {
   shaded,
-  stretch,    ///< coloured by the stretch of the structural springs
+  stretch,    ///< coloured by stretch
   wireframe,  ///< the springs alone; surfaces are not drawn
+};
+
+/// Of what the stretch is shown as colours.
+enum class StretchOf {
+  springs,  ///< at each vertex the largest of the structural springs there
+  surface,  ///< at each vertex the largest of the triangles there
 };
 
 /// Where the floor of a picture is.
@@ -42,6 +48,7 @@ struct PictureStyle {
   renderer::PictureSettings settings;
   SurfaceLook surface = SurfaceLook::shaded;
   bool wireframe = false;  ///< the springs drawn over the surface
+  StretchOf stretch_of = StretchOf::springs;
   /// Stretch at the two ends of the colours; empty: shown_stretch_range().
   std::optional<std::array<double, 2>> stretch_range;
   renderer::ColourMap stretch_colours = renderer::ColourMap::viridis;  ///< not a key of the file
@@ -61,5 +68,17 @@ struct DrawnScene : Scene {
 /// The stretch at the two ends of the colours. If the scene does not set it: from 0 to the solver's bound, or
 /// to 0.05 if there is no bound.
 std::array<double, 2> shown_stretch_range(const DrawnScene& scene);
+
+/// The bound to be marked beside the colours: the solver's. Empty if it has none or does not hold what the
+/// colours show.
+std::optional<double> shown_bound(const DrawnScene& scene);
+
+inline constexpr std::array all_stretch_of = {StretchOf::springs, StretchOf::surface};
+
+/// The name used in files.
+const char* name_of(StretchOf shown);
+
+/// The title of the colours' legend.
+const char* legend_title(StretchOf shown);
 
 }  // namespace taut::app

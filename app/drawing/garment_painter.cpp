@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/drawing/framing.hpp"
-#include "app/scene/promise.hpp"
 #include "renderer/mesh_normals.hpp"
 #include "renderer/page/canvas.hpp"
 #include "sim/measures.hpp"
@@ -53,6 +52,20 @@ std::vector<glm::vec3> borders(const sim::Garment& garment) {
   return points;
 }
 
+sim::Garment part_measured(const sim::Garment& garment, const PictureStyle& style) {
+  sim::Garment part;
+  if (style.surface != SurfaceLook::stretch) {
+    return part;
+  }
+  if (style.stretch_of == StretchOf::surface) {
+    part.mesh.triangles = garment.mesh.triangles;
+    part.triangles_at_rest = garment.triangles_at_rest;
+  } else {
+    part.springs = garment.springs;
+  }
+  return part;
+}
+
 // A capsule whose radius changes is drawn as the balls at its ends and the larger of them between.
 struct ObstacleMaker {
   std::vector<renderer::TriangleMesh>& meshes;
@@ -83,7 +96,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
     : renderer_(renderer),
       style_(scene.picture),
       legend_(stretch_legend(scene)),
-      springs_(garment.springs),
+      measured_(part_measured(garment, scene.picture)),
       pins_(pins.begin(), pins.end()),
       triangles_(flat(garment.mesh.triangles)),
       rest_positions_(to_float(garment.mesh.positions)),
@@ -146,7 +159,9 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
   positions_ = to_float(positions);
   renderer::vertex_normals(positions_, triangles_, normals_);
   if (style_.surface == SurfaceLook::stretch) {
-    const std::vector<double> stretch = sim::vertex_stretch(springs_, positions);
+    const std::vector<double> stretch = style_.stretch_of == StretchOf::surface
+                                            ? sim::vertex_surface_stretch(measured_, positions)
+                                            : sim::vertex_stretch(measured_.springs, positions);
     stretch_.assign(stretch.begin(), stretch.end());
   }
   frame_.surfaces.resize(obstacles_.size());
@@ -184,11 +199,11 @@ renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions) {
 renderer::Legend stretch_legend(const DrawnScene& scene) {
   const auto [lowest, highest] = shown_stretch_range(scene);
   renderer::Legend legend;
-  legend.title = "stretch";
+  legend.title = legend_title(scene.picture.stretch_of);
   legend.minimum = static_cast<float>(lowest);
   legend.maximum = static_cast<float>(highest);
   legend.map = scene.picture.stretch_colours;
-  if (const std::optional<double> bound = stretch_bound(scene)) {
+  if (const std::optional<double> bound = shown_bound(scene)) {
     legend.bound = static_cast<float>(*bound);
   }
   legend.factor = 100.0F;

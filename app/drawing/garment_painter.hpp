@@ -38,7 +38,7 @@ class GarmentPainter {
   renderer::SceneRenderer& renderer_;
   PictureStyle style_;
   renderer::Legend legend_;
-  sim::Springs springs_;
+  sim::Garment measured_;  ///< what the stretch that is shown is measured from, and nothing else
   std::vector<sim::Index> pins_;
   std::vector<std::uint32_t> triangles_;
   std::vector<glm::vec3> rest_positions_;
@@ -55,7 +55,7 @@ class GarmentPainter {
   std::vector<glm::vec3> pin_positions_;
 };
 
-/// The colour bar of pictures that show stretch. It marks the bound of the scene's solver, if there is one.
+/// The colour bar of pictures that show stretch. It marks shown_bound().
 renderer::Legend stretch_legend(const DrawnScene& scene);
 
 }  // namespace taut::app

@@ -2,6 +2,8 @@
 
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
+#include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 
 namespace taut::app {
@@ -65,6 +67,51 @@ TEST(StretchLegend, EndsAtTheBoundWhereTheSceneSaysNothingElse) {
   EXPECT_EQ(legend.minimum, -0.01F);
   EXPECT_EQ(legend.maximum, 0.03F);
   EXPECT_EQ(legend.bound, 0.013F);
+}
+
+TEST(StretchLegend, NamesWhatItShowsAndMarksABoundOfThat) {
+  DrawnScene scene;
+  scene.simulation.solver.bounded.max_stretch = 0.01;
+  const auto bound_of = [&](sim::SolverKind solver, sim::BoundKind held, StretchOf shown) {
+    scene.simulation.solver.kind = solver;
+    scene.simulation.solver.bounded.bound = held;
+    scene.picture.stretch_of = shown;
+    return stretch_legend(scene).bound;
+  };
+  using enum sim::SolverKind;
+  EXPECT_EQ(bound_of(bounded, sim::BoundKind::springs, StretchOf::springs), 0.01F);
+  EXPECT_EQ(stretch_legend(scene).title, "stretch of springs");
+  EXPECT_EQ(bound_of(bounded, sim::BoundKind::springs, StretchOf::surface), std::nullopt);
+  EXPECT_EQ(stretch_legend(scene).title, "stretch of the surface");
+  EXPECT_EQ(stretch_legend(scene).maximum, 0.01F) << "colours end where those of the springs do";
+  EXPECT_EQ(bound_of(bounded, sim::BoundKind::surface, StretchOf::surface), 0.01F);
+  EXPECT_EQ(bound_of(bounded, sim::BoundKind::surface, StretchOf::springs), 0.01F) << "held with the surface";
+  EXPECT_EQ(bound_of(provot, sim::BoundKind::surface, StretchOf::surface), std::nullopt) << "pulls springs";
+}
+
+TEST(GarmentPainter, ColoursTheStretchOfWhatTheSceneNames) {
+  DrawnScene scene = horizontal_cloth();
+  scene.picture.surface = SurfaceLook::stretch;
+  const sim::Garment garment = sim::make_garment(sim::make_grid(scene.garment.grid));
+  std::vector<sim::Vec3> sheared = garment.mesh.positions;
+  for (sim::Vec3& p : sheared) {
+    p.x += 0.3 * p.z;
+  }
+  OffscreenRenderer offscreen("auto");
+  const auto colours = [&](StretchOf shown) {
+    scene.picture.stretch_of = shown;
+    GarmentPainter painter(offscreen.renderer(), scene, garment, {});
+    const std::span<const float> values = painter.view(sheared).surfaces.back().scalars->values;
+    return std::vector<float>(values.begin(), values.end());
+  };
+  const auto single = [](const std::vector<double>& values) {
+    return std::vector<float>(values.begin(), values.end());
+  };
+  const std::vector<float> of_springs = colours(StretchOf::springs);
+  const std::vector<float> of_surface = colours(StretchOf::surface);
+  EXPECT_EQ(of_springs, single(sim::vertex_stretch(garment.springs, sheared)));
+  EXPECT_EQ(of_surface, single(sim::vertex_surface_stretch(garment, sheared)));
+  EXPECT_GT(of_surface[4], of_springs[4] + 0.1F);
 }
 
 TEST(StretchLegend, HasNoBoundWhereTheSolverMeansNone) {

@@ -4,6 +4,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/scene/promise.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/scene/scene_keys.hpp"
 #include "temporary_folder.hpp"
@@ -121,6 +122,31 @@ TEST(SceneFile, TakesKeysOfEverySolverInAnyOrderAndTheKindLast) {
   EXPECT_EQ(method_of("provot"), sim::SolverMethod(sim::ProvotSettings{soft, 0.2}));
   EXPECT_EQ(method_of("strong"), sim::SolverMethod(sim::StrongSettings{.iterations = 7}));
   EXPECT_EQ(method_of("bounded"), sim::SolverMethod(sim::BoundedSettings{.max_stretch = 0.2}));
+}
+
+TEST(SceneFile, SaysWhatABoundHoldsAndWhatColoursShow) {
+  const TemporaryFolder folder;
+  for (const sim::BoundKind bound : sim::all_bound_kinds) {
+    for (const StretchOf shown : all_stretch_of) {
+      const std::string text = std::string(grid) + "[solver]\nbound = \"" + sim::name_of(bound) +
+                               "\"\n[picture]\nstretch_of = \"" + name_of(shown) + "\"\n";
+      const DrawnScene scene = read_scene_file(folder.write("scene.toml", text));
+      EXPECT_EQ(scene.simulation.solver.bounded.bound, bound);
+      EXPECT_EQ(bound_kind(scene), bound);
+      EXPECT_EQ(scene.picture.stretch_of, shown);
+      const std::string saved = scene_text(scene);
+      EXPECT_EQ(scene_text(read_scene_file(folder.write("saved.toml", saved))), saved);
+      EXPECT_CONTAINS(saved, std::string("bound = \"") + sim::name_of(bound) + '"');
+      EXPECT_CONTAINS(saved, std::string("stretch_of = \"") + name_of(shown) + '"');
+    }
+  }
+  const std::string strong = std::string(grid) + "[solver]\nbound = \"surface\"\nkind = \"strong\"\n";
+  EXPECT_EQ(bound_kind(read_scene_file(folder.write("scene.toml", strong))), sim::BoundKind::springs)
+      << "as solver.max_stretch, for solvers that have it";
+  EXPECT_CONTAINS(file_error(folder, std::string(grid) + "[solver]\nbound = \"edges\"\n"),
+                  "solver.bound: found \"edges\", expected \"springs\" or \"surface\"");
+  EXPECT_CONTAINS(file_error(folder, std::string(grid) + "[picture]\nstretch_of = 2\n"),
+                  "picture.stretch_of: found 2, expected \"springs\" or \"surface\"");
 }
 
 TEST(SceneFile, LeavesOutWhatIsLeftToTheProgram) {

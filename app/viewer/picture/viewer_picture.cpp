@@ -33,8 +33,9 @@ ViewerPicture::ViewerPicture(renderer::Context& context)
 GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewArea& area) {
   const Snapshot& shown = *state.shown;
   const PictureStyle& picture = state.scene.picture;
-  PaintedAs wanted{shown.loaded,      shown.pins,    picture.surface, shown_stretch_range(state.scene),
-                   picture.wireframe, area.height_px};
+  PaintedAs wanted{
+      shown.loaded,      shown.pins,    picture.surface, picture.stretch_of, shown_stretch_range(state.scene),
+      picture.wireframe, area.height_px};
   if (!painter_ || wanted != painted_as_) {
     DrawnScene scene = state.scene;
     scene.picture.settings.width_px = area.width_px;
@@ -83,12 +84,19 @@ void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& f
 ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const ViewArea& area) const {
   const Snapshot& shown = *state.shown;
   const PictureStyle& picture = state.scene.picture;
-  return {shown.loaded,       shown.pins,
-          shown.checkpoint,   state.camera,
-          picture.surface,    shown_stretch_range(state.scene),
-          picture.wireframe,  picture.settings.shadows,
-          state.show_springs, state.show_normals,
-          area.width_px,      area.height_px};
+  return {shown.loaded,
+          shown.pins,
+          shown.checkpoint,
+          state.camera,
+          picture.surface,
+          picture.stretch_of,
+          shown_stretch_range(state.scene),
+          picture.wireframe,
+          picture.settings.shadows,
+          state.show_springs,
+          state.show_normals,
+          area.width_px,
+          area.height_px};
 }
 
 bool ViewerPicture::is_scene_drawn(const SceneLook& look, std::size_t level) const {

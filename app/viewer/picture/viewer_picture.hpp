@@ -46,6 +46,7 @@ class ViewerPicture {
     std::shared_ptr<const sim::Checkpoint> checkpoint;
     OrbitCamera camera;
     SurfaceLook surface = SurfaceLook::shaded;
+    StretchOf stretch_of = StretchOf::springs;
     std::array<double, 2> stretch_range = {0.0, 0.0};
     bool wireframe = false;
     bool shadows = true;
@@ -70,6 +71,7 @@ class ViewerPicture {
     std::shared_ptr<const LoadedScene> loaded;
     std::shared_ptr<const std::vector<sim::Index>> pins;
     SurfaceLook surface = SurfaceLook::shaded;
+    StretchOf stretch_of = StretchOf::springs;
     std::array<double, 2> stretch_range = {0.0, 0.0};
     bool wireframe = false;
     int height_px = 0;

@@ -187,7 +187,7 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
     const sim::Simulation simulation = gone_on_from(*past, simulation_settings(state_.scene.simulation),
                                                     past->garment->material, past->surroundings);
     Snapshot snapshot = *past;
-    snapshot.record.stretch = sim::measure_stretch(simulation.garment().springs, simulation.state().current);
+    measure_stretches(simulation, snapshot.record);
     snapshot.checkpoint = std::make_shared<const sim::Checkpoint>(simulation.save());
     snapshot.settings = simulation.settings();
     past_within_bound_ = std::make_shared<const Snapshot>(std::move(snapshot));

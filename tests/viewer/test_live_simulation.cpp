@@ -135,6 +135,33 @@ TEST(LiveSimulation, DoesNotGoBackToAnotherGarment) {
   EXPECT_EQ(live.state_hash(), state);
 }
 
+// Wherever the shape is another one, without a frame of its own.
+void expect_stretches_of_shape(const SnapshotPtr& shown, const char* when) {
+  const sim::Garment& garment = *shown->garment;
+  EXPECT_EQ(shown->record.stretch.max, sim::measure_stretch(garment.springs, shown->positions()).max) << when;
+  EXPECT_EQ(shown->record.surface_stretch.max, sim::measure_surface_stretch(garment, shown->positions()).max)
+      << when;
+  EXPECT_GT(shown->record.surface_stretch.p99, 0.0) << when;
+}
+
+TEST(LiveSimulation, MeasuresBothStretchesOfWhatItShows) {
+  for (const sim::BoundKind bound : sim::all_bound_kinds) {
+    const DrawnScene scene = find_scene("pinned-9x9-20", {});
+    LiveSimulation live(scene);
+    advance(live, 60);
+    const SnapshotPtr past = live.take_snapshot();
+    expect_stretches_of_shape(past, "after a frame");
+    ChangeSettings change(scene);
+    change.simulation.solver.kind = sim::SolverKind::bounded;
+    change.simulation.solver.bounded.bound = bound;
+    live.apply(change);
+    EXPECT_NE(live.take_snapshot()->record.surface_stretch.max, past->record.surface_stretch.max);
+    expect_stretches_of_shape(live.take_snapshot(), "after another bound");
+    live.apply(GoBack{past});
+    expect_stretches_of_shape(live.take_snapshot(), "after going back");
+  }
+}
+
 // The bound is lowered, and a solver with a bound chosen, while nothing moves.
 TEST(LiveSimulation, ANewBoundHoldsBeforeTheNextFrame) {
   const DrawnScene scene = find_scene("pinned-9x9-20", {});

@@ -3,8 +3,7 @@
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/panel/panel_hints.hpp"
-#include "app/viewer/simulation/stepped_simulation.hpp"
-#include "app/viewer/viewer.hpp"
+#include "person.hpp"
 #include "picture_reading.hpp"
 #include "temporary_folder.hpp"
 
@@ -13,40 +12,7 @@ namespace {
 
 namespace keys = renderer::keys;
 using renderer::PointerButton;
-
-// A person at the window, frame by frame.
-struct Person {
-  SteppedSimulation simulation;
-  Viewer viewer;
-
-  explicit Person(const std::string& scene, const std::vector<Override>& overrides = {})
-      : simulation(find_scene(scene, overrides)), viewer(simulation, {{1280, 720}, 1.0, ".", false}) {
-    wait(2);
-  }
-  void wait(int frames) {
-    for (int i = 0; i < frames; ++i) {
-      viewer.update({});
-    }
-  }
-  void act(const std::vector<SessionEvent>& events) {
-    SessionFrame frame;
-    frame.events = events;
-    viewer.update(frame);
-  }
-  void act(const SessionEvent& event) { act(std::vector{event}); }
-  void press(int key) {
-    act(renderer::WindowEvent(renderer::KeyChanged{key, true}));
-    act(renderer::WindowEvent(renderer::KeyChanged{key, false}));
-  }
-  void point_at(const std::string& item) { act(PointAt{item}); }
-  void click(const std::string& item) {
-    point_at(item);
-    act(renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, true}));
-    act(renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, false}));
-    wait(2);
-  }
-  bool shows(const std::string& item) const { return viewer.state().places.contains(item); }
-};
+using test::Person;
 
 TEST(Window, EscapeClosesAnOpenListAndTheSheetOfKeys) {
   Person person("pinned-9x9-5");

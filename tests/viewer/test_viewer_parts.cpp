@@ -150,6 +150,23 @@ TEST(BoundWord, PromisesOnlyWhatIsKept) {
   EXPECT_STREQ(bound_word(scene), "threshold");
 }
 
+TEST(Measurements, SayBothStretches) {
+  FrameRecord record;
+  record.stretch.max = 0.0097;
+  record.stretch.p99 = 0.005;
+  record.surface_stretch = {0.223, 0.034};
+  EXPECT_EQ(other_stretches(record, sim::BoundKind::springs), "p99 0.50 %, surface 22.30 %, p99 3.40 %");
+  EXPECT_EQ(other_stretches(record, sim::BoundKind::surface), "p99 3.40 %, springs 0.97 %, p99 0.50 %");
+  record.surface_stretch.max = 1e30;
+  EXPECT_EQ(other_stretches(record, sim::BoundKind::springs), "p99 0.50 %, surface 1.0e+32 %, p99 3.40 %");
+  Measurements measured;
+  measured.add(record);
+  EXPECT_EQ(measured.max_stretch.last(), 0.0097F);
+  EXPECT_EQ(measured.max_surface_stretch.last(), 1e30F);
+  measured.forget();
+  EXPECT_TRUE(measured.max_surface_stretch.values().empty());
+}
+
 TEST(RealTime, IsWhatWentByLately) {
   RealTime time;
   EXPECT_FALSE(time.factor());

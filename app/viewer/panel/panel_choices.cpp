@@ -86,18 +86,48 @@ void choose_solver(ViewerState& state, sim::SolverKind kind) {
   }
 }
 
-void lay_out_solver(ViewerState& state) {
-  SolverChoice& solver = state.scene.simulation.solver;
-  if (begin_list("solver", sim::name_of(solver.kind))) {
-    for (const sim::SolverKind kind : sim::all_solver_kinds) {
-      if (ImGui::Selectable(sim::name_of(kind), kind == solver.kind)) {
-        choose_solver(state, kind);
+// A list of the kinds; each entry is placed at the name of the list, a full stop and its own name.
+template <class Kinds, class Kind>
+void kind_list(ViewerState& state, const char* label, const char* name, const Kinds& kinds, Kind& chosen) {
+  if (begin_list(label, name_of(chosen))) {
+    for (const Kind kind : kinds) {
+      if (ImGui::Selectable(name_of(kind), kind == chosen)) {
+        chosen = kind;
       }
-      note_place(state, (std::string("solver.") + sim::name_of(kind)).c_str());
+      note_place(state, (std::string(name) + '.' + name_of(kind)).c_str());
     }
     ImGui::EndCombo();
   }
-  note_place(state, "solver");
+  note_place(state, name);
+}
+
+// How much, and beside it of what where there is a choice.
+void lay_out_bound(ViewerState& state) {
+  sim::BoundedSettings& bounded = state.scene.simulation.solver.bounded;
+  const bool has_kinds = state.scene.simulation.solver.kind == sim::SolverKind::bounded;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float half = 0.5F * (ImGui::CalcItemWidth() - gap);
+  if (has_kinds) {
+    ImGui::SetNextItemWidth(half);
+  }
+  double percent = 100.0 * bounded.max_stretch;
+  const char* label = has_kinds ? "##max stretch" : "max stretch";
+  if (number_slider(state, label, "solver.max_stretch", percent, 0.1, 30.0, "%.2f %%", true)) {
+    const double before = std::exchange(bounded.max_stretch, percent / 100.0);
+    keep_range_to_bound(state.scene.picture, before, bounded.max_stretch);
+  }
+  if (has_kinds) {
+    ImGui::SameLine(0.0F, gap);
+    ImGui::SetNextItemWidth(half);
+    kind_list(state, "max stretch", "solver.bound", sim::all_bound_kinds, bounded.bound);
+  }
+}
+
+void lay_out_solver(ViewerState& state) {
+  SolverChoice& solver = state.scene.simulation.solver;
+  sim::SolverKind kind = solver.kind;
+  kind_list(state, "solver", "solver", sim::all_solver_kinds, kind);
+  choose_solver(state, kind);
   int substeps = solver.substeps.value_or(0);
   whole_slider(state, "substeps", "solver.substeps", substeps, 0, 400,
                solver.substeps ? "%d" : chosen_substeps(state).c_str());
@@ -109,11 +139,7 @@ void lay_out_solver(ViewerState& state) {
     number_slider(state, "flexural", "solver.flexural", solver.strong.rigidity.flexural, 0.0, 1.0, "%.3f");
   }
   if (stretch_bound(state.scene)) {
-    double percent = 100.0 * solver.bounded.max_stretch;
-    if (number_slider(state, "max stretch", "solver.max_stretch", percent, 0.1, 30.0, "%.2f %%", true)) {
-      const double before = std::exchange(solver.bounded.max_stretch, percent / 100.0);
-      keep_range_to_bound(state.scene.picture, before, solver.bounded.max_stretch);
-    }
+    lay_out_bound(state);
   }
   if (solver.kind == sim::SolverKind::bounded) {
     sim::Material& fabric = state.scene.material;
@@ -169,6 +195,9 @@ void lay_out_looks(ViewerState& state) {
   check("springs", state.show_springs, "look.springs");
   ImGui::SameLine(start + 2.0F * third);
   check("normals", state.show_normals, "look.normals");
+  if (picture.surface == SurfaceLook::stretch) {
+    kind_list(state, "stretch of", "look.stretch_of", all_stretch_of, picture.stretch_of);
+  }
 }
 
 void lay_out_keeping(ViewerState& state) {

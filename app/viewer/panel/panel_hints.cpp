@@ -19,8 +19,11 @@ constexpr std::array hints = {
     Hint{"wind.gust_period", "Mean time from one gust to the next, in seconds."},
     Hint{"gravity", "How fast things fall, in m/s². On Earth 9.81."},
     Hint{"measured.stretch",
-         "How much longer than at rest the longest spring is, in percent, over the last frames. Red:"
-         " the bound that bounded keeps, or the threshold that provot pulls back to."},
+         "The largest stretch, in percent, over the last frames: of springs, or of the surface if the bound"
+         " is for it. Red: the bound that bounded keeps, or the threshold that provot pulls back to."},
+    Hint{"measured.stretches",
+         "p99: 99 of 100 are stretched no more. A spring is stretched along itself, the surface along any"
+         " direction in a triangle."},
     Hint{"measured.convergence",
          "The longest way of a mass point in the last frame, |p(t) - p(t - dt)|, in"
          " millimetres."},
@@ -33,6 +36,10 @@ constexpr std::array hints = {
          " as fast as asked."},
     Hint{"look.shaded", "Show the cloth as cloth."},
     Hint{"look.stretch", "Show the stretch as colours, in percent of the length at rest."},
+    Hint{"look.stretch_of", "What the colours show the stretch of."},
+    Hint{"look.stretch_of.springs", "At each vertex the largest stretch of the springs there."},
+    Hint{"look.stretch_of.surface",
+         "At each vertex the largest stretch of the triangles there, in any direction."},
     Hint{"look.wireframe", "Show the edges of the mesh alone."},
     Hint{"look.shadows", "Shadows of the key light on cloth and floor. Without, drawing is faster."},
     Hint{"look.springs", "Show the springs, coloured by their kind."},
@@ -56,8 +63,11 @@ constexpr std::array hints = {
     Hint{"solver.flexural",
          "How much of its error a flexural spring corrects, 0 to 1. Less bends more easily."},
     Hint{"solver.max_stretch",
-         "In percent of the length at rest. bounded: no spring is ever shown longer. provot: above,"
-         " springs are pulled back."},
+         "In percent of the length at rest. bounded: nothing is ever shown longer that the list beside"
+         " names. provot: above, springs are pulled back."},
+    Hint{"solver.bound", "What the bound holds."},
+    Hint{"solver.bound.springs", "Every spring along itself, as the paper has it."},
+    Hint{"solver.bound.surface", "Every triangle along any direction, and with it the springs."},
     Hint{"fabric.bending",
          "Bending rigidity of the cloth, in millionths of a newton metre. Jersey 5, denim about 50."},
     Hint{"fabric.compression",

@@ -45,7 +45,7 @@ ItemPlace plot_frame(ViewerState& state, const char* name, const Plot& plot, flo
     left += ImGui::CalcTextSize(words.text.c_str()).x + gap;
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = 23.0F * scale;
+  const float height = 15.0F * scale;
   ImGui::Dummy({width, height});
   ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height},
                                             ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0F * scale);
@@ -89,13 +89,22 @@ float rounded_up(float value, float least) {
   return limit;
 }
 
-// A simulation that flies apart has numbers longer than the panel is wide.
-std::string in_little_room(float value, int decimals) {
-  return std::abs(value) < 1e5F ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.1e}", value);
+// As wide as the panel: a line whose end comes and goes would take its explanation from under the pointer.
+void reading_line(ViewerState& state, const char* name, const std::string& text) {
+  ImGui::BeginGroup();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::TextDisabled("%s", text.c_str());
+  ImGui::SameLine(0.0F, 0.0F);
+  ImGui::Dummy({std::max(width - ImGui::CalcTextSize(text.c_str()).x, 0.0F), 0.0F});
+  ImGui::EndGroup();
+  note_place(state, name);
 }
 
 void plot_stretch(ViewerState& state, float scale) {
-  const RecentValues& stretch = state.measurements.max_stretch;
+  const sim::BoundKind held = bound_kind(state.scene);
+  const bool holds_springs = held == sim::BoundKind::springs;
+  const RecentValues& stretch =
+      holds_springs ? state.measurements.max_stretch : state.measurements.max_surface_stretch;
   const std::optional<double> bound = stretch_bound(state.scene);
   const auto limit = static_cast<float>(bound.value_or(0.0));
   const std::string now = in_little_room(100.0F * stretch.last(), 2);
@@ -105,12 +114,15 @@ void plot_stretch(ViewerState& state, float scale) {
   const float highest = rounded_up(largest(stretch.values()), std::max(1.25F * limit, 0.001F));
   const bool is_exceeded = bound && !state.newest->record.bound_kept;
   const Words words = is_exceeded ? Words{reading, bound_colour} : Words{reading};
-  const ItemPlace place = plot_frame(state, "measured.stretch", {"Largest stretch", {words}}, scale);
+  const ItemPlace place =
+      plot_frame(state, "measured.stretch",
+                 {holds_springs ? "Stretch of springs" : "Stretch of the surface", {words}}, scale);
   if (bound) {
     const float y = height_of(limit, place, highest);
     ImGui::GetWindowDrawList()->AddLine({place.lower_px.x, y}, {place.upper_px.x, y}, bound_colour, scale);
   }
   draw_curve(stretch.values(), place, highest, curve_colour, scale);
+  reading_line(state, "measured.stretches", other_stretches(state.newest->record, held));
 }
 
 void plot_convergence(ViewerState& state, float scale) {
@@ -165,17 +177,6 @@ std::string speed_text(const ViewerState& state) {
   const double frame_ms = 1000.0 / (state.scene.simulation.frame_rate_hz * state.speed);
   const SlowedBy reason = slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share());
   return fmt::format("{:.2f} x real time{}", *factor, reason_text(reason));
-}
-
-// As wide as the panel: a line whose end comes and goes would take its explanation from under the pointer.
-void reading_line(ViewerState& state, const char* name, const std::string& text) {
-  ImGui::BeginGroup();
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::TextDisabled("%s", text.c_str());
-  ImGui::SameLine(0.0F, 0.0F);
-  ImGui::Dummy({std::max(width - ImGui::CalcTextSize(text.c_str()).x, 0.0F), 0.0F});
-  ImGui::EndGroup();
-  note_place(state, name);
 }
 
 }  // namespace

@@ -169,7 +169,7 @@ void legend_of_stretch(const ViewerState& state, float scale) {
     list.AddText({corner.x + size.x + 8.0F * scale, y - 0.5F * ImGui::GetFontSize()}, colour, text.c_str());
   };
   const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
-  const std::optional<double> bound = stretch_bound(state.scene);
+  const std::optional<double> bound = shown_bound(state.scene);
   for (int i = 0; i <= 4; ++i) {
     const double value = low + (high - low) * i / 4.0;
     const bool is_hidden = bound && std::abs(value - *bound) < 0.09 * (high - low);
@@ -208,7 +208,7 @@ void lay_out_legends(const ViewerState& state, float scale) {
   ImGui::SetNextWindowBgAlpha(0.6F);
   if (ImGui::Begin(UserInterface::in_pictures, nullptr, untouchable)) {
     if (stretch) {
-      ImGui::TextUnformatted("stretch");
+      ImGui::TextUnformatted(legend_title(state.scene.picture.stretch_of));
       ImGui::Dummy({1.0F, 3.0F * scale});
       legend_of_stretch(state, scale);
     }

@@ -90,7 +90,7 @@ void LiveSimulation::perform(const ChangeSettings& change) {
     simulation_->set_settings(settings);
     simulation_->set_material(change.material);
     // Another bound may move the cloth before another frame.
-    record_.stretch = sim::measure_stretch(simulation_->garment().springs, simulation_->state().current);
+    measure_stretches(*simulation_, record_);
   }
   surroundings_ =
       settled(change.surroundings, change.layer_distance_m, *loaded_->garment, loaded_->file_vertices);
@@ -162,7 +162,7 @@ void LiveSimulation::perform(const GoBack& back) {
   pins_ = past.pins;
   record_ = past.record;
   frame_ = past.record.frame;
-  record_.stretch = sim::measure_stretch(simulation_->garment().springs, simulation_->state().current);
+  measure_stretches(*simulation_, record_);
   steps_left_ = 0;
   stopped_ = false;
   pristine_ = frame_ == start_frame_;

@@ -1,5 +1,7 @@
 #include "app/viewer/state/measurements.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 namespace taut::app {
@@ -48,15 +50,30 @@ SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame
   return busy_share >= most_of_it ? SlowedBy::drawing : SlowedBy::other_programs;
 }
 
+std::string in_little_room(double value, int decimals) {
+  return std::abs(value) < 1e5 ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.1e}", value);
+}
+
+std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted) {
+  const auto percent = [](double stretch) { return in_little_room(100.0 * stretch, 2); };
+  const bool plots_springs = plotted == sim::BoundKind::springs;
+  const double p99 = plots_springs ? record.stretch.p99 : record.surface_stretch.p99;
+  const double other = plots_springs ? record.surface_stretch.max : record.stretch.max;
+  const double other_p99 = plots_springs ? record.surface_stretch.p99 : record.stretch.p99;
+  return fmt::format("p99 {} %, {} {} %, p99 {} %", percent(p99), plots_springs ? "surface" : "springs",
+                     percent(other), percent(other_p99));
+}
+
 void Measurements::add(const FrameRecord& record) {
   constexpr double mm_per_m = 1000.0;
   max_stretch.add(static_cast<float>(record.stretch.max));
+  max_surface_stretch.add(static_cast<float>(record.surface_stretch.max));
   convergence_mm.add(static_cast<float>(record.convergence_m * mm_per_m));
   simulate_ms.add(static_cast<float>(record.sim_ms));
 }
 
 void Measurements::forget() {
-  for (RecentValues* values : {&max_stretch, &convergence_mm, &simulate_ms}) {
+  for (RecentValues* values : {&max_stretch, &max_surface_stretch, &convergence_mm, &simulate_ms}) {
     values->clear();
   }
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "app/viewer/simulation/snapshot.hpp"
@@ -52,9 +53,17 @@ enum class SlowedBy { nothing, simulation, drawing, other_programs };
 /// keep up, something else uses the processors: drawing if `busy_share` is high, else other programs.
 SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share);
 
+/// A number for people that is no longer than the panel is wide, whatever the simulation does.
+std::string in_little_room(double value, int decimals);
+
+/// The stretches that the panel says beside the largest that the bound holds, which it plots: that one's 99th
+/// percentile, and both of the other kind.
+std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted);
+
 /// The measurements that the panel plots.
 struct Measurements {
-  RecentValues max_stretch;
+  RecentValues max_stretch;  ///< of the springs
+  RecentValues max_surface_stretch;
   RecentValues convergence_mm;  ///< the largest |p(t) - p(t - dt)| of any vertex in a frame
   // Milliseconds of the clock; a run that has to look the same every time does not show them.
   RecentValues simulate_ms;

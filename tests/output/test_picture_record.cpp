@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
@@ -94,6 +96,18 @@ TEST(PictureRecord, EveryKindOfValueReadsBackBitForBit) {
   EXPECT_EQ(again.surroundings.colliders.size(), 3U);
   // The text is a scene file by itself.
   EXPECT_EQ(scene_text(read_scene_file(folder.write("again.toml", text))), text);
+}
+
+TEST(PictureRecord, SaysBothStretches) {
+  FrameRecord record;
+  record.stretch.max = 0.25;
+  record.surface_stretch.max = 0.5;
+  std::map<std::string, std::string> said;
+  for (const renderer::PngText& text : picture_texts({}, record)) {
+    said[text.keyword] = text.text;
+  }
+  EXPECT_EQ(said["Taut Stretch"], "0.25");
+  EXPECT_EQ(said["Taut Surface Stretch"], "0.5");
 }
 
 TEST(PictureRecord, OverridesChangeTheRecordedScene) {

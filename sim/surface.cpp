@@ -32,6 +32,15 @@ std::array<Vec3, 3> corners_of(const Triangle& t, std::span<const Vec3> position
   return {positions[t[0]], positions[t[1]], positions[t[2]]};
 }
 
+double smallest_height_m(const TriangleAtRest& rest) {
+  const double base_m = 1.0 / rest.along_per_m;
+  const double height_m = 1.0 / rest.across_per_m;
+  const double foot_m = rest.skew_per_m * base_m * height_m;
+  const double longest_squared_m2 = std::max({base_m * base_m, foot_m * foot_m + height_m * height_m,
+                                              (base_m - foot_m) * (base_m - foot_m) + height_m * height_m});
+  return base_m * height_m / std::sqrt(longest_squared_m2);
+}
+
 std::vector<TriangleAtRest> triangles_at_rest(const Mesh& mesh) {
   std::vector<TriangleAtRest> rest;
   rest.reserve(mesh.triangles.size());
@@ -55,6 +64,17 @@ PrincipalStretches principal_stretches(const DeformationGradient& gradient) {
   const double half = (a - c) / 2.0;
   const double radius = std::sqrt(half * half + b * b);
   return {std::sqrt(mean + radius), std::sqrt(std::max(0.0, mean - radius))};
+}
+
+Vec2 principal_direction(const DeformationGradient& gradient) {
+  const double product = glm::dot(gradient.along, gradient.across);
+  const double half =
+      (glm::dot(gradient.along, gradient.along) - glm::dot(gradient.across, gradient.across)) / 2.0;
+  const double larger = std::sqrt(half * half + product * product) + std::abs(half);
+  if (!(larger > 0.0)) {
+    return {1.0, 0.0};
+  }
+  return glm::normalize(half >= 0.0 ? Vec2(larger, product) : Vec2(product, larger));
 }
 
 }  // namespace taut::sim

@@ -22,6 +22,9 @@ struct TriangleAtRest {
   bool has_surface() const { return across_per_m > 0.0; }
 };
 
+/// Returns the height above the longest edge, in m. Requires a surface.
+double smallest_height_m(const TriangleAtRest& rest);
+
 /// Returns one entry per triangle.
 std::vector<TriangleAtRest> triangles_at_rest(const Mesh& mesh);
 
@@ -45,5 +48,9 @@ struct PrincipalStretches {
 };
 
 PrincipalStretches principal_stretches(const DeformationGradient& gradient);
+
+/// Returns the direction v at rest, of length 1, in which lengths are now longest: |F v| is the largest
+/// singular value. Any direction if all are alike.
+Vec2 principal_direction(const DeformationGradient& gradient);
 
 }  // namespace taut::sim

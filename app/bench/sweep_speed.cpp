@@ -23,8 +23,8 @@ double shortest_ms(const Kernels& kernels, const SpringLanes& springs, std::size
   for (int i = 0; i < measurements; ++i) {
     const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
     for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
-      for (std::size_t c = 0; c < springs.colour_count(); ++c) {
-        kernels.sweep(springs, springs.colour_begin[c], springs.colour_begin[c + 1], displacements.data());
+      for (const auto [begin, end] : springs.sweep) {
+        kernels.sweep(springs, begin, end, displacements.data());
       }
     }
     shortest = std::min(shortest, clock.elapsed_ms());

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace taut::sim {
 
+/// A direction in a plane.
+using Vec2 = glm::dvec2;
 /// A position, direction or other vector of three components.
 using Vec3 = glm::dvec3;
 /// The index of a vertex, edge, triangle or spring, from 0.

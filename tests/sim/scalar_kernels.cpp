@@ -8,6 +8,32 @@
 namespace taut::sim::bounded {
 namespace {
 
+struct Triple {
+  float x, y, z;
+};
+
+Triple sum(const Float4& a, const Float4& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Triple difference(const Float4& a, const Float4& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Triple operator+(const Triple& a, const Triple& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Triple operator-(const Triple& a, const Triple& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Triple operator*(const Triple& a, float s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+float dot(const Triple& a, const Triple& b) {
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+Triple cross(const Triple& a, const Triple& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 struct Spring {
   float x, y, z;
   float squared_length;
@@ -128,30 +154,147 @@ void largest_ratios(const SpringLanes& springs, std::size_t begin, std::size_t e
   }
 }
 
-struct Triple {
-  float x, y, z;
+void add(Float4& row, const Triple& v) {
+  row = {row.x + v.x, row.y + v.y, row.z + v.z, 0.0F};
+}
+void subtract(Float4& row, const Triple& v) {
+  row = {row.x - v.x, row.y - v.y, row.z - v.z, 0.0F};
+}
+
+struct Gradient {
+  Triple along, across;
 };
 
-Triple sum(const Float4& a, const Float4& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
+/// The squared singular values, half their difference, and its cosine and sine of twice the angle of the
+/// largest's direction.
+struct Principal {
+  float largest, smallest;
+  float radius, difference, product;
+};
+
+Triple triple_of(const std::array<SurfaceBlock::Of<float>, 3>& values, std::size_t k) {
+  return {values[0][k], values[1][k], values[2][k]};
 }
-Triple difference(const Float4& a, const Float4& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
+
+Gradient gradient_of(const SurfaceBlock& block, std::size_t k, const Triple& e1, const Triple& e2) {
+  return {e1 * block.along_per_m[k], e2 * block.across_per_m[k] - e1 * block.skew_per_m[k]};
 }
-Triple operator+(const Triple& a, const Triple& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
+
+Gradient gradient_now(const SurfaceBlock& block, std::size_t k, const Float4* rows) {
+  const Float4& a = rows[block.at[0][k] / 4];
+  const Gradient moved =
+      gradient_of(block, k, difference(rows[block.at[1][k] / 4], a), difference(rows[block.at[2][k] / 4], a));
+  return {moved.along + triple_of(block.start_along, k), moved.across + triple_of(block.start_across, k)};
 }
-Triple operator-(const Triple& a, const Triple& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
+
+Principal principal_of(const Gradient& gradient) {
+  const float a = dot(gradient.along, gradient.along);
+  const float b = dot(gradient.along, gradient.across);
+  const float c = dot(gradient.across, gradient.across);
+  const float mean = (a + c) * 0.5F;
+  const float difference = (a - c) * 0.5F;
+  const float radius = std::max(std::sqrt(difference * difference + b * b), least_radius);
+  return {mean + radius, mean - radius, radius, difference, b};
 }
-Triple operator*(const Triple& a, float s) {
-  return {a.x * s, a.y * s, a.z * s};
+
+struct Divisors {
+  float first, second;
+};
+
+Divisors divisors_of(const SurfaceMobility& mobility, std::size_t k, const Principal& v) {
+  const float middle = v.radius * (0.5F + least_mobility);
+  const float to_first = mobility.along_less_across[k] * v.difference + mobility.skew[k] * v.product;
+  return {middle + to_first, middle - to_first};
 }
-float dot(const Triple& a, const Triple& b) {
-  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+
+void move_corners(const SurfaceBlock& block, std::size_t k, const Gradient& gradient, const Principal& v,
+                  float first, float second, const SurfaceMobility& mobility, Float4* rows) {
+  const float mean = ((first + second) * 0.5F) * v.radius;
+  const float half_difference = (first - second) * 0.5F;
+  const float s11 = mean + half_difference * v.difference;
+  const float s22 = mean - half_difference * v.difference;
+  const float s12 = half_difference * v.product;
+  const float along = block.along_per_m[k];
+  const float across = block.across_per_m[k];
+  const float skew = block.skew_per_m[k];
+  const Triple b = gradient.along * (along * s11 - skew * s12) + gradient.across * (along * s12 - skew * s22);
+  const Triple c = gradient.along * (across * s12) + gradient.across * (across * s22);
+  add(row_at(rows, block.at[0][k]), (b + c) * mobility.corners[0][k]);
+  subtract(row_at(rows, block.at[1][k]), b * mobility.corners[1][k]);
+  subtract(row_at(rows, block.at[2][k]), c * mobility.corners[2][k]);
 }
-Triple cross(const Triple& a, const Triple& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+
+void start_surface(const StartRows& start, std::size_t begin, std::size_t end, SurfaceLanes& triangles) {
+  const auto& [high, low] = start;
+  const auto from = [&](std::size_t i, std::size_t j) {
+    const Triple coarse = difference(high[j], high[i]);
+    const Triple fine = difference(low[j], low[i]);
+    return coarse + fine;
+  };
+  for (std::size_t lane = begin * block_size; lane < end * block_size; ++lane) {
+    SurfaceBlock& block = triangles.blocks[lane / block_size];
+    const std::size_t k = lane % block_size;
+    const std::size_t a = block.at[0][k] / 4;
+    const Gradient gradient = gradient_of(block, k, from(a, block.at[1][k] / 4), from(a, block.at[2][k] / 4));
+    const std::array<float, 3> along_now = {gradient.along.x, gradient.along.y, gradient.along.z};
+    const std::array<float, 3> across_now = {gradient.across.x, gradient.across.y, gradient.across.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      block.start_along[axis][k] = along_now[axis];
+      block.start_across[axis][k] = across_now[axis];
+    }
+  }
+}
+
+void sweep_surface(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, Float4* rows) {
+  for (std::size_t lane = begin * block_size; lane < end * block_size; ++lane) {
+    const SurfaceBlock& block = triangles.blocks[lane / block_size];
+    const std::size_t k = lane % block_size;
+    const Gradient gradient = gradient_now(block, k, rows);
+    const Principal s = principal_of(gradient);
+    const Divisors divisors = divisors_of(block.mobility, k, s);
+    const float first_divisor = (s.largest + 1.0F) * divisors.first;
+    const float second_divisor = (s.smallest + 1.0F) * divisors.second;
+    const float per_both = 1.0F / (first_divisor * second_divisor);
+    const float first = ((s.largest - 1.0F) * second_divisor) * per_both;
+    const float second = ((s.smallest - 1.0F) * first_divisor) * per_both;
+    const float share = block.short_share[k];
+    move_corners(block, k, gradient, s, std::max(first, first * share), std::max(second, second * share),
+                 block.mobility, rows);
+  }
+}
+
+float relative_excess(float squared, float squared_bound) {
+  const float excess = squared - squared_bound;
+  return excess > 0.0F ? excess / (squared + std::sqrt(squared * squared_bound)) : 0.0F;
+}
+
+void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks,
+                     float squared_bound, float relaxation, Float4* rows) {
+  for (const std::uint32_t b : blocks) {
+    for (std::size_t k = 0; k < block_size; ++k) {
+      const SurfaceBlock& block = triangles.blocks[b];
+      const Gradient gradient = gradient_now(block, k, rows);
+      const Principal s = principal_of(gradient);
+      if (s.largest > squared_bound) {
+        const SurfaceMobility& mobility = triangles.projection_mobility[b];
+        const Divisors divisors = divisors_of(mobility, k, s);
+        move_corners(
+            block, k, gradient, s, relative_excess(s.largest, squared_bound) * relaxation / divisors.first,
+            relative_excess(s.smallest, squared_bound) * relaxation / divisors.second, mobility, rows);
+      }
+    }
+  }
+}
+
+void largest_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, std::size_t end,
+                            const Float4* rows, float* squared_ratios) {
+  for (std::size_t b = begin; b < end; ++b) {
+    float largest = 0.0F;
+    for (std::size_t k = 0; k < block_size; ++k) {
+      largest = std::max(largest, principal_of(gradient_now(triangles.blocks[b], k, rows)).largest);
+    }
+    squared_ratios[b] = largest;
+  }
 }
 
 void wind(const TriangleLanes& triangles, const AirFlow& air, std::size_t begin, std::size_t end,
@@ -208,8 +351,10 @@ void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end,
 }  // namespace
 
 const Kernels& scalar_kernels() {
-  static constexpr Kernels table = {predict,        start_springs, sweep,      shorten,
-                                    largest_ratios, wind,          add_product};
+  static constexpr Kernels table = {predict,       start_springs,   sweep,
+                                    shorten,       largest_ratios,  start_surface,
+                                    sweep_surface, shorten_surface, largest_surface_ratios,
+                                    wind,          add_product};
   return table;
 }
 

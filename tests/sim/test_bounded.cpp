@@ -55,10 +55,9 @@ TEST(Layout, EveryMovableSpringIsInOneLaneAndColoursShareNoVertex) {
   const Layout layout = make_layout(garment, pins);
   const SpringLanes& lanes = layout.springs;
   std::vector<int> seen(garment.springs.size(), 0);
-  for (std::size_t c = 0; c < lanes.colour_count(); ++c) {
+  for (const auto [begin, end] : lanes.sweep) {
     std::vector<int> used(layout.row_count(), 0);
-    for (std::size_t k = lanes.colour_begin[c] * block_size; k < lanes.colour_begin[c + 1] * block_size;
-         ++k) {
+    for (std::size_t k = begin * block_size; k < end * block_size; ++k) {
       EXPECT_EQ(used[lanes.row_i(k)]++, 0);
       EXPECT_EQ(used[lanes.row_j(k)]++, 0);
       if (lanes.spring[k] != SpringLanes::no_spring) {

@@ -70,6 +70,7 @@ struct Inputs {
 
   Garment garment = make_garment(irregular_sheet(23, 1.0));
   Layout layout = make_layout(garment, make_pins(garment, {0, 22}));
+  SurfaceLanes surface = make_layout(garment, make_pins(garment, {0, 22}), BoundKind::surface).surface;
   std::mt19937 random{3};
   std::normal_distribution<float> metres{0.0F, 0.02F};
   Float4Array start = random_rows();
@@ -89,6 +90,24 @@ Inputs::Inputs() {
     std::generate(block.start_x.begin(), block.start_x.end(), [&] { return metres(random); });
     std::generate(block.start_z.begin(), block.start_z.end(), [&] { return metres(random); });
   }
+  for (SurfaceBlock& block : surface.blocks) {
+    block.short_share.fill(0.1F);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::generate(block.start_along[axis].begin(), block.start_along[axis].end(),
+                    [&] { return (axis == 0 ? 1.0F : 0.0F) + 10.0F * metres(random); });
+      std::generate(block.start_across[axis].begin(), block.start_across[axis].end(),
+                    [&] { return (axis == 1 ? 1.0F : 0.0F) + 10.0F * metres(random); });
+    }
+  }
+  // Stretched alike in all directions, and two lanes that are not stretched at all.
+  for (std::size_t k : {0, 1, 2}) {
+    surface.blocks[0].along_per_m[k] = surface.blocks[0].across_per_m[k] = surface.blocks[0].skew_per_m[k] =
+        0.0F;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      surface.blocks[0].start_along[axis][k] = axis == 0 ? (k == 0 ? 1.5F : 1.0F) : 0.0F;
+      surface.blocks[0].start_across[axis][k] = axis == 2 ? (k == 0 ? 1.5F : 1.0F) : 0.0F;
+    }
+  }
   for (const Float4& r : random_rows()) {
     tethers.push_back({r.x, r.y, r.z, 0.002F});
   }
@@ -107,13 +126,25 @@ std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inpu
   const SpringLanes& springs = in.layout.springs;
   std::vector<std::uint32_t> blocks(springs.block_count());
   std::iota(blocks.begin(), blocks.end(), 0U);
-  std::map<std::string, Float4Array> results = {{"sweep", in.current},
-                                                {"shorten", in.current},
-                                                {"predict", in.previous},
-                                                {"predict with tethers", in.previous},
-                                                {"add_product", in.current},
-                                                {"wind", Float4Array(in.layout.triangles.lane_count())},
-                                                {"largest_ratios", Float4Array((blocks.size() + 3) / 4)}};
+  std::map<std::string, Float4Array> results = {
+      {"sweep", in.current},
+      {"shorten", in.current},
+      {"sweep_surface", in.current},
+      {"shorten_surface", in.current},
+      {"predict", in.previous},
+      {"predict with tethers", in.previous},
+      {"add_product", in.current},
+      {"wind", Float4Array(in.layout.triangles.lane_count())},
+      {"largest_ratios", Float4Array((blocks.size() + 3) / 4)},
+      {"largest_surface_ratios", Float4Array(in.surface.block_count())}};
+  std::vector<std::uint32_t> surface_blocks(in.surface.block_count());
+  std::iota(surface_blocks.begin(), surface_blocks.end(), 0U);
+  for (const auto [begin, end] : in.surface.sweep) {
+    kernels.sweep_surface(in.surface, begin, end, results["sweep_surface"].data());
+  }
+  kernels.shorten_surface(in.surface, surface_blocks, 1.02F, 1.8F, results["shorten_surface"].data());
+  kernels.largest_surface_ratios(in.surface, 0, surface_blocks.size(), in.current.data(),
+                                 floats_of(results["largest_surface_ratios"].data()));
   kernels.sweep(springs, 0, blocks.size(), results["sweep"].data());
   kernels.shorten(springs, blocks, 1.02F, 1.8F, results["shorten"].data());
   kernels.predict(0, in.layout.row_count(), in.prediction, nullptr, in.start.data(), in.current.data(),
@@ -138,6 +169,15 @@ TEST(Kernels, EveryVectorUnitGivesTheBitsOfTheScalarLoops) {
   const auto expected = results_of(scalar_kernels(), in);
   EXPECT_FALSE(same_bits(expected.at("sweep"), in.current));
   EXPECT_FALSE(same_bits(expected.at("shorten"), in.current));
+  EXPECT_FALSE(same_bits(expected.at("sweep_surface"), in.current));
+  EXPECT_FALSE(same_bits(expected.at("shorten_surface"), in.current));
+  EXPECT_FALSE(same_bits(expected.at("sweep_surface"), expected.at("shorten_surface")));
+  for (const auto& [kernel, result] : expected) {
+    EXPECT_TRUE(std::all_of(result.begin(), result.end(), [](const Float4& row) {
+      return std::isfinite(row.x) && std::isfinite(row.y) && std::isfinite(row.z) &&
+             std::isfinite(row.unused);
+    })) << kernel;
+  }
   EXPECT_FALSE(same_bits(expected.at("predict"), expected.at("predict with tethers")));
   for (const VectorUnit unit : available_vector_units()) {
     for (const auto& [kernel, result] : results_of(kernels_for(unit), in)) {
@@ -154,6 +194,19 @@ TEST(Kernels, EveryVectorUnitStartsSpringsWithTheBitsOfTheScalarLoops) {
     return springs.blocks;
   };
   EXPECT_FALSE(same_bits(started(scalar_kernels()), in.layout.springs.blocks));
+  for (const VectorUnit unit : available_vector_units()) {
+    EXPECT_TRUE(same_bits(started(kernels_for(unit)), started(scalar_kernels()))) << name_of(unit);
+  }
+}
+
+TEST(Kernels, EveryVectorUnitStartsTrianglesWithTheBitsOfTheScalarLoops) {
+  const Inputs in;
+  const auto started = [&](const Kernels& kernels) {
+    SurfaceLanes surface = in.surface;
+    kernels.start_surface(in.start_rows, 0, surface.block_count(), surface);
+    return surface.blocks;
+  };
+  EXPECT_FALSE(same_bits(started(scalar_kernels()), in.surface.blocks));
   for (const VectorUnit unit : available_vector_units()) {
     EXPECT_TRUE(same_bits(started(kernels_for(unit)), started(scalar_kernels()))) << name_of(unit);
   }

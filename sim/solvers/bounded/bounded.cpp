@@ -40,7 +40,7 @@ constexpr double further_than_before = 1.2;
 /// steps.
 constexpr double largest_short_share = 0.9;
 
-/// What springs' ends weigh against a correction, on average; per kg.
+/// What springs' ends, or triangles, weigh against a correction, on average; per kg.
 double mean_mobility_per_kg(const Layout& layout) {
   const SpringLanes& springs = layout.springs;
   double sum = 0.0;
@@ -51,10 +51,41 @@ double mean_mobility_per_kg(const Layout& layout) {
       ++count;
     }
   }
+  for (const float mobility_per_kg : layout.surface.mobility_per_kg) {
+    sum += mobility_per_kg;
+    count += mobility_per_kg > 0.0F ? 1 : 0;
+  }
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-/// By the share k dt^2 w / (1 + k dt^2 w) of begin_substeps; infinite where nothing can move.
+/// A spring or triangle too short pushes back with a stiffness k in N/m: of its error it corrects k dt^2 w /
+/// (1
+/// + k dt^2 w), as a compliant constraint does (Macklin, Mueller and Chentanez 2016).
+float short_share(float stiffness, float mobility_per_kg) {
+  return stiffness * mobility_per_kg / (1.0F + stiffness * mobility_per_kg);
+}
+
+void set_short_shares(double stiffness_n_per_m, double time_step_s, Layout& layout) {
+  const auto stiffness = static_cast<float>(stiffness_n_per_m * time_step_s * time_step_s);
+  SpringLanes& springs = layout.springs;
+  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
+    const float w =
+        layout.inverse_masses_per_kg[springs.row_i(k)] + layout.inverse_masses_per_kg[springs.row_j(k)];
+    springs.blocks[k / block_size].short_share[k % block_size] = short_share(stiffness, w);
+  }
+  SurfaceLanes& surface = layout.surface;
+  for (std::size_t k = 0; k < surface.lane_count(); ++k) {
+    surface.blocks[k / block_size].short_share[k % block_size] =
+        short_share(stiffness, surface.mobility_per_kg[k]);
+  }
+}
+
+/// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
+double tether_slack(const BoundedSettings& settings) {
+  return settings.bound == BoundKind::springs ? 0.5 * settings.max_stretch : 0.0;
+}
+
+/// By the share of short_share; infinite where nothing can move.
 double followed_compression(double mobility_per_kg, double time_step_s) {
   return largest_short_share / (1.0 - largest_short_share) / (time_step_s * time_step_s * mobility_per_kg);
 }
@@ -69,13 +100,13 @@ const char* name_of(BoundKind kind) {
 /// What the solver derives from a garment, and keeps from frame to frame.
 struct BoundedSolver::Cloth : SteppedCloth {
   Cloth(const Garment& garment, const Pins& pinned, const BoundedSettings& settings, double frame_time_s)
-      : SteppedCloth(garment, pinned, frame_time_s),
+      : SteppedCloth(garment, pinned, settings.bound, frame_time_s),
         pins(pinned.vertices),
         compression_stiffness_n_per_m(garment.material.compression_stiffness_n_per_m),
         projection(layout),
         mobility_per_kg(mean_mobility_per_kg(layout)) {
     if (settings.tethers && layout.pin_count > 0) {
-      tethers = make_tethers(garment, layout, settings.max_stretch);
+      tethers = make_tethers(garment, layout, tether_slack(settings));
     }
   }
 
@@ -134,12 +165,11 @@ void BoundedSolver::begin_frame(const State& state) {
     cloth_->velocities[row] = float4_of((state.current[v] - state.previous[v]) * steps_per_s);
   }
   set_start(layout, state.current, motion.start);
-  kernels_->start_springs(motion.start, cloth_->layout.springs);
+  kernels_->start(motion.start, cloth_->layout.springs);
+  kernels_->start(motion.start, cloth_->layout.surface);
   start_tethers(motion.start, cloth_->tethers);
 }
 
-// A spring too short pushes back with a stiffness in N/m: of its error it corrects k dt^2 w / (1 + k dt^2 w),
-// as a compliant constraint does (Macklin, Mueller and Chentanez 2016).
 void BoundedSolver::begin_substeps(double time_step_s) {
   Cloth& cloth = *cloth_;
   const auto h = static_cast<float>(time_step_s);
@@ -148,16 +178,9 @@ void BoundedSolver::begin_substeps(double time_step_s) {
     cloth.motion.current[row] = Float4{};
     cloth.motion.previous[row] = {-v.x * h, -v.y * h, -v.z * h, 0.0F};
   }
-  if (cloth.time_step_s == time_step_s) {
-    return;
-  }
-  cloth.time_step_s = time_step_s;
-  SpringLanes& springs = cloth.layout.springs;
-  const auto stiffness = static_cast<float>(cloth.compression_stiffness_n_per_m * time_step_s * time_step_s);
-  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    const float w = cloth.layout.inverse_masses_per_kg[springs.row_i(k)] +
-                    cloth.layout.inverse_masses_per_kg[springs.row_j(k)];
-    springs.blocks[k / block_size].short_share[k % block_size] = stiffness * w / (1.0F + stiffness * w);
+  if (cloth.time_step_s != time_step_s) {
+    cloth.time_step_s = time_step_s;
+    set_short_shares(cloth.compression_stiffness_n_per_m, time_step_s, cloth.layout);
   }
 }
 
@@ -219,8 +242,9 @@ ProjectionResult BoundedSolver::try_frame(const Garment& garment, const Pins& pi
   ProjectionResult projected = cloth.projection.project(cloth.layout, cloth.motion.current,
                                                         settings_.max_stretch, largest_cost, *kernels_);
   write_shape(surroundings, frame_time_s, state);
-  projected.kept =
-      projected.kept || keeps_bound_in_double(garment, pins, settings_.max_stretch, state.current);
+  if (!projected.kept || cloth.layout.surface.has_thin) {
+    projected.kept = keeps_bound_in_double(garment, pins, settings_, state.current);
+  }
   return projected;
 }
 

@@ -9,6 +9,8 @@
 
 #include "sim/mesh/elementary.hpp"
 #include "sim/mesh/geodesics.hpp"
+#include "sim/solvers/bounded/colouring.hpp"
+#include "sim/solvers/bounded/surface_layout.hpp"
 
 namespace taut::sim::bounded {
 namespace {
@@ -51,9 +53,13 @@ struct SpringInRows {
 
 /// Returns the springs with their ends as rows, the end nearer to the pins first. Springs between two pins
 /// cannot be corrected and are left out.
-std::vector<SpringInRows> movable_springs(const Springs& springs, const Layout& layout) {
+std::vector<SpringInRows> movable_springs(const Springs& springs, const std::vector<bool>& is_left_out,
+                                          const Layout& layout) {
   std::vector<SpringInRows> rows;
   for (Index s = 0; s < bound_spring_count(springs); ++s) {
+    if (is_left_out[s]) {
+      continue;
+    }
     const auto [a, b] = springs.ends[s];
     const Index i = std::min(layout.row_of_vertex[a], layout.row_of_vertex[b]);
     const Index j = std::max(layout.row_of_vertex[a], layout.row_of_vertex[b]);
@@ -65,26 +71,6 @@ std::vector<SpringInRows> movable_springs(const Springs& springs, const Layout& 
     return std::tie(a.row_i, a.row_j) < std::tie(b.row_i, b.row_j);
   });
   return rows;
-}
-
-/// Greedy colouring: each spring gets the first colour that no other spring at its ends has.
-std::vector<std::vector<SpringInRows>> coloured(const std::vector<SpringInRows>& springs,
-                                                std::size_t row_count) {
-  std::vector<std::vector<SpringInRows>> colours;
-  std::vector<std::vector<bool>> taken;
-  for (const SpringInRows& s : springs) {
-    std::size_t c = 0;
-    while (c < colours.size() && (taken[c][s.row_i] || taken[c][s.row_j])) {
-      ++c;
-    }
-    if (c == colours.size()) {
-      colours.emplace_back();
-      taken.emplace_back(row_count, false);
-    }
-    colours[c].push_back(s);
-    taken[c][s.row_i] = taken[c][s.row_j] = true;
-  }
-  return colours;
 }
 
 void measure_reach(const Garment& garment, Layout& layout) {
@@ -99,15 +85,6 @@ void measure_reach(const Garment& garment, Layout& layout) {
   layout.reach_springs = total_m > 0.0 ? layout.reach_m * static_cast<double>(count) / total_m : 0.0;
 }
 
-/// Returns the inverse weight of end i in the projection divided by that of end j.
-double projection_ratio(const SpringInRows& s, const Layout& layout) {
-  const double further_m = layout.distance_from_pins_m[s.row_j] - layout.distance_from_pins_m[s.row_i];
-  if (!std::isfinite(further_m) || !(layout.reach_m > 0.0)) {
-    return 1.0;
-  }
-  return exponential(-projection_weight_growth * further_m * layout.reach_springs / layout.reach_m);
-}
-
 /// Sets a lane to a spring between two rows.
 void set_lane(SpringLanes& lanes, std::size_t lane, Index row_i, Index row_j, double share_i, double rest_m) {
   SpringBlock& block = lanes.blocks[lane / block_size];
@@ -118,18 +95,18 @@ void set_lane(SpringLanes& lanes, std::size_t lane, Index row_i, Index row_j, do
   block.squared_rest[k] = static_cast<float>(rest_m * rest_m);
 }
 
-void append_colour(const std::vector<SpringInRows>& colour, const Garment& garment, const Pins& pins,
-                   const Layout& layout, SpringLanes& lanes) {
+void append_colour(const std::vector<SpringInRows>& springs, const std::vector<std::size_t>& colour,
+                   const Garment& garment, const Pins& pins, const Layout& layout, SpringLanes& lanes) {
   const std::size_t begin = lanes.lane_count();
   const std::size_t block_count = (colour.size() + block_size - 1) / block_size;
   lanes.blocks.resize(lanes.block_count() + block_count);
   lanes.spring.resize(begin + block_count * block_size, SpringLanes::no_spring);
   lanes.projection_share_i.resize(lanes.spring.size(), 0.0F);
   for (std::size_t k = 0; k < colour.size(); ++k) {
-    const SpringInRows& s = colour[k];
+    const SpringInRows& s = springs[colour[k]];
     const double w_i = pins.inverse_masses_per_kg[layout.vertex_of_row[s.row_i]];
     const double w_j = pins.inverse_masses_per_kg[layout.vertex_of_row[s.row_j]];
-    const double ratio = projection_ratio(s, layout);
+    const double ratio = projection_ratio(s.row_i, s.row_j, layout);
     set_lane(lanes, begin + k, s.row_i, s.row_j, w_i / (w_i + w_j), garment.springs.rest_lengths_m[s.spring]);
     lanes.projection_share_i[begin + k] = static_cast<float>(w_i * ratio / (w_i * ratio + w_j));
     lanes.spring[begin + k] = s.spring;
@@ -138,14 +115,20 @@ void append_colour(const std::vector<SpringInRows>& colour, const Garment& garme
     const auto spare = static_cast<Index>(layout.vertex_count() + 2 * (lane % block_size));
     set_lane(lanes, lane, spare, spare + 1, 0.0, 1.0);
   }
-  lanes.colour_begin.push_back(static_cast<std::uint32_t>(lanes.block_count()));
+  const auto end = static_cast<std::uint32_t>(lanes.block_count());
+  lanes.sweep.push_back({static_cast<std::uint32_t>(end - block_count), end});
 }
 
-SpringLanes make_spring_lanes(const Garment& garment, const Pins& pins, const Layout& layout) {
+SpringLanes make_spring_lanes(const Garment& garment, const Pins& pins, const std::vector<bool>& is_left_out,
+                              const Layout& layout) {
+  const std::vector<SpringInRows> springs = movable_springs(garment.springs, is_left_out, layout);
+  std::vector<std::array<Index, 2>> rows;
+  for (const SpringInRows& s : springs) {
+    rows.push_back({s.row_i, s.row_j});
+  }
   SpringLanes lanes;
-  lanes.colour_begin.push_back(0);
-  for (const auto& colour : coloured(movable_springs(garment.springs, layout), layout.vertex_count())) {
-    append_colour(colour, garment, pins, layout, lanes);
+  for (const std::vector<std::size_t>& colour : coloured(rows, layout.vertex_count())) {
+    append_colour(springs, colour, garment, pins, layout, lanes);
   }
   return lanes;
 }
@@ -176,6 +159,14 @@ TriangleLanes make_triangle_lanes(const Garment& garment, const Layout& layout) 
 
 }  // namespace
 
+double projection_ratio(Index row_i, Index row_j, const Layout& layout) {
+  const double further_m = layout.distance_from_pins_m[row_j] - layout.distance_from_pins_m[row_i];
+  if (!std::isfinite(further_m) || !(layout.reach_m > 0.0)) {
+    return 1.0;
+  }
+  return exponential(-projection_weight_growth * further_m * layout.reach_springs / layout.reach_m);
+}
+
 void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRows& start) {
   assert(positions_m.size() == layout.vertex_count());
   start.high.resize(layout.row_count());
@@ -191,11 +182,16 @@ void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRow
   }
 }
 
-Layout make_layout(const Garment& garment, const Pins& pins) {
+Layout make_layout(const Garment& garment, const Pins& pins, BoundKind bound) {
   Layout layout;
   number_rows(garment, pins, layout);
   measure_reach(garment, layout);
-  layout.springs = make_spring_lanes(garment, pins, layout);
+  std::vector<bool> is_held(garment.springs.size(), false);
+  if (bound == BoundKind::surface) {
+    layout.surface = make_surface_lanes(garment, pins, layout);
+    is_held = springs_held_by_triangles(garment);
+  }
+  layout.springs = make_spring_lanes(garment, pins, is_held, layout);
   layout.triangles = make_triangle_lanes(garment, layout);
   return layout;
 }

@@ -5,6 +5,7 @@
 
 #include "sim/pins.hpp"
 #include "sim/solvers/bounded/kernels/lanes.hpp"
+#include "sim/solvers/bounded/settings.hpp"
 
 namespace taut::sim::bounded {
 
@@ -20,8 +21,10 @@ struct Layout {
       distance_from_pins_m;            ///< by row, along the cloth; infinite where no pin can be reached
   std::vector<Index> nearest_pin_row;  ///< by row; 0 where no pin can be reached
   std::size_t pin_count = 0;
+  /// What keeps the bound: all springs, or all triangles and the springs that no triangle holds.
   SpringLanes springs;
-  TriangleLanes triangles;
+  SurfaceLanes surface;
+  TriangleLanes triangles;  ///< for the wind
   /// The largest finite distance from the pins.
   double reach_m = 0.0;
   /// The same distance in springs of mean length.
@@ -34,7 +37,11 @@ struct Layout {
 };
 
 /// Requires the pins of this garment.
-Layout make_layout(const Garment& garment, const Pins& pins);
+Layout make_layout(const Garment& garment, const Pins& pins, BoundKind bound = BoundKind::springs);
+
+/// Returns the inverse weight of row i in the projection divided by that of row j, for equal masses. Weights
+/// grow towards the pins.
+double projection_ratio(Index row_i, Index row_j, const Layout& layout);
 
 /// Sets `start` to these positions, in m, one per vertex. The first row's vertex becomes the origin.
 void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRows& start);

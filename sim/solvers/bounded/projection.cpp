@@ -20,12 +20,12 @@ constexpr int relaxed_sweeps = 6;
 constexpr double least_springs = 16.0;
 constexpr double most_springs = 128.0;
 
-/// Springs this close to the bound, in squares of lengths, may get too long by the correction of others:
+/// Springs and triangles stretched by this part of the aim may get too long by the correction of others:
 /// nearer to 1 fewer blocks are swept, in more rounds.
-constexpr float nearly = 0.995F;
+constexpr float nearly = 0.75F;
 
 /// Of the last frame's correction. All of it would be fewest sweeps, but shapes would drift off.
-constexpr float kept_correction = 0.9F;
+constexpr float kept_correction = 0.97F;
 
 /// Aims at this part of the bound: the last of a correction takes the most sweeps. Less is done sooner and
 /// moves the cloth further.
@@ -44,6 +44,17 @@ float squared_aim_of(double max_stretch) {
   return static_cast<float>(length * length);
 }
 
+/// Returns the blocks that hold one of at least this ratio.
+std::vector<std::uint32_t> long_blocks(const std::vector<float>& squared_ratios, float least) {
+  std::vector<std::uint32_t> blocks;
+  for (std::uint32_t block = 0; block < squared_ratios.size(); ++block) {
+    if (squared_ratios[block] > least) {
+      blocks.push_back(block);
+    }
+  }
+  return blocks;
+}
+
 }  // namespace
 
 BoundProjection::BoundProjection(const Layout& layout)
@@ -51,7 +62,8 @@ BoundProjection::BoundProjection(const Layout& layout)
       corrected_(layout.row_count()),
       corrections_(layout.row_count()),
       new_corrections_(layout.row_count()),
-      squared_ratios_(layout.springs.block_count()) {}
+      squared_spring_ratios_(layout.springs.block_count()),
+      squared_surface_ratios_(layout.surface.block_count()) {}
 
 void BoundProjection::save(const Layout& layout, ByteWriter& memory) const {
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
@@ -77,37 +89,44 @@ void BoundProjection::start_from_last_frame(const Float4Array& raw) {
 }
 
 double BoundProjection::largest_ratio(const Layout& layout, ParallelKernels& kernels) {
-  kernels.largest_ratios(layout.springs, corrected_.data(), squared_ratios_.data());
+  kernels.largest_ratios(layout.springs, corrected_.data(), squared_spring_ratios_.data());
+  kernels.largest_ratios(layout.surface, corrected_.data(), squared_surface_ratios_.data());
   float largest = 0.0F;
-  for (const float ratio : squared_ratios_) {
-    // Written so that a ratio that is not a number is not passed over.
-    largest = ratio <= largest ? largest : ratio;
+  for (const std::vector<float>* ratios : {&squared_spring_ratios_, &squared_surface_ratios_}) {
+    for (const float ratio : *ratios) {
+      // Written so that a ratio that is not a number is not passed over.
+      largest = ratio <= largest ? largest : ratio;
+    }
   }
   return largest;
 }
 
-void BoundProjection::choose_long_blocks(const SpringLanes& springs, float squared_bound) {
-  long_blocks_.clear();
-  colour_begin_.assign(1, 0);
-  for (std::size_t c = 0; c < springs.colour_count(); ++c) {
-    for (std::uint32_t block = springs.colour_begin[c]; block < springs.colour_begin[c + 1]; ++block) {
-      if (squared_ratios_[block] > squared_bound * nearly) {
-        long_blocks_.push_back(block);
-      }
-    }
-    colour_begin_.push_back(long_blocks_.size());
+template <typename Lanes>
+double BoundProjection::shorten(const Lanes& lanes, const std::vector<std::uint32_t>& blocks,
+                                float squared_bound, float factor, ParallelKernels& kernels) {
+  std::size_t shortened = 0;
+  for (const auto [begin, end] : lanes.sweep) {
+    const auto first = std::lower_bound(blocks.begin(), blocks.end(), begin);
+    const auto last = std::lower_bound(first, blocks.end(), end);
+    kernels.shorten(lanes, std::span(first, last), squared_bound, factor, corrected_.data());
+    shortened += static_cast<std::size_t>(last - first);
   }
+  return static_cast<double>(shortened);
 }
 
-void BoundProjection::shorten_chosen(const Layout& layout, float squared_bound, ParallelKernels& kernels) {
+// One round. Returns its work, in sweeps over all springs and triangles.
+double BoundProjection::shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels) {
+  const float least = 1.0F + nearly * (squared_aim - 1.0F);
+  const std::vector<std::uint32_t> springs = long_blocks(squared_spring_ratios_, least);
+  const std::vector<std::uint32_t> surface = long_blocks(squared_surface_ratios_, least);
+  double shortened = 0.0;
   for (int sweep = 0; sweep <= relaxed_sweeps; ++sweep) {
     const float factor = sweep < relaxed_sweeps ? relaxation_ : 1.0F;
-    for (std::size_t c = 0; c + 1 < colour_begin_.size(); ++c) {
-      const std::size_t count = colour_begin_[c + 1] - colour_begin_[c];
-      kernels.shorten(layout.springs, std::span(long_blocks_).subspan(colour_begin_[c], count), squared_bound,
-                      factor, corrected_.data());
-    }
+    shortened += shorten(layout.springs, springs, squared_aim, factor, kernels);
+    shortened += shorten(layout.surface, surface, squared_aim, factor, kernels);
   }
+  const std::size_t all = squared_spring_ratios_.size() + squared_surface_ratios_.size();
+  return 1.0 + shortened / static_cast<double>(all);
 }
 
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
@@ -128,11 +147,8 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
     }
   }
   while (!(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio)) {
-    choose_long_blocks(layout.springs, squared_aim);
-    shorten_chosen(layout, squared_aim, kernels);
+    result.cost += shorten_long(layout, squared_aim, kernels);
     ratio = largest_ratio(layout, kernels);
-    result.cost += 1.0 + (1.0 + relaxed_sweeps) * static_cast<double>(long_blocks_.size()) /
-                             static_cast<double>(squared_ratios_.size());
   }
   float largest_shift2 = 0.0F;
   for (std::size_t row = 0; row < raw.size(); ++row) {

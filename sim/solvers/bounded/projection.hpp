@@ -11,24 +11,25 @@ namespace taut::sim::bounded {
 
 /// What came of making a frame keep its bound.
 struct ProjectionResult {
-  double raw_max_stretch = 0.0;  ///< before the projection
-  double cost = 0.0;             ///< the work it took, in sweeps over all springs
+  double raw_max_stretch = 0.0;  ///< of springs or triangles, before the projection
+  double cost = 0.0;             ///< the work it took, in sweeps over all of them
   double largest_shift_m = 0.0;  ///< the furthest a vertex was moved
-  bool kept = false;             ///< no spring is longer than the bound allows
+  bool kept = false;             ///< none is longer than the bound allows
 };
 
-/// The last correction of a frame: moves the cloth to where no spring is longer than the bound.
+/// The last correction of a frame: moves the cloth to where no spring, or no triangle in any direction, is
+/// longer than the bound.
 ///
-/// Springs no longer than a bound are a convex set of shapes, so that correcting the longer ones again and
-/// again ends in it wherever the pins allow it (cyclic projection; Bregman 1965). That is so for any weights
-/// of the vertices, and this correction need not move as masses do: weights that grow towards the pins hand
-/// corrections down the cloth instead of back and forth. The correction of the last frame, a little faded, is
-/// where the next one starts.
+/// Springs no longer than a bound are a convex set of shapes, and so are triangles: a singular value is a
+/// norm of a linear function of positions. So correcting the longer ones again and again ends in it wherever
+/// the pins allow it (cyclic projection; Bregman 1965). That is so for any weights of the vertices, and this
+/// correction need not move as masses do: weights that grow towards the pins hand corrections down the cloth
+/// instead of back and forth. The correction of the last frame, a little faded, is where the next one starts.
 class BoundProjection {
  public:
   explicit BoundProjection(const Layout& layout);
 
-  /// Stops when its cost, in sweeps over all springs, reaches `largest_cost`.
+  /// Stops when its cost, in sweeps over all springs and triangles, reaches `largest_cost`.
   ProjectionResult project(const Layout& layout, const Float4Array& raw, double max_stretch,
                            double largest_cost, ParallelKernels& kernels);
 
@@ -46,16 +47,17 @@ class BoundProjection {
  private:
   void start_from_last_frame(const Float4Array& raw);
   double largest_ratio(const Layout& layout, ParallelKernels& kernels);
-  void choose_long_blocks(const SpringLanes& springs, float squared_bound);
-  void shorten_chosen(const Layout& layout, float squared_bound, ParallelKernels& kernels);
+  double shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels);
+  template <typename Lanes>
+  double shorten(const Lanes& lanes, const std::vector<std::uint32_t>& blocks, float squared_bound,
+                 float factor, ParallelKernels& kernels);
 
   float relaxation_;
   Float4Array corrected_;
-  Float4Array corrections_;                 ///< of the last frame
-  Float4Array new_corrections_;             ///< of this one
-  std::vector<float> squared_ratios_;       ///< by block
-  std::vector<std::uint32_t> long_blocks_;  ///< colour by colour
-  std::vector<std::size_t> colour_begin_;   ///< in long_blocks_
+  Float4Array corrections_;                    ///< of the last frame
+  Float4Array new_corrections_;                ///< of this one
+  std::vector<float> squared_spring_ratios_;   ///< by block
+  std::vector<float> squared_surface_ratios_;  ///< by block
 };
 
 }  // namespace taut::sim::bounded

@@ -38,11 +38,16 @@ void move_pins(const PinMotion& motion, const TimeStep& time, SteppedCloth& clot
   std::fill_n(cloth.motion.current.begin(), cloth.layout.pin_count, pins_moved(motion, time));
 }
 
-void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
-  const SpringLanes& springs = cloth.layout.springs;
-  for (std::size_t c = 0; c < springs.colour_count(); ++c) {
-    kernels.sweep(springs, springs.colour_begin[c], springs.colour_begin[c + 1], cloth.motion.current.data());
+template <typename Lanes>
+void sweep(const Lanes& lanes, ParallelKernels& kernels, SteppedCloth& cloth) {
+  for (const BlockRange& range : lanes.sweep) {
+    kernels.sweep(lanes, range, cloth.motion.current.data());
   }
+}
+
+void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
+  sweep(cloth.layout.springs, kernels, cloth);
+  sweep(cloth.layout.surface, kernels, cloth);
 }
 
 void push_out(const Material& material, const Surroundings& surroundings, SteppedCloth& cloth) {

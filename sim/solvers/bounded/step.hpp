@@ -14,8 +14,8 @@ namespace taut::sim::bounded {
 /// What time steps work on: the cloth, what acts on it and where it is.
 struct SteppedCloth {
   /// Makes no tethers and sets no positions.
-  SteppedCloth(const Garment& garment, const Pins& pins, double frame_time_s)
-      : layout(make_layout(garment, pins)),
+  SteppedCloth(const Garment& garment, const Pins& pins, BoundKind bound, double frame_time_s)
+      : layout(make_layout(garment, pins, bound)),
         forces(garment, pins, layout, garment.material.bending_rigidity_n_m, frame_time_s) {}
   SteppedCloth(const SteppedCloth&) = delete;
   SteppedCloth& operator=(const SteppedCloth&) = delete;

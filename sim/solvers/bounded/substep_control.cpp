@@ -124,14 +124,16 @@ double allowed_shift_m(const Layout& layout, double max_stretch) {
 
 int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
                    double frame_time_s, double max_stretch) {
-  const SpringLanes& springs = layout.springs;
   double joined_kg = 0.0;
   double length_m = 0.0;
   int count = 0;
-  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    if (springs.spring[k] != SpringLanes::no_spring && springs.row_i(k) < layout.pin_count) {
-      joined_kg += garment.masses_kg[layout.vertex_of_row[springs.row_j(k)]];
-      length_m += garment.springs.rest_lengths_m[springs.spring[k]];
+  for (std::size_t s = 0; s < garment.springs.begin_of(SpringKind::flexural); ++s) {
+    const auto [a, b] = garment.springs.ends[s];
+    const bool is_a_pinned = layout.row_of_vertex[a] < layout.pin_count;
+    const bool is_b_pinned = layout.row_of_vertex[b] < layout.pin_count;
+    if (is_a_pinned != is_b_pinned) {
+      joined_kg += garment.masses_kg[is_a_pinned ? b : a];
+      length_m += garment.springs.rest_lengths_m[s];
       ++count;
     }
   }

@@ -18,11 +18,11 @@ constexpr double most_slack = 0.01;
 
 }  // namespace
 
-Tethers make_tethers(const Garment& garment, const Layout& layout, double max_stretch) {
+Tethers make_tethers(const Garment& garment, const Layout& layout, double slack) {
   Tethers tethers;
   tethers.pin.resize(layout.row_count(), 0);
   tethers.lanes.resize(layout.row_count());
-  const double stretched = 1.0 + std::min(most_slack, 0.5 * max_stretch);
+  const double stretched = 1.0 + std::min(most_slack, slack);
   const double spring_m = layout.reach_springs > 0.0 ? layout.reach_m / layout.reach_springs : 0.0;
   const std::vector<Vec3>& rest = garment.mesh.positions;
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {

@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/within_bound.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <span>
 
@@ -24,7 +25,7 @@ constexpr int most_sweeps = 500;
 constexpr double smallest_told_apart_m = 1e-6;
 
 /// Returns the excess length of the spring that exceeds the bound the most, in metres; 0 if none does.
-double largest_excess_m(const Springs& springs, std::span<const Vec3> positions, double max_stretch) {
+double largest_spring_excess_m(const Springs& springs, std::span<const Vec3> positions, double max_stretch) {
   double largest_m = 0.0;
   for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
     const double length_m = glm::distance(positions[springs.ends[s][0]], positions[springs.ends[s][1]]);
@@ -35,8 +36,33 @@ double largest_excess_m(const Springs& springs, std::span<const Vec3> positions,
   return largest_m;
 }
 
+/// Returns by how much the triangle that exceeds the bound the most is too long along its smallest height, in
+/// metres; 0 if none exceeds it.
+double largest_surface_excess_m(const Garment& garment, std::span<const Vec3> positions, double max_stretch) {
+  double largest_m = 0.0;
+  for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
+    const TriangleAtRest& rest = garment.triangles_at_rest[t];
+    if (rest.has_surface()) {
+      const auto corners = corners_of(garment.mesh.triangles[t], positions);
+      const double stretch = principal_stretches(deformation_gradient(rest, corners)).largest - 1.0;
+      const double excess_m = (stretch - max_stretch) * smallest_height_m(rest);
+      largest_m = excess_m <= largest_m ? largest_m : excess_m;
+    }
+  }
+  return largest_m;
+}
+
+double largest_excess_m(const Garment& garment, const BoundedSettings& settings,
+                        std::span<const Vec3> positions) {
+  const double springs_m = largest_spring_excess_m(garment.springs, positions, settings.max_stretch);
+  return settings.bound == BoundKind::springs
+             ? springs_m
+             : std::max(springs_m, largest_surface_excess_m(garment, positions, settings.max_stretch));
+}
+
 /// Does one sweep of eqs. (2) and (3) over the springs that are too long.
-void shorten(const Garment& garment, const Pins& pins, double max_stretch, std::span<Vec3> positions) {
+void shorten_springs(const Garment& garment, const Pins& pins, double max_stretch,
+                     std::span<Vec3> positions) {
   const Springs& springs = garment.springs;
   for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
     const auto [i, j] = springs.ends[s];
@@ -53,18 +79,55 @@ void shorten(const Garment& garment, const Pins& pins, double max_stretch, std::
   }
 }
 
+/// Projects one triangle, as the kernels do (kernels.hpp), onto the shapes in which its largest singular
+/// value is `aim`.
+void shorten_triangle(const TriangleAtRest& rest, const Triangle& t, const Pins& pins, double aim,
+                      std::span<Vec3> positions) {
+  const DeformationGradient gradient = deformation_gradient(rest, corners_of(t, positions));
+  const Vec2 v = principal_direction(gradient);
+  const Vec3 stretched = v.x * gradient.along + v.y * gradient.across;
+  const double length = glm::length(stretched);
+  const double b = rest.along_per_m * v.x - rest.skew_per_m * v.y;
+  const double c = rest.across_per_m * v.y;
+  const std::array<double, 3> gradients = {-(b + c), b, c};
+  double divisor = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    divisor += pins.inverse_masses_per_kg[t[k]] * gradients[k] * gradients[k];
+  }
+  if (divisor > 0.0) {
+    const Vec3 correction = stretched * ((length - aim) / length / divisor);
+    for (std::size_t k = 0; k < 3; ++k) {
+      positions[t[k]] -= pins.inverse_masses_per_kg[t[k]] * gradients[k] * correction;
+    }
+  }
+}
+
+void shorten_surface(const Garment& garment, const Pins& pins, double max_stretch,
+                     std::span<Vec3> positions) {
+  for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
+    const TriangleAtRest& rest = garment.triangles_at_rest[t];
+    const Triangle& triangle = garment.mesh.triangles[t];
+    if (rest.has_surface() &&
+        principal_stretches(deformation_gradient(rest, corners_of(triangle, positions))).largest >
+            1.0 + max_stretch) {
+      shorten_triangle(rest, triangle, pins, 1.0 + aimed_part * max_stretch, positions);
+    }
+  }
+}
+
 }  // namespace
 
 void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                        State& state) {
-  if (largest_excess_m(garment.springs, state.current, settings.max_stretch) == 0.0) {
+  if (largest_excess_m(garment, settings, state.current) == 0.0) {
     return;
   }
-  bounded::Layout layout = bounded::make_layout(garment, pins);
+  bounded::Layout layout = bounded::make_layout(garment, pins, settings.bound);
   bounded::ParallelKernels kernels(bounded::kernels_for(settings.vector_unit), 1);
   bounded::StartRows start;
   bounded::set_start(layout, state.current, start);
-  kernels.start_springs(start, layout.springs);
+  kernels.start(start, layout.springs);
+  kernels.start(start, layout.surface);
   bounded::BoundProjection projection(layout);
   projection.project(layout, bounded::Float4Array(layout.row_count()), settings.max_stretch, largest_cost,
                      kernels);
@@ -75,12 +138,15 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
   }
 }
 
-bool keeps_bound_in_double(const Garment& garment, const Pins& pins, double max_stretch,
+bool keeps_bound_in_double(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                            std::span<Vec3> positions) {
-  double excess_m = largest_excess_m(garment.springs, positions, max_stretch);
+  double excess_m = largest_excess_m(garment, settings, positions);
   for (int sweep = 0; sweep < most_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m; ++sweep) {
-    shorten(garment, pins, max_stretch, positions);
-    excess_m = largest_excess_m(garment.springs, positions, max_stretch);
+    shorten_springs(garment, pins, settings.max_stretch, positions);
+    if (settings.bound == BoundKind::surface) {
+      shorten_surface(garment, pins, settings.max_stretch, positions);
+    }
+    excess_m = largest_excess_m(garment, settings, positions);
   }
   return excess_m == 0.0;
 }

@@ -9,17 +9,17 @@
 
 namespace taut::sim {
 
-/// Moves the cloth, keeping its velocity, to a near shape in which no structural or shear spring exceeds the
-/// bound of these settings. Does nothing if the shape keeps the bound already. Pinned vertices stay; where
-/// pins are too far apart the bound cannot be kept everywhere.
+/// Moves the cloth, keeping its velocity, to a near shape in which no structural or shear spring, and no
+/// triangle if the settings hold the surface, exceeds their bound. Does nothing if the shape keeps the bound
+/// already. Pinned vertices stay; where pins are too far apart the bound cannot be kept everywhere.
 void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                        State& state);
 
-/// Returns whether no structural or shear spring exceeds the bound. First it shortens, in double precision,
-/// springs that exceed it if none does by a micrometre or more. Single precision cannot resolve a micrometre
-/// on cloth that moves by centimetres, and an edge of 1e-8 m is shorter than that. `positions` are in metres,
-/// one per vertex, and are changed.
-bool keeps_bound_in_double(const Garment& garment, const Pins& pins, double max_stretch,
+/// Returns whether no structural or shear spring, and no triangle if the settings hold the surface, exceeds
+/// the bound. First it shortens, in double precision, those that exceed it if none does by a micrometre or
+/// more. Single precision cannot resolve a micrometre on cloth that moves by centimetres, and an edge of 1e-8
+/// m is shorter than that. `positions` are in metres, one per vertex, and are changed.
+bool keeps_bound_in_double(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                            std::span<Vec3> positions);
 
 }  // namespace taut::sim

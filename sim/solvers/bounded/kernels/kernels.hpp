@@ -63,6 +63,28 @@ struct Kernels {
   void (*largest_ratios)(const SpringLanes& springs, std::size_t begin, std::size_t end, const Float4* rows,
                          float* squared_ratios);
 
+  /// Sets the deformation gradients at the start of the frame of the triangles in blocks [begin, end).
+  void (*start_surface)(const StartRows& start, std::size_t begin, std::size_t end, SurfaceLanes& triangles);
+
+  /// The strong constraint of a triangle, for blocks [begin, end), which must be of one colour. Where a
+  /// singular value s of the deformation gradient F exceeds 1 along the direction v, the corners move along F
+  /// v until it is 1; where it is below 1 they correct a fraction of the error. The error is (s^2 - 1) / (s^2
+  /// + 1), as for springs. Both singular values are corrected at once: they do not disturb each other. Corner
+  /// k moves by
+  ///   -error w_k (g_k v) / (sum of w (g v)^2) F v,
+  /// the projection onto the half-space that touches s <= 1 there (Polyak 1969). See SurfaceMobility.
+  void (*sweep_surface)(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, Float4* rows);
+
+  /// Shortens the triangles that exceed the bound in either direction, in the listed blocks, which must be of
+  /// one colour, with `relaxation` times the correction they need.
+  void (*shorten_surface)(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks,
+                          float squared_bound, float relaxation, Float4* rows);
+
+  /// Writes the largest s^2 of the triangles of each block in [begin, end) to `squared_ratios`, which has one
+  /// entry per block.
+  void (*largest_surface_ratios)(const SurfaceLanes& triangles, std::size_t begin, std::size_t end,
+                                 const Float4* rows, float* squared_ratios);
+
   /// Writes the force of the air that each corner of a triangle gets, in N, for triangles [begin, end),
   /// multiples of the block size. `corner_forces` has one entry per triangle. Positions are `start` +
   /// `current`, in m; `previous` is one time step earlier. The law is that of sim/wind.hpp.
@@ -73,6 +95,13 @@ struct Kernels {
   void (*add_product)(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,
                       Float4* result);
 };
+
+/// Added to the divisor of SurfaceMobility, which is 1/2 on average: a triangle with two corners pinned too
+/// far apart would else throw its third corner any distance. A larger value corrects less at once.
+inline constexpr float least_mobility = 1.0F / 256.0F;
+
+/// Less than any half difference of squared singular values that single precision tells from 0.
+inline constexpr float least_radius = 1e-12F;
 
 /// Returns the kernels for a unit. Throws std::invalid_argument if this processor does not have it.
 const Kernels& kernels_for(VectorUnit unit);

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "sim/solvers/bounded/kernels/kernel_tables.hpp"
+#include "sim/solvers/bounded/kernels/surface_inl.hpp"
 #include "sim/solvers/bounded/kernels/vectors_inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -229,8 +230,10 @@ void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end,
 }
 
 const Kernels* table() {
-  static constexpr Kernels kernels = {predict,        start_springs, sweep,      shorten,
-                                      largest_ratios, wind,          add_product};
+  static constexpr Kernels kernels = {predict,       start_springs,   sweep,
+                                      shorten,       largest_ratios,  start_surface,
+                                      sweep_surface, shorten_surface, largest_surface_ratios,
+                                      wind,          add_product};
   return &kernels;
 }
 

@@ -9,6 +9,12 @@
 
 namespace taut::sim::bounded {
 
+/// Blocks [begin, end), which are all of one colour.
+struct BlockRange {
+  std::uint32_t begin;
+  std::uint32_t end;
+};
+
 /// The data of `block_size` springs that a sweep reads, side by side in memory.
 struct alignas(64) SpringBlock {
   template <typename T>
@@ -37,16 +43,63 @@ struct SpringLanes {
   Lanes<float> projection_share_i;
   /// Per lane the garment's spring; no_spring in padding.
   std::vector<Index> spring;
-  /// Colour c is blocks [colour_begin[c], colour_begin[c + 1]).
-  std::vector<std::uint32_t> colour_begin;
+  std::vector<BlockRange> sweep;  ///< in the order of one sweep: the colours
 
   static constexpr Index no_spring = ~Index{0};
   std::size_t lane_count() const { return spring.size(); }
   std::size_t block_count() const { return blocks.size(); }
-  std::size_t colour_count() const { return colour_begin.size() - 1; }
   /// The row of end i of the spring in a lane; row_j that of end j.
   Index row_i(std::size_t lane) const { return blocks[lane / block_size].at_i[lane % block_size] / 4; }
   Index row_j(std::size_t lane) const { return blocks[lane / block_size].at_j[lane % block_size] / 4; }
+};
+
+/// How `block_size` triangles answer a correction. With inverse masses w and the gradients g of their
+/// deformation gradients F by their corners, a stretch along the unit vector v at rest, at the angle a to the
+/// first axis, is corrected by corner k in proportion to
+///   w_k (g_k v) / (sum of w (g v)^2).
+/// Inverse masses are scaled so that the sum of w |g|^2 is 1; the divisor is then
+///   1/2 + along_less_across cos 2a + skew sin 2a.
+struct alignas(64) SurfaceMobility {
+  std::array<std::array<float, block_size>, 3> corners;  ///< w, in m^2
+  std::array<float, block_size> along_less_across;
+  std::array<float, block_size> skew;
+};
+
+/// The data of `block_size` triangles that a sweep reads, side by side in memory. Entries with three elements
+/// have one for each corner, or one for each coordinate.
+struct alignas(64) SurfaceBlock {
+  template <typename T>
+  using Of = std::array<T, block_size>;
+
+  /// Where the row of each corner begins, counted in floats.
+  std::array<Of<std::uint32_t>, 3> at;
+  SurfaceMobility mobility;
+  /// See TriangleAtRest.
+  Of<float> along_per_m;
+  Of<float> across_per_m;
+  Of<float> skew_per_m;
+  /// The fraction of its error that a principal stretch below 1 corrects in one sweep.
+  Of<float> short_share;
+  /// The columns of F at the start of the frame.
+  std::array<Of<float>, 3> start_along;
+  std::array<Of<float>, 3> start_across;
+};
+
+/// The triangles with a bound on their stretch in every direction. Triangles of one colour share no vertex.
+/// Each colour is filled up to whole blocks with padding: triangles at a spare row, which never moves.
+struct SurfaceLanes {
+  Lanes<SurfaceBlock> blocks;
+  /// By block, as the projection has it; there, vertices near pins have more weight.
+  Lanes<SurfaceMobility> projection_mobility;
+  /// Per lane half the sum of w |g|^2 times the area, in 1/kg: the mobility of a triangle against
+  /// compression; 0 in padding.
+  std::vector<float> mobility_per_kg;
+  bool has_thin = false;  ///< some triangles' F is wrong by more than lengths are in single precision
+  /// In the order of one sweep: the colours, and then again the part of each that is nearest to the pins.
+  std::vector<BlockRange> sweep;
+
+  std::size_t lane_count() const { return mobility_per_kg.size(); }
+  std::size_t block_count() const { return blocks.size(); }
 };
 
 /// All triangles of the garment, for the wind. They are padded to whole blocks with triangles without area.

@@ -18,14 +18,24 @@ void ParallelKernels::predict(const Prediction& prediction, const Tether* tether
   });
 }
 
-void ParallelKernels::start_springs(const StartRows& start, SpringLanes& springs) {
+void ParallelKernels::start(const StartRows& start, SpringLanes& springs) {
   pool_.split(0, springs.block_count(), least_blocks,
               [&](std::size_t b, std::size_t e) { kernels_.start_springs(start, b, e, springs); });
 }
 
-void ParallelKernels::sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows) {
-  pool_.split(begin, end, least_blocks,
+void ParallelKernels::start(const StartRows& start, SurfaceLanes& triangles) {
+  pool_.split(0, triangles.block_count(), least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.start_surface(start, b, e, triangles); });
+}
+
+void ParallelKernels::sweep(const SpringLanes& springs, const BlockRange& range, Float4* rows) {
+  pool_.split(range.begin, range.end, least_blocks,
               [&](std::size_t b, std::size_t e) { kernels_.sweep(springs, b, e, rows); });
+}
+
+void ParallelKernels::sweep(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows) {
+  pool_.split(range.begin, range.end, least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.sweep_surface(triangles, b, e, rows); });
 }
 
 void ParallelKernels::shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks,
@@ -35,9 +45,23 @@ void ParallelKernels::shorten(const SpringLanes& springs, std::span<const std::u
   });
 }
 
+void ParallelKernels::shorten(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks,
+                              float squared_bound, float relaxation, Float4* rows) {
+  pool_.split(0, blocks.size(), least_blocks, [&](std::size_t b, std::size_t e) {
+    kernels_.shorten_surface(triangles, blocks.subspan(b, e - b), squared_bound, relaxation, rows);
+  });
+}
+
 void ParallelKernels::largest_ratios(const SpringLanes& springs, const Float4* rows, float* squared_ratios) {
   pool_.split(0, springs.block_count(), least_blocks, [&](std::size_t b, std::size_t e) {
     kernels_.largest_ratios(springs, b, e, rows, squared_ratios);
+  });
+}
+
+void ParallelKernels::largest_ratios(const SurfaceLanes& triangles, const Float4* rows,
+                                     float* squared_ratios) {
+  pool_.split(0, triangles.block_count(), least_blocks, [&](std::size_t b, std::size_t e) {
+    kernels_.largest_surface_ratios(triangles, b, e, rows, squared_ratios);
   });
 }
 

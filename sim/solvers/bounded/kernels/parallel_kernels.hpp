@@ -20,14 +20,20 @@ class ParallelKernels {
   void predict(const Prediction& prediction, const Tether* tethers, const Float4* accelerations,
                const Float4Array& current, Float4Array& previous);
 
-  void start_springs(const StartRows& start, SpringLanes& springs);
+  void start(const StartRows& start, SpringLanes& springs);
+  void start(const StartRows& start, SurfaceLanes& triangles);
 
-  /// All blocks must be of one colour, in both functions.
-  void sweep(const SpringLanes& springs, std::size_t begin, std::size_t end, Float4* rows);
+  void sweep(const SpringLanes& springs, const BlockRange& range, Float4* rows);
+  void sweep(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows);
+
+  /// All blocks must be of one colour.
   void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,
+               float relaxation, Float4* rows);
+  void shorten(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks, float squared_bound,
                float relaxation, Float4* rows);
 
   void largest_ratios(const SpringLanes& springs, const Float4* rows, float* squared_ratios);
+  void largest_ratios(const SurfaceLanes& triangles, const Float4* rows, float* squared_ratios);
   void wind(const TriangleLanes& triangles, const AirFlow& air, const Float4* start, const Float4* current,
             const Float4* previous, Float4* corner_forces);
   void add_product(const SlicedMatrix& matrix, const Float4* positions, Float4* result);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/pins.hpp"
+#include "sim/solvers/bounded/layout.hpp"
+
+namespace taut::sim::bounded {
+
+/// Returns, per spring of the garment, whether it keeps any bound on the stretch of its triangles by itself:
+/// the edges of triangles that have a surface, and the diagonals of flat cells of such triangles.
+std::vector<bool> springs_held_by_triangles(const Garment& garment);
+
+/// Returns the triangles that have a surface and a corner that can move. `layout` needs its rows and its
+/// reach.
+SurfaceLanes make_surface_lanes(const Garment& garment, const Pins& pins, const Layout& layout);
+
+}  // namespace taut::sim::bounded

@@ -263,9 +263,10 @@ void sweep_surface(const SurfaceLanes& triangles, std::size_t begin, std::size_t
   }
 }
 
-float relative_excess(float squared, float squared_bound) {
+float excess_over(float squared, float squared_bound, float relaxation, float divisor) {
   const float excess = squared - squared_bound;
-  return excess > 0.0F ? excess / (squared + std::sqrt(squared * squared_bound)) : 0.0F;
+  const float whole = (squared + std::sqrt(squared * squared_bound)) * divisor;
+  return excess > 0.0F ? (excess * relaxation) / whole : 0.0F;
 }
 
 void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks,
@@ -278,9 +279,8 @@ void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_
       if (s.largest > squared_bound) {
         const SurfaceMobility& mobility = triangles.projection_mobility[b];
         const Divisors divisors = divisors_of(mobility, k, s);
-        move_corners(
-            block, k, gradient, s, relative_excess(s.largest, squared_bound) * relaxation / divisors.first,
-            relative_excess(s.smallest, squared_bound) * relaxation / divisors.second, mobility, rows);
+        move_corners(block, k, gradient, s, excess_over(s.largest, squared_bound, relaxation, divisors.first),
+                     excess_over(s.smallest, squared_bound, relaxation, divisors.second), mobility, rows);
       }
     }
   }

@@ -142,7 +142,10 @@ std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inpu
   for (const auto [begin, end] : in.surface.sweep) {
     kernels.sweep_surface(in.surface, begin, end, results["sweep_surface"].data());
   }
-  kernels.shorten_surface(in.surface, surface_blocks, 1.02F, 1.8F, results["shorten_surface"].data());
+  for (const auto [begin, end] : in.surface.sweep) {
+    kernels.shorten_surface(in.surface, std::span(surface_blocks).subspan(begin, end - begin), 1.02F, 1.8F,
+                            results["shorten_surface"].data());
+  }
   kernels.largest_surface_ratios(in.surface, 0, surface_blocks.size(), in.current.data(),
                                  floats_of(results["largest_surface_ratios"].data()));
   kernels.sweep(springs, 0, blocks.size(), results["sweep"].data());

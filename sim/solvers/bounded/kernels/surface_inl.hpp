@@ -102,29 +102,81 @@ HWY_INLINE Divisors divisors_of(const Mobility& mobility, const Principal& p) {
   return {hn::Add(middle, to_first), hn::Sub(middle, to_first)};
 }
 
-/// `first` and `second` are the errors in the two directions over the divisors.
-HWY_INLINE void move_corners(const SurfaceBlock& block, std::size_t k, const Corners& corners,
-                             const Gradient& gradient, const Principal& p, V first, V second,
-                             const Mobility& mobility, float* rows) {
+/// Some triangles of a block: those of lanes k, k + 1, ...
+struct Place {
+  const SurfaceBlock* block;
+  const SurfaceMobility* mobility;
+  std::size_t k;
+};
+
+/// Triangles as loaded, and the errors in the two directions over the divisors.
+struct Found {
+  Corners corners;
+  Gradient gradient;
+  Principal principal;
+  Mobility mobility;
+  V first, second;
+};
+
+HWY_INLINE void load_triangles(const Place& at, const float* rows, Found& found) {
+  found.corners = load_corners(*at.block, at.k, rows);
+  found.gradient = gradient_now(*at.block, at.k, found.corners);
+  found.principal = principal_of(found.gradient);
+  found.mobility = load_mobility(*at.mobility, at.k);
+}
+
+HWY_INLINE void move_corners(const Place& at, const Found& found, float* rows) {
   const Floats f;
   const V half = hn::Set(f, 0.5F);
-  const V mean = hn::Mul(hn::Mul(hn::Add(first, second), half), p.radius);
-  const V half_difference = hn::Mul(hn::Sub(first, second), half);
+  const auto& [block, unused, k] = at;
+  const Principal& p = found.principal;
+  const V mean = hn::Mul(hn::Mul(hn::Add(found.first, found.second), half), p.radius);
+  const V half_difference = hn::Mul(hn::Sub(found.first, found.second), half);
   // The symmetric matrix with these values in these directions. F times it is the change of F.
   const V cosine = hn::Mul(half_difference, p.difference);
   const V s11 = hn::Add(mean, cosine);
   const V s22 = hn::Sub(mean, cosine);
   const V s12 = hn::Mul(half_difference, p.product);
-  const V along = hn::Load(f, &block.along_per_m[k]);
-  const V across = hn::Load(f, &block.across_per_m[k]);
-  const V skew = hn::Load(f, &block.skew_per_m[k]);
-  const Triple b = gradient.along * hn::Sub(hn::Mul(along, s11), hn::Mul(skew, s12)) +
-                   gradient.across * hn::Sub(hn::Mul(along, s12), hn::Mul(skew, s22));
-  const Triple c = gradient.along * hn::Mul(across, s12) + gradient.across * hn::Mul(across, s22);
-  store_rows(corners.a + as_rows((b + c) * mobility.a), rows, &block.at[0][k]);
-  store_rows(corners.b - as_rows(b * mobility.b), rows, &block.at[1][k]);
-  store_rows(corners.c - as_rows(c * mobility.c), rows, &block.at[2][k]);
+  const V along = hn::Load(f, &block->along_per_m[k]);
+  const V across = hn::Load(f, &block->across_per_m[k]);
+  const V skew = hn::Load(f, &block->skew_per_m[k]);
+  const Triple b = found.gradient.along * hn::Sub(hn::Mul(along, s11), hn::Mul(skew, s12)) +
+                   found.gradient.across * hn::Sub(hn::Mul(along, s12), hn::Mul(skew, s22));
+  const Triple c = found.gradient.along * hn::Mul(across, s12) + found.gradient.across * hn::Mul(across, s22);
+  store_rows(found.corners.a + as_rows((b + c) * found.mobility.a), rows, &block->at[0][k]);
+  store_rows(found.corners.b - as_rows(b * found.mobility.b), rows, &block->at[1][k]);
+  store_rows(found.corners.c - as_rows(c * found.mobility.c), rows, &block->at[2][k]);
 }
+
+/// Corrects `count` places as `work` says: place(i) is the i-th, find(place, found) what to do there. Two are
+/// worked on at a time: one is computed while the other waits for a square root or a division.
+template <typename Work>
+HWY_INLINE void correct(std::size_t count, const Work& work, float* rows) {
+  std::size_t i = 0;
+  for (; i + 1 < count; i += 2) {
+    const Place a = work.place(i);
+    const Place b = work.place(i + 1);
+    Found found_a;
+    Found found_b;
+    const bool is_a_long = work.find(a, rows, found_a);
+    const bool is_b_long = work.find(b, rows, found_b);
+    if (is_a_long) {
+      move_corners(a, found_a, rows);
+    }
+    if (is_b_long) {
+      move_corners(b, found_b, rows);
+    }
+  }
+  if (i < count) {
+    const Place a = work.place(i);
+    Found found_a;
+    if (work.find(a, rows, found_a)) {
+      move_corners(a, found_a, rows);
+    }
+  }
+}
+
+constexpr std::size_t places_per_block = block_size / lanes;
 
 void start_surface(const StartRows& start, std::size_t begin, std::size_t end, SurfaceLanes& triangles) {
   for (std::size_t b = begin; b < end; ++b) {
@@ -141,110 +193,82 @@ void start_surface(const StartRows& start, std::size_t begin, std::size_t end, S
   }
 }
 
-/// Some triangles of a block: those of lanes k, k + 1, ...
-struct Place {
-  const SurfaceBlock* block;
-  std::size_t k;
+struct Sweep {
+  const SurfaceBlock* blocks;
+
+  HWY_INLINE Place place(std::size_t i) const {
+    const SurfaceBlock* block = blocks + i / places_per_block;
+    return {block, &block->mobility, i % places_per_block * lanes};
+  }
+
+  HWY_INLINE bool find(const Place& at, const float* rows, Found& found) const {
+    const Floats f;
+    const V one = hn::Set(f, 1.0F);
+    load_triangles(at, rows, found);
+    const Principal& s = found.principal;
+    const Divisors divisors = divisors_of(found.mobility, s);
+    const V first_divisor = hn::Mul(hn::Add(s.largest(), one), divisors.first);
+    const V second_divisor = hn::Mul(hn::Add(s.smallest(), one), divisors.second);
+    const V per_both = hn::Div(one, hn::Mul(first_divisor, second_divisor));
+    const V first = hn::Mul(hn::Mul(hn::Sub(s.largest(), one), second_divisor), per_both);
+    const V second = hn::Mul(hn::Mul(hn::Sub(s.smallest(), one), first_divisor), per_both);
+    // A share is at most 1. So the larger value is the whole error where the triangle is too long, and the
+    // share of it otherwise.
+    const V share = hn::Load(f, &at.block->short_share[at.k]);
+    found.first = hn::Max(first, hn::Mul(first, share));
+    found.second = hn::Max(second, hn::Mul(second, share));
+    return true;
+  }
 };
-
-/// Triangles as loaded, and the errors in both directions over the divisors.
-struct Answer {
-  Corners corners;
-  Gradient gradient;
-  Principal principal;
-  Mobility mobility;
-  V first, second;
-};
-
-HWY_INLINE void find_errors(const Place& at, const float* rows, Answer& answer) {
-  const Floats f;
-  const V one = hn::Set(f, 1.0F);
-  answer.corners = load_corners(*at.block, at.k, rows);
-  answer.gradient = gradient_now(*at.block, at.k, answer.corners);
-  const Principal s = answer.principal = principal_of(answer.gradient);
-  answer.mobility = load_mobility(at.block->mobility, at.k);
-  const Divisors divisors = divisors_of(answer.mobility, s);
-  const V first_divisor = hn::Mul(hn::Add(s.largest(), one), divisors.first);
-  const V second_divisor = hn::Mul(hn::Add(s.smallest(), one), divisors.second);
-  const V per_both = hn::Div(one, hn::Mul(first_divisor, second_divisor));
-  const V first = hn::Mul(hn::Mul(hn::Sub(s.largest(), one), second_divisor), per_both);
-  const V second = hn::Mul(hn::Mul(hn::Sub(s.smallest(), one), first_divisor), per_both);
-  // A share is at most 1. So the larger value is the whole error where the triangle is too long, and the
-  // share of it otherwise.
-  const V share = hn::Load(f, &at.block->short_share[at.k]);
-  answer.first = hn::Max(first, hn::Mul(first, share));
-  answer.second = hn::Max(second, hn::Mul(second, share));
-}
-
-/// Two at a time, so that one is computed while the other waits for a square root or a division.
-HWY_INLINE void sweep_both(const Place& a, const Place& b, float* rows) {
-  Answer at_a, at_b;
-  find_errors(a, rows, at_a);
-  find_errors(b, rows, at_b);
-  move_corners(*a.block, a.k, at_a.corners, at_a.gradient, at_a.principal, at_a.first, at_a.second,
-               at_a.mobility, rows);
-  move_corners(*b.block, b.k, at_b.corners, at_b.gradient, at_b.principal, at_b.first, at_b.second,
-               at_b.mobility, rows);
-}
-
-HWY_INLINE void sweep_one(const Place& a, float* rows) {
-  Answer at_a;
-  find_errors(a, rows, at_a);
-  move_corners(*a.block, a.k, at_a.corners, at_a.gradient, at_a.principal, at_a.first, at_a.second,
-               at_a.mobility, rows);
-}
 
 void sweep_surface(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, Float4* rows) {
-  float* first_row = floats_of(rows);
-  const SurfaceBlock* block = triangles.blocks.data() + begin;
-  const SurfaceBlock* const last = triangles.blocks.data() + end;
-  if constexpr (lanes == block_size) {
-    for (; block + 1 < last; block += 2) {
-      sweep_both({block, 0}, {block + 1, 0}, first_row);
-    }
-    if (block != last) {
-      sweep_one({block, 0}, first_row);
-    }
-  } else {
-    for (; block != last; ++block) {
-      for (std::size_t k = 0; k < block_size; k += 2 * lanes) {
-        sweep_both({block, k}, {block, k + lanes}, first_row);
-      }
-    }
-  }
+  correct((end - begin) * places_per_block, Sweep{triangles.blocks.data() + begin}, floats_of(rows));
 }
 
-/// Returns (s - bound) / s of a singular value above the bound, 0 of others.
-HWY_INLINE V relative_excess(V squared, float squared_bound) {
+/// Returns `relaxation` times (s - bound) / s over the divisor for singular values above the bound, 0 for
+/// others.
+HWY_INLINE V excess_over(V squared, float squared_bound, float relaxation, V divisor) {
   const Floats f;
   const V limit = hn::Set(f, squared_bound);
   const V excess = hn::Sub(squared, limit);
+  const V whole = hn::Mul(hn::Add(squared, hn::Sqrt(hn::Mul(squared, limit))), divisor);
   return hn::IfThenElseZero(hn::Gt(excess, hn::Zero(f)),
-                            hn::Div(excess, hn::Add(squared, hn::Sqrt(hn::Mul(squared, limit)))));
+                            hn::Div(hn::Mul(excess, hn::Set(f, relaxation)), whole));
 }
+
+struct Shorten {
+  const SurfaceLanes& triangles;
+  std::span<const std::uint32_t> blocks;
+  float squared_bound;
+  float relaxation;
+
+  HWY_INLINE Place place(std::size_t i) const {
+    const std::uint32_t block = blocks[i / places_per_block];
+    return {&triangles.blocks[block], &triangles.projection_mobility[block], i % places_per_block * lanes};
+  }
+
+  HWY_INLINE bool find(const Place& at, const float* rows, Found& found) const {
+    const Floats f;
+    const V limit = hn::Set(f, squared_bound);
+    load_triangles(at, rows, found);
+    const Principal& s = found.principal;
+    if (hn::AllFalse(f, hn::Gt(s.largest(), limit))) {
+      return false;
+    }
+    const Divisors divisors = divisors_of(found.mobility, s);
+    found.first = excess_over(s.largest(), squared_bound, relaxation, divisors.first);
+    found.second = hn::Zero(f);
+    if (!hn::AllFalse(f, hn::Gt(s.smallest(), limit))) {
+      found.second = excess_over(s.smallest(), squared_bound, relaxation, divisors.second);
+    }
+    return true;
+  }
+};
 
 void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks,
                      float squared_bound, float relaxation, Float4* rows) {
-  const Floats f;
-  const V factor = hn::Set(f, relaxation);
-  float* first_row = floats_of(rows);
-  for (const std::uint32_t b : blocks) {
-    const SurfaceBlock& block = triangles.blocks[b];
-    for (std::size_t k = 0; k < block_size; k += lanes) {
-      const Corners corners = load_corners(block, k, first_row);
-      const Gradient gradient = gradient_now(block, k, corners);
-      const Principal s = principal_of(gradient);
-      if (hn::AllFalse(f, hn::Gt(s.largest(), hn::Set(f, squared_bound)))) {
-        continue;
-      }
-      const Mobility mobility = load_mobility(triangles.projection_mobility[b], k);
-      const Divisors divisors = divisors_of(mobility, s);
-      const V first = hn::Div(hn::Mul(relative_excess(s.largest(), squared_bound), factor), divisors.first);
-      const V second =
-          hn::Div(hn::Mul(relative_excess(s.smallest(), squared_bound), factor), divisors.second);
-      move_corners(block, k, corners, gradient, s, first, second, mobility, first_row);
-    }
-  }
+  correct(blocks.size() * places_per_block, Shorten{triangles, blocks, squared_bound, relaxation},
+          floats_of(rows));
 }
 
 void largest_surface_ratios(const SurfaceLanes& triangles, std::size_t begin, std::size_t end,

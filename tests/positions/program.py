@@ -27,6 +27,10 @@ class Program:
     def shirt(self, triangles):
         return self.assets / "garments" / f"tshirt_{triangles}.obj"
 
+    def scenes(self):
+        """The names of the built-in scenes."""
+        return [line.split()[0] for line in self.run("scenes").splitlines() if line]
+
     def scene(self, name):
         return tomllib.loads((self.assets / "scenes" / f"{name}.toml").read_text(encoding="utf-8"))
 

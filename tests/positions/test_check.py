@@ -1,5 +1,7 @@
 """The check itself has to notice: made-up shapes that are right, and one change at a time."""
 
+import contextlib
+import io
 import pathlib
 import sys
 import tempfile
@@ -7,6 +9,7 @@ import unittest
 import zlib
 from functools import partial
 
+import check_bounds
 import check_positions
 from check_still_air import masses_kg, motion
 from measure import Cloth, Printed, Shape, complaints, grid, read_obj
@@ -80,7 +83,9 @@ class Complaints(unittest.TestCase):
 FAKE = """#!{python}
 import json, sys
 change = {change}
-frames, records = int(sys.argv[-1].removeprefix("time.frames=")), []
+if sys.argv[1] == "scenes":
+    sys.exit(print("square           A square"))
+frames, records = next(int(word.removeprefix("time.frames=")) for word in sys.argv if word.startswith("time.f")), []
 for frame in range(1, frames + 1):
     size = 1.0 + 0.01 * frame
     points = [[0, 0, 0], [size, 0, 0], [size, size, 0], [0, size, 0]]
@@ -125,6 +130,35 @@ class Runs(unittest.TestCase):
     def test_a_frame_that_is_missing(self):
         found = self.run_with("lambda points, said: said.update(frame=7)")[1]
         self.assertIn("run.jsonl has not the frames 1 to 3", found)
+
+
+class Bounds(unittest.TestCase):
+    def run_for(self, frame_rate, kind):
+        """Every frame is 1 % longer than the one before."""
+        with tempfile.TemporaryDirectory() as folder:
+            fake, scenes = pathlib.Path(folder, "taut"), pathlib.Path(folder, "assets", "scenes")
+            fake.write_text(FAKE.format(python=sys.executable, change="lambda points, said: None"), encoding="utf-8")
+            fake.chmod(0o755)
+            scenes.mkdir(parents=True)
+            sides = {"columns": 2, "rows": 2, "width": 1.0, "height": 1.0}
+            keys = [f"garment.grid.{key} = {value}" for key, value in sides.items()]
+            (scenes / "square.toml").write_text("\n".join([*keys, f"time.frame_rate = {frame_rate}"]), encoding="utf-8")
+            with contextlib.redirect_stdout(io.StringIO()) as said:
+                code = check_bounds.main(fake, folder, pathlib.Path(folder, "out"), kind, kind)
+            return code, said.getvalue()
+
+    def test_every_scene_of_the_program_in_every_frame(self):
+        for kind, complaints_of_frame_2 in (("springs", 1), ("surface", 2)):
+            code, said = self.run_for(1 / check_bounds.SECONDS, kind)
+            self.assertEqual(code, 0)
+            self.assertEqual(said, f"square, {kind} held, {kind} checked: 1 frames, 0 needles, 0 complaints\n")
+            code, said = self.run_for(2 / check_bounds.SECONDS, kind)
+            self.assertEqual(code, 1)
+            self.assertIn(f": 2 frames, 0 needles, {complaints_of_frame_2} complaints\n  frame 2: a spring", said)
+
+    def test_another_kind_of_bound(self):
+        with self.assertRaisesRegex(SystemExit, "found the kind of bound edges, expected springs or surface"):
+            self.run_for(1, "edges")
 
 
 class Cloths(unittest.TestCase):

@@ -15,12 +15,12 @@ constexpr PictureSize picture_size = {1180, 1120};
 
 Caption caption_of(const PrintedMoment& moment, char letter) {
   if (moment.shows_stretch) {
-    return {
-        letter, "the same, coloured by its stretch",
-        fmt::format("mean {:.4g} %, 99 of 100 springs up to {:.4g} %",
-                    100.0 * moment.moment->record.stretch.mean, 100.0 * moment.moment->record.stretch.p99)};
+    return {letter, "the same, coloured by the stretch of its springs",
+            fmt::format("99 of 100 springs up to {:.4g} %, triangles up to {:.4g} %",
+                        100.0 * moment.moment->record.stretch.p99,
+                        100.0 * surface_stretch_of(*moment.recording, *moment.moment).p99)};
   }
-  return {letter, fmt::format("stretched by up to {:.4g} %", 100.0 * moment.moment->record.stretch.max),
+  return {letter, largest_stretch_text(moment),
           fmt::format("{} sweeps of the constraint in a step; red: at rest length",
                       moment.recording->scene.simulation.solver.strong.iterations)};
 }

@@ -37,12 +37,12 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const double speed_m_per_s = moments[i].recording->scene.surroundings.forces.wind.speed_m_per_s;
-    const FrameRecord& record = moments[i].moment->record;
+    const std::string wind =
+        speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s);
     panels.push_back({std::move(prints.pictures[i]),
                       {static_cast<char>('a' + static_cast<int>(i)),
-                       speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s),
-                       fmt::format("after {:.1f} s; largest stretch {:.4g} %", record.time_s,
-                                   100.0 * record.stretch.max)}});
+                       fmt::format("{}, after {:.1f} s", wind, moments[i].moment->record.time_s),
+                       largest_stretch_text(moments[i])}});
   }
   return sheet_of(std::move(panels), prints.size, {.columns = 3}, {0.2F * prints.metre_px, "20 cm"});
 }

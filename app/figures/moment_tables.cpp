@@ -2,20 +2,26 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/csv.hpp"
 #include "app/models/garment_loading.hpp"
-#include "sim/measures.hpp"
 
 namespace taut::app {
 namespace {
 
-const std::vector<std::string> moment_columns = {"panel",   "scene",       "frame",       "time_s",
-                                                 "at_rest", "max_stretch", "p99_stretch", "mean_stretch"};
+const std::vector<std::string> moment_columns = {"panel",
+                                                 "scene",
+                                                 "frame",
+                                                 "time_s",
+                                                 "at_rest",
+                                                 "max_stretch",
+                                                 "p99_stretch",
+                                                 "max_surface_stretch",
+                                                 "p99_surface_stretch",
+                                                 "mean_stretch"};
 const std::vector<std::string> shape_columns = {"panel", "vertex", "x_m", "y_m", "z_m"};
 
 // The panels of a figure go on from one recording to the next.
@@ -58,9 +64,10 @@ std::string moments_csv(std::span<const Recording* const> recordings) {
   CsvTable table(moment_columns);
   for_each_panel(recordings, [&](const std::string& panel, const Recording& recording, const Moment& moment) {
     const FrameRecord& record = moment.record;
+    const sim::SurfaceStretch surface = surface_stretch_of(recording, moment);
     table.add({panel, cell(recording.scene.name), std::to_string(record.frame), cell(record.time_s),
                record.asleep ? "1" : "0", cell(record.stretch.max), cell(record.stretch.p99),
-               cell(record.stretch.mean)});
+               cell(surface.max), cell(surface.p99), cell(record.stretch.mean)});
   });
   return table.text();
 }
@@ -99,7 +106,7 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
                                    vertices, scene_name));
     }
     moment.record.stretch = sim::measure_stretch(recording.garment->springs, moment.positions);
-    recording.largest_stretch = std::max(recording.largest_stretch, moment.record.stretch.max);
+    note_stretch(moment.record.stretch, surface_stretch_of(recording, moment), recording);
     recording.moments.push_back(std::move(moment));
   }
   if (recording.moments.empty()) {

@@ -1,5 +1,7 @@
 #include "app/figures/print.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -110,6 +112,12 @@ void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::ve
 }
 
 }  // namespace
+
+std::string largest_stretch_text(const PrintedMoment& moment) {
+  return fmt::format("largest stretch: springs {:.4g} %, surface {:.4g} %",
+                     100.0 * moment.moment->record.stretch.max,
+                     100.0 * surface_stretch_of(*moment.recording, *moment.moment).max);
+}
 
 Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
                      const PictureSize& size) {

@@ -25,6 +25,9 @@ struct PrintedMoment {
   bool has_floor = true;  ///< a floor with the shadow on it
 };
 
+/// "largest stretch: springs 0.97 %, surface 19 %", with four digits.
+std::string largest_stretch_text(const PrintedMoment& moment);
+
 /// Pictures taken with one camera, and the length of a metre in them.
 struct Prints {
   /// In the figure. The images have LazyOffscreenRenderer::scale() times as many pixels each way.

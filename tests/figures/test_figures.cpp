@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/figures/csv.hpp"
 #include "app/figures/figures.hpp"
 #include "app/figures/moment_tables.hpp"
+#include "app/figures/print.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -110,6 +113,30 @@ TEST(Recording, StepsAreTheStepsOfTheFrames) {
   ASSERT_EQ(stepped.frames.moments.size(), 3U);
   EXPECT_NEAR(stepped.frames.last().record.stretch.max, whole.last().record.stretch.max, 1e-9);
   EXPECT_EQ(stepped.frames.moments[0].positions, whole.moments[0].positions);
+}
+
+TEST(Recording, LargestStretchesAreOfAllFramesThoseNotKeptIncluded) {
+  const DrawnScene scene = find_scene("pinned-9x9-5", {});
+  std::vector<int> all(12);
+  std::iota(all.begin(), all.end(), 1);
+  const auto nothing = [](double) {};
+  const Recording every = record_frames(scene, all, nothing);
+  double springs = 0.0, surface = 0.0, p99 = 0.0;
+  for (const Moment& moment : every.moments) {
+    springs = std::max(springs, moment.record.stretch.max);
+    surface = std::max(surface, surface_stretch_of(every, moment).max);
+    p99 = std::max(p99, surface_stretch_of(every, moment).p99);
+  }
+  const sim::SurfaceStretch last = surface_stretch_of(every, every.last());
+  EXPECT_GT(surface, last.max) << "the last frame is not the one";
+  EXPECT_GT(surface, springs);
+  for (const Recording& one : {record_frames(scene, std::array{12}, nothing),
+                               record_steps(scene, std::array{12}, 76, nothing).frames}) {
+    ASSERT_EQ(one.moments.size(), 1U);
+    EXPECT_EQ(one.largest_stretch, springs);
+    EXPECT_EQ(one.largest_surface_stretch.max, surface);
+    EXPECT_EQ(one.largest_surface_stretch.p99, p99);
+  }
 }
 
 TEST(Recording, EndsWhereTheClothIsAtRest) {
@@ -217,9 +244,45 @@ TEST(FigureTables, ReadBackTheyGiveTheSameTables) {
   EXPECT_TRUE(again.methods[0].diverged_at_s) << "a run that ends before its last step";
 }
 
+// Along the diagonal of its cells a fifth longer, across it as at rest: edges grow by less than the surface.
+Recording recording_of_a_diagonal_stretch() {
+  Recording recording;
+  recording.scene.name = "diagonal";
+  recording.garment = sim::share(sim::make_garment(sim::make_grid({.columns = 3, .rows = 3})));
+  recording.moments.resize(1);
+  for (const sim::Vec3& p : recording.garment->mesh.positions) {
+    const double along = 0.5 * (p.x + p.y);
+    recording.moments[0].positions.push_back(p + 0.2 * sim::Vec3(along, along, 0.0));
+  }
+  recording.moments[0].record.stretch =
+      sim::measure_stretch(recording.garment->springs, recording.moments[0].positions);
+  return recording;
+}
+
+TEST(FigureTables, HaveTheStretchOfSpringsAndOfTheSurface) {
+  const TemporaryFolder folder;
+  const Recording recording = recording_of_a_diagonal_stretch();
+  write_text_file(folder / "moments.csv", moments_csv(std::array{&recording}));
+  const CsvFile table(folder / "moments.csv",
+                      {"panel", "scene", "frame", "time_s", "at_rest", "max_stretch", "p99_stretch",
+                       "max_surface_stretch", "p99_surface_stretch", "mean_stretch"});
+  const double edge = std::sqrt(0.5 * (1.2 * 1.2 + 1.0)) - 1.0;
+  for (const auto& [column, expected] : {std::pair(5U, edge), {6U, edge}, {7U, 0.2}, {8U, 0.2}, {9U, edge}}) {
+    EXPECT_NEAR(table.number(0, column), expected, 1e-12) << column;
+  }
+}
+
+TEST(FigureCaptions, SayTheStretchOfSpringsAndOfTheSurface) {
+  const Recording recording = recording_of_a_diagonal_stretch();
+  EXPECT_EQ(largest_stretch_text({&recording, &recording.last()}),
+            "largest stretch: springs 10.45 %, surface 20 %");
+}
+
 TEST(FigureTables, WhatIsWrongWithOneIsSaidWithItsLine) {
   const TemporaryFolder folder;
-  const std::string head = "panel,scene,frame,time_s,at_rest,max_stretch,p99_stretch,mean_stretch\n";
+  const std::string head =
+      "panel,scene,frame,time_s,at_rest,max_stretch,p99_stretch,max_surface_stretch,p99_surface_stretch,mean_"
+      "stretch\n";
   const std::string shapes = "panel,vertex,x_m,y_m,z_m\n";
   const auto error_with = [&](const std::string& moments, const std::string& positions) {
     folder.write("fig4.csv", moments);
@@ -228,17 +291,17 @@ TEST(FigureTables, WhatIsWrongWithOneIsSaidWithItsLine) {
     const std::string error = test::message_of<InputError>([&] { read_figure4(folder / "", results); });
     return error.substr(error.find("fig4") == std::string::npos ? 0 : error.find("fig4"));
   };
-  const std::string row = "a,pinned-9x9-5,1,0.1,0,0,0,0\n";
+  const std::string row = "a,pinned-9x9-5,1,0.1,0,0,0,0,0,0\n";
   EXPECT_EQ(error_with("a,b\n1,2\n", shapes).substr(0, 37), "fig4.csv:1: found the columns a,b, ex");
-  EXPECT_EQ(error_with(head + "a,b\n", shapes), "fig4.csv:2: found 2 cells, expected 8");
+  EXPECT_EQ(error_with(head + "a,b\n", shapes), "fig4.csv:2: found 2 cells, expected 10");
   EXPECT_EQ(error_with(head, shapes), "fig4.csv: found no rows, expected at least one");
-  EXPECT_EQ(error_with(head + "a,\"x, y\",1,0.1,0,0,0,0\n", shapes + "a,0,0,0,0\n"),
+  EXPECT_EQ(error_with(head + "a,\"x, y\",1,0.1,0,0,0,0,0,0\n", shapes + "a,0,0,0,0\n"),
             "fig4.csv: found no moment of the scene pinned-9x9-5, expected one");
   EXPECT_EQ(error_with(head + row, shapes + "a,0,0,0,0\na,2,0,0,0\n"),
             "fig4_shapes.csv:3: panel a: found vertex 2, expected 1");
   EXPECT_EQ(error_with(head + row, shapes + "a,0,0,up,0\n"),
             "fig4_shapes.csv:2: y_m: found 'up', expected a number");
-  EXPECT_EQ(error_with(head + "a,pinned-9x9-5,1.5,0.1,0,0,0,0\n", shapes + "a,0,0,0,0\n"),
+  EXPECT_EQ(error_with(head + "a,pinned-9x9-5,1.5,0.1,0,0,0,0,0,0\n", shapes + "a,0,0,0,0\n"),
             "fig4.csv:2: frame: found '1.5', expected a whole number");
   EXPECT_EQ(error_with(head + row, shapes + "a,0,0,0,0\n"),
             "fig4_shapes.csv: panel a: found 1 vertices, expected 81, as the garment of pinned-9x9-5 has");

@@ -54,7 +54,8 @@ function(taut_add_changed_data_test name baseline figure table program)
   cmake_parse_arguments(PARSE_ARGV 5 arg "PLOT" "" "")
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${name}_data)
   set(tables ${CMAKE_CURRENT_SOURCE_DIR}/figures)
-  add_custom_command(OUTPUT ${folder}/${table}.csv DEPENDS ${tables}/${table}.csv
+  file(GLOB all_tables CONFIGURE_DEPENDS ${tables}/*.csv)
+  add_custom_command(OUTPUT ${folder}/${table}.csv DEPENDS ${all_tables}
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${tables} ${folder}
     COMMAND awk -F , -v OFS=, ${program} ${tables}/${table}.csv > ${folder}/${table}.csv
     VERBATIM)

@@ -7,7 +7,7 @@ import json
 import re
 from functools import partial
 
-from measure import Cloth, Printed, Shape, read_obj
+from measure import MEASURES, Cloth, Printed, Shape, read_obj
 from program import pdf_text, png_texts, settings
 
 BOUNDS = {"5_percent": 0.05, "1_percent": 0.01, "0.1_percent": 0.001}
@@ -63,15 +63,19 @@ def table(path):
         return list(csv.DictReader(file))
 
 
+def percents(where, texts):
+    """What a text of the program says in percent, by the names of the measures; an empty one says nothing."""
+    return [Printed.percent(where, texts[name], name) for name in MEASURES if texts.get(name)]
+
+
 def captions(path):
     """What a figure says below each panel that shows a shape; below others it may say more of the same shapes."""
     text = pdf_text(path)
-    said = [[Printed.percent("its caption", largest)]
-            for largest in re.findall(r"(?:largest stretch|stretched by up to) ([-\d.]+) %", text)]
-    more = re.findall(r"mean ([-\d.]+) %, 99 of 100 springs up to ([-\d.]+) %", text)
-    for printed, (mean, p99) in zip(said, more):
-        printed += [Printed.percent("its second caption", mean, "mean_stretch"),
-                    Printed.percent("its second caption", p99, "p99_stretch")]
+    said = [percents("its caption", {"max_stretch": springs, "max_surface_stretch": surface}) for springs, surface
+            in re.findall(r"largest stretch(?:: springs)? ([-\d.]+) %(?:, surface ([-\d.]+) %)?", text)]
+    more = re.findall(r"99 of 100 springs up to ([-\d.]+) %, triangles up to ([-\d.]+) %", text)
+    for printed, (springs, triangles) in zip(said, more):
+        printed += percents("its second caption", {"p99_stretch": springs, "p99_surface_stretch": triangles})
     return said
 
 

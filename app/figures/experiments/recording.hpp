@@ -9,6 +9,7 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/frame_record.hpp"
 #include "sim/garment.hpp"
+#include "sim/measures.hpp"
 
 namespace taut::app {
 
@@ -25,9 +26,17 @@ struct Recording {
   std::vector<sim::Index> pins;
   std::vector<Moment> moments;   ///< the selected frames, ascending
   double largest_stretch = 0.0;  ///< of all frames of the run, a fraction
+  /// The largest of all frames, each member by itself.
+  sim::SurfaceStretch largest_surface_stretch;
 
   const Moment& last() const { return moments.back(); }
 };
+
+/// The surface stretch of one of the recording's moments.
+sim::SurfaceStretch surface_stretch_of(const Recording& recording, const Moment& moment);
+
+/// Takes what was measured of one more frame into the largest numbers of a recording.
+void note_stretch(const sim::Stretch& stretch, const sim::SurfaceStretch& surface, Recording& recording);
 
 /// Simulates the scene up to the last of `frames`, which must be ascending, and keeps these frames.
 Recording record_frames(const DrawnScene& scene, std::span<const int> frames,

@@ -16,7 +16,8 @@ struct Rule {
   Judgement (*judge)(const Results&);
 };
 
-constexpr std::array<Rule, 8> rules = {{{"stretch-bound", judge_overstretch},
+constexpr std::array<Rule, 9> rules = {{{"stretch-bound", judge_overstretch},
+                                        {"free-surface", judge_surface},
                                         {"convergence", judge_fall},
                                         {"no-velocity", judge_velocity},
                                         {"real-time", judge_speed},
@@ -30,6 +31,7 @@ std::string filled(const toml::table& texts, const char* key) {
   return fmt::format(
       fmt::runtime(texts[key].value<std::string>().value()), fmt::arg("rest_mm", 1e3 * fall_rest_m),
       fmt::arg("rest_s", fall_rest_s), fmt::arg("real_time_ms", real_time_ms),
+      fmt::arg("surface_excess_percent", 100.0 * surface_excess),
       fmt::arg("proportional_exponent", proportional_exponent), fmt::arg("trial_frames", trial_frames),
       fmt::arg("trial_steps", trial_steps), fmt::arg("trial_sweeps", trial_sweeps),
       fmt::arg("short_step_hz", method_rates_hz[0]), fmt::arg("long_step_hz", method_rates_hz[1]),

@@ -34,7 +34,8 @@ std::vector<StrongRun> all_strong_runs(const Results& results) {
                                   false,
                                   solver.substeps.value_or(0),
                                   solver.strong.iterations,
-                                  {cloth.last().record.stretch.max, cloth.largest_stretch}}};
+                                  {cloth.last().record.stretch.max, cloth.largest_stretch},
+                                  cloth.largest_surface_stretch}};
   runs.insert(runs.end(), results.strong_runs.begin(), results.strong_runs.end());
   return runs;
 }
@@ -72,6 +73,33 @@ Finding bound_of_bounded(const Results& results) {
                               text_of(times.median_ms(), "ms"));
   finding.measured.push_back(
       {fmt::format("a frame of {} triangles, median", times.triangles), times.median_ms(), "ms", 3});
+  return finding;
+}
+
+std::string told(double springs, const sim::SurfaceStretch& surface) {
+  const auto text = [](double fraction) { return number_text(percent_number("", fraction)); };
+  return fmt::format("springs {}, the surface {}, 99 of 100 triangles {}", text(springs), text(surface.max),
+                     text(surface.p99));
+}
+
+void add_surface(const std::string& name, double springs, const sim::SurfaceStretch& surface,
+                 Finding& finding) {
+  finding.measured.push_back(percent_number(name + ": springs", springs));
+  finding.measured.push_back(percent_number("the same, surface", surface.max));
+  finding.measured.push_back(percent_number("the same, 99 of 100 triangles", surface.p99));
+}
+
+Finding surface_of_bounded(const Results& results) {
+  Finding finding;
+  for (const std::optional<Recording>& run : results.shirts) {
+    const sim::BoundedSettings& asked = run->scene.simulation.solver.bounded;
+    const std::string name = fmt::format("{}, asked to keep its {} within {:g} %", in_wind(*run),
+                                         sim::name_of(asked.bound), 100.0 * asked.max_stretch);
+    finding.text += fmt::format("{}{}: {}", finding.text.empty() ? "The shirt " : "; ", name,
+                                told(run->largest_stretch, run->largest_surface_stretch));
+    add_surface("shirt " + name, run->largest_stretch, run->largest_surface_stretch, finding);
+  }
+  finding.text += '.';
   return finding;
 }
 
@@ -145,6 +173,30 @@ Judgement judge_overstretch(const Results& results) {
       told(best.stretch));
   return judged(judge_stretch_bound(numbers), "at the end of every run, not in every frame", finding,
                 bound_of_bounded(results));
+}
+
+Judgement judge_surface(const Results& results) {
+  const std::vector<StrongRun> runs = all_strong_runs(results);
+  std::vector<SurfaceNumbers> numbers;
+  Finding finding;
+  int most_stretched = 0, one_in_a_hundred = 0;
+  for (const StrongRun& run : runs) {
+    const double springs = run.stretch.on_the_way;
+    numbers.push_back({springs, run.surface});
+    most_stretched += exceeds_springs(run.surface.max, springs) ? 1 : 0;
+    one_in_a_hundred += exceeds_springs(run.surface.p99, springs) ? 1 : 0;
+    add_surface(name_of(run), springs, run.surface, finding);
+  }
+  const StrongRun& best = *std::min_element(runs.begin(), runs.end(), is_worse);
+  finding.text = fmt::format(
+      "The most stretched triangle exceeds the most stretched spring by more than {:g} % in {} of {} runs, "
+      "one "
+      "triangle in a hundred in {}. The cloth of figure 4: {}. The run whose springs stretch least ({}): {}.",
+      100.0 * surface_excess, most_stretched, runs.size(), one_in_a_hundred,
+      told(runs.front().stretch.on_the_way, runs.front().surface), name_of(best),
+      told(best.stretch.on_the_way, best.surface));
+  return judged(judge_free_surface(numbers), "the most stretched triangle of every run, not one in a hundred",
+                finding, surface_of_bounded(results));
 }
 
 Judgement judge_fall(const Results& results) {

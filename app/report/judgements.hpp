@@ -27,6 +27,7 @@ struct Judgement {
 
 /// Each of these judges one claim by the results of its experiments. The rules are in verdicts.hpp.
 Judgement judge_overstretch(const Results& results);
+Judgement judge_surface(const Results& results);
 Judgement judge_fall(const Results& results);
 Judgement judge_velocity(const Results& results);
 Judgement judge_speed(const Results& results);

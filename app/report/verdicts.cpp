@@ -46,6 +46,20 @@ Verdict judge_stretch_bound(std::span<const StretchNumbers> runs) {
   return all_or_some(count_if(runs, always), count_if(runs, at_end), runs.size());
 }
 
+bool exceeds_springs(double surface, double springs) {
+  return std::isfinite(surface) && surface > (1.0 + surface_excess) * springs;
+}
+
+Verdict judge_free_surface(std::span<const SurfaceNumbers> runs) {
+  const auto one_in_a_hundred = [](const SurfaceNumbers& run) {
+    return exceeds_springs(run.surface.p99, run.springs) && exceeds_springs(run.surface.max, run.springs);
+  };
+  const auto the_worst = [](const SurfaceNumbers& run) {
+    return exceeds_springs(run.surface.max, run.springs);
+  };
+  return all_or_some(count_if(runs, one_in_a_hundred), count_if(runs, the_worst), runs.size());
+}
+
 Verdict judge_convergence(double peak_m, double last_m, bool came_to_rest) {
   if (came_to_rest || last_m < 1e-3 * peak_m) {
     return Verdict::holds;

@@ -24,12 +24,27 @@ inline constexpr double real_time_ms = 1000.0 / 60.0;
 /// Cloth at rest vibrates if its root mean square speed is larger than this. A movement of 1 mm in 0.1 s is
 /// visible.
 inline constexpr double vibration_m_per_s = 0.01;
+/// A surface stretches by more than springs if its stretch exceeds theirs by more than this fraction of
+/// theirs. A triangle is never stretched by less than its longest edge, so that a mere difference would
+/// decide nothing.
+inline constexpr double surface_excess = 0.1;
 /// Up to this exponent, growth counts as proportional. Measured times are uncertain by about that much.
 inline constexpr double proportional_exponent = 1.2;
 
 /// Holds if all runs keep the bound in every frame; in part if all keep it in their last frame. An empty list
 /// does not hold, also below.
 Verdict judge_stretch_bound(std::span<const StretchNumbers> runs);
+
+/// How much springs and triangles of one run are stretched at most, in any frame.
+struct SurfaceNumbers {
+  double springs = 0.0;  ///< of the most stretched spring, a fraction
+  sim::SurfaceStretch surface;
+};
+/// Whether a stretch of the surface exceeds that of the springs by more than `surface_excess`.
+bool exceeds_springs(double surface, double springs);
+/// Holds if in all runs one triangle in a hundred is stretched by more than every spring; in part if in all
+/// runs the most stretched triangle is. Both as `exceeds_springs` has it.
+Verdict judge_free_surface(std::span<const SurfaceNumbers> runs);
 
 /// Holds if the cloth came to rest, or if its last movement is less than 0.001 of its largest one; in part if
 /// it is less than 0.1. Both are in metres per step.

@@ -59,11 +59,16 @@ StrongRun run_strong(const std::string& garment, DrawnScene scene, bool is_rigid
   if (is_rigid) {
     solver.strong.rigidity = {};
   }
-  StrongRun run = {
-      garment, is_rigid, solver.substeps.value_or(0), solver.strong.iterations, {INFINITY, INFINITY}};
+  StrongRun run = {garment,
+                   is_rigid,
+                   solver.substeps.value_or(0),
+                   solver.strong.iterations,
+                   {INFINITY, INFINITY},
+                   {INFINITY, INFINITY}};
   try {
     const Recording recording = record_frames(scene, std::array{frames}, report_progress);
     run.stretch = {recording.last().record.stretch.max, recording.largest_stretch};
+    run.surface = recording.largest_surface_stretch;
   } catch (const sim::Diverged&) {
     // Infinite stretch says so.
   }

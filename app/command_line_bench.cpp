@@ -47,7 +47,9 @@ std::function<Command()> add_bench(CLI::App& app) {
       app.add_subcommand("bench", "Measure time per frame against stretch, side by side with other engines");
   add_bench_extent(*command, *options);
   command->add_flag("--full", options->full, "every scene, every size and more settings: takes hours");
-  command->add_flag("--ablation", options->ablation, "the bounded solver without one of its parts at a time")
+  command
+      ->add_flag("--ablation", options->ablation,
+                 "the bounded solver holding springs and surface, and without one of its parts at a time")
       ->excludes("--engines");
   command->add_option("--output", options->output, "folder for bench.json, bench.png and bench.pdf");
   command->add_option("--shapes", options->shapes,

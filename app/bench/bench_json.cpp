@@ -17,6 +17,7 @@ Json run_json(const Run& run, const BenchResults& results) {
   Json json = {{"engine", run.entrant.engine},
                {"settings", run.entrant.settings},
                {"bound", nullptr},
+               {"bound_holds", nullptr},
                {"end", name_of(run.end)},
                {"frames", run.frames.size()},
                {"median_ms", facts.median_ms},
@@ -25,6 +26,8 @@ Json run_json(const Run& run, const BenchResults& results) {
                {"max_raw_stretch", facts.raw_stretch},
                {"max_stretch", facts.stretch},
                {"max_p99_stretch", facts.p99_stretch},
+               {"max_surface_stretch", facts.surface_stretch},
+               {"max_p99_surface_stretch", facts.p99_surface_stretch},
                {"frames_over", over},
                {"frames_not_certified", facts.not_certified},
                {"median_substeps", facts.median_substeps},
@@ -32,6 +35,9 @@ Json run_json(const Run& run, const BenchResults& results) {
                {"springs_per_s", facts.springs_per_s}};
   if (run.entrant.bound) {
     json["bound"] = *run.entrant.bound;
+  }
+  if (run.entrant.held) {
+    json["bound_holds"] = name_of(*run.entrant.held);
   }
   return json;
 }
@@ -51,6 +57,8 @@ Json cell_json(const Heat& heat, const std::string& engine, double bound) {
     json["median_ms"] = facts.median_ms;
     json["max_stretch"] = facts.stretch;
     json["max_p99_stretch"] = facts.p99_stretch;
+    json["max_surface_stretch"] = facts.surface_stretch;
+    json["max_p99_surface_stretch"] = facts.p99_surface_stretch;
     json["of_sweep"] = facts.springs_per_s / heat.sweeps.back().springs_per_s;
     const double strong = strong_springs_per_s(heat);
     json["times_strong_springs_per_s"] = strong > 0.0 ? Json(facts.springs_per_s / strong) : Json();

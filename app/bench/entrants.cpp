@@ -19,24 +19,17 @@ std::string in_words(const Division& division) {
                      division.iterations, division.iterations == 1 ? "" : "s");
 }
 
-Entrant taut_entrant(const std::string& engine, const std::string& words, std::optional<double> bound,
-                     std::vector<Setting> settings) {
-  settings.push_back({"solver.kind", engine});
-  return {engine, words, bound, [settings](const GarmentInScene& cloth, const Scene& scene) {
-            return make_taut_engine(cloth, with_settings(scene, settings));
-          }};
-}
+constexpr sim::BoundKind usual = sim::BoundedSettings{}.bound;
 
-// Asked for each bound and left to choose the substeps.
-std::vector<Entrant> bounded_entrants(const std::vector<double>& bounds,
-                                      const std::vector<Setting>& changes = {}) {
+std::vector<Entrant> bounded_entrants(const std::vector<double>& bounds, const std::string& name = "bounded",
+                                      const std::vector<Setting>& changes = {}, sim::BoundKind held = usual) {
   std::vector<Entrant> entrants;
   for (const double bound : bounds) {
-    std::vector<Setting> settings = {{"solver.substeps", "0"},
-                                     {"solver.max_stretch", fmt::format("{}", bound)}};
-    settings.insert(settings.end(), changes.begin(), changes.end());
-    entrants.push_back(
-        taut_entrant("bounded", fmt::format("asked for {:g} %", 100.0 * bound), bound, std::move(settings)));
+    entrants.push_back({name, fmt::format("{} within {:g} %", name_of(held), 100.0 * bound), bound, held,
+                        [=](const GarmentInScene& cloth, const Scene& scene) {
+                          return make_taut_engine(cloth,
+                                                  with_settings(asked_for(scene, bound, held), changes));
+                        }});
   }
   return entrants;
 }
@@ -46,10 +39,9 @@ struct Ablation {
   std::vector<Setting> settings;
 };
 
-// A part of the bounded solver that can be taken away, and how; the first is the whole.
+// A part of the bounded solver that can be taken away, and how.
 std::vector<Ablation> ablations() {
   return {
-      {"bounded", {}},
       {"no tethers", {{"solver.tethers", "false"}}},
       {"no bending", {{"cloth.bending_rigidity", "0"}}},
       {"no vectors", {{"solver.vector_unit", "scalar"}}},
@@ -65,18 +57,21 @@ std::vector<Entrant> strong_entrants(bool full) {
                                      {40, 1}, {80, 1}, {120, 1}, {160, 1}, {240, 1}, {320, 1}};
   std::vector<Entrant> entrants;
   for (const Division& division : full ? all : quick) {
-    entrants.push_back(taut_entrant("strong", in_words(division), std::nullopt,
-                                    {{"solver.substeps", std::to_string(division.substeps)},
-                                     {"solver.iterations", std::to_string(division.iterations)},
-                                     {"solver.compression", "1.0"},
-                                     {"solver.flexural", "1.0"}}));
+    const std::vector<Setting> settings = {{"solver.kind", "strong"},
+                                           {"solver.substeps", std::to_string(division.substeps)},
+                                           {"solver.iterations", std::to_string(division.iterations)},
+                                           {"solver.compression", "1.0"},
+                                           {"solver.flexural", "1.0"}};
+    entrants.push_back(
+        {"strong", in_words(division), {}, {}, [settings](const GarmentInScene& cloth, const Scene& scene) {
+           return make_taut_engine(cloth, with_settings(scene, settings));
+         }});
   }
   return entrants;
 }
 
 Entrant bullet_entrant(const Division& division) {
-  return {"bullet", in_words(division), std::nullopt,
-          [division](const GarmentInScene& cloth, const Scene& scene) {
+  return {"bullet", in_words(division), {}, {}, [division](const GarmentInScene& cloth, const Scene& scene) {
             return make_bullet_engine(*cloth.garment, cloth.pins, scene.surroundings,
                                       1.0 / scene.simulation.frame_rate_hz,
                                       {division.substeps, division.iterations});
@@ -113,13 +108,27 @@ std::vector<Entrant> entrants_of(const std::string& engine, const std::vector<do
   return engine == "strong" ? strong_entrants(full) : bullet_entrants(full);
 }
 
+Scene asked_for(Scene scene, double bound, sim::BoundKind held) {
+  SolverChoice& solver = scene.simulation.solver;
+  solver.kind = sim::SolverKind::bounded;
+  solver.substeps = {};
+  solver.bounded.max_stretch = bound;
+  solver.bounded.bound = held;
+  return scene;
+}
+
 std::vector<Entrant> ablation_entrants(const std::vector<double>& bounds) {
-  std::vector<Entrant> entrants;
-  for (const Ablation& ablation : ablations()) {
-    for (Entrant entrant : bounded_entrants(bounds, ablation.settings)) {
-      entrant.engine = ablation.name;
-      entrants.push_back(entrant);
+  std::vector<Entrant> entrants = bounded_entrants(bounds);
+  const auto add = [&entrants](const std::vector<Entrant>& more) {
+    entrants.insert(entrants.end(), more.begin(), more.end());
+  };
+  for (const sim::BoundKind kind : sim::all_bound_kinds) {
+    if (kind != usual) {
+      add(bounded_entrants(bounds, name_of(kind), {}, kind));
     }
+  }
+  for (const auto& [name, settings] : ablations()) {
+    add(bounded_entrants(bounds, name, settings));
   }
   return entrants;
 }

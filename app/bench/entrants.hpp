@@ -18,6 +18,7 @@ struct Entrant {
   std::string settings;  ///< the settings, for people
   /// The largest stretch the engine was asked to keep, as a fraction. Empty for an engine without a bound.
   std::optional<double> bound;
+  std::optional<sim::BoundKind> held;  ///< what it was asked to keep within the bound; set if `bound` is
   /// Starts the engine on a garment.
   std::function<std::unique_ptr<Engine>(const GarmentInScene&, const Scene&)> make;
 };
@@ -30,8 +31,12 @@ std::vector<std::string> engine_names();
 /// `full` asks for the longer series. Empty if the engine is not compiled in.
 std::vector<Entrant> entrants_of(const std::string& engine, const std::vector<double>& bounds, bool full);
 
-/// For each bound the complete `bounded` solver, then the solver with one of its parts switched off, for each
-/// part.
+/// Returns the scene with `bounded` asked to hold springs or the surface within `bound`, which is a fraction.
+/// The solver is left to choose its substeps.
+Scene asked_for(Scene scene, double bound, sim::BoundKind held);
+
+/// For each bound the complete `bounded` solver as it is by default. Then, each for every bound, the solver
+/// holding what it does not hold by default, and the solver with one of its parts switched off.
 std::vector<Entrant> ablation_entrants(const std::vector<double>& bounds);
 
 }  // namespace taut::app

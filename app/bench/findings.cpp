@@ -31,6 +31,8 @@ RunFacts facts_of(const Run& run) {
     facts.raw_stretch = std::max(facts.raw_stretch, frame.raw_stretch);
     facts.stretch = std::max(facts.stretch, frame.stretch);
     facts.p99_stretch = std::max(facts.p99_stretch, frame.p99_stretch);
+    facts.surface_stretch = std::max(facts.surface_stretch, frame.surface.max);
+    facts.p99_surface_stretch = std::max(facts.p99_surface_stretch, frame.surface.p99);
     facts.not_certified += frame.cost.is_certified ? 0 : 1;
   }
   const double sum_ms = std::accumulate(times_ms.begin(), times_ms.end(), 0.0);

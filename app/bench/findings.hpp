@@ -40,6 +40,8 @@ struct RunFacts {
   double raw_stretch = 0.0;  ///< largest of all frames, as the next two; see FrameSample
   double stretch = 0.0;
   double p99_stretch = 0.0;
+  double surface_stretch = 0.0;  ///< of the triangles, as the next; no run is judged or ranked by them
+  double p99_surface_stretch = 0.0;
   int median_substeps = 0;
   int most_substeps = 0;       ///< the largest number in one frame
   int not_certified = 0;       ///< frames that the engine itself did not certify

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/measures.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {
@@ -16,9 +15,10 @@ constexpr std::size_t frames_before_giving_up = 6;
 // minute in which the machine is busy meets all engines.
 constexpr int frames_in_a_turn = 10;
 
-FrameSample measured(const Engine& engine, const sim::Springs& springs, const FrameCost& cost) {
-  const sim::Stretch stretch = sim::measure_stretch(springs, engine.positions());
-  return {cost, cost.raw_stretch.value_or(stretch.max), stretch.max, stretch.p99};
+FrameSample measured(const Engine& engine, const sim::Garment& garment, const FrameCost& cost) {
+  const sim::Stretch stretch = sim::measure_stretch(garment.springs, engine.positions());
+  return {cost, cost.raw_stretch.value_or(stretch.max), stretch.max, stretch.p99,
+          sim::measure_surface_stretch(garment, engine.positions())};
 }
 
 RunEnd end_so_far(const std::vector<FrameSample>& frames, const RaceSettings& settings) {
@@ -40,10 +40,10 @@ bool is_most_stretched(const FrameSample& sample, const std::vector<FrameSample>
                       [&](const FrameSample& frame) { return frame.stretch >= sample.stretch; });
 }
 
-void advance(Engine& engine, const sim::Springs& springs, const RaceSettings& settings, Run& run) {
+void advance(Engine& engine, const sim::Garment& garment, const RaceSettings& settings, Run& run) {
   try {
     const FrameCost cost = engine.advance_frame();
-    const FrameSample sample = measured(engine, springs, cost);
+    const FrameSample sample = measured(engine, garment, cost);
     if (is_most_stretched(sample, run.frames)) {
       const std::span<const sim::Vec3> positions = engine.positions();
       run.most_stretched.assign(positions.begin(), positions.end());
@@ -74,7 +74,7 @@ std::vector<Run> race(const std::vector<Entrant>& entrants, const GarmentInScene
     const int end = std::min(begin + frames_in_a_turn, settings.frames);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       for (int frame = begin; frame < end && runs[i].end == RunEnd::finished; ++frame) {
-        advance(*engines[i], cloth.garment->springs, settings, runs[i]);
+        advance(*engines[i], *cloth.garment, settings, runs[i]);
       }
     }
     after_turn(end);

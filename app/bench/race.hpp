@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/bench/entrants.hpp"
+#include "sim/measures.hpp"
 
 namespace taut::app {
 
@@ -14,6 +15,7 @@ struct FrameSample {
   double raw_stretch = 0.0;  ///< of the worst spring, before the engine's last correction
   double stretch = 0.0;      ///< of the worst spring
   double p99_stretch = 0.0;
+  sim::SurfaceStretch surface = {};  ///< of the triangles, from the same positions
 };
 
 /// How a run ended.

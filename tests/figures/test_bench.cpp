@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -57,7 +59,7 @@ class ScriptedEngine : public Engine {
 
 struct Race : testing::Test {
   Entrant scripted(const std::string& name, double cpu_ms, double growth) {
-    return {name, "", std::nullopt, [=, this](const GarmentInScene& cloth, const Scene&) {
+    return {name, "", {}, {}, [=, this](const GarmentInScene& cloth, const Scene&) {
               return std::make_unique<ScriptedEngine>(cloth, name, cpu_ms, growth, &log);
             }};
   }
@@ -112,9 +114,14 @@ TEST_F(Race, NotesThatAnEngineDiverged) {
 
 Run made_run(const std::string& engine, std::optional<double> bound, std::vector<double> times_ms,
              double stretch) {
-  Run made{{engine, engine + " as set", bound, {}}, {}, RunEnd::finished, {}};
+  Run made{
+      {engine, engine + " as set", bound, bound ? std::optional(sim::BoundKind::springs) : std::nullopt, {}},
+      {},
+      RunEnd::finished,
+      {}};
   for (const double ms : times_ms) {
-    made.frames.push_back({{ms, 2, 1e6, true, {}}, 3.0 * stretch, stretch, 0.5 * stretch});
+    made.frames.push_back(
+        {{ms, 2, 1e6, true, {}}, 3.0 * stretch, stretch, 0.5 * stretch, {5.0 * stretch, 2.0 * stretch}});
   }
   return made;
 }
@@ -123,12 +130,15 @@ TEST(BenchFindings, SumARunUp) {
   EngineRun made = made_run("strong", {}, {1.0, 9.0, 2.0, 4.0, 4.0}, 0.02);
   made.frames[1].stretch = 0.05;
   made.frames[1].cost.is_certified = false;
+  made.frames[2].surface = {0.3, 0.2};
   const RunFacts facts = facts_of(made);
   EXPECT_EQ(facts.median_ms, 4.0);
   EXPECT_EQ(facts.mean_ms, 4.0);
   EXPECT_EQ(facts.stretch, 0.05);
   EXPECT_EQ(facts.raw_stretch, 0.06);
   EXPECT_EQ(facts.p99_stretch, 0.01);
+  EXPECT_EQ(facts.surface_stretch, 0.3);
+  EXPECT_EQ(facts.p99_surface_stretch, 0.2);
   EXPECT_EQ(facts.not_certified, 1);
   EXPECT_NEAR(facts.springs_per_s, 5e6 / 20e-3, 1e-3);
   EXPECT_EQ(frames_over(made, 0.02), 1);
@@ -207,14 +217,40 @@ double worst_edge(const sim::Mesh& mesh, std::span<const sim::Vec3> positions) {
   return worst;
 }
 
+// The stretch of the most stretched triangle along any direction in it. Its square is the larger eigenvalue
+// of the metric now against the metric at rest, both from the edges alone.
+double worst_triangle(const sim::Mesh& mesh, std::span<const sim::Vec3> positions) {
+  using Metric = std::array<double, 3>;
+  const auto metric_of = [](const sim::Triangle& t, std::span<const sim::Vec3> corners) -> Metric {
+    const sim::Vec3 e = corners[t[1]] - corners[t[0]], f = corners[t[2]] - corners[t[0]];
+    return {glm::dot(e, e), glm::dot(e, f), glm::dot(f, f)};
+  };
+  double worst = -1.0;
+  for (const sim::Triangle& t : mesh.triangles) {
+    const auto [now_ee, now_ef, now_ff] = metric_of(t, positions);
+    const auto [ee, ef, ff] = metric_of(t, mesh.positions);
+    const double determinant = ee * ff - ef * ef;
+    const double half_trace = 0.5 * (ff * now_ee - 2.0 * ef * now_ef + ee * now_ff) / determinant;
+    const double product = (now_ee * now_ff - now_ef * now_ef) / determinant;
+    const double larger = half_trace + std::sqrt(std::max(half_trace * half_trace - product, 0.0));
+    worst = std::max(worst, std::sqrt(larger) - 1.0);
+  }
+  return worst;
+}
+
+struct Seen {
+  double worst_edge = 0.0;
+  double worst_triangle = 0.0;
+};
+
 // Notes where an engine has its cloth, frame by frame, outside of the benchmark's own measuring.
 class Witness : public Engine {
  public:
-  Witness(std::unique_ptr<Engine> engine, const sim::Mesh& mesh, std::vector<double>* seen)
+  Witness(std::unique_ptr<Engine> engine, const sim::Mesh& mesh, std::vector<Seen>* seen)
       : engine_(std::move(engine)), mesh_(mesh), seen_(seen) {}
   FrameCost advance_frame() override {
     const FrameCost cost = engine_->advance_frame();
-    seen_->push_back(worst_edge(mesh_, engine_->positions()));
+    seen_->push_back({worst_edge(mesh_, engine_->positions()), worst_triangle(mesh_, engine_->positions())});
     return cost;
   }
   std::span<const sim::Vec3> positions() const override { return engine_->positions(); }
@@ -222,7 +258,7 @@ class Witness : public Engine {
  private:
   std::unique_ptr<Engine> engine_;
   sim::Mesh mesh_;
-  std::vector<double>* seen_;
+  std::vector<Seen>* seen_;
 };
 
 class BenchEngines : public testing::TestWithParam<std::string> {};
@@ -234,23 +270,25 @@ TEST_P(BenchEngines, HaveTheStretchThatTheirPositionsShow) {
   if (entrants.empty()) {
     GTEST_SKIP() << "this engine is not there";
   }
-  std::map<std::string, std::vector<double>> seen;
+  std::map<std::string, std::vector<Seen>> seen;
   for (Entrant& entrant : entrants) {
-    std::vector<double>& here = seen[entrant.settings];
+    std::vector<Seen>& here = seen[entrant.settings];
     entrant.make = [make = entrant.make, &here](const GarmentInScene& cloth, const Scene& s) {
       return std::make_unique<Witness>(make(cloth, s), cloth.garment->mesh, &here);
     };
   }
   for (const EngineRun& run :
        race(entrants, loaded, scene, {.frames = 30, .slowest_frame_ms = 1e9}, [](int) {})) {
-    const std::vector<double>& here = seen[run.entrant.settings];
+    const std::vector<Seen>& here = seen[run.entrant.settings];
     ASSERT_EQ(run.frames.size(), here.size()) << run.entrant.settings;
     for (std::size_t f = 0; f < here.size(); ++f) {
-      EXPECT_NEAR(run.frames[f].stretch, here[f], 1e-12);
+      EXPECT_NEAR(run.frames[f].stretch, here[f].worst_edge, 1e-12);
+      EXPECT_NEAR(run.frames[f].surface.max, here[f].worst_triangle, 1e-9);
+      EXPECT_LE(run.frames[f].surface.p99, run.frames[f].surface.max);
       EXPECT_GT(run.frames[f].cost.cpu_ms, 0.0);
       EXPECT_GT(run.frames[f].cost.springs_projected, 0.0);
       if (run.entrant.bound && run.frames[f].cost.is_certified) {
-        EXPECT_LE(here[f], *run.entrant.bound) << run.entrant.settings << ", frame " << f + 1;
+        EXPECT_LE(here[f].worst_edge, *run.entrant.bound) << run.entrant.settings << ", frame " << f + 1;
       }
     }
     EXPECT_GT(facts_of(run).stretch, 1e-4) << "nothing hangs on anything";
@@ -259,6 +297,38 @@ TEST_P(BenchEngines, HaveTheStretchThatTheirPositionsShow) {
 
 INSTANTIATE_TEST_SUITE_P(All, BenchEngines, testing::ValuesIn(engine_names()),
                          [](const auto& engine) { return engine.param; });
+
+TEST(Ablation, HasSpringsAndSurfaceOfEveryBoundBesideEachOther) {
+  const std::vector<Entrant> entrants = ablation_entrants({0.05, 0.01});
+  for (const double bound : {0.05, 0.01}) {
+    for (const sim::BoundKind kind : sim::all_bound_kinds) {
+      const bool is_default = kind == sim::BoundedSettings{}.bound;
+      const std::string engine = is_default ? "bounded" : sim::name_of(kind);
+      EXPECT_EQ(std::count_if(entrants.begin(), entrants.end(),
+                              [&](const Entrant& entrant) {
+                                return entrant.engine == engine && entrant.bound == bound &&
+                                       entrant.held == kind;
+                              }),
+                1)
+          << engine;
+    }
+  }
+  EXPECT_EQ(entrants.front().engine, "bounded");
+  EXPECT_EQ(entrants.back().held, sim::BoundedSettings{}.bound) << "a part is taken from the default";
+}
+
+TEST(Ablation, AsksTheSolverForWhatItSays) {
+  Scene scene;
+  scene.simulation.solver.kind = sim::SolverKind::strong;
+  scene.simulation.solver.substeps = 7;
+  scene.simulation.solver.bounded.tethers = false;
+  for (const sim::BoundKind kind : sim::all_bound_kinds) {
+    const SolverChoice solver = asked_for(scene, 0.03, kind).simulation.solver;
+    EXPECT_EQ(solver.kind, sim::SolverKind::bounded);
+    EXPECT_FALSE(solver.substeps);
+    EXPECT_EQ(solver.bounded, (sim::BoundedSettings{.bound = kind, .max_stretch = 0.03, .tethers = false}));
+  }
+}
 
 // Free fall without wind: every engine has to be where gravity puts it, or else times compare different
 // tasks.
@@ -338,9 +408,9 @@ TEST(BenchTable, HasWorstEdgeAnd99thPercentileOfEveryEngine) {
     EXPECT_NE(table.find(text), std::string::npos) << "'" << text << "' is not in\n" << table;
   };
   expect_in("the fastest setting whose worst edge keeps it in every frame");
-  expect_in("4.840     2.420");
-  expect_in("3.640     1.820");
-  expect_in("closest: worst edge 31.3 %, p99 15.6 % at 2 ms");
+  expect_in("4.840     2.420    24.200     9.680");
+  expect_in("3.640     1.820    18.200     7.280");
+  expect_in("closest: worst edge 31.3 %, p99 15.6 %, surface 156 %, its p99 62.5 % at 2 ms");
   expect_in("by worst edge: bounded at 1 % (1.00 ms) is 9.0 times faster than Bullet at 5 %");
   expect_in("by 99th percentile: bounded at 1 % (1.00 ms) is 4.0 times faster than Bullet at 5 %");
 }
@@ -368,7 +438,14 @@ TEST(BenchJson, HasWorstEdgeAnd99thPercentileOfEveryEngine) {
   const auto heat = nlohmann::json::parse(bench_json(made_results(), {}))["heats"][0];
   for (const auto& cell : heat["cells"]) {
     EXPECT_EQ(cell["max_p99_stretch"].get<double>(), 0.5 * cell["max_stretch"].get<double>());
+    const auto& run = heat["runs"][cell["run"].get<std::size_t>()];
+    for (const auto& place : {cell, run}) {
+      EXPECT_EQ(place["max_surface_stretch"].get<double>(), 5.0 * cell["max_stretch"].get<double>());
+      EXPECT_EQ(place["max_p99_surface_stretch"].get<double>(), 2.0 * cell["max_stretch"].get<double>());
+    }
+    EXPECT_EQ(run["bound_holds"].is_null(), run["bound"].is_null());
   }
+  EXPECT_EQ(heat["runs"][0]["bound_holds"], "springs");
   EXPECT_EQ(heat["ratios"][0]["by"], "worst edge");
   EXPECT_EQ(heat["ratios"][1]["by"], "99th percentile");
   EXPECT_EQ(heat["ratios"][1]["times_faster"], 4.0);

@@ -25,8 +25,8 @@ inline constexpr double real_time_ms = 1000.0 / 60.0;
 /// visible.
 inline constexpr double vibration_m_per_s = 0.01;
 /// A surface stretches by more than springs if its stretch exceeds theirs by more than this fraction of
-/// theirs. A triangle is never stretched by less than its longest edge, so that a mere difference would
-/// decide nothing.
+/// theirs. No triangle is stretched by less than any of its edges, so that a mere difference would decide
+/// nothing.
 inline constexpr double surface_excess = 0.1;
 /// Up to this exponent, growth counts as proportional. Measured times are uncertain by about that much.
 inline constexpr double proportional_exponent = 1.2;

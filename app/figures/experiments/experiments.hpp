@@ -50,8 +50,8 @@ struct StrongRun {
   int substeps = 0;  ///< time steps per frame
   int sweeps = 0;    ///< over all springs, per step
   StretchNumbers stretch;
-  sim::SurfaceStretch surface =
-      {};  ///< largest of all frames, each member by itself; not finite if the run diverged
+  /// The largest of all frames, each member by itself. Not finite if the run diverged.
+  sim::SurfaceStretch surface = {};
 };
 
 /// Compares an uninterrupted run with one that was continued from p(t) and p(t - dt) alone.

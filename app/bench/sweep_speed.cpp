@@ -23,7 +23,7 @@ double shortest_ms(const Kernels& kernels, const SpringLanes& springs, std::size
   for (int i = 0; i < measurements; ++i) {
     const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
     for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
-      for (const auto [begin, end] : springs.sweep) {
+      for (const auto [begin, end, again] : springs.sweep) {
         kernels.sweep(springs, begin, end, displacements.data());
       }
     }

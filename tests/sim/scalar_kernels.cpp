@@ -245,8 +245,8 @@ void start_surface(const StartRows& start, std::size_t begin, std::size_t end, S
   }
 }
 
-void sweep_surface(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, Float4* rows) {
-  for (std::size_t lane = begin * block_size; lane < end * block_size; ++lane) {
+void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows) {
+  for (std::size_t lane = range.begin * block_size; lane < range.end * block_size; ++lane) {
     const SurfaceBlock& block = triangles.blocks[lane / block_size];
     const std::size_t k = lane % block_size;
     const Gradient gradient = gradient_now(block, k, rows);
@@ -257,7 +257,7 @@ void sweep_surface(const SurfaceLanes& triangles, std::size_t begin, std::size_t
     const float per_both = 1.0F / (first_divisor * second_divisor);
     const float first = ((s.largest - 1.0F) * second_divisor) * per_both;
     const float second = ((s.smallest - 1.0F) * first_divisor) * per_both;
-    const float share = block.short_share[k];
+    const float share = range.again ? 0.0F : block.short_share[k];
     move_corners(block, k, gradient, s, std::max(first, first * share), std::max(second, second * share),
                  block.mobility, rows);
   }

@@ -57,6 +57,29 @@ void print_hash(const char* name, const Cloth& cloth, const SolverMethod& method
   std::printf("%016" PRIx64 " %s\n", hash(simulation.state()), name);
 }
 
+void print_bounded(BoundKind bound, const Cloth& square, const Cloth& sheet) {
+  const auto print = [bound](const char* name, const Cloth& cloth, const SolverMethod& method,
+                             const Surroundings& surroundings, int frames) {
+    print_hash((std::string("bounded ") + name_of(bound) + ", " + name).c_str(), cloth, method, surroundings,
+               frames);
+  };
+  BoundedSettings bounded;
+  bounded.bound = bound;
+  bounded.max_stretch = 0.02;
+  print("9x9 under gravity", square, bounded, {}, 60);
+  print("irregular sheet in a storm over obstacles", sheet, bounded, storm_over_obstacles(), 60);
+  bounded.vector_unit = VectorUnit::scalar;
+  print("same storm without vectors", sheet, bounded, storm_over_obstacles(), 60);
+
+  bounded.vector_unit = VectorUnit::best;
+  const Cloth fine_sheet = {share(make_garment(bumpy_sheet(73, 73))), {0, 72}};
+  for (const int threads : {1, 2, 4}) {
+    bounded.threads = threads;
+    print(("fine sheet, threads: " + std::to_string(threads)).c_str(), fine_sheet, bounded,
+          storm_over_obstacles(), 1);
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -80,19 +103,7 @@ int main() {
   print_hash("strong, irregular sheet in a storm over obstacles", sheet, soft, storm_over_obstacles(), 60);
   print_hash("strong, opposite-vertex rule, same storm", sheet_opposite, soft, storm_over_obstacles(), 60);
 
-  BoundedSettings bounded;
-  bounded.max_stretch = 0.02;
-  print_hash("bounded, 9x9 under gravity", square, bounded, {}, 60);
-  print_hash("bounded, irregular sheet in a storm over obstacles", sheet, bounded, storm_over_obstacles(),
-             60);
-  bounded.vector_unit = VectorUnit::scalar;
-  print_hash("bounded without vectors, same storm", sheet, bounded, storm_over_obstacles(), 60);
-
-  bounded.vector_unit = VectorUnit::best;
-  const Cloth fine_sheet = {share(make_garment(bumpy_sheet(73, 73))), {0, 72}};
-  for (const int threads : {1, 2, 4}) {
-    bounded.threads = threads;
-    print_hash(("bounded, fine sheet, threads: " + std::to_string(threads)).c_str(), fine_sheet, bounded,
-               storm_over_obstacles(), 1);
+  for (const BoundKind bound : all_bound_kinds) {
+    print_bounded(bound, square, sheet);
   }
 }

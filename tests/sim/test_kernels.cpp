@@ -139,10 +139,10 @@ std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inpu
       {"largest_surface_ratios", Float4Array(in.surface.block_count())}};
   std::vector<std::uint32_t> surface_blocks(in.surface.block_count());
   std::iota(surface_blocks.begin(), surface_blocks.end(), 0U);
-  for (const auto [begin, end] : in.surface.sweep) {
-    kernels.sweep_surface(in.surface, begin, end, results["sweep_surface"].data());
+  for (const BlockRange& range : in.surface.sweep) {
+    kernels.sweep_surface(in.surface, range, results["sweep_surface"].data());
   }
-  for (const auto [begin, end] : in.surface.sweep) {
+  for (const auto [begin, end, again] : in.surface.sweep) {
     kernels.shorten_surface(in.surface, std::span(surface_blocks).subspan(begin, end - begin), 1.02F, 1.8F,
                             results["shorten_surface"].data());
   }

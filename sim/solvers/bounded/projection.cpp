@@ -105,7 +105,7 @@ template <typename Lanes>
 double BoundProjection::shorten(const Lanes& lanes, const std::vector<std::uint32_t>& blocks,
                                 float squared_bound, float factor, ParallelKernels& kernels) {
   std::size_t shortened = 0;
-  for (const auto [begin, end] : lanes.sweep) {
+  for (const auto [begin, end, again] : lanes.sweep) {
     const auto first = std::lower_bound(blocks.begin(), blocks.end(), begin);
     const auto last = std::lower_bound(first, blocks.end(), end);
     kernels.shorten(lanes, std::span(first, last), squared_bound, factor, corrected_.data());

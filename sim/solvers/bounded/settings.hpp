@@ -25,7 +25,7 @@ const char* name_of(BoundKind kind);
 
 /// The settings of `bounded`.
 struct BoundedSettings {
-  BoundKind bound = BoundKind::springs;
+  BoundKind bound = BoundKind::surface;
   /// The bound on stretch: at the end of a frame every length that is held is at most (1 + max_stretch) times
   /// the length at rest.
   double max_stretch = 0.05;

@@ -30,9 +30,9 @@ constexpr std::array swept_again = {0.3, 0.12, 0.05, 0.02};
 void sweep_again_near_pins(SurfaceLanes& lanes) {
   const std::vector<BlockRange> colours = lanes.sweep;
   for (const double part : swept_again) {
-    for (const auto [begin, end] : colours) {
-      const auto count = static_cast<std::uint32_t>(std::ceil(part * (end - begin)));
-      lanes.sweep.push_back({begin, begin + count});
+    for (const BlockRange& colour : colours) {
+      const auto count = static_cast<std::uint32_t>(std::ceil(part * (colour.end - colour.begin)));
+      lanes.sweep.push_back({colour.begin, colour.begin + count, true});
     }
   }
 }

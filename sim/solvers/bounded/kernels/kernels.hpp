@@ -66,14 +66,14 @@ struct Kernels {
   /// Sets the deformation gradients at the start of the frame of the triangles in blocks [begin, end).
   void (*start_surface)(const StartRows& start, std::size_t begin, std::size_t end, SurfaceLanes& triangles);
 
-  /// The strong constraint of a triangle, for blocks [begin, end), which must be of one colour. Where a
-  /// singular value s of the deformation gradient F exceeds 1 along the direction v, the corners move along F
-  /// v until it is 1; where it is below 1 they correct a fraction of the error. The error is (s^2 - 1) / (s^2
+  /// The strong constraint of a triangle, for the blocks of `range`. Where a singular value s of the
+  /// deformation gradient F exceeds 1 along the direction v, the corners move along F v until it is 1; where
+  /// it is below 1 they correct a fraction of the error. The error is (s^2 - 1) / (s^2
   /// + 1), as for springs. Both singular values are corrected at once: they do not disturb each other. Corner
   /// k moves by
   ///   -error w_k (g_k v) / (sum of w (g v)^2) F v,
   /// the projection onto the half-space that touches s <= 1 there (Polyak 1969). See SurfaceMobility.
-  void (*sweep_surface)(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, Float4* rows);
+  void (*sweep_surface)(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows);
 
   /// Shortens the triangles that exceed the bound in either direction, in the listed blocks, which must be of
   /// one colour, with `relaxation` times the correction they need.

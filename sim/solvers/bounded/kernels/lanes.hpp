@@ -13,6 +13,9 @@ namespace taut::sim::bounded {
 struct BlockRange {
   std::uint32_t begin;
   std::uint32_t end;
+  /// They were swept before in the same sweep. Only what is too long is corrected then: the push of what is
+  /// too short is a force, which acts once in a time step.
+  bool again = false;
 };
 
 /// The data of `block_size` springs that a sweep reads, side by side in memory.

@@ -34,8 +34,10 @@ void ParallelKernels::sweep(const SpringLanes& springs, const BlockRange& range,
 }
 
 void ParallelKernels::sweep(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows) {
-  pool_.split(range.begin, range.end, least_blocks,
-              [&](std::size_t b, std::size_t e) { kernels_.sweep_surface(triangles, b, e, rows); });
+  pool_.split(range.begin, range.end, least_blocks, [&](std::size_t b, std::size_t e) {
+    kernels_.sweep_surface(triangles,
+                           {static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e), range.again}, rows);
+  });
 }
 
 void ParallelKernels::shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks,

@@ -195,6 +195,7 @@ void start_surface(const StartRows& start, std::size_t begin, std::size_t end, S
 
 struct Sweep {
   const SurfaceBlock* blocks;
+  float short_part;  ///< of the correction of what is too short: 1, or 0 for none
 
   HWY_INLINE Place place(std::size_t i) const {
     const SurfaceBlock* block = blocks + i / places_per_block;
@@ -214,15 +215,16 @@ struct Sweep {
     const V second = hn::Mul(hn::Mul(hn::Sub(s.smallest(), one), first_divisor), per_both);
     // A share is at most 1. So the larger value is the whole error where the triangle is too long, and the
     // share of it otherwise.
-    const V share = hn::Load(f, &at.block->short_share[at.k]);
+    const V share = hn::Mul(hn::Load(f, &at.block->short_share[at.k]), hn::Set(f, short_part));
     found.first = hn::Max(first, hn::Mul(first, share));
     found.second = hn::Max(second, hn::Mul(second, share));
     return true;
   }
 };
 
-void sweep_surface(const SurfaceLanes& triangles, std::size_t begin, std::size_t end, Float4* rows) {
-  correct((end - begin) * places_per_block, Sweep{triangles.blocks.data() + begin}, floats_of(rows));
+void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows) {
+  const Sweep sweep = {triangles.blocks.data() + range.begin, range.again ? 0.0F : 1.0F};
+  correct((range.end - range.begin) * places_per_block, sweep, floats_of(rows));
 }
 
 /// Returns `relaxation` times (s - bound) / s over the divisor for singular values above the bound, 0 for

@@ -32,7 +32,7 @@ Json run_json(const Run& run, const BenchResults& results) {
                {"frames_not_certified", facts.not_certified},
                {"median_substeps", facts.median_substeps},
                {"most_substeps", facts.most_substeps},
-               {"springs_per_s", facts.springs_per_s}};
+               {"projections_per_s", facts.projections_per_s}};
   if (run.entrant.bound) {
     json["bound"] = *run.entrant.bound;
   }
@@ -59,9 +59,9 @@ Json cell_json(const Heat& heat, const std::string& engine, double bound) {
     json["max_p99_stretch"] = facts.p99_stretch;
     json["max_surface_stretch"] = facts.surface_stretch;
     json["max_p99_surface_stretch"] = facts.p99_surface_stretch;
-    json["of_sweep"] = facts.springs_per_s / heat.sweeps.back().springs_per_s;
-    const double strong = strong_springs_per_s(heat);
-    json["times_strong_springs_per_s"] = strong > 0.0 ? Json(facts.springs_per_s / strong) : Json();
+    json["of_sweep"] = facts.projections_per_s / heat.sweeps.back().springs_per_s;
+    const double strong = strong_projections_per_s(heat);
+    json["times_strong_projections_per_s"] = strong > 0.0 ? Json(facts.projections_per_s / strong) : Json();
   }
   return json;
 }

@@ -30,6 +30,6 @@ std::string title_of_engine(const std::string& engine);
 
 /// Corrections of springs per second by the sequential sweep of `strong`: the highest rate of all its runs,
 /// or 0 if it did not run. It serves as a unit for comparing two machines.
-double strong_springs_per_s(const Heat& heat);
+double strong_projections_per_s(const Heat& heat);
 
 }  // namespace taut::app

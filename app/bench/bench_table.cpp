@@ -12,13 +12,13 @@ namespace {
 std::string line_of(const Run& run, double bound, double strong_speed, double sweep_speed) {
   const RunFacts facts = facts_of(run);
   const std::string against_strong =
-      strong_speed > 0.0 ? fmt::format("{:8.1f}x", facts.springs_per_s / strong_speed) : "        -";
+      strong_speed > 0.0 ? fmt::format("{:8.1f}x", facts.projections_per_s / strong_speed) : "        -";
   return fmt::format(
       "{:8.2f} {:8.2f} {:9.3f} {:9.3f} {:9.3f} {:9.3f} {:9.3f} {:6} {:6} {:8.0f} {:6.1f}% {}  {}\n",
       facts.median_ms, facts.mean_ms, 100.0 * facts.raw_stretch, 100.0 * facts.stretch,
       100.0 * facts.p99_stretch, 100.0 * facts.surface_stretch, 100.0 * facts.p99_surface_stretch,
-      frames_over(run, bound), facts.not_certified, 1e-6 * facts.springs_per_s,
-      100.0 * facts.springs_per_s / sweep_speed, against_strong, run.entrant.settings);
+      frames_over(run, bound), facts.not_certified, 1e-6 * facts.projections_per_s,
+      100.0 * facts.projections_per_s / sweep_speed, against_strong, run.entrant.settings);
 }
 
 std::string failure_of(const Run& run) {
@@ -37,7 +37,7 @@ std::string cell_line(const Heat& heat, const std::string& engine, double bound)
   const std::string head = fmt::format("  {:>6}  {:<8}", percent(bound), title_of_engine(engine));
   const Run* best = best_run(heat, engine, bound);
   if (best != nullptr) {
-    return head + line_of(*best, bound, strong_springs_per_s(heat), heat.sweeps.back().springs_per_s);
+    return head + line_of(*best, bound, strong_projections_per_s(heat), heat.sweeps.back().springs_per_s);
   }
   const Run* closest = closest_run(heat, engine, bound);
   if (closest == nullptr) {
@@ -45,9 +45,10 @@ std::string cell_line(const Heat& heat, const std::string& engine, double bound)
   }
   // An engine that was asked for the bound shows what it did instead; one that was not shows how close it
   // came.
-  return head + (closest->entrant.bound && closest->end == RunEnd::finished
-                     ? line_of(*closest, bound, strong_springs_per_s(heat), heat.sweeps.back().springs_per_s)
-                     : failure_of(*closest));
+  return head +
+         (closest->entrant.bound && closest->end == RunEnd::finished
+              ? line_of(*closest, bound, strong_projections_per_s(heat), heat.sweeps.back().springs_per_s)
+              : failure_of(*closest));
 }
 
 std::string heat_table(const BenchResults& results, const Heat& heat) {
@@ -56,7 +57,7 @@ std::string heat_table(const BenchResults& results, const Heat& heat) {
       "   bound  engine     median     mean    before     worst       p99   surface   surface "
       "frames   not   million  of the   times\n"
       "                   ms/frame ms/frame  corr., %   edge, %         %   max., %    p99, %   "
-      "over certif. springs/s sweep  strong  setting\n",
+      "over certif.   proj./s sweep  strong  setting\n",
       heat.scene.name, heat.size.triangles, heat.scene.meaning);
   for (const double bound : results.bounds) {
     for (const std::string& engine : engines_in(results)) {
@@ -122,11 +123,11 @@ std::string title_of_engine(const std::string& engine) {
   return engine == "bullet" ? "Bullet" : engine;
 }
 
-double strong_springs_per_s(const Heat& heat) {
+double strong_projections_per_s(const Heat& heat) {
   double most = 0.0;
   for (const Run& run : heat.runs) {
     if (run.entrant.engine == "strong") {
-      most = std::max(most, facts_of(run).springs_per_s);
+      most = std::max(most, facts_of(run).projections_per_s);
     }
   }
   return most;
@@ -139,7 +140,9 @@ std::string bench_table(const BenchResults& results) {
       "Of every engine: the worst edge of all frames, and p99, which 99 of 100 edges of no frame exceed, "
       "both measured from its positions.\n"
       "Surface: the same two of the triangles, along the direction that is stretched most. It ranks no "
-      "engine.\n",
+      "engine.\n"
+      "Projections a second are of springs, or of triangles where those are held; the sweep is that of "
+      "springs.\n",
       results.frames, results.frame_rate_hz);
   if (bullet_version().empty()) {
     text += "Bullet was not there when this program was built: it is not compared.\n";

@@ -23,11 +23,11 @@ RunFacts facts_of(const Run& run) {
   }
   std::vector<double> times_ms;
   std::vector<int> substeps;
-  double springs = 0.0;
+  double projections = 0.0;
   for (const FrameSample& frame : run.frames) {
     times_ms.push_back(frame.cost.cpu_ms);
     substeps.push_back(frame.cost.substeps);
-    springs += frame.cost.springs_projected;
+    projections += frame.cost.projections;
     facts.raw_stretch = std::max(facts.raw_stretch, frame.raw_stretch);
     facts.stretch = std::max(facts.stretch, frame.stretch);
     facts.p99_stretch = std::max(facts.p99_stretch, frame.p99_stretch);
@@ -41,7 +41,7 @@ RunFacts facts_of(const Run& run) {
   facts.p99_ms = ranked(times_ms, 0.99);
   facts.median_substeps = ranked(substeps, 0.5);
   facts.most_substeps = ranked(substeps, 1.0);
-  facts.springs_per_s = 1e3 * springs / sum_ms;
+  facts.projections_per_s = 1e3 * projections / sum_ms;
   return facts;
 }
 

@@ -43,9 +43,9 @@ struct RunFacts {
   double surface_stretch = 0.0;  ///< of the triangles, as the next; no run is judged or ranked by them
   double p99_surface_stretch = 0.0;
   int median_substeps = 0;
-  int most_substeps = 0;       ///< the largest number in one frame
-  int not_certified = 0;       ///< frames that the engine itself did not certify
-  double springs_per_s = 0.0;  ///< corrections of springs per second of processor time
+  int most_substeps = 0;           ///< the largest number in one frame
+  int not_certified = 0;           ///< frames that the engine itself did not certify
+  double projections_per_s = 0.0;  ///< corrections of springs or triangles per second of processor time
 };
 
 /// Computes the summary of a run.

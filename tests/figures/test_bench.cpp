@@ -131,7 +131,7 @@ TEST(BenchFindings, SumARunUp) {
   EXPECT_EQ(facts.surface_stretch, 0.3);
   EXPECT_EQ(facts.p99_surface_stretch, 0.2);
   EXPECT_EQ(facts.not_certified, 1);
-  EXPECT_NEAR(facts.springs_per_s, 5e6 / 20e-3, 1e-3);
+  EXPECT_NEAR(facts.projections_per_s, 5e6 / 20e-3, 1e-3);
   EXPECT_EQ(frames_over(made, 0.02), 1);
   EXPECT_EQ(frames_over(made, std::nextafter(0.02, 0.0)), 5);
 }
@@ -276,7 +276,7 @@ TEST(BenchJson, SaysForEveryCellWhetherItsBoundWasKept) {
   EXPECT_EQ(heat["runs"][1]["frames_over"][0]["frames"], 2);
   EXPECT_NEAR(heat["cells"][0]["of_sweep"].get<double>(), 1e6 / 4e-3 / 2e9, 1e-9);
   EXPECT_EQ(heat["sweeps"][1], (nlohmann::json{{"vector_unit", "avx2"}, {"springs_per_s", 2e9}}));
-  EXPECT_EQ(heat["cells"][0]["times_strong_springs_per_s"], 0.5);
+  EXPECT_EQ(heat["cells"][0]["times_strong_projections_per_s"], 0.5);
 }
 
 }  // namespace

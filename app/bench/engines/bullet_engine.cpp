@@ -98,8 +98,7 @@ class BulletEngine : public Engine {
       throw sim::Diverged(static_cast<sim::Index>(lost), state_.time_s);
     }
     cost.substeps = settings_.substeps;
-    cost.springs_projected =
-        static_cast<double>(body_->m_links.size()) * settings_.iterations * settings_.substeps;
+    cost.projections = static_cast<double>(body_->m_links.size()) * settings_.iterations * settings_.substeps;
     return cost;
   }
 

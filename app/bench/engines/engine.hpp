@@ -14,7 +14,7 @@ struct FrameCost {
   /// Processor time of the whole process. Preparation that every engine needs is not counted.
   double cpu_ms = 0.0;
   int substeps = 0;
-  double springs_projected = 0.0;  ///< corrections of one spring, summed over all substeps and iterations
+  double projections = 0.0;  ///< corrections of one spring or triangle, over all substeps and iterations
   bool is_certified = true;        ///< false: the engine reports that the bound may not hold
   /// Stretch of the worst spring before the engine's last correction, a fraction. Empty if there is no such
   /// correction.

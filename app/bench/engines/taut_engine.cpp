@@ -11,10 +11,18 @@ Scene sleepless(Scene scene) {
   return scene;
 }
 
+// An entrant may ask for another fabric than the one that the cloth of all was loaded with.
+GarmentInScene made_of(const sim::Material& material, GarmentInScene cloth) {
+  if (cloth.garment->material != material) {
+    cloth.garment = sim::share(sim::with_material(*cloth.garment, material));
+  }
+  return cloth;
+}
+
 class TautEngine : public Engine {
  public:
   TautEngine(const GarmentInScene& cloth, const Scene& scene)
-      : simulation_(make_simulation(sleepless(scene), cloth)) {}
+      : simulation_(make_simulation(sleepless(scene), made_of(scene.material, cloth))) {}
 
   FrameCost advance_frame() override {
     FrameCost cost;
@@ -23,7 +31,7 @@ class TautEngine : public Engine {
     cost.cpu_ms = clock.elapsed_ms();
     const sim::FrameReport& report = simulation_.frame_report();
     cost.substeps = report.substeps;
-    cost.springs_projected = springs_projected(report);
+    cost.projections = projections(report);
     cost.is_certified = report.bound_kept;
     if (report.bound_promised) {
       cost.raw_stretch = report.raw_max_stretch;
@@ -35,13 +43,18 @@ class TautEngine : public Engine {
 
  private:
   // Bending, which is no projection, and tethers are left out.
-  double springs_projected(const sim::FrameReport& report) const {
-    const sim::Springs& springs = simulation_.garment().springs;
-    const auto* strong = std::get_if<sim::StrongSettings>(&simulation_.settings().solver.method);
-    return strong == nullptr
-               ? report.sweeps * static_cast<double>(springs.begin_of(sim::SpringKind::flexural))
-               : static_cast<double>(report.substeps * strong->iterations) *
-                     static_cast<double>(springs.size());
+  double projections(const sim::FrameReport& report) const {
+    const sim::Garment& garment = simulation_.garment();
+    const sim::SolverMethod& method = simulation_.settings().solver.method;
+    if (const auto* strong = std::get_if<sim::StrongSettings>(&method)) {
+      return static_cast<double>(report.substeps * strong->iterations) *
+             static_cast<double>(garment.springs.size());
+    }
+    const auto* bounded = std::get_if<sim::BoundedSettings>(&method);
+    const bool holds_triangles = bounded != nullptr && bounded->bound == sim::BoundKind::surface;
+    return report.sweeps * static_cast<double>(holds_triangles
+                                                   ? garment.mesh.triangles.size()
+                                                   : garment.springs.begin_of(sim::SpringKind::flexural));
   }
 
   sim::Simulation simulation_;

@@ -61,7 +61,11 @@ TEST_P(Bounded, KeepsTheBoundInEveryFrame) {
   const Garment garment = make_garment(irregular_sheet(25, 1.0));
   for (const Surroundings& surroundings : {Surroundings{}, shaken(), storm()}) {
     for (const double bound : {0.05, 0.01, 0.001}) {
-      Simulation simulation(share(garment), {0, 24}, bounded_by(bound, GetParam()), surroundings);
+      SimulationSettings settings;
+      // More than is promised: sheets keep it in stronger winds than shirts do.
+      settings.solver.method =
+          BoundedSettings{.bound = GetParam(), .max_stretch = bound, .allow_exceeding = true};
+      Simulation simulation(share(garment), {0, 24}, settings, surroundings);
       for (int frame = 0; frame < 180; ++frame) {
         simulation.advance_frame();
         const FrameReport& report = simulation.frame_report();

@@ -48,7 +48,7 @@ struct PictureStyle {
   renderer::PictureSettings settings;
   SurfaceLook surface = SurfaceLook::shaded;
   bool wireframe = false;  ///< the springs drawn over the surface
-  StretchOf stretch_of = StretchOf::springs;
+  StretchOf stretch_of = StretchOf::surface;
   /// Stretch at the two ends of the colours; empty: shown_stretch_range().
   std::optional<std::array<double, 2>> stretch_range;
   renderer::ColourMap stretch_colours = renderer::ColourMap::viridis;  ///< not a key of the file

@@ -18,7 +18,7 @@ Caption caption_of(const PrintedMoment& moment, char letter) {
     return {letter, "the same, coloured by the stretch of its springs",
             fmt::format("99 of 100 springs up to {:.4g} %, triangles up to {:.4g} %",
                         100.0 * moment.moment->record.stretch.p99,
-                        100.0 * surface_stretch_of(*moment.recording, *moment.moment).p99)};
+                        100.0 * moment.moment->record.surface_stretch.p99)};
   }
   return {letter, largest_stretch_text(moment),
           fmt::format("{} sweeps of the constraint in a step; red: at rest length",

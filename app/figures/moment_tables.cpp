@@ -64,7 +64,7 @@ std::string moments_csv(std::span<const Recording* const> recordings) {
   CsvTable table(moment_columns);
   for_each_panel(recordings, [&](const std::string& panel, const Recording& recording, const Moment& moment) {
     const FrameRecord& record = moment.record;
-    const sim::SurfaceStretch surface = surface_stretch_of(recording, moment);
+    const sim::SurfaceStretch& surface = moment.record.surface_stretch;
     table.add({panel, cell(recording.scene.name), std::to_string(record.frame), cell(record.time_s),
                record.asleep ? "1" : "0", cell(record.stretch.max), cell(record.stretch.p99),
                cell(surface.max), cell(surface.p99), cell(record.stretch.mean)});
@@ -106,7 +106,8 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
                                    vertices, scene_name));
     }
     moment.record.stretch = sim::measure_stretch(recording.garment->springs, moment.positions);
-    note_stretch(moment.record.stretch, surface_stretch_of(recording, moment), recording);
+    moment.record.surface_stretch = sim::measure_surface_stretch(*recording.garment, moment.positions);
+    note_stretch(moment.record, recording);
     recording.moments.push_back(std::move(moment));
   }
   if (recording.moments.empty()) {

@@ -31,6 +31,7 @@ DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size)
   }
   if (moment.shows_stretch) {
     scene.picture.surface = SurfaceLook::stretch;
+    scene.picture.stretch_of = StretchOf::springs;  // as the paper has it
     scene.picture.stretch_range = std::array{-printed_stretch, printed_stretch};
     scene.picture.stretch_colours = printed_stretch_colours;
     scene.picture.legend = false;
@@ -116,7 +117,7 @@ void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::ve
 std::string largest_stretch_text(const PrintedMoment& moment) {
   return fmt::format("largest stretch: springs {:.4g} %, surface {:.4g} %",
                      100.0 * moment.moment->record.stretch.max,
-                     100.0 * surface_stretch_of(*moment.recording, *moment.moment).max);
+                     100.0 * moment.moment->record.surface_stretch.max);
 }
 
 Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,

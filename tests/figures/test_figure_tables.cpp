@@ -81,6 +81,8 @@ Recording recording_of_a_diagonal_stretch() {
   }
   recording.moments[0].record.stretch =
       sim::measure_stretch(recording.garment->springs, recording.moments[0].positions);
+  recording.moments[0].record.surface_stretch =
+      sim::measure_surface_stretch(*recording.garment, recording.moments[0].positions);
   return recording;
 }
 

@@ -117,10 +117,10 @@ TEST(Recording, LargestStretchesAreOfAllFramesThoseNotKeptIncluded) {
   double springs = 0.0, surface = 0.0, p99 = 0.0;
   for (const Moment& moment : every.moments) {
     springs = std::max(springs, moment.record.stretch.max);
-    surface = std::max(surface, surface_stretch_of(every, moment).max);
-    p99 = std::max(p99, surface_stretch_of(every, moment).p99);
+    surface = std::max(surface, moment.record.surface_stretch.max);
+    p99 = std::max(p99, moment.record.surface_stretch.p99);
   }
-  const sim::SurfaceStretch last = surface_stretch_of(every, every.last());
+  const sim::SurfaceStretch last = every.last().record.surface_stretch;
   EXPECT_GT(surface, last.max) << "the last frame is not the one";
   EXPECT_GT(surface, springs);
   for (const Recording& one : {record_frames(scene, std::array{12}, nothing),

@@ -102,10 +102,10 @@ TEST(Window, DrawsTheColoursOfWhatIsChosen) {
   };
   for (int i = 0; i < 30; ++i) play({});
   click("time.pause");
-  const renderer::Image springs = window.draw_scene();
-  click("look.stretch_of");
-  click("look.stretch_of.surface");
   const renderer::Image surface = window.draw_scene();
+  click("look.stretch_of");
+  click("look.stretch_of.springs");
+  const renderer::Image springs = window.draw_scene();
   int changed = 0;
   for (int y = 0; y < springs.height_px; ++y) {
     const int beside_the_legend_px = 250;

@@ -21,23 +21,13 @@ void keep(const sim::Simulation& simulation, int frame, Recording& recording) {
   recording.moments.push_back({measure_frame(simulation, frame), simulation.state().current});
 }
 
-void note_frame(const sim::Simulation& simulation, Recording& recording) {
-  const std::span<const sim::Vec3> positions = simulation.state().current;
-  note_stretch(sim::measure_stretch(recording.garment->springs, positions),
-               sim::measure_surface_stretch(*recording.garment, positions), recording);
-}
-
 }  // namespace
 
-sim::SurfaceStretch surface_stretch_of(const Recording& recording, const Moment& moment) {
-  return sim::measure_surface_stretch(*recording.garment, moment.positions);
-}
-
-void note_stretch(const sim::Stretch& stretch, const sim::SurfaceStretch& surface, Recording& recording) {
+void note_stretch(const FrameRecord& record, Recording& recording) {
   sim::SurfaceStretch& largest = recording.largest_surface_stretch;
-  recording.largest_stretch = std::max(recording.largest_stretch, stretch.max);
-  largest.max = std::max(largest.max, surface.max);
-  largest.p99 = std::max(largest.p99, surface.p99);
+  recording.largest_stretch = std::max(recording.largest_stretch, record.stretch.max);
+  largest.max = std::max(largest.max, record.surface_stretch.max);
+  largest.p99 = std::max(largest.p99, record.surface_stretch.p99);
 }
 
 Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
@@ -49,12 +39,12 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
   }
   FrameOutputs outputs;
   outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
-    note_frame(moment, recording);
     if (std::binary_search(frames.begin(), frames.end(), frame)) {
       keep(moment, frame, recording);
     }
   };
   outputs.report = [&](const FrameRecord& record) {
+    note_stretch(record, recording);
     report_progress(static_cast<double>(record.frame) / frames.back());
   };
   run_frames(simulation, frames.back(), outputs);
@@ -89,7 +79,9 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
         recording.moved_m.push_back(sim::convergence_of(simulation.change(), vertex));
       }
     }
-    note_frame(simulation, recording.frames);
+    FrameRecord record;
+    measure_stretches(simulation, record);
+    note_stretch(record, recording.frames);
     if (recording.came_to_rest || std::binary_search(frames.begin(), frames.end(), frame)) {
       keep(simulation, frame, recording.frames);
     }

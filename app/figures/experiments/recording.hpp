@@ -32,11 +32,8 @@ struct Recording {
   const Moment& last() const { return moments.back(); }
 };
 
-/// The surface stretch of one of the recording's moments.
-sim::SurfaceStretch surface_stretch_of(const Recording& recording, const Moment& moment);
-
-/// Takes what was measured of one more frame into the largest numbers of a recording.
-void note_stretch(const sim::Stretch& stretch, const sim::SurfaceStretch& surface, Recording& recording);
+/// Takes the stretches of one more frame into the largest of a recording.
+void note_stretch(const FrameRecord& record, Recording& recording);
 
 /// Simulates the scene up to the last of `frames`, which must be ascending, and keeps these frames.
 Recording record_frames(const DrawnScene& scene, std::span<const int> frames,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/solvers/bounded/compression.hpp"
 #include "sim/solvers/bounded/projection.hpp"
 #include "sim/solvers/bounded/step.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
@@ -35,59 +36,9 @@ constexpr double last_resort_sweeps = 1000.0;
 constexpr double too_far = 3.0;
 constexpr double further_than_before = 1.2;
 
-/// The part of its error that a short spring may give back in one step and still push by its stiffness, and
-/// not by how long the step is: what its neighbours undo within the step it could only give back in more
-/// steps.
-constexpr double largest_short_share = 0.9;
-
-/// What springs' ends, or triangles, weigh against a correction, on average; per kg.
-double mean_mobility_per_kg(const Layout& layout) {
-  const SpringLanes& springs = layout.springs;
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    if (springs.spring[k] != SpringLanes::no_spring) {
-      sum += layout.inverse_masses_per_kg[springs.row_i(k)] + layout.inverse_masses_per_kg[springs.row_j(k)];
-      ++count;
-    }
-  }
-  for (const float mobility_per_kg : layout.surface.mobility_per_kg) {
-    sum += mobility_per_kg;
-    count += mobility_per_kg > 0.0F ? 1 : 0;
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
-/// A spring or triangle too short pushes back with a stiffness k in N/m: of its error it corrects k dt^2 w /
-/// (1
-/// + k dt^2 w), as a compliant constraint does (Macklin, Mueller and Chentanez 2016).
-float short_share(float stiffness, float mobility_per_kg) {
-  return stiffness * mobility_per_kg / (1.0F + stiffness * mobility_per_kg);
-}
-
-void set_short_shares(double stiffness_n_per_m, double time_step_s, Layout& layout) {
-  const auto stiffness = static_cast<float>(stiffness_n_per_m * time_step_s * time_step_s);
-  SpringLanes& springs = layout.springs;
-  for (std::size_t k = 0; k < springs.lane_count(); ++k) {
-    const float w =
-        layout.inverse_masses_per_kg[springs.row_i(k)] + layout.inverse_masses_per_kg[springs.row_j(k)];
-    springs.blocks[k / block_size].short_share[k % block_size] = short_share(stiffness, w);
-  }
-  SurfaceLanes& surface = layout.surface;
-  for (std::size_t k = 0; k < surface.lane_count(); ++k) {
-    surface.blocks[k / block_size].short_share[k % block_size] =
-        short_share(stiffness, surface.mobility_per_kg[k]);
-  }
-}
-
 /// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
 double tether_slack(const BoundedSettings& settings) {
   return settings.bound == BoundKind::springs ? 0.5 * settings.max_stretch : 0.0;
-}
-
-/// By the share of short_share; infinite where nothing can move.
-double followed_compression(double mobility_per_kg, double time_step_s) {
-  return largest_short_share / (1.0 - largest_short_share) / (time_step_s * time_step_s * mobility_per_kg);
 }
 
 }  // namespace

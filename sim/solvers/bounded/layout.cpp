@@ -2,47 +2,17 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <tuple>
 
-#include "sim/mesh/elementary.hpp"
-#include "sim/mesh/geodesics.hpp"
 #include "sim/solvers/bounded/colouring.hpp"
 #include "sim/solvers/bounded/surface_layout.hpp"
 
 namespace taut::sim::bounded {
 namespace {
 
-/// In the projection, weights grow by this power of e per spring towards the pins. A larger value hands
-/// corrections down the cloth faster and leaves smaller ones near the pins.
-constexpr double projection_weight_growth = 0.2;
-
 std::size_t bound_spring_count(const Springs& springs) {
   return springs.begin_of(SpringKind::flexural);
-}
-
-void number_rows(const Garment& garment, const Pins& pins, Layout& layout) {
-  const GeodesicDistances geodesics = geodesic_distances(garment.mesh, garment.adjacency, pins.vertices);
-  const std::vector<double>& distances_m = geodesics.distances_m;
-  std::vector<Index>& order = layout.vertex_of_row;
-  order.resize(distances_m.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return distances_m[a] < distances_m[b]; });
-  layout.row_of_vertex.resize(order.size());
-  for (Index row = 0; row < order.size(); ++row) {
-    layout.row_of_vertex[order[row]] = row;
-    layout.distance_from_pins_m.push_back(distances_m[order[row]]);
-    layout.inverse_masses_per_kg.push_back(static_cast<float>(pins.inverse_masses_per_kg[order[row]]));
-  }
-  for (const Index v : order) {
-    const Index pin = geodesics.nearest_sources[v];
-    layout.nearest_pin_row.push_back(pin == GeodesicDistances::no_source ? 0 : layout.row_of_vertex[pin]);
-  }
-  layout.inverse_masses_per_kg.resize(layout.row_count(), 0.0F);
-  layout.pin_count = pins.vertices.size();
 }
 
 struct SpringInRows {
@@ -71,18 +41,6 @@ std::vector<SpringInRows> movable_springs(const Springs& springs, const std::vec
     return std::tie(a.row_i, a.row_j) < std::tie(b.row_i, b.row_j);
   });
   return rows;
-}
-
-void measure_reach(const Garment& garment, Layout& layout) {
-  const std::size_t count = bound_spring_count(garment.springs);
-  for (const double distance_m : layout.distance_from_pins_m) {
-    layout.reach_m = std::isfinite(distance_m) ? std::max(layout.reach_m, distance_m) : layout.reach_m;
-  }
-  double total_m = 0.0;
-  for (std::size_t s = 0; s < count; ++s) {
-    total_m += garment.springs.rest_lengths_m[s];
-  }
-  layout.reach_springs = total_m > 0.0 ? layout.reach_m * static_cast<double>(count) / total_m : 0.0;
 }
 
 /// Sets a lane to a spring between two rows.
@@ -159,14 +117,6 @@ TriangleLanes make_triangle_lanes(const Garment& garment, const Layout& layout) 
 
 }  // namespace
 
-double projection_ratio(Index row_i, Index row_j, const Layout& layout) {
-  const double further_m = layout.distance_from_pins_m[row_j] - layout.distance_from_pins_m[row_i];
-  if (!std::isfinite(further_m) || !(layout.reach_m > 0.0)) {
-    return 1.0;
-  }
-  return exponential(-projection_weight_growth * further_m * layout.reach_springs / layout.reach_m);
-}
-
 void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRows& start) {
   assert(positions_m.size() == layout.vertex_count());
   start.high.resize(layout.row_count());
@@ -184,8 +134,7 @@ void set_start(const Layout& layout, std::span<const Vec3> positions_m, StartRow
 
 Layout make_layout(const Garment& garment, const Pins& pins, BoundKind bound) {
   Layout layout;
-  number_rows(garment, pins, layout);
-  measure_reach(garment, layout);
+  static_cast<Rows&>(layout) = make_rows(garment, pins);
   std::vector<bool> is_held(garment.springs.size(), false);
   if (bound == BoundKind::surface) {
     layout.surface = make_surface_lanes(garment, pins, layout);

@@ -67,31 +67,31 @@ bool is_thin(const TriangleAtRest& rest) {
   return longest > thin * rest.along_per_m;
 }
 
-using Rows = std::array<Index, 3>;
+using Corners = std::array<Index, 3>;
 
 struct TriangleInRows {
-  Rows rows;
+  Corners corners;  ///< as rows
   Index triangle;
 };
 
-std::vector<TriangleInRows> movable_triangles(const Garment& garment, const Layout& layout) {
+std::vector<TriangleInRows> movable_triangles(const Garment& garment, const Rows& rows) {
   std::vector<TriangleInRows> movable;
   for (Index t = 0; t < garment.mesh.triangles.size(); ++t) {
-    Rows rows;
+    Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      rows[k] = layout.row_of_vertex[garment.mesh.triangles[t][k]];
+      corners[k] = rows.row_of_vertex[garment.mesh.triangles[t][k]];
     }
     if (garment.triangles_at_rest[t].has_surface() &&
-        *std::max_element(rows.begin(), rows.end()) >= layout.pin_count) {
-      movable.push_back({rows, t});
+        *std::max_element(corners.begin(), corners.end()) >= rows.pin_count) {
+      movable.push_back({corners, t});
     }
   }
-  const auto sorted = [](Rows rows) {
-    std::sort(rows.begin(), rows.end());
-    return rows;
+  const auto sorted = [](Corners corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
   };
   std::stable_sort(movable.begin(), movable.end(), [&](const TriangleInRows& a, const TriangleInRows& b) {
-    return sorted(a.rows) < sorted(b.rows);
+    return sorted(a.corners) < sorted(b.corners);
   });
   return movable;
 }
@@ -133,20 +133,20 @@ void set_mobility(const SquaredGradients& sums, const std::array<double, 3>& inv
 }
 
 /// Inverse weights of corners in the projection, in parts of the inverse masses; see projection_weight.
-std::array<double, 3> weighted(const std::array<double, 3>& inverse_masses, const Rows& rows,
-                               const Layout& layout) {
+std::array<double, 3> weighted(const std::array<double, 3>& inverse_masses, const Corners& corners,
+                               const Rows& rows) {
   std::array<double, 3> inverse_weights = inverse_masses;
-  const Index nearest = *std::min_element(rows.begin(), rows.end());
+  const Index nearest = *std::min_element(corners.begin(), corners.end());
   for (std::size_t k = 0; k < 3; ++k) {
-    inverse_weights[k] /= projection_ratio(nearest, rows[k], layout);
+    inverse_weights[k] /= projection_ratio(nearest, corners[k], rows);
   }
   return inverse_weights;
 }
 
 class SurfaceMaker {
  public:
-  SurfaceMaker(const Garment& garment, const Pins& pins, const Layout& layout)
-      : garment_(garment), pins_(pins), layout_(layout) {}
+  SurfaceMaker(const Garment& garment, const Pins& pins, const Rows& rows)
+      : garment_(garment), pins_(pins), rows_(rows) {}
 
   void append_colour(const std::vector<TriangleInRows>& triangles, const std::vector<std::size_t>& colour) {
     const std::size_t begin = lanes_.lane_count();
@@ -174,8 +174,8 @@ class SurfaceMaker {
     const TriangleAtRest& rest = garment_.triangles_at_rest[t.triangle];
     std::array<double, 3> inverse_masses{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      block.at[corner][k] = 4 * t.rows[corner];
-      inverse_masses[corner] = pins_.inverse_masses_per_kg[layout_.vertex_of_row[t.rows[corner]]];
+      block.at[corner][k] = 4 * t.corners[corner];
+      inverse_masses[corner] = pins_.inverse_masses_per_kg[rows_.vertex_of_row[t.corners[corner]]];
     }
     block.along_per_m[k] = static_cast<float>(rest.along_per_m);
     block.across_per_m[k] = static_cast<float>(rest.across_per_m);
@@ -183,7 +183,7 @@ class SurfaceMaker {
     const SquaredGradients sums = squared_gradients(rest, inverse_masses);
     lanes_.has_thin = lanes_.has_thin || is_thin(rest);
     set_mobility(sums, inverse_masses, k, block.mobility);
-    const std::array<double, 3> weights = weighted(inverse_masses, t.rows, layout_);
+    const std::array<double, 3> weights = weighted(inverse_masses, t.corners, rows_);
     set_mobility(squared_gradients(rest, weights), weights, k, lanes_.projection_mobility[lane / block_size]);
     const double area_m2 = 0.5 / (rest.along_per_m * rest.across_per_m);
     lanes_.mobility_per_kg[lane] = static_cast<float>(0.5 * sums.trace() * area_m2);
@@ -191,13 +191,13 @@ class SurfaceMaker {
 
   void pad_lane(std::size_t lane) {
     for (SurfaceBlock::Of<std::uint32_t>& at : lanes_.blocks[lane / block_size].at) {
-      at[lane % block_size] = static_cast<std::uint32_t>(4 * (layout_.vertex_count() + lane % block_size));
+      at[lane % block_size] = static_cast<std::uint32_t>(4 * (rows_.vertex_count() + lane % block_size));
     }
   }
 
   const Garment& garment_;
   const Pins& pins_;
-  const Layout& layout_;
+  const Rows& rows_;
   SurfaceLanes lanes_;
 };
 
@@ -226,18 +226,18 @@ std::vector<bool> springs_held_by_triangles(const Garment& garment) {
   return held;
 }
 
-SurfaceLanes make_surface_lanes(const Garment& garment, const Pins& pins, const Layout& layout) {
-  const std::vector<TriangleInRows> triangles = movable_triangles(garment, layout);
-  std::vector<Rows> rows;
+SurfaceLanes make_surface_lanes(const Garment& garment, const Pins& pins, const Rows& rows) {
+  const std::vector<TriangleInRows> triangles = movable_triangles(garment, rows);
+  std::vector<Corners> corners;
   for (const TriangleInRows& t : triangles) {
-    rows.push_back(t.rows);
+    corners.push_back(t.corners);
   }
-  SurfaceMaker maker(garment, pins, layout);
-  for (const std::vector<std::size_t>& colour : coloured(rows, layout.vertex_count())) {
+  SurfaceMaker maker(garment, pins, rows);
+  for (const std::vector<std::size_t>& colour : coloured(corners, rows.vertex_count())) {
     maker.append_colour(triangles, colour);
   }
   SurfaceLanes lanes = maker.take();
-  if (layout.pin_count > 0) {
+  if (rows.pin_count > 0) {
     sweep_again_near_pins(lanes);
   }
   return lanes;

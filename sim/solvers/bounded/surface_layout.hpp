@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "sim/pins.hpp"
-#include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/kernels/lanes.hpp"
+#include "sim/solvers/bounded/rows.hpp"
 
 namespace taut::sim::bounded {
 
@@ -13,6 +13,6 @@ std::vector<bool> springs_held_by_triangles(const Garment& garment);
 
 /// Returns the triangles that have a surface and a corner that can move. `layout` needs its rows and its
 /// reach.
-SurfaceLanes make_surface_lanes(const Garment& garment, const Pins& pins, const Layout& layout);
+SurfaceLanes make_surface_lanes(const Garment& garment, const Pins& pins, const Rows& rows);
 
 }  // namespace taut::sim::bounded

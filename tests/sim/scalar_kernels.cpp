@@ -225,10 +225,9 @@ void move_corners(const SurfaceBlock& block, std::size_t k, const Gradient& grad
 }
 
 void start_surface(const StartRows& start, std::size_t begin, std::size_t end, SurfaceLanes& triangles) {
-  const auto& [high, low] = start;
   const auto from = [&](std::size_t i, std::size_t j) {
-    const Triple coarse = difference(high[j], high[i]);
-    const Triple fine = difference(low[j], low[i]);
+    const Triple coarse = difference(start.high[j], start.high[i]);
+    const Triple fine = difference(start.low[j], start.low[i]);
     return coarse + fine;
   };
   for (std::size_t lane = begin * block_size; lane < end * block_size; ++lane) {

@@ -68,9 +68,9 @@ struct Kernels {
 
   /// The strong constraint of a triangle, for the blocks of `range`. Where a singular value s of the
   /// deformation gradient F exceeds 1 along the direction v, the corners move along F v until it is 1; where
-  /// it is below 1 they correct a fraction of the error. The error is (s^2 - 1) / (s^2
-  /// + 1), as for springs. Both singular values are corrected at once: they do not disturb each other. Corner
-  /// k moves by
+  /// it is below 1 they correct a fraction of the error. The error is (s^2 - 1) / (s^2 + 1), as for springs.
+  /// Both singular values are corrected at once; to the first order they do not disturb each other. Corner k
+  /// moves by
   ///   -error w_k (g_k v) / (sum of w (g v)^2) F v,
   /// the projection onto the half-space that touches s <= 1 there (Polyak 1969). See SurfaceMobility.
   void (*sweep_surface)(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows);

@@ -26,10 +26,11 @@ Stretch measure_stretch(const Springs& springs, std::span<const Vec3> positions)
 std::vector<double> vertex_stretch(const Springs& springs, std::span<const Vec3> positions);
 
 /// Statistics over the triangles that have a surface: the largest singular value of the deformation gradient
-/// F, minus 1, which has no unit. No direction within a triangle is stretched by more. Springs are edges and
-/// can be stretched by less: a triangle whose edges shorten can grow across them. A cell of a grid is
-/// measured as the two triangles it is made of: cloth that hangs symmetrically can be measured to stretch
-/// more on one side, as all its diagonals run the same way. All zero if no triangle has a surface.
+/// F, minus 1, which has no unit; what strain limiting bounds (Wang, O'Brien and Ramamoorthi 2010; Li,
+/// Kaufman and Jiang 2021). No direction within a triangle is stretched by more. Springs are edges and can be
+/// stretched by less: a triangle whose edges shorten can grow across them. A cell of a grid is measured as
+/// the two triangles it is made of: cloth that hangs symmetrically can be measured to stretch more on one
+/// side, as all its diagonals run the same way. All zero if no triangle has a surface.
 struct SurfaceStretch {
   double max = 0.0;  ///< of the most stretched triangle; negative if all are smaller than at rest
   /// The 99th percentile: at most one triangle in a hundred is stretched more than this.

@@ -10,6 +10,7 @@
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
+#include "sim/solvers/bounded/within_bound.hpp"
 
 namespace taut::sim {
 namespace {
@@ -129,6 +130,31 @@ TEST_P(Bounded, KeepsTheBoundOfEdgesOfTenNanometres) {
       ASSERT_LT(simulation.frame_report().substeps, 1000);
     }
   }
+}
+
+TEST(WithinBound, TrianglesTooLongByLessThanAMicrometreAreShortenedInDoublePrecision) {
+  const Mesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0.3, 0.01, 0}}, {{0, 1, 2}}, {}};
+  const Garment garment = make_garment(mesh);
+  const BoundedSettings settings = {.bound = BoundKind::surface, .max_stretch = 0.01};
+  const auto higher = [&](double times) {
+    std::vector<Vec3> positions = mesh.positions;
+    positions[2].y *= times;
+    return positions;
+  };
+  std::vector<Vec3> slightly = higher(1.01001);
+  ASSERT_LT(largest_stretch(garment, slightly), 0.01) << "no spring is too long";
+  EXPECT_TRUE(keeps_bound_in_double(garment, make_pins(garment, {0}), settings, slightly));
+  EXPECT_LE(measure_surface_stretch(garment, slightly).max, 0.01);
+  EXPECT_EQ(slightly[0], mesh.positions[0]);
+
+  std::vector<Vec3> far = higher(1.5);
+  EXPECT_FALSE(keeps_bound_in_double(garment, make_pins(garment, {}), settings, far));
+  EXPECT_EQ(far, higher(1.5)) << "what is too much for it stays";
+  std::vector<Vec3> pinned = higher(1.01001);
+  EXPECT_FALSE(keeps_bound_in_double(garment, make_pins(garment, {0, 1, 2}), settings, pinned));
+  BoundedSettings springs = settings;
+  springs.bound = BoundKind::springs;
+  EXPECT_TRUE(keeps_bound_in_double(garment, make_pins(garment, {}), springs, far));
 }
 
 // A hundredfold stiffness makes no difference where steps follow neither; within what they follow it does.

@@ -11,8 +11,7 @@ namespace taut::sim::bounded {
 /// the edges of triangles that have a surface, and the diagonals of flat cells of such triangles.
 std::vector<bool> springs_held_by_triangles(const Garment& garment);
 
-/// Returns the triangles that have a surface and a corner that can move. `layout` needs its rows and its
-/// reach.
+/// Returns the triangles that have a surface and a corner that can move.
 SurfaceLanes make_surface_lanes(const Garment& garment, const Pins& pins, const Rows& rows);
 
 }  // namespace taut::sim::bounded

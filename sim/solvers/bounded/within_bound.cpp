@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <span>
 
+#include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/projection.hpp"
@@ -87,12 +88,16 @@ void shorten_triangle(const TriangleAtRest& rest, const Triangle& t, const Pins&
   const Vec2 v = principal_direction(gradient);
   const Vec3 stretched = v.x * gradient.along + v.y * gradient.across;
   const double length = glm::length(stretched);
-  const double b = rest.along_per_m * v.x - rest.skew_per_m * v.y;
-  const double c = rest.across_per_m * v.y;
-  const std::array<double, 3> gradients = {-(b + c), b, c};
+  // Of both columns of F by the corners, and of F v.
+  const std::array<Vec2, 3> columns = {Vec2(-rest.along_per_m, rest.skew_per_m - rest.across_per_m),
+                                       Vec2(rest.along_per_m, -rest.skew_per_m),
+                                       Vec2(0.0, rest.across_per_m)};
+  std::array<double, 3> gradients{};
   double divisor = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
-    divisor += pins.inverse_masses_per_kg[t[k]] * gradients[k] * gradients[k];
+    const double w = pins.inverse_masses_per_kg[t[k]];
+    gradients[k] = glm::dot(columns[k], v);
+    divisor += w * (gradients[k] * gradients[k] + bounded::least_mobility * glm::dot(columns[k], columns[k]));
   }
   if (divisor > 0.0) {
     const Vec3 correction = stretched * ((length - aim) / length / divisor);

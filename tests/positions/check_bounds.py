@@ -11,7 +11,7 @@ import shutil
 import sys
 
 from measure import complaints
-from program import Program
+from program import Program, judged
 from ways_out import BOUNDED, exported
 
 BOUND = 0.01
@@ -50,12 +50,8 @@ def main(taut, source, folder, held, checked, *scenes):
     taut, source, folder = (pathlib.Path(path).resolve() for path in (taut, source, folder))
     folder.mkdir(parents=True, exist_ok=True)
     program = Program(taut, source / "assets", folder)
-    failed = [scene for scene in scenes or program.scenes()
-              if check(program, scene, frames_of(program.scene(scene)["time"]), held, checked)]
-    if failed:
-        return 1
-    shutil.rmtree(folder)
-    return 0
+    return judged(folder, [check(program, scene, frames_of(program.scene(scene)["time"]), held, checked)
+                           for scene in scenes or program.scenes()])
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import shutil
 import sys
 
 from measure import read_obj
-from program import Program, settings
+from program import Program, judged, settings
 
 # Without its wind a scene of the wind is that of gravity. BARE: the garment's file itself, hung as any model is.
 BARE = "the bare file"
@@ -76,11 +76,7 @@ def main(taut, source, folder, triangles):
     program = Program(taut, source / "assets", folder)
     # Hundreds of files are written where they are small.
     export = ("--export", "{frame}.obj") if triangles == "1028" else ()
-    failed = [scene for scene in SCENES if check(program, scene, triangles, export)]
-    if failed:
-        return 1
-    shutil.rmtree(folder)
-    return 0
+    return judged(folder, [check(program, scene, triangles, export) for scene in SCENES])
 
 
 if __name__ == "__main__":

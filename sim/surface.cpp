@@ -41,6 +41,11 @@ double smallest_height_m(const TriangleAtRest& rest) {
   return base_m * height_m / std::sqrt(longest_squared_m2);
 }
 
+std::array<Vec2, 3> gradients_by_corners(const TriangleAtRest& rest) {
+  const auto [along, across, skew] = rest;
+  return {Vec2(-along, skew - across), Vec2(along, -skew), Vec2(0.0, across)};
+}
+
 std::vector<TriangleAtRest> triangles_at_rest(const Mesh& mesh) {
   std::vector<TriangleAtRest> rest;
   rest.reserve(mesh.triangles.size());

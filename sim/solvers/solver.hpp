@@ -16,7 +16,7 @@ struct FrameReport {
   bool bound_promised = false;   ///< whether the solver promises a bound on stretch
   bool bound_kept = true;        ///< whether it could keep its promise in this frame
   double raw_max_stretch = 0.0;  ///< before the last correction of the frame
-  /// `bounded`: sweeps over all bound springs, including repeated frames and the projection.
+  /// `bounded`: sweeps over all that is held, including repeated frames and the projection.
   double sweeps = 0.0;
   /// `bounded`: about the largest stiffness against compression that time steps of this length answer to:
   /// springs of a fabric that is stiffer push back as if they had this one. Infinite where nothing limits it.

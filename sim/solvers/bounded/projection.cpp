@@ -101,8 +101,8 @@ double BoundProjection::largest_ratio(const Layout& layout, ParallelKernels& ker
   return largest;
 }
 
-template <typename Lanes>
-double BoundProjection::shorten(const Lanes& lanes, const std::vector<std::uint32_t>& blocks,
+template <typename AnyLanes>
+double BoundProjection::shorten(const AnyLanes& lanes, const std::vector<std::uint32_t>& blocks,
                                 float squared_bound, float factor, ParallelKernels& kernels) {
   std::size_t shortened = 0;
   for (const auto [begin, end, again] : lanes.sweep) {

@@ -48,8 +48,8 @@ class BoundProjection {
   void start_from_last_frame(const Float4Array& raw);
   double largest_ratio(const Layout& layout, ParallelKernels& kernels);
   double shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels);
-  template <typename Lanes>
-  double shorten(const Lanes& lanes, const std::vector<std::uint32_t>& blocks, float squared_bound,
+  template <typename AnyLanes>
+  double shorten(const AnyLanes& lanes, const std::vector<std::uint32_t>& blocks, float squared_bound,
                  float factor, ParallelKernels& kernels);
 
   float relaxation_;

@@ -38,8 +38,8 @@ void move_pins(const PinMotion& motion, const TimeStep& time, SteppedCloth& clot
   std::fill_n(cloth.motion.current.begin(), cloth.layout.pin_count, pins_moved(motion, time));
 }
 
-template <typename Lanes>
-void sweep(const Lanes& lanes, ParallelKernels& kernels, SteppedCloth& cloth) {
+template <typename AnyLanes>
+void sweep(const AnyLanes& lanes, ParallelKernels& kernels, SteppedCloth& cloth) {
   for (const BlockRange& range : lanes.sweep) {
     kernels.sweep(lanes, range, cloth.motion.current.data());
   }

@@ -96,12 +96,6 @@ std::vector<TriangleInRows> movable_triangles(const Garment& garment, const Rows
   return movable;
 }
 
-/// The gradients of F by the corners: for each, that of its first and of its second column.
-std::array<std::array<double, 2>, 3> gradients_of(const TriangleAtRest& rest) {
-  const auto [along, across, skew] = rest;
-  return {{{-along, skew - across}, {along, -skew}, {0.0, across}}};
-}
-
 /// Sums over the corners of products of gradients: the matrix that the sum of w (g v)^2 is made with.
 struct SquaredGradients {
   double along = 0.0;
@@ -113,12 +107,12 @@ struct SquaredGradients {
 
 SquaredGradients squared_gradients(const TriangleAtRest& rest, const std::array<double, 3>& inverse_masses) {
   SquaredGradients sums;
-  const auto gradients = gradients_of(rest);
+  const std::array<Vec2, 3> gradients = gradients_by_corners(rest);
   for (std::size_t corner = 0; corner < 3; ++corner) {
-    const auto [x, y] = gradients[corner];
-    sums.along += inverse_masses[corner] * x * x;
-    sums.across += inverse_masses[corner] * y * y;
-    sums.mixed += inverse_masses[corner] * x * y;
+    const Vec2& g = gradients[corner];
+    sums.along += inverse_masses[corner] * g.x * g.x;
+    sums.across += inverse_masses[corner] * g.y * g.y;
+    sums.mixed += inverse_masses[corner] * g.x * g.y;
   }
   return sums;
 }
@@ -132,7 +126,7 @@ void set_mobility(const SquaredGradients& sums, const std::array<double, 3>& inv
   mobility.skew[k] = static_cast<float>(sums.mixed / sums.trace());
 }
 
-/// Inverse weights of corners in the projection, in parts of the inverse masses; see projection_weight.
+/// Inverse weights of corners in the projection, in parts of the inverse masses; see projection_ratio.
 std::array<double, 3> weighted(const std::array<double, 3>& inverse_masses, const Corners& corners,
                                const Rows& rows) {
   std::array<double, 3> inverse_weights = inverse_masses;

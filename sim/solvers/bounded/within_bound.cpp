@@ -88,10 +88,7 @@ void shorten_triangle(const TriangleAtRest& rest, const Triangle& t, const Pins&
   const Vec2 v = principal_direction(gradient);
   const Vec3 stretched = v.x * gradient.along + v.y * gradient.across;
   const double length = glm::length(stretched);
-  // Of both columns of F by the corners, and of F v.
-  const std::array<Vec2, 3> columns = {Vec2(-rest.along_per_m, rest.skew_per_m - rest.across_per_m),
-                                       Vec2(rest.along_per_m, -rest.skew_per_m),
-                                       Vec2(0.0, rest.across_per_m)};
+  const std::array<Vec2, 3> columns = gradients_by_corners(rest);
   std::array<double, 3> gradients{};
   double divisor = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -77,9 +77,14 @@ template <class Options>
 void add_scene_arguments(CLI::App& command, Options& options, const std::string& scenes) {
   command.add_option("SCENE", options.scene, scenes)->required();
   add_garment_arguments(command, options.overrides);
-  command.add_option("--stats", options.statistics,
-                     "write measurements of every frame to this file, .jsonl or .csv, as they come (taut help "
-                     "stats)");
+  command.add_option(
+      "--stats", options.statistics,
+      "write measurements of every frame to this file, .jsonl or .csv, as they come (taut help "
+      "stats)");
+  command.add_flag(
+      "--verify", options.verify,
+      "check every frame, the start included, by a way of its own: no triangle crosses another or a "
+      "body, nothing is longer than the bound; else end with exit code 3");
 }
 
 void add_backend(CLI::App& command, std::string& backend) {
@@ -174,8 +179,7 @@ std::function<Command()> add_simulate(CLI::App& app) {
                       "save the run to this file now and then, at its end, and when it is interrupted "
                       "(SIGTERM, SIGINT), which "
                       "ends it with exit code 75");
-  command
-      ->add_option("--checkpoint-every", options->checkpoint_every, "save it after so many frames")
+  command->add_option("--checkpoint-every", options->checkpoint_every, "save it after so many frames")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_option(
@@ -279,7 +283,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   app.require_subcommand(1);
   app.footer(
       "taut help COMMAND says more. Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a promised bound was "
-      "exceeded or the run diverged, 75 stopped, but saved: it can be resumed.");
+      "exceeded, a frame did not keep what --verify checks or the run diverged, 75 stopped, but saved: it "
+      "can be resumed.");
   const std::vector<std::function<Command()>> commands = {
       add_figures(app), add_render(app), add_simulate(app),     add_view(app), add_inspect(app),
       add_bench(app),   add_scenes(app), add_import_model(app), add_help(app)};

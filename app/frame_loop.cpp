@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/frame_pipeline.hpp"
@@ -22,6 +23,12 @@ FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOu
   const double sim_ms = simulating.elapsed_ms();
   work.record = measure_frame(simulation, frame);
   work.record.sim_ms = sim_ms;
+  if (outputs.verify) {
+    work.broken = outputs.verify(simulation, work.record);
+  }
+  if (!work.broken.empty()) {
+    return work;
+  }
 
   if (outputs.write_shape) {
     Stopwatch writing;
@@ -32,6 +39,20 @@ FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOu
     work.positions = simulation.state().current;
   }
   return work;
+}
+
+void require_promises_kept(const std::string& broken) {
+  if (!broken.empty()) {
+    throw PromiseBroken(broken);
+  }
+}
+
+/// Of a start that is not handed out.
+void verify_start(const sim::Simulation& simulation, const FrameOutputs& outputs) {
+  if (outputs.verify) {
+    FrameRecord record = measure_frame(simulation, outputs.start_frame);
+    require_promises_kept(outputs.verify(simulation, record));
+  }
 }
 
 void draw_frame(FrameInWork& work, const FrameOutputs& outputs) {
@@ -53,6 +74,9 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
   std::vector<FrameRecord> records;
   const bool hands_out_start = outputs.with_start || is_drawn(outputs.start_frame, outputs);
   int next_frame = outputs.start_frame + (hands_out_start ? 0 : 1);
+  if (!hands_out_start) {
+    verify_start(simulation, outputs);
+  }
   const bool overlaps = outputs.overlap && outputs.pictures.size() > 1;
   // Frames that wait between two stages are given up, but in turn there are none.
   const auto give_up_if_interrupted = [overlaps] {
@@ -69,19 +93,20 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
   };
   stages.draw = [&](FrameInWork& work) {
     give_up_if_interrupted();
-    if (is_drawn(work.record.frame, outputs)) {
+    if (work.broken.empty() && is_drawn(work.record.frame, outputs)) {
       draw_frame(work, outputs);
     }
   };
   stages.write = [&](FrameInWork& work) {
     give_up_if_interrupted();
-    if (is_drawn(work.record.frame, outputs)) {
+    if (work.broken.empty() && is_drawn(work.record.frame, outputs)) {
       write_frame(work, outputs);
     }
     records.push_back(work.record);
     if (outputs.report) {
       outputs.report(work.record);
     }
+    require_promises_kept(work.broken);
   };
   if (overlaps) {
     run_overlapped(stages);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "app/output/frame_record.hpp"
@@ -22,6 +23,9 @@ struct FrameOutputs {
   std::function<void(const FrameRecord&, const renderer::Image&)> write_frame;
   std::function<void(int frame, const sim::Simulation&)> write_shape;  ///< called while the simulation waits
   std::function<void(const FrameRecord&)> report;
+  /// Called first of all, for the start frame too, handed out or not. Returns what promise the frame breaks;
+  /// empty: none. A frame that breaks one is reported, but neither drawn nor written.
+  std::function<std::string(const sim::Simulation&, FrameRecord&)> verify;
   /// Later frames are simulated while earlier ones are drawn and written; never changes what comes out.
   bool overlap = true;
 };
@@ -29,8 +33,9 @@ struct FrameOutputs {
 /// Simulates the frames after the start frame up to `last_frame`; frame n is the cloth n / frame rate seconds
 /// after the clock started, frame 0 the cloth as it was modelled. Returns what was
 /// measured of these, and of the start frame where that is drawn or asked for. Throws sim::Diverged,
-/// Interrupted and what the outputs throw; the pictures written before are complete. Without overlap, an
-/// interrupted run has handed out every frame that it has simulated.
+/// PromiseBroken after the report of a frame that was not verified, Interrupted and what the outputs throw;
+/// the pictures written before are complete. Without overlap, an interrupted run has handed out every frame
+/// that it has simulated.
 std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame, const FrameOutputs& outputs);
 
 }  // namespace taut::app

@@ -6,6 +6,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "app/output/frame_record.hpp"
 #include "renderer/page/image.hpp"
@@ -73,6 +74,7 @@ struct FrameInWork {
   FrameRecord record;
   std::vector<sim::Vec3> positions;  ///< in metres, per vertex; empty if the frame is not drawn
   renderer::Image picture;
+  std::string broken;  ///< the promise that the frame does not keep; empty: none
 };
 
 /// The work on one frame, in this order.

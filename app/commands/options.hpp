@@ -49,6 +49,7 @@ struct RenderOptions {
   std::filesystem::path statistics;  ///< file for --stats; empty: none
   std::string backend = "auto";
   bool resume = false;  ///< only frames whose file does not exist yet
+  bool verify = false;  ///< hold every frame to its promises (frame_verifier.hpp)
   /// Arguments of the program without --resume. Every picture stores them.
   std::vector<std::string> arguments;
 };
@@ -60,6 +61,7 @@ struct SimulateOptions {
   std::string shapes;  ///< Pattern for OBJ files, or the name of one file for the last frame. Empty: none.
   bool json = false;
   bool quiet = false;
+  bool verify = false;  ///< hold every frame to its promises (frame_verifier.hpp)
   std::vector<Override> overrides;
   std::filesystem::path statistics;  ///< file for --stats; empty: none
   std::filesystem::path checkpoint;  ///< file the run is saved to; empty: that of `resume`

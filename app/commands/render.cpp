@@ -20,6 +20,7 @@
 #include "app/models/garment_remarks.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
+#include "app/output/frame_verifier.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/picture_record.hpp"
 #include "app/output/run_checkpoint.hpp"
@@ -172,7 +173,8 @@ std::vector<int> frames_left(const RenderJob& job, const PictureOutput& output, 
 
 std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation, OffscreenRenderer& offscreen,
                               PictureOutput& output, const PictureOrigin& origin, std::span<const int> frames,
-                              std::optional<StatisticsFile>& statistics, Progress& progress) {
+                              std::optional<StatisticsFile>& statistics, FrameVerifier* verifier,
+                              Progress& progress) {
   progress.begin("preparing the first frame");
   GarmentPainter painter(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices);
   FrameOutputs outputs;
@@ -191,6 +193,9 @@ std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation,
                               job.frames.back(), 100.0 * record.stretch.max,
                               100.0 * record.surface_stretch.max));
   };
+  if (verifier != nullptr) {
+    outputs.verify = [&](const auto& moment, FrameRecord& record) { return verifier->check(moment, record); };
+  }
   return run_frames(simulation, job.frames.back(), outputs);
 }
 
@@ -226,11 +231,12 @@ int run(const RenderOptions& options) {
   std::optional<StatisticsFile> statistics;
   if (!options.statistics.empty()) {
     const RunDescription description = {job.scene, simulation.garment(), simulation.pins().vertices.size(),
-                                        offscreen.gl_renderer()};
+                                        offscreen.gl_renderer(), options.verify};
     statistics.emplace(options.statistics, description, std::nullopt);
   }
-  const std::vector<FrameRecord> records =
-      draw(job, simulation, offscreen, output, origin, frames, statistics, progress);
+  FrameVerifier verifier;
+  const std::vector<FrameRecord> records = draw(job, simulation, offscreen, output, origin, frames,
+                                                statistics, options.verify ? &verifier : nullptr, progress);
   RunSummary summary;
   for (const FrameRecord& record : records) {
     summary.add(record);
@@ -246,7 +252,7 @@ int run(const RenderOptions& options) {
     statistics->finish(summary);
     fmt::print("wrote {}\n", options.statistics.string());
   }
-  fmt::print("{}\n", written);
+  fmt::print("{}\n{}", written, options.verify ? verifier.summary() + '\n' : "");
   return judge_bound(job.scene, summary);
 }
 

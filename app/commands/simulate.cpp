@@ -17,6 +17,7 @@
 #include "app/models/obj_writing.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
+#include "app/output/frame_verifier.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/statistics_file.hpp"
@@ -223,13 +224,18 @@ int run(const SimulateOptions& options) {
   require_begun(begun.frame, range.last);
   outputs.start_frame = begun.frame;
   outputs.with_start = options.resume.empty() && range.first <= begun.frame;
-  const RunDescription description = {scene, simulation.garment(), simulation.pins().vertices.size(), ""};
+  const RunDescription description = {scene, simulation.garment(), simulation.pins().vertices.size(), "",
+                                      options.verify};
   std::optional<StatisticsFile> statistics = statistics_of(options, description, begun);
   if (options.json) {
     fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
   }
   Running running{options, simulation, progress, FrameLines(range), std::move(begun), std::move(statistics)};
   outputs.report = [&](const FrameRecord& record) { running.report(record); };
+  FrameVerifier verifier;
+  if (options.verify) {
+    outputs.verify = [&](const auto& moment, FrameRecord& record) { return verifier.check(moment, record); };
+  }
   try {
     run_frames(simulation, range.last, outputs);
   } catch (const Interrupted&) {
@@ -241,6 +247,7 @@ int run(const SimulateOptions& options) {
   progress.hide();
   running.save();
   hand_over(options, running.run.summary, shapes, running.statistics);
+  fmt::print("{}", options.verify && is_told(options) ? verifier.summary() + '\n' : "");
   return judge_bound(scene, running.run.summary);
 }
 

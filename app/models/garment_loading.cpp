@@ -173,6 +173,11 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   return loaded;
 }
 
+Surface surface_at_start(const GarmentInScene& loaded) {
+  const sim::Mesh& mesh = loaded.garment->mesh;
+  return {loaded.start_m ? *loaded.start_m : mesh.positions, mesh.triangles};
+}
+
 sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded) {
   return {loaded.garment, loaded.pins, simulation_settings(scene.simulation),
           settled(scene.surroundings, scene.layer_distance_m, *loaded.garment, loaded.file_vertices),

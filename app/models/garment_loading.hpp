@@ -12,6 +12,7 @@
 #include "app/models/landmarks.hpp"
 #include "app/models/placement.hpp"
 #include "app/scene/scene.hpp"
+#include "app/verify/crossing_pairs.hpp"
 #include "sim/garment.hpp"
 
 namespace taut::app {
@@ -42,6 +43,9 @@ using StageReport = std::function<void(const std::string& stage)>;
 /// Reads or makes the garment, maps it to springs, finds its landmarks and selects its pins. Throws
 /// InputError that names the file or the key.
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin = {});
+
+/// Returns the shape that the garment begins in. It refers to what was loaded.
+Surface surface_at_start(const GarmentInScene& loaded);
 
 /// Returns the simulation at its start. Values that the scene leaves to the garment, such as the distance of
 /// layers, are filled in first. Throws std::invalid_argument as sim::Simulation does, and InputError for a

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/base/counted.hpp"
 
@@ -50,11 +51,20 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   return lines;
 }
 
+std::string remark_on_crossings(const GarmentInScene& loaded) {
+  const Surface start = surface_at_start(loaded);
+  const std::vector<CrossingPair> pairs = crossing_pairs(start);
+  return pairs.empty() ? "" : "at the start " + describe(start, pairs);
+}
+
 void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* output) {
-  const std::string file = scene.garment.file.filename().string();
+  const std::string file = loaded.model ? scene.garment.file.filename().string() : scene.name;
   std::vector<std::string> lines = remarks_of(loaded);
   if (loaded.file_vertices.are_corners && has_numbers(scene.pins)) {
     lines.push_back("pins.at counts " + loaded.file_vertices.describe());
+  }
+  if (std::string crossings = remark_on_crossings(loaded); !crossings.empty()) {
+    lines.push_back(std::move(crossings));
   }
   for (const std::string& line : lines) {
     fmt::print(output, "{}: {}\n", file, line);

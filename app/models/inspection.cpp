@@ -63,6 +63,12 @@ void measure_surface(const LoadedGarment& loaded, Inspection& result) {
   }
 }
 
+void find_crossings(const LoadedGarment& loaded, Inspection& result) {
+  const Surface start = surface_at_start(loaded);
+  result.crossings = crossing_pairs(start);
+  result.crossings_text = result.crossings.empty() ? "none" : describe(start, result.crossings);
+}
+
 void remark(Inspection& result) {
   const double size_m = glm::length(result.upper_m - result.lower_m);
   if (size_m > 10.0 || size_m < 0.05) {
@@ -165,6 +171,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   measure_size(garment.mesh, result);
   measure_edges(garment, result);
   measure_surface(loaded, result);
+  find_crossings(loaded, result);
   result.topology = sim::measure_topology(garment.mesh, garment.adjacency);
   result.structural_springs = garment.springs.count(sim::SpringKind::structural);
   result.shear_springs = garment.springs.count(sim::SpringKind::shear);
@@ -184,6 +191,7 @@ std::string describe(const Inspection& i) {
   text += describe_topology(i.topology);
   text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs,
                       i.shear_springs, i.flexural_springs);
+  text += fmt::format("crossings   {}\n", i.crossings_text);
   text += i.start ? describe_start(*i.start) : "";
   text += fmt::format("numbers     in pins.at count the {}\n", i.vertex_numbers);
   for (const std::string& line : i.hanging) {

@@ -42,6 +42,8 @@ struct Inspection {
   double smallest_angle_rad = 0.0;
   std::size_t without_surface = 0;      ///< triangles that sim::TriangleAtRest finds too thin to have one
   std::optional<StretchAtStart> start;  ///< empty if the scene names no start: it begins at rest
+  std::vector<CrossingPair> crossings;  ///< in the shape it begins in
+  std::string crossings_text;           ///< the same for people
   sim::Topology topology;
   std::size_t structural_springs = 0;
   std::size_t shear_springs = 0;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
@@ -24,6 +25,7 @@ struct FrameRecord {
   double convergence_m = 0.0;  ///< the largest |p(t) - p(t - dt)| of any vertex, from frame to frame
   std::uint64_t state_hash = 0;
   bool asleep = false;
+  std::optional<std::size_t> crossing_pairs = {};  ///< empty: nobody has counted (frame_verifier.hpp)
   /// Processor time of the thread that simulates, which waits for its helpers without sleeping. In the
   /// window, which has to keep up with the clock, time on the clock.
   double sim_ms = 0.0;

@@ -22,6 +22,7 @@ struct FrameColumn {
   const char* unit;
   const char* meaning;
   Json (*value)(const FrameRecord&);
+  bool of_verified_runs = false;
 };
 
 const FrameColumn frame_columns[] = {
@@ -60,7 +61,13 @@ const FrameColumn frame_columns[] = {
      [](const auto& r) -> Json { return fmt::format("{:016x}", r.state_hash); }},
     {"asleep", "", "at rest: nothing is computed until something changes",
      [](const auto& r) -> Json { return r.asleep; }},
+    {"crossing_pairs", "", "with --verify alone: pairs of triangles that cross, and triangles in a body",
+     [](const auto& r) -> Json { return r.crossing_pairs.value_or(0); }, true},
 };
+
+bool is_written(const FrameColumn& column, bool is_verified) {
+  return is_verified || !column.of_verified_runs;
+}
 
 Json spring_counts(std::size_t structural, std::size_t shear, std::size_t flexural) {
   return {{"structural", structural}, {"shear", shear}, {"flexural", flexural}};
@@ -86,7 +93,9 @@ Json versions_json(const std::string& gl_renderer) {
 Json record_json(const FrameRecord& record) {
   Json json = Json::object();
   for (const FrameColumn& column : frame_columns) {
-    json[column.name] = column.value(record);
+    if (is_written(column, record.crossing_pairs.has_value())) {
+      json[column.name] = column.value(record);
+    }
   }
   return json;
 }
@@ -143,6 +152,15 @@ Json start_json(const std::optional<StretchAtStart>& start) {
           {"p99_surface_stretch", start->surface.p99}};
 }
 
+Json crossings_json(const std::vector<CrossingPair>& pairs) {
+  Json json = {{"pairs", pairs.size()}};
+  if (!pairs.empty()) {
+    json["first"] = {{"triangles", {pairs[0].first, pairs[0].second}},
+                     {"place_m", point_json(pairs[0].place_m)}};
+  }
+  return json;
+}
+
 // File names can hold bytes that are no UTF-8.
 std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -171,7 +189,9 @@ std::string statistics_header(StatisticsFormat format, const RunDescription& run
   }
   std::string names;
   for (const FrameColumn& column : frame_columns) {
-    names += (names.empty() ? "" : ",") + std::string(column.name);
+    if (is_written(column, run.is_verified)) {
+      names += (names.empty() ? "" : ",") + std::string(column.name);
+    }
   }
   return names + '\n';
 }
@@ -181,8 +201,7 @@ std::string statistics_line(StatisticsFormat format, const FrameRecord& record) 
     return line_of(record_json(record));
   }
   std::string row;
-  for (const FrameColumn& column : frame_columns) {
-    const Json value = column.value(record);
+  for (const Json& value : record_json(record)) {
     row += (row.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
   }
   return row + '\n';
@@ -257,6 +276,7 @@ std::string inspection_json(const Inspection& i) {
        {"smallest_angle_degrees", i.smallest_angle_rad * 180.0 / std::numbers::pi},
        {"triangles_without_surface", i.without_surface},
        {"start", start_json(i.start)},
+       {"crossings", crossings_json(i.crossings)},
        {"topology", topology},
        {"springs", spring_counts(i.structural_springs, i.shear_springs, i.flexural_springs)},
        {"landmarks", landmarks},

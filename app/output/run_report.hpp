@@ -15,7 +15,8 @@ struct RunDescription {
   const DrawnScene& scene;
   const sim::Garment& garment;
   std::size_t pins = 0;
-  std::string gl_renderer;  ///< empty if nothing was drawn
+  std::string gl_renderer;   ///< empty if nothing was drawn
+  bool is_verified = false;  ///< frames say how many pairs of triangles cross
 };
 
 /// How statistics are written.

@@ -16,8 +16,14 @@ namespace fs = std::filesystem;
 }
 
 // How many bytes there are up to the end of that frame's line.
-std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, int frame) {
+std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const RunDescription& run,
+                            int frame) {
   const std::string text = read_text_file(path);
+  const std::string names = statistics_header(StatisticsFormat::csv, run);
+  if (format == StatisticsFormat::csv && !text.starts_with(names)) {
+    throw InputError("cannot go on with '" + path.string() + "': found the columns " +
+                     text.substr(0, text.find('\n')) + ", expected " + names.substr(0, names.size() - 1));
+  }
   const std::string start = '\n' + statistics_line_start(format, frame);
   const std::size_t line = text.find(start);
   const std::size_t end = line == std::string::npos ? line : text.find('\n', line + start.size());
@@ -33,7 +39,7 @@ std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, int f
 StatisticsFile::StatisticsFile(const fs::path& file, const RunDescription& run, std::optional<int> last_kept)
     : path_(file), format_(statistics_format(file)) {
   if (last_kept) {
-    fs::resize_file(file, end_of_frame(file, format_, *last_kept));
+    fs::resize_file(file, end_of_frame(file, format_, run, *last_kept));
   }
   is_plain_ = !fs::exists(file) || fs::is_regular_file(file);
   file_.reset(std::fopen(file.c_str(), last_kept || !is_plain_ ? "ab" : "wb"));

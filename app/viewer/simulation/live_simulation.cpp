@@ -6,6 +6,7 @@
 
 #include "app/base/stopwatch.hpp"
 #include "app/models/garment_loading.hpp"
+#include "app/models/garment_remarks.hpp"
 #include "app/models/layers.hpp"
 #include "app/output/run_checkpoint.hpp"
 
@@ -41,6 +42,7 @@ std::vector<sim::Index> without_side(const sim::Garment& garment, std::span<cons
 
 LiveSimulation::LiveSimulation(const DrawnScene& scene) {
   start(load(scene, 1));
+  tell_of_crossings();
 }
 
 // Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
@@ -78,6 +80,14 @@ void LiveSimulation::apply(const SimulationCommand& command) {
 void LiveSimulation::perform(const LoadScene& asked) {
   start(load(*asked.scene, loaded_->generation + 1));
   tell("loaded " + asked.scene->name, false);
+  tell_of_crossings();
+}
+
+void LiveSimulation::tell_of_crossings() {
+  const std::string remark = remark_on_crossings(*loaded_);
+  if (!remark.empty()) {
+    tell(remark, false);
+  }
 }
 
 void LiveSimulation::perform(const ChangeSettings& change) {

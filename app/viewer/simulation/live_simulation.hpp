@@ -48,6 +48,7 @@ class LiveSimulation {
   void start(std::shared_ptr<const LoadedScene> loaded);
   void set_pins(std::vector<sim::Index> pins);
   void note_shape();
+  void tell_of_crossings();
   void tell(const std::string& text, bool is_error);
   void pull();
 

@@ -1,0 +1,116 @@
+#include "app/output/frame_verifier.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <variant>
+
+#include "app/base/counted.hpp"
+#include "app/verify/crossing_pairs.hpp"
+#include "app/verify/solid_bodies.hpp"
+#include "app/verify/stretch.hpp"
+
+namespace taut::app {
+namespace {
+
+// How much more than the bound a length may be, a fraction: the rounding of singular values in the thinnest
+// triangles that have a surface.
+constexpr double rounding = 1e-9;
+
+struct Enters {
+  const Corners& triangle;
+
+  bool operator()(const sim::Plane& plane) const {
+    return enters_half_space(triangle, plane.point_m, plane.normal);
+  }
+  bool operator()(const sim::Sphere& ball) const {
+    return enters_limb(triangle, {ball.centre_m, ball.centre_m, ball.radius_m, ball.radius_m});
+  }
+  bool operator()(const sim::Capsule& limb) const {
+    return enters_limb(triangle, {limb.start_m, limb.end_m, limb.start_radius_m, limb.end_radius_m});
+  }
+};
+
+/// Crossing pairs of one kind: how many, and a text about them; empty: none.
+struct Finding {
+  std::size_t pairs = 0;
+  std::string text;
+};
+
+Finding crossings_of(const Surface& cloth) {
+  const std::vector<CrossingPair> pairs = crossing_pairs(cloth);
+  return {pairs.size(), pairs.empty() ? "" : describe(cloth, pairs)};
+}
+
+Finding entries_into(const sim::Shape& shape, std::size_t body, const Surface& cloth) {
+  Finding finding;
+  for (sim::Index t = 0; t < cloth.triangles.size(); ++t) {
+    const sim::Triangle& v = cloth.triangles[t];
+    const Corners corners = {cloth.positions_m[v[0]], cloth.positions_m[v[1]], cloth.positions_m[v[2]]};
+    if (!std::visit(Enters{corners}, shape)) {
+      continue;
+    }
+    if (finding.pairs++ == 0) {
+      const sim::Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+      finding.text =
+          fmt::format("the first: {} near {}", describe_triangle(cloth, t), describe_place(middle));
+    }
+  }
+  if (finding.pairs > 0) {
+    finding.text = fmt::format("{} body {}, {}", counted(finding.pairs, "triangle enters", "triangles enter"),
+                               body, finding.text);
+  }
+  return finding;
+}
+
+std::string excess_of(const LargestStretch& stretch, const sim::SimulationSettings& settings) {
+  const auto* bounded = std::get_if<sim::BoundedSettings>(&settings.solver.method);
+  if (bounded == nullptr || bounded->allow_exceeding) {
+    return "";
+  }
+  const double most = bounded->max_stretch + rounding;
+  const auto text = [&](const char* what, double largest) {
+    return fmt::format("{} stretched by {:.7f} %, more than solver.max_stretch = {:g} %", what,
+                       100.0 * largest, 100.0 * bounded->max_stretch);
+  };
+  if (!(stretch.springs <= most)) {
+    return text("a spring is", stretch.springs);
+  }
+  const bool holds_surface = bounded->bound == sim::BoundKind::surface;
+  return holds_surface && !(stretch.surface <= most) ? text("a triangle is", stretch.surface) : "";
+}
+
+}  // namespace
+
+std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord& record) {
+  const sim::Mesh& mesh = simulation.garment().mesh;
+  const Surface cloth = {simulation.state().current, mesh.triangles};
+  const LargestStretch stretch = largest_stretch(mesh, cloth.positions_m);
+  ++frames_;
+  largest_springs_ = std::max(largest_springs_, stretch.springs);
+  largest_surface_ = std::max(largest_surface_, stretch.surface);
+
+  std::vector<Finding> findings = {crossings_of(cloth)};
+  const std::vector<sim::Collider>& bodies = simulation.surroundings().colliders;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    findings.push_back(entries_into(bodies[b].shape, b, cloth));
+  }
+  findings.push_back({0, excess_of(stretch, simulation.settings())});
+
+  record.crossing_pairs = 0;
+  std::string broken;
+  for (const Finding& finding : findings) {
+    *record.crossing_pairs += finding.pairs;
+    broken += (broken.empty() || finding.text.empty() ? "" : "; ") + finding.text;
+  }
+  return broken.empty() ? "" : fmt::format("frame {}, {:.4f} s: {}", record.frame, record.time_s, broken);
+}
+
+std::string FrameVerifier::summary() const {
+  return fmt::format("verified {}: 0 crossing pairs, largest stretch {:.4f} %, of the surface {:.4f} %",
+                     counted(static_cast<std::size_t>(frames_), "frame"), 100.0 * largest_springs_,
+                     100.0 * largest_surface_);
+}
+
+}  // namespace taut::app

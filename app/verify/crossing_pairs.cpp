@@ -1,0 +1,141 @@
+#include "app/verify/crossing_pairs.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/verify/triangle_crossing.hpp"
+#include "sim/mesh/extent.hpp"
+
+namespace taut::app {
+namespace {
+
+struct TriangleBox {
+  sim::Extent extent;
+  sim::Index triangle = 0;
+  bool is_of_body = false;
+};
+
+Corners corners_of(const Surface& surface, const sim::Triangle& t) {
+  return {surface.positions_m[t[0]], surface.positions_m[t[1]], surface.positions_m[t[2]]};
+}
+
+void add_boxes(const Surface& surface, bool is_of_body, std::vector<TriangleBox>& boxes) {
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Corners corners = corners_of(surface, surface.triangles[t]);
+    boxes.push_back({sim::extent_of(corners), static_cast<sim::Index>(t), is_of_body});
+  }
+}
+
+bool meet(const sim::Extent& a, const sim::Extent& b) {
+  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
+         b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
+}
+
+/// Calls `found` with all pairs of boxes that meet. Sweep and prune (Baraff 1992) along the axis of the
+/// largest extent, in which the fewest boxes are beside each other.
+template <class Found>
+void sweep(std::vector<TriangleBox>& boxes, const Found& found) {
+  sim::Extent all;
+  for (const TriangleBox& box : boxes) {
+    all.add(box.extent.lower);
+    all.add(box.extent.upper);
+  }
+  const sim::Vec3 size = all.size();
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  std::sort(boxes.begin(), boxes.end(), [axis](const TriangleBox& a, const TriangleBox& b) {
+    return a.extent.lower[axis] < b.extent.lower[axis];
+  });
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const double end = boxes[i].extent.upper[axis];
+    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].extent.lower[axis] <= end; ++j) {
+      if (meet(boxes[i].extent, boxes[j].extent)) {
+        found(boxes[i], boxes[j]);
+      }
+    }
+  }
+}
+
+/// Turns the corners of both so that those that are shared come first, in the same order. Returns how many.
+std::size_t bring_shared_to_front(sim::Triangle& a, sim::Triangle& b) {
+  std::size_t shared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto same = std::find(b.begin() + static_cast<std::ptrdiff_t>(shared), b.end(), a[i]);
+    if (same != b.end()) {
+      std::swap(a[shared], a[i]);
+      std::iter_swap(b.begin() + static_cast<std::ptrdiff_t>(shared), same);
+      ++shared;
+    }
+  }
+  return shared;
+}
+
+std::optional<sim::Vec3> place_within(const Surface& cloth, sim::Triangle a, sim::Triangle b) {
+  const std::size_t shared = bring_shared_to_front(a, b);
+  const auto place_of = shared == 0   ? crossing_place
+                        : shared == 1 ? crossing_place_beside_vertex
+                                      : crossing_place_beside_edge;
+  return place_of(corners_of(cloth, a), corners_of(cloth, b));
+}
+
+std::vector<CrossingPair> ordered(std::vector<CrossingPair> pairs) {
+  std::sort(pairs.begin(), pairs.end(), [](const CrossingPair& a, const CrossingPair& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  });
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<CrossingPair> crossing_pairs(const Surface& cloth) {
+  std::vector<TriangleBox> boxes;
+  add_boxes(cloth, false, boxes);
+  std::vector<CrossingPair> pairs;
+  sweep(boxes, [&](const TriangleBox& a, const TriangleBox& b) {
+    const auto [first, second] = std::minmax(a.triangle, b.triangle);
+    if (const auto place = place_within(cloth, cloth.triangles[first], cloth.triangles[second])) {
+      pairs.push_back({first, second, *place});
+    }
+  });
+  return ordered(std::move(pairs));
+}
+
+std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& body) {
+  std::vector<TriangleBox> boxes;
+  add_boxes(cloth, false, boxes);
+  add_boxes(body, true, boxes);
+  std::vector<CrossingPair> pairs;
+  sweep(boxes, [&](const TriangleBox& a, const TriangleBox& b) {
+    if (a.is_of_body == b.is_of_body) {
+      return;
+    }
+    const sim::Index first = a.is_of_body ? b.triangle : a.triangle;
+    const sim::Index second = a.is_of_body ? a.triangle : b.triangle;
+    if (const auto place = crossing_place(corners_of(cloth, cloth.triangles[first]),
+                                          corners_of(body, body.triangles[second]))) {
+      pairs.push_back({first, second, *place});
+    }
+  });
+  return ordered(std::move(pairs));
+}
+
+std::string describe_triangle(const Surface& surface, sim::Index triangle) {
+  const sim::Triangle& t = surface.triangles[triangle];
+  return fmt::format("triangle {} (vertices {}, {}, {})", triangle, t[0], t[1], t[2]);
+}
+
+std::string describe_place(const sim::Vec3& place_m) {
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}] m", place_m.x, place_m.y, place_m.z);
+}
+
+std::string describe(const Surface& cloth, std::span<const CrossingPair> pairs) {
+  const CrossingPair& first = pairs.front();
+  return fmt::format("{}, the first: {} and {} at {}",
+                     pairs.size() == 1 ? "1 pair of triangles crosses"
+                                       : fmt::format("{} pairs of triangles cross", pairs.size()),
+                     describe_triangle(cloth, first.first), describe_triangle(cloth, first.second),
+                     describe_place(first.place_m));
+}
+
+}  // namespace taut::app

@@ -1,0 +1,73 @@
+#include "app/verify/stretch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace taut::app {
+namespace {
+
+constexpr double thinnest = 1e-3;
+
+/// E, F and G of a triangle, in m^2.
+struct FundamentalForm {
+  double e, f, g;
+
+  double determinant() const { return e * g - f * f; }
+};
+
+struct Sides {
+  double first_m, second_m, across_m;  ///< two from one corner, and the one across
+
+  double longest_m() const { return std::max({first_m, second_m, across_m}); }
+  FundamentalForm form() const {
+    const double e = first_m * first_m, g = second_m * second_m;
+    return {e, 0.5 * (e + g - across_m * across_m), g};
+  }
+};
+
+Sides sides_of(const sim::Triangle& t, std::span<const sim::Vec3> p) {
+  return {glm::distance(p[t[0]], p[t[1]]), glm::distance(p[t[0]], p[t[2]]), glm::distance(p[t[1]], p[t[2]])};
+}
+
+/// The larger root x of det(now - x rest) = 0, as the square root minus 1. What is under the root of the
+/// quadratic formula is written as a sum of squares, which does not cancel where both roots are alike.
+double surface_stretch(const FundamentalForm& rest, const FundamentalForm& now) {
+  const double determinant = rest.determinant();
+  const double p = rest.e * now.f - rest.f * now.e, r = rest.e * now.g - rest.g * now.e;
+  const double trace = rest.e * now.g - 2.0 * rest.f * now.f + rest.g * now.e;
+  const double root = std::hypot(r - 2.0 * p * rest.f / rest.e, 2.0 * p * std::sqrt(determinant) / rest.e);
+  return std::sqrt((trace + root) / (2.0 * determinant)) - 1.0;
+}
+
+bool has_surface(const Sides& rest) {
+  const double longest_m = rest.longest_m();
+  return std::sqrt(rest.form().determinant()) >= thinnest * longest_m * longest_m;
+}
+
+}  // namespace
+
+LargestStretch largest_stretch(const sim::Mesh& rest, std::span<const sim::Vec3> positions_m) {
+  LargestStretch largest;
+  const auto add_spring = [&](double rest_m, double now_m) {
+    largest.springs = std::max(largest.springs, now_m / rest_m - 1.0);
+  };
+  for (const sim::Triangle& t : rest.triangles) {
+    const Sides before = sides_of(t, rest.positions), now = sides_of(t, positions_m);
+    add_spring(before.first_m, now.first_m);
+    add_spring(before.second_m, now.second_m);
+    add_spring(before.across_m, now.across_m);
+    if (has_surface(before)) {
+      largest.surface = std::max(largest.surface, surface_stretch(before.form(), now.form()));
+    }
+  }
+  for (const sim::Quad& q : rest.quads) {
+    for (const auto& [a, b] : {sim::Edge{q[0], q[2]}, sim::Edge{q[1], q[3]}}) {
+      add_spring(glm::distance(rest.positions[a], rest.positions[b]),
+                 glm::distance(positions_m[a], positions_m[b]));
+    }
+  }
+  return largest;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,197 @@
+#include "app/verify/triangle_crossing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "app/verify/orientation.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Vec2;
+using sim::Vec3;
+
+/// A closed segment; with equal ends a point.
+struct Segment {
+  Vec3 from, to;
+};
+
+Segment edge_of(const Corners& t, std::size_t k) {
+  return {t[k], t[(k + 1) % 3]};
+}
+
+Vec2 without(int axis, const Vec3& p) {
+  return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
+}
+
+int orientation_without(int axis, const Vec3& a, const Vec3& b, const Vec3& c) {
+  return orientation(without(axis, a), without(axis, b), without(axis, c));
+}
+
+bool is_without_area(const Corners& t) {
+  return orientation_without(0, t[0], t[1], t[2]) == 0 && orientation_without(1, t[0], t[1], t[2]) == 0 &&
+         orientation_without(2, t[0], t[1], t[2]) == 0;
+}
+
+/// What the bounding boxes have in common; lower is above upper in some coordinate if that is nothing.
+Segment common_box(const Segment& s, const Segment& t) {
+  return {glm::max(glm::min(s.from, s.to), glm::min(t.from, t.to)),
+          glm::min(glm::max(s.from, s.to), glm::max(t.from, t.to))};
+}
+
+bool boxes_meet(const Segment& s, const Segment& t) {
+  const Segment box = common_box(s, t);
+  return box.from.x <= box.to.x && box.from.y <= box.to.y && box.from.z <= box.to.z;
+}
+
+/// Of segments whose bounding boxes meet: on one line, that is enough.
+bool projections_meet(int axis, const Segment& s, const Segment& t) {
+  return orientation_without(axis, s.from, s.to, t.from) * orientation_without(axis, s.from, s.to, t.to) <=
+             0 &&
+         orientation_without(axis, t.from, t.to, s.from) * orientation_without(axis, t.from, t.to, s.to) <= 0;
+}
+
+/// Segments in one plane meet if and only if they do in all three projections: at least one of these maps
+/// points of the plane to points of their own.
+bool segments_meet(const Segment& s, const Segment& t) {
+  return boxes_meet(s, t) && orientation(s.from, s.to, t.from, t.to) == 0 && projections_meet(0, s, t) &&
+         projections_meet(1, s, t) && projections_meet(2, s, t);
+}
+
+/// Where two segments that meet do so; on one line, the middle of what they share.
+Vec3 meeting_place(const Segment& s, const Segment& t) {
+  const Vec3 along_s = s.to - s.from, along_t = t.to - t.from;
+  const Vec3 normal = glm::cross(along_s, along_t);
+  const double square = glm::dot(normal, normal);
+  if (!(square > 0.0)) {
+    const Segment box = common_box(s, t);
+    return 0.5 * (box.from + box.to);
+  }
+  const double at = glm::dot(glm::cross(t.from - s.from, along_t), normal) / square;
+  return s.from + std::clamp(at, 0.0, 1.0) * along_s;
+}
+
+/// Of a point in the triangle's plane: whether it is inside, off the edges. False without area.
+bool is_inside(const Vec3& p, const Corners& t) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int side = orientation_without(axis, t[0], t[1], p);
+    if (side != 0 && orientation_without(axis, t[1], t[2], p) == side &&
+        orientation_without(axis, t[2], t[0], p) == side) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Of a segment in the triangle's plane, or of any segment if the triangle has no area.
+std::optional<Vec3> place_in_plane(const Segment& s, const Corners& t) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (segments_meet(s, edge_of(t, k))) {
+      return meeting_place(s, edge_of(t, k));
+    }
+  }
+  return is_inside(s.from, t) ? std::optional(s.from) : std::nullopt;
+}
+
+double distance_from_plane(const Vec3& p, const Corners& t) {
+  return std::abs(glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), p - t[0]));
+}
+
+/// A point that the segment has in common with the triangle.
+std::optional<Vec3> common_place(const Segment& s, const Corners& t) {
+  const int from_side = orientation(t[0], t[1], t[2], s.from);
+  const int to_side = orientation(t[0], t[1], t[2], s.to);
+  if (from_side * to_side > 0) {
+    return std::nullopt;
+  }
+  if (from_side == 0 && to_side == 0) {
+    return place_in_plane(s, t);
+  }
+  bool is_left = false, is_right = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int side = orientation(s.from, s.to, edge_of(t, k).from, edge_of(t, k).to);
+    is_left = is_left || side > 0;
+    is_right = is_right || side < 0;
+  }
+  if (is_left && is_right) {
+    return std::nullopt;
+  }
+  const double before = distance_from_plane(s.from, t), behind = distance_from_plane(s.to, t);
+  return before + behind > 0.0 ? glm::mix(s.from, s.to, before / (before + behind)) : s.from;
+}
+
+bool is_on_one_side(const Corners& plane, const Vec3& a, const Vec3& b) {
+  const int side = orientation(plane[0], plane[1], plane[2], a);
+  return side != 0 && orientation(plane[0], plane[1], plane[2], b) == side;
+}
+
+bool is_on_one_side(const Corners& plane, const Corners& t) {
+  return is_on_one_side(plane, t[0], t[1]) && is_on_one_side(plane, t[1], t[2]);
+}
+
+std::optional<Vec3> first_place_along_edges(const Corners& a, const Corners& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (const std::optional<Vec3> place = common_place(edge_of(a, k), b)) {
+      return place;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Seen from the shared corner 0, what is common ends at the edge opposite of one of the triangles. This is
+/// for that of `a`. In a triangle without area the corner may lie on that edge, and its ends stand for it.
+std::optional<Vec3> place_opposite(const Corners& a, const Corners& b) {
+  if (!is_without_area(a)) {
+    return common_place({a[1], a[2]}, b);
+  }
+  for (const Vec3& end : {a[1], a[2]}) {
+    if (end != a[0] && common_place({end, end}, b)) {
+      return end;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Of triangles that share their first two corners.
+bool reaches_beyond_edge(const Corners& a, const Corners& b) {
+  const Segment tip = {a[2], a[2]};
+  return !segments_meet(tip, edge_of(a, 0)) && common_place(tip, b);
+}
+
+}  // namespace
+
+std::optional<Vec3> crossing_place(const Corners& a, const Corners& b) {
+  if (is_on_one_side(a, b) || is_on_one_side(b, a)) {
+    return std::nullopt;
+  }
+  const std::optional<Vec3> place = first_place_along_edges(a, b);
+  return place ? place : first_place_along_edges(b, a);
+}
+
+std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners& b) {
+  if (is_on_one_side(a, b[1], b[2]) || is_on_one_side(b, a[1], a[2])) {
+    return std::nullopt;
+  }
+  const std::optional<Vec3> place = place_opposite(a, b);
+  return place ? place : place_opposite(b, a);
+}
+
+std::optional<Vec3> crossing_place_beside_edge(const Corners& a, const Corners& b) {
+  if (orientation(a[0], a[1], a[2], b[2]) != 0) {
+    return std::nullopt;
+  }
+  bool is_folded = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    is_folded = is_folded ||
+                orientation_without(axis, a[0], a[1], a[2]) * orientation_without(axis, b[0], b[1], b[2]) > 0;
+  }
+  // Without area both are segments along the line of the edge.
+  if (is_folded || reaches_beyond_edge(a, b) || reaches_beyond_edge(b, a)) {
+    return 0.5 * (a[0] + a[1]);
+  }
+  return std::nullopt;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "sim/mesh/types.hpp"
+
+namespace taut::app {
+
+/// The corners of a triangle, in metres. One without area is the segment or the point that its corners span.
+using Corners = std::array<sim::Vec3, 3>;
+
+// Each returns a point that both triangles have, in metres and rounded, if they cross. Whether they do is
+// decided exactly (orientation.hpp); to touch is to cross.
+
+/// For triangles that share no vertex: they cross if they have any point in common.
+std::optional<sim::Vec3> crossing_place(const Corners& a, const Corners& b);
+
+/// For triangles that share their corner 0: they cross if they have a point in common that lies elsewhere.
+std::optional<sim::Vec3> crossing_place_beside_vertex(const Corners& a, const Corners& b);
+
+/// For triangles that share their corners 0 and 1: they cross if they are folded flat onto each other, so
+/// that they have a point in common that is not on that edge. The place is then the middle of the edge.
+std::optional<sim::Vec3> crossing_place_beside_edge(const Corners& a, const Corners& b);
+
+}  // namespace taut::app

@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "app/verify/solid_bodies.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Vec3;
+
+Corners wide_triangle_at(double height_m) {
+  return {Vec3(-1.0, height_m, -1.0), Vec3(1.0, height_m, -1.0), Vec3(0.0, height_m, 1.0)};
+}
+
+TEST(SolidBodies, OfAPlaneTheCornersDecide) {
+  const Vec3 point(0.0, 0.2, 0.0), up(0.0, 1.0, 0.0);
+  EXPECT_FALSE(enters_half_space(wide_triangle_at(0.2), point, up));
+  EXPECT_TRUE(enters_half_space(wide_triangle_at(0.2 - 2e-9), point, up));
+  Corners tilted = wide_triangle_at(0.3);
+  tilted[1].y = 0.1;
+  EXPECT_TRUE(enters_half_space(tilted, point, up));
+}
+
+// No corner and no edge is near.
+TEST(SolidBodies, AreEnteredInTheMiddleOfATriangle) {
+  const Limb ball = {Vec3(0.0), Vec3(0.0), 0.1, 0.1};
+  EXPECT_TRUE(enters_limb(wide_triangle_at(0.1 - 2e-9), ball));
+  EXPECT_FALSE(enters_limb(wide_triangle_at(0.1 + 2e-9), ball));
+  const Limb lying = {Vec3(-0.3, 0.0, 0.0), Vec3(0.3, 0.0, 0.0), 0.1, 0.1};
+  EXPECT_TRUE(enters_limb(wide_triangle_at(0.1 - 2e-9), lying));
+  EXPECT_FALSE(enters_limb(wide_triangle_at(0.1 + 2e-9), lying));
+  const Limb standing = {Vec3(0.0, -1.0, 0.0), Vec3(0.0, 1.0, 0.0), 0.02, 0.02};
+  EXPECT_TRUE(enters_limb(wide_triangle_at(0.0), standing)) << "pierced by it";
+  EXPECT_TRUE(enters_limb({Vec3(0.01), Vec3(0.011), Vec3(0.01, 0.011, 0.01)}, standing)) << "inside it";
+  EXPECT_FALSE(enters_limb({Vec3(0.1), Vec3(0.3), Vec3(0.1, 0.3, 0.1)}, standing));
+}
+
+/// How far outside a point is, as the limb is defined.
+double outside_m(const Vec3& p, const Limb& limb) {
+  const Vec3 axis = limb.end_m - limb.start_m;
+  const double at = std::clamp(glm::dot(p - limb.start_m, axis) / glm::dot(axis, axis), 0.0, 1.0);
+  return glm::distance(p, limb.start_m + at * axis) - glm::mix(limb.start_radius_m, limb.end_radius_m, at);
+}
+
+TEST(SolidBodies, AreEnteredWhereAnyPointOfATriangleIsInTheLimb) {
+  std::mt19937 random(5);  // NOLINT: the same triangles in every run
+  std::uniform_real_distribution<double> coordinate(-0.3, 0.3), side(-0.1, 0.1);
+  const Limb limb = {Vec3(-0.2, 0.0, 0.05), Vec3(0.15, 0.1, 0.0), 0.04, 0.13};
+  constexpr int fine = 40;
+  int in = 0, out = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Corners t;
+    t[0] = {coordinate(random), coordinate(random), coordinate(random)};
+    t[1] = t[0] + Vec3(side(random), side(random), side(random));
+    t[2] = t[0] + Vec3(side(random), side(random), side(random));
+    double nearest_m = 1.0;
+    for (int u = 0; u <= fine; ++u) {
+      for (int v = 0; u + v <= fine; ++v) {
+        const Vec3 p = t[0] + (t[1] - t[0]) * (1.0 * u / fine) + (t[2] - t[0]) * (1.0 * v / fine);
+        nearest_m = std::min(nearest_m, outside_m(p, limb));
+      }
+    }
+    const bool enters = enters_limb(t, limb);
+    // Between the points that were looked at it may be somewhat nearer.
+    ASSERT_TRUE(enters ? nearest_m < 2e-3 : nearest_m >= -most_depth_m) << i;
+    ++(enters ? in : out);
+  }
+  EXPECT_GT(in, 300);
+  EXPECT_GT(out, 300);
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -21,7 +21,7 @@ packages=(
   libfontconfig-dev   # finds the window's font
   libglfw3-dev        # the window
   libglm-dev
-  libgmp-dev          # rational numbers: whether triangles cross, exactly
+  libgmp-dev          # whole numbers of any length: whether triangles cross, exactly
   libhwy-dev          # Highway: vectors of any width
   libimgui-dev        # what is in it
   libminizip-dev      # reads the unit of 3MF files

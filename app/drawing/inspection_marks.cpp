@@ -15,6 +15,7 @@ namespace {
 const renderer::Colour border_colour = renderer::rgb(0x1C1C1C);
 const renderer::Colour non_manifold_colour = renderer::rgb(0xD00000);
 const renderer::Colour misoriented_colour = renderer::rgb(0x7B2CBF);
+const renderer::Colour crossing_colour = renderer::rgb(0xE6007E);
 const renderer::Colour joined_colour = renderer::rgb(0xFFD000);
 
 // Fraction of vertices. If more were welded, they are not marked: in a model without shared vertices all
@@ -82,9 +83,27 @@ InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) 
   return marks;
 }
 
+InspectionMarks crossing_triangles(const LoadedGarment& loaded, std::span<const CrossingPair> crossings) {
+  InspectionMarks marks{.meaning = fmt::format("pairs of triangles that cross: {}", crossings.size()),
+                        .colour = crossing_colour,
+                        .width_px = 5.0F,
+                        .seen_through = true};
+  for (const CrossingPair& pair : crossings) {
+    for (const sim::Index triangle : {pair.first, pair.second}) {
+      const sim::Triangle& t = loaded.garment->mesh.triangles[triangle];
+      add_line(loaded, {t[0], t[1]}, marks);
+      add_line(loaded, {t[1], t[2]}, marks);
+      add_line(loaded, {t[2], t[0]}, marks);
+    }
+  }
+  return marks;
+}
+
 }  // namespace
 
-std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, const MarkWidths& widths) {
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded,
+                                              std::span<const CrossingPair> crossings,
+                                              const MarkWidths& widths) {
   const float spring_width_px = widths.spring_px;
   const sim::Adjacency& adjacency = loaded.garment->adjacency;
   std::vector<InspectionMarks> all;
@@ -109,6 +128,7 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, const
                              .width_px = 6.0F,
                              .seen_through = true},
                             [&](std::size_t e) { return adjacency.edge_triangles[e].size() > 2; }));
+  all.push_back(crossing_triangles(loaded, crossings));
   all.push_back(joined_vertices(loaded, widths.dot_px));
   std::erase_if(all, [](const InspectionMarks& marks) { return marks.points.empty(); });
   return all;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,10 @@ struct MarkWidths {
   float dot_px = 6.0F;
 };
 
-/// All marks of the garment, in the order they are drawn: later ones cover earlier ones.
-std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded, const MarkWidths& widths);
+/// All marks of the garment, in the order they are drawn: later ones cover earlier ones. Triangles that cross
+/// are outlined where they are drawn, which is at rest.
+std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded,
+                                              std::span<const CrossingPair> crossings,
+                                              const MarkWidths& widths);
 
 }  // namespace taut::app

@@ -196,7 +196,8 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
                                 const DrawnScene& scene, const std::string& backend) {
   OffscreenRenderer offscreen(backend);
   InspectionViews views = inspection_views(scene, *loaded.garment, loaded.pins);
-  const std::vector<InspectionMarks> all = inspection_marks(loaded, mark_widths(inspection, views.px_per_m));
+  const std::vector<InspectionMarks> all =
+      inspection_marks(loaded, inspection.crossings, mark_widths(inspection, views.px_per_m));
   const std::vector<LegendRow> legend = legend_of(all, loaded.pins.size());
   const float caption_px = 1.6F * row_px;
   const float below_px = header_px + static_cast<float>(views.height_px);

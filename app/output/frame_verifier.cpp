@@ -3,13 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <variant>
+#include <vector>
 
 #include "app/base/counted.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "app/verify/solid_bodies.hpp"
-#include "app/verify/stretch.hpp"
 
 namespace taut::app {
 namespace {
@@ -64,8 +63,10 @@ Finding entries_into(const sim::Shape& shape, std::size_t body, const Surface& c
   return finding;
 }
 
-std::string excess_of(const LargestStretch& stretch, const sim::SimulationSettings& settings) {
-  const auto* bounded = std::get_if<sim::BoundedSettings>(&settings.solver.method);
+}  // namespace
+
+std::string describe_excess(const LargestStretch& stretch, const sim::SolverSettings& solver) {
+  const auto* bounded = std::get_if<sim::BoundedSettings>(&solver.method);
   if (bounded == nullptr || bounded->allow_exceeding) {
     return "";
   }
@@ -81,22 +82,20 @@ std::string excess_of(const LargestStretch& stretch, const sim::SimulationSettin
   return holds_surface && !(stretch.surface <= most) ? text("a triangle is", stretch.surface) : "";
 }
 
-}  // namespace
-
 std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord& record) {
   const sim::Mesh& mesh = simulation.garment().mesh;
   const Surface cloth = {simulation.state().current, mesh.triangles};
   const LargestStretch stretch = largest_stretch(mesh, cloth.positions_m);
   ++frames_;
-  largest_springs_ = std::max(largest_springs_, stretch.springs);
-  largest_surface_ = std::max(largest_surface_, stretch.surface);
+  largest_.springs = std::max(largest_.springs, stretch.springs);
+  largest_.surface = std::max(largest_.surface, stretch.surface);
 
   std::vector<Finding> findings = {crossings_of(cloth)};
   const std::vector<sim::Collider>& bodies = simulation.surroundings().colliders;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     findings.push_back(entries_into(bodies[b].shape, b, cloth));
   }
-  findings.push_back({0, excess_of(stretch, simulation.settings())});
+  findings.push_back({0, describe_excess(stretch, simulation.settings().solver)});
 
   record.crossing_pairs = 0;
   std::string broken;
@@ -109,8 +108,8 @@ std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord&
 
 std::string FrameVerifier::summary() const {
   return fmt::format("verified {}: 0 crossing pairs, largest stretch {:.4f} %, of the surface {:.4f} %",
-                     counted(static_cast<std::size_t>(frames_), "frame"), 100.0 * largest_springs_,
-                     100.0 * largest_surface_);
+                     counted(static_cast<std::size_t>(frames_), "frame"), 100.0 * largest_.springs,
+                     100.0 * largest_.surface);
 }
 
 }  // namespace taut::app

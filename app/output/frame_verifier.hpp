@@ -1,16 +1,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "app/output/frame_record.hpp"
-#include "sim/contact/colliders.hpp"
+#include "app/verify/stretch.hpp"
 
 namespace taut::app {
 
+/// Says by how much which bound of the solver is exceeded. Returns an empty text if none is, if the solver
+/// has none or if the scene accepts more (solver.allow_exceeding).
+std::string describe_excess(const LargestStretch& stretch, const sim::SolverSettings& solver);
+
 /// Holds frames to both promises, by the code of app/verify, which shares nothing with the solvers: no
-/// triangle of the cloth crosses another one or a body, and nothing is longer than the bound, where the
-/// solver has one and the scene does not accept more (solver.allow_exceeding).
+/// triangle of the cloth crosses another one or a body, and the solver's bound is kept (describe_excess).
 class FrameVerifier {
  public:
   /// Checks the present shape and counts its crossing pairs in the record: pairs of triangles, and a pair for
@@ -23,8 +25,7 @@ class FrameVerifier {
 
  private:
   int frames_ = 0;
-  double largest_springs_ = -1.0;
-  double largest_surface_ = -1.0;
+  LargestStretch largest_;
 };
 
 }  // namespace taut::app

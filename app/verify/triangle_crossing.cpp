@@ -56,8 +56,8 @@ bool projections_meet(int axis, const Segment& s, const Segment& t) {
 /// Segments in one plane meet if and only if they do in all three projections: at least one of these maps
 /// points of the plane to points of their own.
 bool segments_meet(const Segment& s, const Segment& t) {
-  return boxes_meet(s, t) && orientation(s.from, s.to, t.from, t.to) == 0 && projections_meet(0, s, t) &&
-         projections_meet(1, s, t) && projections_meet(2, s, t);
+  return boxes_meet(s, t) && projections_meet(0, s, t) && projections_meet(1, s, t) &&
+         projections_meet(2, s, t) && orientation(s.from, s.to, t.from, t.to) == 0;
 }
 
 /// Where two segments that meet do so; on one line, the middle of what they share.
@@ -99,14 +99,28 @@ double distance_from_plane(const Vec3& p, const Corners& t) {
   return std::abs(glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), p - t[0]));
 }
 
-/// A point that the segment has in common with the triangle.
-std::optional<Vec3> common_place(const Segment& s, const Corners& t) {
-  const int from_side = orientation(t[0], t[1], t[2], s.from);
-  const int to_side = orientation(t[0], t[1], t[2], s.to);
-  if (from_side * to_side > 0) {
+/// On which sides of a triangle's plane two points are.
+struct Sides {
+  int first, second;
+
+  bool are_one() const { return first * second > 0; }
+  bool are_none() const { return first == 0 && second == 0; }
+};
+
+int side_of(const Corners& plane, const Vec3& p) {
+  return orientation(plane[0], plane[1], plane[2], p);
+}
+
+Sides sides_of(const Corners& plane, const Vec3& a, const Vec3& b) {
+  return {side_of(plane, a), side_of(plane, b)};
+}
+
+/// A point that the segment, whose ends are on these sides, has in common with the triangle.
+std::optional<Vec3> common_place(const Segment& s, const Sides& sides, const Corners& t) {
+  if (sides.are_one()) {
     return std::nullopt;
   }
-  if (from_side == 0 && to_side == 0) {
+  if (sides.are_none()) {
     return place_in_plane(s, t);
   }
   bool is_left = false, is_right = false;
@@ -122,18 +136,24 @@ std::optional<Vec3> common_place(const Segment& s, const Corners& t) {
   return before + behind > 0.0 ? glm::mix(s.from, s.to, before / (before + behind)) : s.from;
 }
 
-bool is_on_one_side(const Corners& plane, const Vec3& a, const Vec3& b) {
-  const int side = orientation(plane[0], plane[1], plane[2], a);
-  return side != 0 && orientation(plane[0], plane[1], plane[2], b) == side;
+std::optional<Vec3> common_place(const Vec3& p, const Corners& t) {
+  return side_of(t, p) == 0 ? place_in_plane({p, p}, t) : std::nullopt;
 }
 
-bool is_on_one_side(const Corners& plane, const Corners& t) {
-  return is_on_one_side(plane, t[0], t[1]) && is_on_one_side(plane, t[1], t[2]);
+using SidesOfCorners = std::array<int, 3>;
+
+SidesOfCorners sides_of(const Corners& plane, const Corners& t) {
+  return {side_of(plane, t[0]), side_of(plane, t[1]), side_of(plane, t[2])};
 }
 
-std::optional<Vec3> first_place_along_edges(const Corners& a, const Corners& b) {
+bool are_one(const SidesOfCorners& s) {
+  return s[0] * s[1] > 0 && s[1] * s[2] > 0;
+}
+
+/// Of the edges of `a`, whose corners are on these sides of `b`.
+std::optional<Vec3> first_place_along_edges(const Corners& a, const SidesOfCorners& sides, const Corners& b) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (const std::optional<Vec3> place = common_place(edge_of(a, k), b)) {
+    if (const auto place = common_place(edge_of(a, k), {sides[k], sides[(k + 1) % 3]}, b)) {
       return place;
     }
   }
@@ -141,13 +161,14 @@ std::optional<Vec3> first_place_along_edges(const Corners& a, const Corners& b) 
 }
 
 /// Seen from the shared corner 0, what is common ends at the edge opposite of one of the triangles. This is
-/// for that of `a`. In a triangle without area the corner may lie on that edge, and its ends stand for it.
-std::optional<Vec3> place_opposite(const Corners& a, const Corners& b) {
+/// for that of `a`, whose ends are on these sides of `b`. In a triangle without area the corner may lie on
+/// that edge, and its ends stand for it.
+std::optional<Vec3> place_opposite(const Corners& a, const Sides& sides, const Corners& b) {
   if (!is_without_area(a)) {
-    return common_place({a[1], a[2]}, b);
+    return common_place({a[1], a[2]}, sides, b);
   }
   for (const Vec3& end : {a[1], a[2]}) {
-    if (end != a[0] && common_place({end, end}, b)) {
+    if (end != a[0] && common_place(end, b)) {
       return end;
     }
   }
@@ -156,26 +177,37 @@ std::optional<Vec3> place_opposite(const Corners& a, const Corners& b) {
 
 /// Of triangles that share their first two corners.
 bool reaches_beyond_edge(const Corners& a, const Corners& b) {
-  const Segment tip = {a[2], a[2]};
-  return !segments_meet(tip, edge_of(a, 0)) && common_place(tip, b);
+  return !segments_meet({a[2], a[2]}, edge_of(a, 0)) && common_place(a[2], b);
 }
 
 }  // namespace
 
 std::optional<Vec3> crossing_place(const Corners& a, const Corners& b) {
-  if (is_on_one_side(a, b) || is_on_one_side(b, a)) {
+  const SidesOfCorners of_b = sides_of(a, b);
+  if (are_one(of_b)) {
     return std::nullopt;
   }
-  const std::optional<Vec3> place = first_place_along_edges(a, b);
-  return place ? place : first_place_along_edges(b, a);
+  const SidesOfCorners of_a = sides_of(b, a);
+  if (are_one(of_a)) {
+    return std::nullopt;
+  }
+  const std::optional<Vec3> place = first_place_along_edges(a, of_a, b);
+  return place ? place : first_place_along_edges(b, of_b, a);
 }
 
 std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners& b) {
-  if (is_on_one_side(a, b[1], b[2]) || is_on_one_side(b, a[1], a[2])) {
+  const Sides of_b = sides_of(a, b[1], b[2]);
+  if (of_b.are_one()) {
     return std::nullopt;
   }
-  const std::optional<Vec3> place = place_opposite(a, b);
-  return place ? place : place_opposite(b, a);
+  // In one plane nothing is on a side, and to find that out is dear.
+  const bool is_flat = of_b.are_none() && !is_without_area(a);
+  const Sides of_a = is_flat ? Sides{0, 0} : sides_of(b, a[1], a[2]);
+  if (of_a.are_one()) {
+    return std::nullopt;
+  }
+  const std::optional<Vec3> place = place_opposite(a, of_a, b);
+  return place ? place : place_opposite(b, of_b, a);
 }
 
 std::optional<Vec3> crossing_place_beside_edge(const Corners& a, const Corners& b) {

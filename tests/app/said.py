@@ -139,6 +139,54 @@ def names_the_scene_of_a_missing_garment():
            'a garment that is missing: %d %s' % (done.returncode, done.stderr))
 
 
+# A triangle above one that is held: as if there were no contact, it falls through it on its edge.
+FALLS_THROUGH = ('v -1 0 -1\nv 1 0 -1\nv 0 0 1\nv 0 .05 0\nv .2 .25 0\nv -.2 .25 0\nf 1 2 3\nf 4 5 6\n',
+                 ['--units', 'm', '--up', 'y', '--set', 'pins.at=[0, 1, 2]', '--set', 'solver.kind=ideal', '--set',
+                  'cloth.layer_distance=0', '--set', 'solver.substeps=10'])
+PAIR = r'1 pair of triangles crosses, the first: triangle 0 \(vertices 0, 1, 2\) and triangle 1 \(vertices 3, 4, 5\) at \[.*\] m'
+
+
+def ends_where_a_frame_crosses():
+    model, keys = FALLS_THROUGH
+    (folder / 'falls.obj').write_text(model)
+    run('simulate', 'falls.obj', *keys, '--frames', ':9', '--export', 'fall/{frame}.obj')
+    heights = {i: float((folder / ('fall/%d.obj' % i)).read_text().splitlines()[3].split()[2]) for i in range(10)}
+    first = min(i for i in heights if heights[i] <= 0)
+    said = r'^taut: error: frame %d, 0\.\d+ s: %s$' % (first, PAIR)
+    for command in (['simulate', '--export'], ['render', '--resolution', '64,64', '--output']):
+        ending = '{frame}.obj' if command[0] == 'simulate' else '{frame}.png'
+        done = subprocess.run([program, command[0], 'falls.obj', *keys, '--frames', ':9', '--verify', '--stats',
+                               'falls.csv', *command[1:], command[0] + '/' + ending],
+                              cwd=folder, capture_output=True, text=True)
+        expect(done.returncode == 3 and re.search(said, done.stderr, re.M), '%s: %d %s' % (command, done.returncode, done.stderr))
+        written = sorted(int(file.stem) for file in (folder / command[0]).iterdir())
+        expect(written == list(range(first)), '%s wrote the frames %s, of which %d crosses' % (command, written, first))
+        with open(folder / 'falls.csv', newline='') as file:
+            counts = [row['crossing_pairs'] for row in csv.DictReader(file)]
+        expect(counts == ['0'] * first + ['1'], 'counts in the table: %s' % counts)
+    said = run('simulate', 'falls.obj', *keys, '--frames', ':%d' % (first - 1), '--verify').stdout
+    expect('verified %d frames: 0 crossing pairs, largest stretch 0.0000 %%' % first in said, 'no summary:\n' + said)
+    expect('crossing_pairs' not in run('simulate', 'falls.obj', *keys, '--frames', ':1', '--json').stdout,
+           'counted although nobody asked')
+
+
+def names_what_crosses_at_the_start():
+    model, keys = FALLS_THROUGH
+    (folder / 'crosses.obj').write_text(model.replace('.05', '-.05'))
+    said = r'^crosses.obj: at the start %s$' % PAIR
+    for command in (['simulate'], ['render', '--resolution', '64,64', '--output', 'crosses.png']):
+        done = run(command[0], 'crosses.obj', *keys, '--frames', '1', *command[1:])
+        expect(re.search(said, done.stdout, re.M), '%s: %s' % (command, done.stdout))
+    expect(re.search('^at the start ' + PAIR, run('view', '--headless', 'crosses.obj', *keys).stdout, re.M), 'not in the window')
+    expect(re.search('^crossings   ' + PAIR, run('inspect', 'crosses.obj', *keys).stdout, re.M), 'not inspected')
+    found = json.loads(run('inspect', 'crosses.obj', *keys, '--json').stdout)['crossings']
+    expect(found['pairs'] == 1 and found['first']['triangles'] == [0, 1], 'as JSON: %s' % found)
+    expect(abs(found['first']['place_m'][1]) < 1e-9, 'the place is not on the lower triangle: %s' % found)
+    done = subprocess.run([program, 'simulate', 'crosses.obj', *keys, '--verify'], cwd=folder, capture_output=True, text=True)
+    expect(done.returncode == 3 and re.search('frame 0, 0.0000 s: ' + PAIR, done.stderr), 'the start is not verified: ' + done.stderr)
+    expect('frame ' not in done.stdout, 'it went on:\n' + done.stdout)
+
+
 def helps():
     overview = run('help').stdout
     expect(overview == run('--help').stdout and 'simulate' in overview, 'taut help is not taut --help')
@@ -154,7 +202,8 @@ def helps():
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 for check in (says_sleep_once, prints_as_it_goes, keeps_quiet, says_both_stretches, speaks_json, exports,
-              measures_processor_time, counts_what_resume_wrote, names_the_scene_of_a_missing_garment, helps):
+              measures_processor_time, ends_where_a_frame_crosses,
+              names_what_crosses_at_the_start, counts_what_resume_wrote, names_the_scene_of_a_missing_garment, helps):
     before = failures
     try:
         check()

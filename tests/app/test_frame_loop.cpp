@@ -31,6 +31,43 @@ TEST(FrameLoop, MeasuresEveryFrameFromOneOn) {
   EXPECT_GT(records.back().rms_speed_m_per_s, 0.0);
 }
 
+TEST(FrameLoop, EndsWithAFrameThatBreaksAPromise) {
+  for (const bool overlap : {false, true}) {
+    sim::Simulation simulation = small_cloth();
+    const std::vector<int> pictures = {2, 3, 4, 5, 6};
+    std::vector<int> checked, drawn, written, reported;
+    FrameOutputs outputs;
+    outputs.pictures = pictures;
+    outputs.overlap = overlap;
+    outputs.verify = [&](const sim::Simulation&, FrameRecord& record) {
+      checked.push_back(record.frame);
+      return record.frame == 4 ? "frame 4 is broken" : "";
+    };
+    outputs.draw_positions = [&](const auto&) { return renderer::Image{}; };
+    outputs.write_frame = [&](const FrameRecord& record, const auto&) { drawn.push_back(record.frame); };
+    outputs.write_shape = [&](int frame, const sim::Simulation&) { written.push_back(frame); };
+    outputs.report = [&](const FrameRecord& record) { reported.push_back(record.frame); };
+    EXPECT_EQ(test::message_of<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }),
+              "frame 4 is broken");
+    checked.resize(5);  // overlapped, it may have begun with later ones
+    EXPECT_EQ(checked, (std::vector<int>{0, 1, 2, 3, 4})) << "the start too";
+    EXPECT_EQ(reported, (std::vector<int>{1, 2, 3, 4}));
+    EXPECT_EQ(drawn, (std::vector<int>{2, 3}));
+    EXPECT_EQ(std::count(written.begin(), written.end(), 4), 0);
+  }
+}
+
+TEST(FrameLoop, VerifiesAStartThatIsNotHandedOut) {
+  sim::Simulation simulation = small_cloth();
+  FrameOutputs outputs;
+  outputs.verify = [](const sim::Simulation&, FrameRecord& record) {
+    return record.frame == 0 ? "the start is broken" : "";
+  };
+  outputs.report = [](const FrameRecord& record) { ADD_FAILURE() << record.frame; };
+  EXPECT_EQ(test::message_of<PromiseBroken>([&] { run_frames(simulation, 6, outputs); }),
+            "the start is broken");
+}
+
 TEST(FrameLoop, DrawsAndWritesTheFramesAskedFor) {
   sim::Simulation simulation = small_cloth();
   const std::vector<int> pictures = {0, 2, 3};

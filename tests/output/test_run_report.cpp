@@ -109,6 +109,24 @@ TEST(RunReport, IsATableWhereTheNameSaysCsv) {
   EXPECT_TRUE(cells_of().empty());
 }
 
+TEST(RunReport, CountsCrossingPairsWhereSomebodyHasCounted) {
+  const DrawnScene scene;
+  const RunDescription run = {scene, {}, 0, ""}, verified = {scene, {}, 0, "", true};
+  FrameRecord record;
+  EXPECT_FALSE(json::parse(statistics_line(json_lines, record)).contains("crossing_pairs"));
+  EXPECT_EQ(statistics_header(csv, run).find("crossing_pairs"), std::string::npos);
+  const std::string row = statistics_line(csv, record);
+  record.crossing_pairs = 7;
+  EXPECT_EQ(json::parse(statistics_line(json_lines, record))["crossing_pairs"], 7);
+  EXPECT_TRUE(statistics_header(csv, verified).ends_with(",crossing_pairs\n"));
+  EXPECT_EQ(statistics_line(csv, record), row.substr(0, row.size() - 1) + ",7\n");
+
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("run.csv", statistics_header(csv, run) + row);
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { StatisticsFile(file, verified, 0); }),
+                  "run.csv': found the columns frame,");
+}
+
 TEST(RunReport, RefusesAnEndingThatIsNeither) {
   EXPECT_CONTAINS(test::message_of<UsageError>([] { statistics_format("run.json"); }),
                   "--stats run.json: expected a file name that ends in .jsonl or .csv");

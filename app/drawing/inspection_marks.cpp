@@ -15,7 +15,7 @@ namespace {
 const renderer::Colour border_colour = renderer::rgb(0x1C1C1C);
 const renderer::Colour non_manifold_colour = renderer::rgb(0xD00000);
 const renderer::Colour misoriented_colour = renderer::rgb(0x7B2CBF);
-const renderer::Colour crossing_colour = renderer::rgb(0xE6007E);
+const renderer::Colour crossing_colour = renderer::rgb(0x00B140);
 const renderer::Colour joined_colour = renderer::rgb(0xFFD000);
 
 // Fraction of vertices. If more were welded, they are not marked: in a model without shared vertices all

@@ -200,9 +200,9 @@ std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners
   if (of_b.are_one()) {
     return std::nullopt;
   }
-  // In one plane nothing is on a side, and to find that out is dear.
-  const bool is_flat = of_b.are_none() && !is_without_area(a);
-  const Sides of_a = is_flat ? Sides{0, 0} : sides_of(b, a[1], a[2]);
+  // In one plane nothing is on a side, and to find that out is dear. Without area, `a` has none to be asked
+  // for.
+  const Sides of_a = of_b.are_none() ? Sides{0, 0} : sides_of(b, a[1], a[2]);
   if (of_a.are_one()) {
     return std::nullopt;
   }

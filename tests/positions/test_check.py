@@ -12,6 +12,7 @@ from functools import partial
 import check_bounds
 import check_positions
 from check_still_air import masses_kg, motion
+from crossings import crossing_pairs
 from measure import Cloth, Printed, Shape, complaints, grid, read_obj
 from program import Program, pdf_text
 from ways_out import exported, ways_out
@@ -25,6 +26,24 @@ def made_up(printed=STRETCH, bound=0.005, move_m=0.0):
     written = list(points)
     written[8] = (2.0 + STRETCH + move_m, 2.0, 0.0)
     return Shape("made up", Cloth(points, faces), written, faces, [Printed("beside it", printed)], bound)
+
+
+class Crossings(unittest.TestCase):
+    def test_of_two_triangles(self):
+        floor, tiny = [(0.0, 0.0, 0.0), (4.0, 0.0, 0.0), (0.0, 4.0, 0.0)], 5e-324
+        for crosses, face, *others in (
+                (True, [3, 4, 5], (1, 1, -1), (1, 1, 2), (3, 3, 2)), (True, [3, 4, 5], (1, 1, 0), (1, 1, 2), (3, 3, 2)),
+                (True, [3, 4, 5], (1, 1, -tiny), (1, 1, 2), (3, 3, 2)), (False, [3, 4, 5], (1, 1, tiny), (1, 1, 2), (3, 3, 2)),
+                (True, [3, 4, 5], (1, 1, 0), (2, 1, 0), (1, 2, 0)), (False, [3, 4, 5], (3, 3, 0), (4, 3, 0), (3, 4, 0)),
+                (True, [0, 3, 4], (1, 1, 0), (1, 1, 1)), (False, [0, 3, 4], (1, 1, tiny), (1, 1, 1)),
+                (False, [0, 3, 4], (-1, 1, 0), (-1, -1, 1)), (True, [1, 0, 3], (1, 1, 0)),
+                (False, [1, 0, 3], (1, 1, tiny)), (False, [1, 0, 3], (1, -1, 0))):
+            points = floor + [tuple(map(float, point)) for point in others]
+            self.assertEqual(crossing_pairs(points, [[0, 1, 2], face]), [(0, 1)] * crosses, (face, others))
+
+    def test_names_a_triangle_without_area(self):
+        with self.assertRaisesRegex(ValueError, "triangle 1 has no area"):
+            crossing_pairs([(0.0, 0.0, 0.0), (4.0, 0.0, 0.0), (0.0, 4.0, 0.0), (8.0, 0.0, 0.0)], [[0, 1, 2], [0, 1, 3]])
 
 
 class Complaints(unittest.TestCase):

@@ -10,7 +10,7 @@ namespace {
 using sim::Vec2;
 using sim::Vec3;
 
-// Of whole coordinates up to 2^26, whose determinants need some 80 bits.
+// Of whole coordinates up to 2^42, whose products of three need some 80 bits.
 __extension__ using Wide = __int128;
 
 int sign_of(Wide value) {
@@ -34,7 +34,7 @@ int exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 struct NearlyFlat {
   std::mt19937 random{7};  // NOLINT: the same points in every run
-  std::uniform_int_distribution<int> coordinate{-(1 << 12), 1 << 12}, factor{-(1 << 13), 1 << 13}, off{-1, 1};
+  std::uniform_int_distribution<int> coordinate{-(1 << 20), 1 << 20}, factor{-(1 << 20), 1 << 20}, off{-1, 1};
 
   Vec3 point() { return {coordinate(random), coordinate(random), coordinate(random)}; }
 };
@@ -50,8 +50,10 @@ TEST(Orientation, IsThatOfWholeNumbersWhereDoublesAreInDoubt) {
     const int expected = exact(a, b, c, d);
     ASSERT_EQ(orientation(a, b, c, d), expected);
     ASSERT_EQ(orientation(b, a, c, d), -expected);
-    // Too small for products of three, and no nearer to a decision.
-    ASSERT_EQ(orientation(0x1p-400 * a, 0x1p-400 * b, 0x1p-400 * c, 0x1p-400 * d), expected);
+    // Products of three lose some of their digits, or all.
+    for (const double scale : {0x1p-374, 0x1p-500}) {
+      ASSERT_EQ(orientation(scale * a, scale * b, scale * c, scale * d), expected);
+    }
     ++(expected == 0 ? in_plane : beside);
   }
   EXPECT_GT(in_plane, 100);
@@ -65,7 +67,7 @@ TEST(Orientation, IsThatOfWholeNumbersInThePlane) {
     const double s = of.factor(of.random);
     const Vec3 q = p + u, r = p + s * u + Vec3(of.off(of.random), of.off(of.random), 0.0);
     const int expected = exact(Vec3(q.x, q.y, 0), Vec3(r.x, r.y, 0), Vec3(p.x, p.y, 1), Vec3(p.x, p.y, 0));
-    for (const double scale : {1.0, 0x1p-26, 0x1p-600}) {
+    for (const double scale : {1.0, 0x1p-556, 0x1p-600}) {
       const Vec2 a(scale * q.x, scale * q.y), b(scale * r.x, scale * r.y), c(scale * p.x, scale * p.y);
       ASSERT_EQ(orientation(a, b, c), expected);
     }

@@ -118,6 +118,7 @@ TEST(TriangleCrossing, OfTrianglesThatShareAnEdge) {
 TEST(TriangleCrossing, IsAtAPlaceThatBothHave) {
   const Corners floor = {o, x, y};
   EXPECT_EQ(crossing_place(floor, {Vec3(1, 1, -1), Vec3(1, 1, 3), Vec3(1.5, 1.5, 1)}), Vec3(1, 1, 0));
+  EXPECT_EQ(crossing_place(floor, {Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(1.5, -3, 0)}), Vec3(1, 0, 0));
   EXPECT_EQ(crossing_place(floor, {Vec3(2, -1, -1), Vec3(2, 1, 1), Vec3(2, -3, 3)}), Vec3(2, 0, 0));
   EXPECT_EQ(crossing_place(floor, {Vec3(1, 0, 0), Vec3(9, 0, 0), Vec3(5, -1, 0)}), Vec3(2.5, 0, 0));
   EXPECT_EQ(crossing_place_beside_vertex(floor, {o, Vec3(1, 1, 1), Vec3(1, 1, -1)}), Vec3(1, 1, 0));

@@ -6,7 +6,7 @@
 
 namespace taut::renderer {
 
-/// A triangle mesh that owns its arrays, for colliders and pins. n = number of vertices = positions.size().
+/// A triangle mesh that owns its arrays, for bodies and pins. n = number of vertices = positions.size().
 struct TriangleMesh {
   std::vector<glm::vec3> positions;      ///< n, metres
   std::vector<glm::vec3> normals;        ///< n, of unit length, pointing outside

@@ -12,8 +12,8 @@ struct Material {
   /// Used by `bounded` only: the stiffness of springs that are shorter than their rest length. A lower value
   /// lets the cloth crumple sooner. For its upper limit see FrameReport::followed_compression_n_per_m.
   double compression_stiffness_n_per_m = 30.0;
-  double thickness_m = 0.001;  ///< the distance kept between cloth and colliders
-  /// Coulomb's coefficient for colliders that have none of their own.
+  double thickness_m = 0.001;  ///< the distance kept between cloth and bodies
+  /// Coulomb's coefficient for bodies that have none of their own.
   double friction = 0.3;
 
   bool operator==(const Material&) const = default;

@@ -184,7 +184,7 @@ void Simulation::wake() {
 
 void Simulation::fall_asleep_at_rest() {
   const RestSettings& rest = settings_.rest;
-  if (!is_steady(surroundings_)) {
+  if (!is_steady(surroundings_, state_.time_s)) {
     state_.quiet_frames = 0;
     return;
   }

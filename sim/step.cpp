@@ -41,9 +41,11 @@ void constrain(const Garment& garment, const Pins& pins, const SpringResponse& s
   springs.compensate(garment, pins, state);
 }
 
-void push_out(const Material& cloth, const Pins& pins, const Surroundings& surroundings, State& state) {
-  push_out_of_colliders(surroundings.colliders, {cloth.thickness_m, cloth.friction},
-                        pins.inverse_masses_per_kg, state.current, state.predicted);
+void push_out(const Material& cloth, const Pins& pins, const Surroundings& surroundings, double time_step_s,
+              State& state) {
+  push_out_of_bodies(surroundings.bodies, {cloth.thickness_m, cloth.friction},
+                     {state.time_s, state.time_s + time_step_s}, pins.inverse_masses_per_kg, state.current,
+                     state.predicted);
 }
 
 void end_step(double time_step_s, State& state) {
@@ -68,7 +70,7 @@ void step(const Garment& garment, const Pins& pins, const Surroundings& surround
 
   // Step 3: compensate the predicted positions, eqs. (2)-(3), and eliminate the forces.
   constrain(garment, pins, springs, state);
-  push_out(garment.material, pins, surroundings, state);
+  push_out(garment.material, pins, surroundings, time_step_s, state);
   std::fill(forces_n.begin(), forces_n.end(), Vec3(0.0));
 
   end_step(time_step_s, state);

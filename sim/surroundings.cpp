@@ -1,5 +1,6 @@
 #include "sim/surroundings.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -40,10 +41,12 @@ void require_possible(const Surroundings& surroundings, std::size_t vertex_count
   }
 }
 
-bool is_steady(const Surroundings& s) {
+bool is_steady(const Surroundings& s, double time_s) {
   const Wind& wind = s.forces.wind;
   const bool gusts = wind.speed_m_per_s != 0.0 && (wind.gust_amplitude != 0.0 || wind.gust_turn != 0.0);
-  return !gusts && s.pin_motion.amplitude_m == Vec3(0.0);
+  const auto moves = [&](const auto& what) { return is_moving_after(what, time_s); };
+  return !gusts && s.pin_motion.amplitude_m == Vec3(0.0) &&
+         std::none_of(s.bodies.begin(), s.bodies.end(), moves);
 }
 
 }  // namespace taut::sim

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/contact/colliders.hpp"
+#include "sim/contact/bodies.hpp"
 #include "sim/forces.hpp"
 
 namespace taut::sim {
@@ -24,7 +24,7 @@ Vec3 pin_displacement(const PinMotion& motion, double from_s, double to_s);
 /// Everything that acts on the cloth from outside.
 struct Surroundings {
   ExternalForces forces;
-  std::vector<Collider> colliders;
+  std::vector<Body> bodies;
   /// The distance kept between vertices of different layers of the cloth, in metres. At 0 the layers pass
   /// through each other. About the mean edge length of the mesh is a good value: at less, layers pass through
   /// each other in places; at more, folds get stiffer.
@@ -39,7 +39,7 @@ struct Surroundings {
 /// below 0.
 void require_possible(const Surroundings& surroundings, std::size_t vertex_count);
 
-/// Returns whether nothing outside changes with time, so that the cloth can come to rest.
-bool is_steady(const Surroundings& surroundings);
+/// Returns whether nothing outside changes after this time, so that the cloth can come to rest.
+bool is_steady(const Surroundings& surroundings, double time_s);
 
 }  // namespace taut::sim

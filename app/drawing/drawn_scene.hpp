@@ -32,7 +32,7 @@ enum class StretchOf {
 
 /// Where the floor of a picture is.
 enum class GroundKind {
-  automatic,  ///< on a level plane collider if there is one, else a little below all that is shown
+  automatic,  ///< on a level plane if there is one, else a little below all that is shown
   none,       ///< no floor
   fixed,      ///< at Ground::height_m
 };

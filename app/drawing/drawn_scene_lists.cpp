@@ -107,7 +107,7 @@ Key<DrawnScene> ground_key() {
   return {"picture.ground",
           "m",
           "\"auto\", \"none\" or a number",
-          "height of the floor; auto: on a level plane collider, or else below all there is",
+          "height of the floor; auto: on a level plane, or else below all there is",
           read_ground,
           write_ground};
 }

@@ -37,8 +37,8 @@ double distance_to_nearest_pin(const sim::Garment& garment, std::span<const sim:
 }
 
 std::optional<float> level_plane(const DrawnScene& scene) {
-  for (const sim::Collider& collider : scene.surroundings.colliders) {
-    const auto* plane = std::get_if<sim::Plane>(&collider.shape);
+  for (const sim::Body& body : scene.surroundings.bodies) {
+    const auto* plane = std::get_if<sim::Plane>(&body.shape);
     if (plane != nullptr && plane->normal.y > 0.999) {
       return static_cast<float>(plane->point_m.y);
     }
@@ -48,6 +48,9 @@ std::optional<float> level_plane(const DrawnScene& scene) {
 
 struct ShapeBox {
   std::optional<renderer::Box> operator()(const sim::Plane&) const { return std::nullopt; }
+  std::optional<renderer::Box> operator()(const sim::BodyMesh& mesh) const {
+    return renderer::bounding_box(app::to_float(mesh.data->positions_m));
+  }
   std::optional<renderer::Box> operator()(const sim::Sphere& ball) const {
     const glm::vec3 centre(ball.centre_m);
     const glm::vec3 half(static_cast<float>(ball.radius_m));
@@ -77,8 +80,8 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
     const double distance_m = distance_to_nearest_pin(garment, pins, position, pin);
     reach.lower.y = std::min(reach.lower.y, static_cast<float>(pin.y - distance_m));
   }
-  for (const sim::Collider& collider : scene.surroundings.colliders) {
-    if (const auto box = std::visit(ShapeBox{}, collider.shape)) {
+  for (const sim::Body& body : scene.surroundings.bodies) {
+    if (const auto box = std::visit(ShapeBox{}, body.shape)) {
       reach = renderer::united(reach, *box);
     }
   }

@@ -14,7 +14,7 @@ namespace taut::app {
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points);
 
 /// The box in metres that the garment is expected to stay in. It holds the shape as modelled, each vertex
-/// hanging straight below its nearest pin, and colliders that are near. It depends only on the scene, so all
+/// hanging straight below its nearest pin, and bodies that are near. It depends only on the scene, so all
 /// frames have the same camera.
 renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment,
                              std::span<const sim::Index> pins);

@@ -71,6 +71,13 @@ struct ObstacleMaker {
   std::vector<renderer::TriangleMesh>& meshes;
 
   void operator()(const sim::Plane&) const {}
+  void operator()(const sim::BodyMesh& mesh) const {
+    renderer::TriangleMesh& drawn = meshes.emplace_back();
+    drawn.positions = to_float(mesh.data->positions_m);
+    drawn.triangles = flat(mesh.data->triangles);
+    drawn.normals.resize(drawn.positions.size());
+    renderer::vertex_normals(drawn.positions, drawn.triangles, drawn.normals);
+  }
   void operator()(const sim::Sphere& ball) const {
     meshes.push_back(renderer::make_sphere(glm::vec3(ball.centre_m), static_cast<float>(ball.radius_m)));
   }
@@ -114,8 +121,8 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
 }
 
 void GarmentPainter::make_fixed_parts(const DrawnScene& scene, const sim::Garment& garment) {
-  for (const sim::Collider& collider : scene.surroundings.colliders) {
-    std::visit(ObstacleMaker{obstacles_}, collider.shape);
+  for (const sim::Body& body : scene.surroundings.bodies) {
+    std::visit(ObstacleMaker{obstacles_}, body.shape);
   }
   for (const renderer::TriangleMesh& obstacle : obstacles_) {
     renderer::SurfaceView surface;

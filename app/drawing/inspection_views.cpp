@@ -84,7 +84,7 @@ DrawnScene scene_of_side(const DrawnScene& asked, int height_px) {
   scene.picture.cloth.weave = 0.0F;
   scene.picture.cloth.sheen = 0.0F;
   scene.picture.cloth.translucency = 0.0F;
-  scene.surroundings.colliders.clear();
+  scene.surroundings.bodies.clear();
   return scene;
 }
 

@@ -112,7 +112,7 @@ std::string describe_key(const Key<T>& key, const T& defaults) {
          '\n';
 }
 
-/// The keys of [[forces]] and [[colliders]], as describe_key() writes them.
+/// The keys of [[forces]] and [[bodies]], as describe_key() writes them.
 std::string list_entries_help();
 
 }  // namespace taut::app

@@ -6,7 +6,7 @@
 #include "app/scene/scene_format.hpp"
 #include "app/scene/scene_lists.hpp"
 
-// `access` of a key of a collider that has the shape.
+// `access` of a key of a body that has the shape.
 #define MEMBER_OF(Shape, member)                 \
   [](auto& c) -> auto& {                         \
     return std::get<sim::Shape>(c.shape).member; \
@@ -153,11 +153,11 @@ void add_forces(SceneKeys& keys) {
                         MEMBER(surroundings.forces.wind.friction_coefficient),
                         "force coefficient of air that strokes along cloth"));
   keys.push_back(forces_key());
-  keys.push_back(colliders_key());
+  keys.push_back(bodies_key());
   keys.push_back(number("cloth.thickness", "m", not_negative, MEMBER(material.thickness_m),
-                        "kept between cloth and colliders"));
+                        "kept between cloth and bodies"));
   keys.push_back(number("cloth.friction", "", friction, MEMBER(material.friction),
-                        "Coulomb's coefficient, of colliders that have none of their own"));
+                        "Coulomb's coefficient, of bodies that have none of their own"));
   keys.push_back(number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m),
                         "bounded: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 5e-5"));
   keys.push_back(number("cloth.compression_stiffness", "N/m", not_negative,
@@ -166,15 +166,13 @@ void add_forces(SceneKeys& keys) {
   keys.push_back(layer_distance_key());
 }
 
-// Of a collider 0 is a friction as good as any other.
-Key<sim::Collider> friction_key() {
-  auto read = [](const toml::node& value, const Source&, sim::Collider& collider) {
-    collider.friction = finite_number(value);
-    return collider.friction && friction.contains(*collider.friction);
+// Of a body 0 is a friction as good as any other.
+Key<sim::Body> friction_key() {
+  auto read = [](const toml::node& value, const Source&, sim::Body& body) {
+    body.friction = finite_number(value);
+    return body.friction && friction.contains(*body.friction);
   };
-  auto write = [](const sim::Collider& collider) {
-    return collider.friction ? Json(*collider.friction) : Json();
-  };
+  auto write = [](const sim::Body& body) { return body.friction ? Json(*body.friction) : Json(); };
   return {"friction", "",   describe("a number", friction), "Coulomb's coefficient; not set: cloth.friction",
           read,       write};
 }
@@ -207,18 +205,18 @@ std::string list_entries_help() {
   for (const sim::Shape& shape :
        {sim::Shape(sim::Plane{}), sim::Shape(sim::Sphere{}), sim::Shape(sim::Capsule{})}) {
     constexpr std::array names = {"plane", "sphere", "capsule"};
-    text += std::string("\nEach [[colliders]] with shape = \"") + names[shape.index()] + "\":\n";
-    for (const auto& key : collider_keys(names[shape.index()])) {
+    text += std::string("\nEach [[bodies]] with shape = \"") + names[shape.index()] + "\":\n";
+    for (const auto& key : body_keys(names[shape.index()])) {
       if (key.name != "shape") {
-        text += describe_key(key, sim::Collider{.shape = shape});
+        text += describe_key(key, sim::Body{.shape = shape});
       }
     }
   }
   return text;
 }
 
-std::vector<Key<sim::Collider>> collider_keys(const std::string& shape) {
-  using C = sim::Collider;
+std::vector<Key<sim::Body>> body_keys(const std::string& shape) {
+  using C = sim::Body;
   std::vector<Key<C>> keys = {
       {"shape", "", "\"plane\" or \"sphere\" or \"capsule\"", "",
        [](const toml::node&, const Source&, C&) { return true; }, [shape](const C&) { return Json(shape); }},

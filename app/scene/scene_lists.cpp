@@ -103,32 +103,32 @@ const char* shape_name(const sim::Shape& shape) {
   return names[shape.index()];
 }
 
-std::optional<sim::Collider> collider_of_shape(const std::string& name) {
+std::optional<sim::Body> body_of_shape(const std::string& name) {
   for (const sim::Shape& shape :
        {sim::Shape(sim::Plane{}), sim::Shape(sim::Sphere{}), sim::Shape(sim::Capsule{})}) {
     if (name == shape_name(shape)) {
-      return sim::Collider{.shape = shape};
+      return sim::Body{.shape = shape};
     }
   }
   return std::nullopt;
 }
 
-sim::Collider read_collider(const toml::table& entry, const Source& source) {
+sim::Body read_body(const toml::table& entry, const Source& source) {
   const std::string expected = "expected a shape, \"plane\" or \"sphere\" or \"capsule\"";
   const toml::node* shape = entry.get("shape");
   if (shape == nullptr) {
-    fail(source, line_of(entry), "an entry of colliders has no shape; " + expected);
+    fail(source, line_of(entry), "an entry of bodies has no shape; " + expected);
   }
-  auto collider = collider_of_shape(text_in(*shape).value_or(""));
-  if (!collider) {
-    fail(source, line_of(*shape), "colliders.shape: found " + to_text(*shape) + ", " + expected);
+  auto body = body_of_shape(text_in(*shape).value_or(""));
+  if (!body) {
+    fail(source, line_of(*shape), "bodies.shape: found " + to_text(*shape) + ", " + expected);
   }
-  const auto keys = collider_keys(shape_name(collider->shape));
-  KeyReader(keys, source, *collider).read(entry);
-  if (auto* plane = std::get_if<sim::Plane>(&collider->shape)) {
+  const auto keys = body_keys(shape_name(body->shape));
+  KeyReader(keys, source, *body).read(entry);
+  if (auto* plane = std::get_if<sim::Plane>(&body->shape)) {
     plane->normal = glm::normalize(plane->normal);
   }
-  return *collider;
+  return *body;
 }
 
 bool is_list_of_tables(const toml::node& value) {
@@ -136,21 +136,21 @@ bool is_list_of_tables(const toml::node& value) {
   return list != nullptr && (list->empty() || list->is_homogeneous<toml::table>());
 }
 
-bool read_colliders(const toml::node& value, const Source& source, Scene& scene) {
+bool read_bodies(const toml::node& value, const Source& source, Scene& scene) {
   if (!is_list_of_tables(value)) {
     return false;
   }
-  scene.surroundings.colliders.clear();
+  scene.surroundings.bodies.clear();
   for (const toml::node& item : *value.as_array()) {
-    scene.surroundings.colliders.push_back(read_collider(*item.as_table(), source));
+    scene.surroundings.bodies.push_back(read_body(*item.as_table(), source));
   }
   return true;
 }
 
-Json write_colliders(const Scene& scene) {
+Json write_bodies(const Scene& scene) {
   Json list = Json::array();
-  for (const sim::Collider& collider : scene.surroundings.colliders) {
-    list.push_back(write_entry(collider_keys(shape_name(collider.shape)), collider));
+  for (const sim::Body& body : scene.surroundings.bodies) {
+    list.push_back(write_entry(body_keys(shape_name(body.shape)), body));
   }
   return list;
 }
@@ -263,9 +263,8 @@ Key<Scene> forces_key() {
   return {"forces", "", "a list of tables [[forces]]", "pulls on single vertices", read_forces, write_forces};
 }
 
-Key<Scene> colliders_key() {
-  return {"colliders",    "", "a list of tables [[colliders]]", "what cloth cannot enter", read_colliders,
-          write_colliders};
+Key<Scene> bodies_key() {
+  return {"bodies", "", "a list of tables [[bodies]]", "what cloth cannot enter", read_bodies, write_bodies};
 }
 
 Key<Scene> layer_distance_key() {

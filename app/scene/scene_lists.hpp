@@ -13,7 +13,7 @@ Key<Scene> checkpoint_key();
 Key<Scene> up_key();
 Key<Scene> pins_key();
 Key<Scene> forces_key();
-Key<Scene> colliders_key();
+Key<Scene> bodies_key();
 Key<Scene> layer_distance_key();
 
 }  // namespace taut::app

@@ -29,6 +29,11 @@ double sine_of_turns(double turns) {
   return x * sum;
 }
 
+// The part of a turn is taken first: a quarter added to many turns would round them off.
+double cosine_of_turns(double turns) {
+  return sine_of_turns(0.25 - std::abs(turns - std::floor(turns + 0.5)));
+}
+
 double exponential(double x) {
   const double doublings = std::floor(x * per_ln2 + 0.5);
   const double part = (x - doublings * ln2_high) - doublings * ln2_low;

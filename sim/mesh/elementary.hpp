@@ -7,6 +7,8 @@ namespace taut::sim {
 
 /// sin(2 pi `turns`) with an error of at most 4e-16.
 double sine_of_turns(double turns);
+/// cos(2 pi `turns`) with the same error.
+double cosine_of_turns(double turns);
 
 /// e^x with a relative error of at most 1e-15. Requires |x| < 700.
 double exponential(double x);

@@ -29,7 +29,8 @@ TEST(Framing, ExpectsClothToHangBelowItsPins) {
 
 TEST(Framing, SeesWhatClothFallsOnto) {
   DrawnScene scene = horizontal_cloth();
-  scene.surroundings.colliders = {{sim::Sphere{sim::Vec3(0, -2, 0), 0.5}}, {sim::Plane{sim::Vec3(0, -3, 0)}}};
+  scene.surroundings.bodies = {{.shape = sim::Sphere{sim::Vec3(0, -2, 0), 0.5}},
+                               {.shape = sim::Plane{sim::Vec3(0, -3, 0)}}};
   const renderer::Box reach = reach_of(scene, {});
   EXPECT_EQ(reach.lower.y, -3.0F);
   EXPECT_EQ(*ground_height(scene, reach), -3.0F);

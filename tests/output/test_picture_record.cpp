@@ -71,15 +71,15 @@ stretch_range = [0.01, 0.33]
 [[forces]]
 vertex = 3
 force = [0.1, 0.2, 0.3]
-[[colliders]]
+[[bodies]]
 shape = "sphere"
 radius = 0.7
-[[colliders]]
+[[bodies]]
 shape = "capsule"
 start_radius = 0.1
 end_radius = 0.2
 end = [0, 1, 0]
-[[colliders]]
+[[bodies]]
 shape = "plane"
 )";
 
@@ -93,7 +93,7 @@ TEST(PictureRecord, EveryKindOfValueReadsBackBitForBit) {
   EXPECT_EQ(again.title, scene.title);
   EXPECT_EQ(again.simulation.solver.strong.rigidity.compression, 0.30000000000000004);
   EXPECT_EQ(*again.camera.eye, *scene.camera.eye);
-  EXPECT_EQ(again.surroundings.colliders.size(), 3U);
+  EXPECT_EQ(again.surroundings.bodies.size(), 3U);
   // The text is a scene file by itself.
   EXPECT_EQ(scene_text(read_scene_file(folder.write("again.toml", text))), text);
 }

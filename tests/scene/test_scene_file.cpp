@@ -45,11 +45,11 @@ friction = 0.7
 [[forces]]
 vertex = 3
 force = [0, 1, 0]
-[[colliders]]
+[[bodies]]
 shape = "sphere"
 centre = [0, -1, 0]
 radius = 0.25
-[[colliders]]
+[[bodies]]
 shape = "plane"
 normal = [0, 2, 0]
 friction = 0.5
@@ -76,12 +76,12 @@ shadows = false
   EXPECT_EQ(scene.simulation.solver.substeps, 7);
   EXPECT_EQ(scene.surroundings.forces.artificial_forces,
             (std::vector<sim::PointForce>{{3, sim::Vec3(0, 1, 0)}}));
-  const auto& colliders = scene.surroundings.colliders;
-  ASSERT_EQ(colliders.size(), 2U);
-  EXPECT_EQ(std::get<sim::Sphere>(colliders[0].shape), (sim::Sphere{sim::Vec3(0, -1, 0), 0.25}));
-  EXPECT_EQ(std::get<sim::Plane>(colliders[1].shape).normal, sim::Vec3(0, 1, 0));
-  EXPECT_EQ(colliders[0].friction, std::nullopt) << "the cloth's";
-  EXPECT_EQ(colliders[1].friction, 0.5);
+  const auto& bodies = scene.surroundings.bodies;
+  ASSERT_EQ(bodies.size(), 2U);
+  EXPECT_EQ(std::get<sim::Sphere>(bodies[0].shape), (sim::Sphere{sim::Vec3(0, -1, 0), 0.25}));
+  EXPECT_EQ(std::get<sim::Plane>(bodies[1].shape).normal, sim::Vec3(0, 1, 0));
+  EXPECT_EQ(bodies[0].friction, std::nullopt) << "the cloth's";
+  EXPECT_EQ(bodies[1].friction, 0.5);
   EXPECT_EQ(scene.material.friction, 0.7);
   EXPECT_EQ(scene.camera.box->upper, glm::vec3(1, 2, 3));
   EXPECT_EQ(scene.picture.ground.kind, GroundKind::fixed);
@@ -218,9 +218,9 @@ TEST(SceneFile, ListsTheChoices) {
                   "found \"stronk\", expected \"ideal\" or ");
 }
 
-TEST(SceneFile, ChecksCollidersByTheirShape) {
+TEST(SceneFile, ChecksBodiesByTheirShape) {
   const TemporaryFolder folder;
-  const std::string start = std::string(grid) + "[[colliders]]\n";
+  const std::string start = std::string(grid) + "[[bodies]]\n";
   EXPECT_CONTAINS(file_error(folder, start + "radius = 1\n"), "has no shape");
   EXPECT_CONTAINS(file_error(folder, start + "shape = \"cube\"\n"), "found \"cube\"");
   EXPECT_CONTAINS(file_error(folder, start + "shape = \"plane\"\nradius = 1\n"), ":6: unknown key 'radius'");

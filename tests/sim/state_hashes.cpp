@@ -33,9 +33,9 @@ Surroundings storm_over_obstacles() {
   surroundings.forces.wind.gust_amplitude = 0.5;
   surroundings.forces.wind.gust_turn = 0.2;
   surroundings.forces.artificial_forces = {{100, {0.0, 0.1, 0.2}}};
-  surroundings.colliders = {{Plane{}, 0.4},
-                            {Sphere{{0.1, 0.5, -0.3}, 0.25}, 0.2},
-                            {Capsule{{-0.5, 0.3, -0.4}, {0.5, 0.4, -0.4}, 0.1, 0.05}, 0.3}};
+  surroundings.bodies = {{.shape = Plane{}, .friction = 0.4},
+                         {.shape = Sphere{{0.1, 0.5, -0.3}, 0.25}, .friction = 0.2},
+                         {.shape = Capsule{{-0.5, 0.3, -0.4}, {0.5, 0.4, -0.4}, 0.1, 0.05}, .friction = 0.3}};
   surroundings.layer_distance_m = 0.03;
   surroundings.pin_motion = {{0.05, 0.0, 0.02}, 1.5};
   return surroundings;

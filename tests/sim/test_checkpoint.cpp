@@ -20,7 +20,8 @@ Surroundings storm() {
   surroundings.forces.wind.gust_turn = 0.2;
   surroundings.forces.artificial_forces = {{40, {0.0, 0.01, 0.02}}};
   surroundings.forces.held_vertices = {{140, {0.3, -0.3, 1.0}, 20.0, 12.0}};
-  surroundings.colliders = {{Plane{{0.0, -0.2, 0.0}}, 0.4}, {Sphere{{0.1, 0.3, -0.3}, 0.25}, 0.2}};
+  surroundings.bodies = {{.shape = Plane{{0.0, -0.2, 0.0}}, .friction = 0.4},
+                         {.shape = Sphere{{0.1, 0.3, -0.3}, 0.25}, .friction = 0.2}};
   surroundings.layer_distance_m = 0.12;
   surroundings.pin_motion = {{0.15, 0.0, 0.1}, 4.0};
   return surroundings;
@@ -129,7 +130,7 @@ TEST_P(GoingOn, FromAnyFrameGivesTheSameBits) {
       expect_same(saved[f], frame, shown);
     }
   }
-  EXPECT_EQ(before_fell_asleep, is_steady(GetParam().surroundings));
+  EXPECT_EQ(before_fell_asleep, is_steady(GetParam().surroundings, 0.0));
 }
 
 const Case cases[] = {{"in a storm", cloth_on_a_line, SolverKind::ideal, storm(), 90, 9},

@@ -19,6 +19,16 @@ TEST(Elementary, TheSineOfTurnsAgreesWithTheLibrary) {
   EXPECT_EQ(sine_of_turns(123456.0), 0.0);
 }
 
+TEST(Elementary, TheCosineOfTurnsAgreesWithTheLibrary) {
+  for (int k = -4000; k <= 4000; ++k) {
+    const double turns = k / 797.0;
+    EXPECT_NEAR(cosine_of_turns(turns), std::cos(2.0 * std::numbers::pi * turns), 4e-15) << turns;
+  }
+  EXPECT_EQ(cosine_of_turns(1e9 + 0.25), 0.0);
+  EXPECT_DOUBLE_EQ(cosine_of_turns(1e9), 1.0);
+  EXPECT_DOUBLE_EQ(cosine_of_turns(-0.5), -1.0);
+}
+
 TEST(Elementary, TheExponentialAgreesWithTheLibrary) {
   for (int k = -4000; k <= 4000; ++k) {
     const double x = k / 11.0;

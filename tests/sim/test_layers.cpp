@@ -122,7 +122,7 @@ Simulation falling_sheet(double layer_distance_m) {
   }
   sheets.quads.clear();
   Surroundings surroundings;
-  surroundings.colliders = {{Plane{}, 0.5}};
+  surroundings.bodies = {{.shape = Plane{}, .friction = 0.5}};
   surroundings.layer_distance_m = layer_distance_m;
   return {share(make_garment(sheets)), {}, {}, surroundings};
 }

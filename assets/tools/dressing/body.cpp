@@ -25,12 +25,12 @@ constexpr TrunkSection trunk[] = {
     {0.80, 0.125, 0.080, 0.105},
 };
 
-void add(std::vector<sim::Collider>& body, const Vec3& start_m, const Vec3& end_m, double start_radius_m,
+void add(std::vector<sim::Body>& body, const Vec3& start_m, const Vec3& end_m, double start_radius_m,
          double end_radius_m) {
-  body.push_back({Capsule{start_m, end_m, start_radius_m, end_radius_m}, friction});
+  body.push_back({.shape = Capsule{start_m, end_m, start_radius_m, end_radius_m}, .friction = friction});
 }
 
-void add_trunk(std::vector<sim::Collider>& body, double neck_point_height_m) {
+void add_trunk(std::vector<sim::Body>& body, double neck_point_height_m) {
   for (std::size_t i = 1; i < std::size(trunk); ++i) {
     const TrunkSection& top = trunk[i - 1];
     const TrunkSection& bottom = trunk[i];
@@ -44,7 +44,7 @@ void add_trunk(std::vector<sim::Collider>& body, double neck_point_height_m) {
   }
 }
 
-void add_shoulder_and_arm(std::vector<sim::Collider>& body, const Stance& stance, double side) {
+void add_shoulder_and_arm(std::vector<sim::Body>& body, const Stance& stance, double side) {
   const double neck_y = stance.neck_point_height_m;
   const Vec3 by_neck = {side * 0.075, neck_y - 0.055, 0.0};
   const Vec3 joint = {side * 0.180, neck_y - 0.085, 0.0};
@@ -55,8 +55,8 @@ void add_shoulder_and_arm(std::vector<sim::Collider>& body, const Stance& stance
 
 }  // namespace
 
-std::vector<sim::Collider> body_colliders(const Stance& stance) {
-  std::vector<sim::Collider> body;
+std::vector<sim::Body> body_parts(const Stance& stance) {
+  std::vector<sim::Body> body;
   add_trunk(body, stance.neck_point_height_m);
   add_shoulder_and_arm(body, stance, 1.0);
   add_shoulder_and_arm(body, stance, -1.0);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/contact/colliders.hpp"
+#include "sim/contact/bodies.hpp"
 
 namespace taut::tailor {
 
@@ -22,6 +22,6 @@ struct Stance {
 /// shoulders are thinner (upper arm 0.31 m around, measured 0.37), so that a loose shirt is not stretched.
 /// Chest and waist are fuller (1.10 and 1.01 m, measured 1.05 and 0.85), because loose cloth would stand off
 /// in a ridge without gravity.
-std::vector<sim::Collider> body_colliders(const Stance& stance);
+std::vector<sim::Body> body_parts(const Stance& stance);
 
 }  // namespace taut::tailor

@@ -25,7 +25,7 @@ sim::Surroundings surroundings_for(const FitPhase& phase, const Stance& stance) 
   surroundings.forces.air_drag_per_s = phase.air_drag_per_s;
   // Air on the cloth's faces would only slow the fitting down.
   surroundings.forces.wind.pressure_coefficient = surroundings.forces.wind.friction_coefficient = 0.0;
-  surroundings.colliders = body_colliders(stance);
+  surroundings.bodies = body_parts(stance);
   return surroundings;
 }
 

@@ -15,7 +15,7 @@ struct FitPhase {
 };
 
 /// Lets the shirt find its shape on the body, without gravity, so that it has no folds. Starts at `positions`
-/// and uses the simulation's Verlet steps, rigid springs and colliders. Positions are in metres, per vertex
+/// and uses the simulation's Verlet steps, rigid springs and bodies. Positions are in metres, per vertex
 /// of the shirt.
 std::vector<Vec3> relax_on_body(const Shirt& shirt, const std::vector<Vec3>& positions, const Stance& stance,
                                 const std::vector<FitPhase>& phases);

@@ -208,7 +208,7 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
   kernels_->share(cloth.threads.is_shared());
   begin_frame(state);
   cloth.contacts.begin_frame(garment, pins, cloth.layout, surroundings, cloth.motion, cloth.velocities,
-                             frame_time_s);
+                             state.time_s, frame_time_s);
   SubstepControl& control = cloth.control;
   ProjectionResult projected;
   const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);

@@ -8,9 +8,9 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// Only vertices that could reach a collider within the frame are checked. It is assumed that speeds grow to
+/// Only vertices that could reach a body within the frame are checked. It is assumed that speeds grow to
 /// at most this many times their value in a frame, and that vertices move by this much more, in m. Larger
-/// values check more vertices; smaller ones let fast vertices enter colliders.
+/// values check more vertices; smaller ones let fast vertices enter bodies.
 constexpr double reach_factor = 2.0;
 constexpr double extra_reach_m = 0.02;
 
@@ -25,9 +25,9 @@ double largest_speed(const Float4Array& velocities) {
   return largest;
 }
 
-bool is_near_any(const std::vector<Collider>& colliders, const Vec3& position_m, double reach_m) {
-  return std::any_of(colliders.begin(), colliders.end(), [&](const Collider& c) {
-    return nearest_surface(c.shape, position_m).distance_m < reach_m;
+bool is_near_any(const std::vector<Shape>& shapes, const Vec3& position_m, double reach_m) {
+  return std::any_of(shapes.begin(), shapes.end(), [&](const Shape& shape) {
+    return nearest_surface(shape, position_m).distance_m < reach_m;
   });
 }
 
@@ -41,17 +41,23 @@ void add(Float4& row, const Vec3& v) {
 
 void Contacts::begin_frame(const Garment& garment, const Pins& pins, const Layout& layout,
                            const Surroundings& surroundings, const Motion& motion,
-                           const Float4Array& velocities, double frame_time_s) {
+                           const Float4Array& velocities, double time_s, double frame_time_s) {
   near_rows_.clear();
   near_inverse_masses_per_kg_.clear();
-  if (surroundings.colliders.empty()) {
+  if (surroundings.bodies.empty()) {
     return;
+  }
+  bool any_moves = false;
+  std::vector<Shape> shapes;
+  for (const Body& body : surroundings.bodies) {
+    any_moves = any_moves || is_moving_after(body, time_s);
+    shapes.push_back(shape_at(body, time_s));
   }
   const double gravity = glm::length(surroundings.forces.gravity_m_per_s2);
   const double travel_m = frame_time_s * (largest_speed(velocities) + gravity * frame_time_s);
   const double reach_m = garment.material.thickness_m + reach_factor * travel_m + extra_reach_m;
   for (Index row = static_cast<Index>(layout.pin_count); row < layout.vertex_count(); ++row) {
-    if (is_near_any(surroundings.colliders, motion.start_m[row], reach_m)) {
+    if (any_moves || is_near_any(shapes, motion.start_m[row], reach_m)) {
       near_rows_.push_back(row);
       near_inverse_masses_per_kg_.push_back(pins.inverse_masses_per_kg[layout.vertex_of_row[row]]);
     }
@@ -60,7 +66,8 @@ void Contacts::begin_frame(const Garment& garment, const Pins& pins, const Layou
   near_predicted_m_.resize(near_rows_.size());
 }
 
-void Contacts::push_out(const Material& cloth, const Surroundings& surroundings, Motion& motion) {
+void Contacts::push_out(const Material& cloth, const Surroundings& surroundings, const TimeSpan& step,
+                        Motion& motion) {
   if (near_rows_.empty()) {
     return;
   }
@@ -69,8 +76,8 @@ void Contacts::push_out(const Material& cloth, const Surroundings& surroundings,
     near_current_m_[k] = motion.start_m[row] + vector_of(motion.previous[row]);
     near_predicted_m_[k] = motion.start_m[row] + vector_of(motion.current[row]);
   }
-  push_out_of_colliders(surroundings.colliders, {cloth.thickness_m, cloth.friction},
-                        near_inverse_masses_per_kg_, near_current_m_, near_predicted_m_);
+  push_out_of_bodies(surroundings.bodies, {cloth.thickness_m, cloth.friction}, step,
+                     near_inverse_masses_per_kg_, near_current_m_, near_predicted_m_);
   for (std::size_t k = 0; k < near_rows_.size(); ++k) {
     const Index row = near_rows_[k];
     motion.current[row] = float4_of(near_predicted_m_[k] - motion.start_m[row]);

@@ -7,16 +7,18 @@
 
 namespace taut::sim::bounded {
 
-/// Keeps the cloth away from colliders and its layers away from each other.
+/// Keeps the cloth away from bodies and its layers away from each other.
 class Contacts {
  public:
-  /// Finds the rows that could reach a collider within the frame. `velocities` has one entry per row, in m/s.
+  /// Finds the rows that could reach a body within the frame, which begins at `time_s`: all, if a body moves.
+  /// `velocities` has one entry per row, in m/s.
   void begin_frame(const Garment& garment, const Pins& pins, const Layout& layout,
                    const Surroundings& surroundings, const Motion& motion, const Float4Array& velocities,
-                   double frame_time_s);
+                   double time_s, double frame_time_s);
 
-  /// Moves cloth out of the colliders, with friction. Call it after the sweeps of each time step.
-  void push_out(const Material& cloth, const Surroundings& surroundings, Motion& motion);
+  /// Moves cloth out of the bodies, with friction. Call it after the sweeps of each time step.
+  void push_out(const Material& cloth, const Surroundings& surroundings, const TimeSpan& step,
+                Motion& motion);
 
   /// Moves layers apart that are too close. It removes their speed of approach and adds no other speed. Call
   /// it a few times per frame.

@@ -50,8 +50,10 @@ void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
   sweep(cloth.layout.surface, kernels, cloth);
 }
 
-void push_out(const Material& material, const Surroundings& surroundings, SteppedCloth& cloth) {
-  cloth.contacts.push_out(material, surroundings, cloth.motion);
+void push_out(const Material& material, const Surroundings& surroundings, const TimeStep& time,
+              SteppedCloth& cloth) {
+  cloth.contacts.push_out(material, surroundings, {time.time_s, time.time_s + time.time_step_s},
+                          cloth.motion);
 }
 
 }  // namespace
@@ -73,7 +75,7 @@ void step(const Garment& garment, const Surroundings& surroundings, const TimeSt
 
   // Step 3: compensate the predicted displacements, eqs. (2)-(3).
   constrain(kernels, cloth);
-  push_out(garment.material, surroundings, cloth);
+  push_out(garment.material, surroundings, time, cloth);
 }
 
 }  // namespace taut::sim::bounded

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/colliders.hpp"
+#include "sim/contact/bodies.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 
@@ -41,20 +41,20 @@ TEST(NearestSurface, FollowsTheRadiusOfATaperedCapsule) {
 }
 
 TEST(PushOut, StopsAtTheThicknessAndLeavesPinsAlone) {
-  const std::vector<Collider> floor = {{Plane{}, 0.0}};
+  const std::vector<Body> floor = {{.shape = Plane{}, .friction = 0.0}};
   const std::vector<Vec3> current = {{0, 0.1, 0}, {1, 0.1, 0}, {2, 0.1, 0}};
   std::vector<Vec3> predicted = {{0.3, -0.2, 0}, {1, -0.2, 0}, {2, 0.05, 0}};
-  push_out_of_colliders(floor, {.thickness_m = 0.01}, std::vector{1.0, 0.0, 1.0}, current, predicted);
+  push_out_of_bodies(floor, {.thickness_m = 0.01}, {}, std::vector{1.0, 0.0, 1.0}, current, predicted);
   EXPECT_NEAR(glm::length(predicted[0] - Vec3(0.3, 0.01, 0)), 0.0, 1e-15) << "without friction it slides on";
   EXPECT_EQ(predicted[1], Vec3(1, -0.2, 0));
   EXPECT_EQ(predicted[2], Vec3(2, 0.05, 0));
 }
 
 TEST(PushOut, FrictionTakesBackSlidingInProportionToDepth) {
-  const std::vector<Collider> floor = {{Plane{}, 0.5}};
+  const std::vector<Body> floor = {{.shape = Plane{}, .friction = 0.5}};
   const std::vector<Vec3> current = {{0, 0, 0}, {1, 0, 0}};
   std::vector<Vec3> predicted = {{0.3, -0.2, 0}, {1.05, -0.2, 0}};
-  push_out_of_colliders(floor, {.thickness_m = 0.0}, std::vector{1.0, 1.0}, current, predicted);
+  push_out_of_bodies(floor, {.thickness_m = 0.0}, {}, std::vector{1.0, 1.0}, current, predicted);
   EXPECT_NEAR(predicted[0].x, 0.2, 1e-15) << "0.3 less mu times depth";
   EXPECT_NEAR(predicted[1].x, 1.0, 1e-15) << "sticks, never slides backwards";
 }
@@ -67,7 +67,8 @@ double slid_m(double slope_rad, double friction) {
   point.material = {.areal_density_kg_per_m2 = 1.0, .thickness_m = 0.0};
   Surroundings surroundings;
   surroundings.forces.air_drag_per_s = 0.0;
-  surroundings.colliders = {{Plane{{0, 0, 0}, {std::sin(slope_rad), std::cos(slope_rad), 0}}, friction}};
+  surroundings.bodies = {
+      {.shape = Plane{{0, 0, 0}, {std::sin(slope_rad), std::cos(slope_rad), 0}}, .friction = friction}};
   Simulation simulation(share(point), {}, {}, surroundings);
   for (int frame = 0; frame < 60; ++frame) {
     simulation.advance_frame();
@@ -91,7 +92,8 @@ TEST(Cloth, DrapesOverASphereWithoutEnteringIt) {
   grid.top_centre_m = {0, 0.4, -0.5};
   Surroundings surroundings;
   const Sphere ball{{0, 0, 0}, 0.3};
-  surroundings.colliders = {{ball, 0.5}, {Plane{{0, -0.5, 0}, {0, 1, 0}}, 0.5}};
+  surroundings.bodies = {{.shape = ball, .friction = 0.5},
+                         {.shape = Plane{{0, -0.5, 0}, {0, 1, 0}}, .friction = 0.5}};
   Simulation simulation(share(make_garment(make_grid(grid))), {}, {}, surroundings);
   for (int frame = 0; frame < 240; ++frame) {
     simulation.advance_frame();

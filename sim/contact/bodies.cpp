@@ -1,0 +1,137 @@
+#include "sim/contact/bodies.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace taut::sim {
+namespace {
+
+SurfacePoint from_centre(const Vec3& centre, double radius_m, const Vec3& point) {
+  const Vec3 outwards = point - centre;
+  const double length = glm::length(outwards);
+  // At the centre every way out is equally short; up is as good as any.
+  const Vec3 normal = length > 0.0 ? outwards / length : Vec3(0.0, 1.0, 0.0);
+  return {length - radius_m, normal};
+}
+
+SurfacePoint nearest(const Plane& plane, const Vec3& point) {
+  return {glm::dot(point - plane.point_m, plane.normal), plane.normal};
+}
+
+SurfacePoint nearest(const Sphere& sphere, const Vec3& point) {
+  return from_centre(sphere.centre_m, sphere.radius_m, point);
+}
+
+SurfacePoint nearest(const Capsule& capsule, const Vec3& point) {
+  const Vec3 axis = capsule.end_m - capsule.start_m;
+  const double squared_length = glm::dot(axis, axis);
+  const double along = squared_length > 0.0
+                           ? std::clamp(glm::dot(point - capsule.start_m, axis) / squared_length, 0.0, 1.0)
+                           : 0.0;
+  const double radius_m = capsule.start_radius_m + along * (capsule.end_radius_m - capsule.start_radius_m);
+  return from_centre(capsule.start_m + along * axis, radius_m, point);
+}
+
+SurfacePoint nearest(const BodyMesh&, const Vec3&) {
+  return {std::numeric_limits<double>::infinity(), Vec3(0.0, 1.0, 0.0)};
+}
+
+struct Mover {
+  const Pose& pose;
+
+  Shape operator()(const Plane& plane) const {
+    return Plane{pose(plane.point_m), pose.rotation * plane.normal};
+  }
+  Shape operator()(const Sphere& ball) const { return Sphere{pose(ball.centre_m), ball.radius_m}; }
+  Shape operator()(const Capsule& limb) const {
+    return Capsule{pose(limb.start_m), pose(limb.end_m), limb.start_radius_m, limb.end_radius_m};
+  }
+  Shape operator()(const BodyMesh& mesh) const { return mesh; }
+};
+
+void shape_of_frames(const BodyFrames& frames, double time_s, std::span<Vec3> positions_m) {
+  const auto last = static_cast<double>(frames.positions_m.size() - 1);
+  const double at = std::clamp(time_s * frames.frame_rate_hz, 0.0, last);
+  const double before = std::floor(at);
+  const std::vector<Vec3>& from = frames.positions_m[static_cast<std::size_t>(before)];
+  const std::vector<Vec3>& to = frames.positions_m[static_cast<std::size_t>(std::min(before + 1.0, last))];
+  for (std::size_t v = 0; v < positions_m.size(); ++v) {
+    positions_m[v] = glm::mix(from[v], to[v], at - before);
+  }
+}
+
+/// `moved` is how far the vertex has moved over the body.
+Vec3 with_friction(double friction, const SurfacePoint& surface, double depth_m, const Vec3& moved,
+                   const Vec3& pushed_out) {
+  const Vec3 slid = moved - surface.normal * glm::dot(moved, surface.normal);
+  const double slid_m = glm::length(slid);
+  if (!(slid_m > 0.0)) {
+    return pushed_out;
+  }
+  return pushed_out - slid * std::min(1.0, friction * depth_m / slid_m);
+}
+
+}  // namespace
+
+SurfacePoint nearest_surface(const Shape& shape, const Vec3& point) {
+  return std::visit([&](const auto& s) { return nearest(s, point); }, shape);
+}
+
+Shape shape_at(const Body& body, double time_s) {
+  return std::visit(Mover{pose_at(body.motion, time_s)}, body.shape);
+}
+
+void positions_at(const Body& body, double time_s, std::span<Vec3> positions_m) {
+  const auto& mesh = std::get<BodyMesh>(body.shape);
+  assert(positions_m.size() == mesh.data->positions_m.size());
+  if (mesh.frames) {
+    shape_of_frames(*mesh.frames, time_s, positions_m);
+  } else {
+    std::copy(mesh.data->positions_m.begin(), mesh.data->positions_m.end(), positions_m.begin());
+  }
+  const Pose pose = pose_at(body.motion, time_s);
+  for (Vec3& position_m : positions_m) {
+    position_m = pose(position_m);
+  }
+}
+
+Vec3 point_moved(const Body& body, const Vec3& point_m, const TimeSpan& time) {
+  return point_m + RigidMove(body.motion, time).displacement_m(point_m);
+}
+
+bool is_moving_after(const Body& body, double time_s) {
+  const auto* mesh = std::get_if<BodyMesh>(&body.shape);
+  const bool changes =
+      mesh != nullptr && mesh->frames &&
+      static_cast<double>(mesh->frames->positions_m.size() - 1) > time_s * mesh->frames->frame_rate_hz;
+  return changes || is_moving_after(body.motion, time_s);
+}
+
+void push_out_of_bodies(std::span<const Body> bodies, const ClothSurface& cloth, const TimeSpan& step,
+                        std::span<const double> inverse_masses_per_kg, std::span<const Vec3> current,
+                        std::span<Vec3> predicted) {
+  assert(current.size() == predicted.size() && inverse_masses_per_kg.size() == predicted.size());
+  for (const Body& body : bodies) {
+    const double friction = body.friction.value_or(cloth.friction);
+    const Shape shape = shape_at(body, step.to_s);
+    const RigidMove back(body.motion, {step.to_s, step.from_s});
+    for (std::size_t v = 0; v < predicted.size(); ++v) {
+      if (inverse_masses_per_kg[v] == 0.0) {
+        continue;
+      }
+      const SurfacePoint surface = nearest_surface(shape, predicted[v]);
+      const double depth_m = cloth.thickness_m - surface.distance_m;
+      if (depth_m > 0.0) {
+        const Vec3 pushed_out = predicted[v] + surface.normal * depth_m;
+        const Vec3 moved = pushed_out + back.displacement_m(pushed_out) - current[v];
+        predicted[v] = with_friction(friction, surface, depth_m, moved, pushed_out);
+      }
+    }
+  }
+}
+
+}  // namespace taut::sim

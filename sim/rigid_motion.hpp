@@ -1,0 +1,83 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <limits>
+#include <vector>
+
+#include "sim/mesh/types.hpp"
+
+namespace taut::sim {
+
+/// From an earlier time to a later one, in seconds.
+struct TimeSpan {
+  double from_s = 0.0;
+  double to_s = 0.0;
+};
+
+/// Moves along a line at a constant speed from one time to another.
+struct Shift {
+  Vec3 velocity_m_per_s = {0.0, 0.0, 0.0};
+  double from_s = 0.0;
+  double until_s = std::numeric_limits<double>::infinity();
+
+  bool operator==(const Shift&) const = default;
+};
+
+/// Turns about a fixed line at a constant rate from one time to another.
+struct Spin {
+  Vec3 about_m = {0.0, 0.0, 0.0};  ///< a point of the line
+  Vec3 axis = {0.0, 1.0, 0.0};  ///< its direction, of length 1; counter-clockwise seen from where it points
+  double turns_per_s = 0.0;
+  double from_s = 0.0;
+  double until_s = std::numeric_limits<double>::infinity();
+
+  bool operator==(const Spin&) const = default;
+};
+
+struct PathPoint {
+  double time_s = 0.0;
+  Vec3 offset_m = {0.0, 0.0, 0.0};
+
+  bool operator==(const PathPoint&) const = default;
+};
+
+/// How something rigid moves. It is turned first; then both the shift and the path's offset are added.
+struct RigidMotion {
+  Shift shift = {};
+  Spin spin = {};
+  /// Offsets at rising times, linear in between and held before the first and after the last.
+  std::vector<PathPoint> path = {};
+
+  bool operator==(const RigidMotion&) const = default;
+};
+
+/// Where something rigid is: the point that was modelled at p is at rotation * p + offset_m.
+struct Pose {
+  glm::dmat3 rotation = glm::dmat3(1.0);
+  Vec3 offset_m = {0.0, 0.0, 0.0};
+
+  Vec3 operator()(const Vec3& modelled_m) const { return rotation * modelled_m + offset_m; }
+};
+
+/// Returns the pose at this time. Requires a path whose times rise.
+Pose pose_at(const RigidMotion& motion, double time_s);
+
+/// The motion between two times.
+class RigidMove {
+ public:
+  RigidMove(const RigidMotion& motion, const TimeSpan& time)
+      : from_(pose_at(motion, time.from_s)), to_(pose_at(motion, time.to_s)) {}
+
+  /// Returns how far the point that is at `point_m` at the first time has moved at the second, in m. Exactly
+  /// 0 if nothing moves in between.
+  Vec3 displacement_m(const Vec3& point_m) const;
+
+ private:
+  Pose from_;
+  Pose to_;
+};
+
+/// Returns whether it moves at any time after this one.
+bool is_moving_after(const RigidMotion& motion, double time_s);
+
+}  // namespace taut::sim

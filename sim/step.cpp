@@ -19,13 +19,18 @@ void predict(const Pins& pins, std::span<const Vec3> forces_n, double time_step_
                     state.predicted);
 }
 
-void move_pins(const Pins& pins, const PinMotion& motion, double time_step_s, State& state) {
-  if (motion.amplitude_m == Vec3(0.0)) {
+void move_pins(const Pins& pins, const Surroundings& surroundings, double time_step_s, State& state) {
+  if (surroundings.pin_motion.amplitude_m == Vec3(0.0) && surroundings.moving_pins.empty()) {
     return;
   }
-  const Vec3 moved = pin_displacement(motion, state.time_s, state.time_s + time_step_s);
+  std::vector<Vec3> from_m;
   for (const Index pin : pins.vertices) {
-    state.predicted[pin] = state.current[pin] + moved;
+    from_m.push_back(state.current[pin]);
+  }
+  const std::vector<Vec3> moved_m =
+      pin_displacements(surroundings, pins.vertices, from_m, {state.time_s, state.time_s + time_step_s});
+  for (std::size_t k = 0; k < moved_m.size(); ++k) {
+    state.predicted[pins.vertices[k]] = from_m[k] + moved_m[k];
   }
 }
 
@@ -65,7 +70,7 @@ void step(const Garment& garment, const Pins& pins, const Surroundings& surround
   impose_forces(garment, surroundings.forces, springs, time_step_s, state, forces_n);
   // ... and predict where they go, eq. (1): p(t+dt) = 2 p(t) - p(t-dt) + a dt^2.
   predict(pins, forces_n, time_step_s, state);
-  move_pins(pins, surroundings.pin_motion, time_step_s, state);
+  move_pins(pins, surroundings, time_step_s, state);
   part_layers(garment, pins, surroundings.layer_distance_m, state, buffers.layers);
 
   // Step 3: compensate the predicted positions, eqs. (2)-(3), and eliminate the forces.

@@ -1,6 +1,7 @@
 #include "sim/surroundings.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <string>
 
@@ -16,14 +17,30 @@ void require_vertex(const char* acts_on, Index vertex, std::size_t vertex_count)
   }
 }
 
-}  // namespace
-
+/// Returns the offset of a swinging pin from its first position, in m.
 Vec3 pin_offset(const PinMotion& motion, double time_s) {
   return motion.amplitude_m * sine_of_turns(motion.frequency_hz * time_s);
 }
 
-Vec3 pin_displacement(const PinMotion& motion, double from_s, double to_s) {
-  return pin_offset(motion, to_s) - pin_offset(motion, from_s);
+}  // namespace
+
+Vec3 pin_displacement(const PinMotion& motion, const TimeSpan& time) {
+  return pin_offset(motion, time.to_s) - pin_offset(motion, time.from_s);
+}
+
+std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<const Index> pins,
+                                    std::span<const Vec3> from_m, const TimeSpan& time) {
+  assert(from_m.size() == pins.size());
+  std::vector<Vec3> moved_m(pins.size(), pin_displacement(surroundings.pin_motion, time));
+  for (const MovingPins& group : surroundings.moving_pins) {
+    const RigidMove move(group.motion, time);
+    for (std::size_t k = 0; k < pins.size(); ++k) {
+      if (std::binary_search(group.vertices.begin(), group.vertices.end(), pins[k])) {
+        moved_m[k] = move.displacement_m(from_m[k]);
+      }
+    }
+  }
+  return moved_m;
 }
 
 void require_possible(const Surroundings& surroundings, std::size_t vertex_count) {
@@ -39,14 +56,24 @@ void require_possible(const Surroundings& surroundings, std::size_t vertex_count
   for (const HeldVertex& held : surroundings.forces.held_vertices) {
     require_vertex("a hand holds", held.vertex, vertex_count);
   }
+  for (const MovingPins& group : surroundings.moving_pins) {
+    if (!std::is_sorted(group.vertices.begin(), group.vertices.end())) {
+      throw std::invalid_argument("the vertices of moving pins must be in ascending order");
+    }
+    if (!group.vertices.empty()) {
+      require_vertex("a motion leads", group.vertices.back(), vertex_count);
+    }
+  }
 }
 
 bool is_steady(const Surroundings& s, double time_s) {
   const Wind& wind = s.forces.wind;
   const bool gusts = wind.speed_m_per_s != 0.0 && (wind.gust_amplitude != 0.0 || wind.gust_turn != 0.0);
-  const auto moves = [&](const auto& what) { return is_moving_after(what, time_s); };
+  const auto moves = [&](const Body& body) { return is_moving_after(body, time_s); };
+  const auto move = [&](const MovingPins& group) { return is_moving_after(group.motion, time_s); };
   return !gusts && s.pin_motion.amplitude_m == Vec3(0.0) &&
-         std::none_of(s.bodies.begin(), s.bodies.end(), moves);
+         std::none_of(s.bodies.begin(), s.bodies.end(), moves) &&
+         std::none_of(s.moving_pins.begin(), s.moving_pins.end(), move);
 }
 
 }  // namespace taut::sim

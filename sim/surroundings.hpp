@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "sim/contact/bodies.hpp"
@@ -15,11 +16,16 @@ struct PinMotion {
   bool operator==(const PinMotion&) const = default;
 };
 
-/// Returns the offset of every pin from its first position, in metres.
-Vec3 pin_offset(const PinMotion& motion, double time_s);
+/// Returns how far swinging pins move within the time, in metres.
+Vec3 pin_displacement(const PinMotion& motion, const TimeSpan& time);
 
-/// Returns how far all pins move between two times, in metres.
-Vec3 pin_displacement(const PinMotion& motion, double from_s, double to_s);
+/// Pins that move together as something rigid does. They do not swing with the others.
+struct MovingPins {
+  std::vector<Index> vertices;  ///< ascending; those that are not pinned are left alone
+  RigidMotion motion = {};
+
+  bool operator==(const MovingPins&) const = default;
+};
 
 /// Everything that acts on the cloth from outside.
 struct Surroundings {
@@ -30,14 +36,20 @@ struct Surroundings {
   /// each other in places; at more, folds get stiffer.
   double layer_distance_m = 0.0;
   PinMotion pin_motion;
+  std::vector<MovingPins> moving_pins;
 
   bool operator==(const Surroundings&) const = default;
 };
 
 /// Checks the surroundings of a garment with `vertex_count` vertices. Throws std::invalid_argument if a force
-/// or a hand acts on a vertex that does not exist. Throws it also if the layer distance or the air drag is
-/// below 0.
+/// or a hand acts on a vertex that does not exist, or if one moves. Throws it also if moving pins are not in
+/// ascending order, or if the layer distance or the air drag is below 0.
 void require_possible(const Surroundings& surroundings, std::size_t vertex_count);
+
+/// Returns how far each of `pins` moves within the time, in metres, from where it is at its beginning, which
+/// is `from_m`, one entry per pin. A pin that is in several groups of moving pins moves with the last.
+std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<const Index> pins,
+                                    std::span<const Vec3> from_m, const TimeSpan& time);
 
 /// Returns whether nothing outside changes after this time, so that the cloth can come to rest.
 bool is_steady(const Surroundings& surroundings, double time_s);

@@ -126,7 +126,8 @@ class BulletEngine : public Engine {
     if (surroundings_.pin_motion.amplitude_m == sim::Vec3(0.0)) {
       return;
     }
-    const sim::Vec3 offset = sim::pin_offset(surroundings_.pin_motion, state_.time_s + substep_s_);
+    const sim::Vec3 offset =
+        sim::pin_displacement(surroundings_.pin_motion, {0.0, state_.time_s + substep_s_});
     for (const sim::Index pin : pins_) {
       body_->m_nodes[static_cast<int>(pin)].m_x =
           to_bullet(garment_.mesh.positions[pin] + offset - origin_m_);

@@ -163,9 +163,10 @@ void BoundedSolver::write_shape(const Surroundings& surroundings, double frame_t
         cloth.motion.start_m[row] + vector_of(cloth.projection.corrected()[row]);
   }
   // Exactly where they belong: what single precision rounds away would add up from frame to frame.
-  const Vec3 moved = pin_displacement(surroundings.pin_motion, state.time_s, state.time_s + frame_time_s);
-  for (std::size_t row = 0; row < cloth.layout.pin_count; ++row) {
-    state.current[cloth.layout.vertex_of_row[row]] = cloth.motion.start_m[row] + moved;
+  const std::vector<Vec3> moved_m =
+      pins_moved(surroundings, cloth, {state.time_s, state.time_s + frame_time_s});
+  for (std::size_t row = 0; row < moved_m.size(); ++row) {
+    state.current[cloth.layout.vertex_of_row[row]] = cloth.motion.start_m[row] + moved_m[row];
   }
 }
 

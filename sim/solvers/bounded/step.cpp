@@ -17,9 +17,9 @@ void impose_forces(const Garment& garment, const ExternalForces& external, const
                       kernels);
 }
 
-/// Returns how far pins have moved from the start of the frame to the end of the step, in m.
-Float4 pins_moved(const PinMotion& motion, const TimeStep& time) {
-  return float4_of(pin_displacement(motion, time.frame_began_s, time.time_s + time.time_step_s));
+/// From the start of the frame to the end of the step.
+TimeSpan since_frame_began(const TimeStep& time) {
+  return {time.frame_began_s, time.time_s + time.time_step_s};
 }
 
 void predict(const Surroundings& surroundings, const TimeStep& time, ParallelKernels& kernels,
@@ -27,15 +27,18 @@ void predict(const Surroundings& surroundings, const TimeStep& time, ParallelKer
   Prediction prediction;
   prediction.decay = static_cast<float>(1.0 / (1.0 + surroundings.forces.air_drag_per_s * time.time_step_s));
   prediction.dt_squared = static_cast<float>(time.time_step_s * time.time_step_s);
-  prediction.pins_moved = pins_moved(surroundings.pin_motion, time);
-  const Tether* tethers = cloth.tethers.lanes.empty() ? nullptr : cloth.tethers.lanes.data();
+  prediction.pins_moved = float4_of(pin_displacement(surroundings.pin_motion, since_frame_began(time)));
+  // The kernel takes one motion for all pins.
+  const bool is_tethered = !cloth.tethers.lanes.empty() && surroundings.moving_pins.empty();
+  const Tether* tethers = is_tethered ? cloth.tethers.lanes.data() : nullptr;
   kernels.predict(prediction, tethers, cloth.forces.accelerations(), cloth.motion.current,
                   cloth.motion.previous);
   cloth.motion.previous.swap(cloth.motion.current);
 }
 
-void move_pins(const PinMotion& motion, const TimeStep& time, SteppedCloth& cloth) {
-  std::fill_n(cloth.motion.current.begin(), cloth.layout.pin_count, pins_moved(motion, time));
+void move_pins(const Surroundings& surroundings, const TimeStep& time, SteppedCloth& cloth) {
+  const std::vector<Vec3> moved_m = pins_moved(surroundings, cloth, since_frame_began(time));
+  std::transform(moved_m.begin(), moved_m.end(), cloth.motion.current.begin(), float4_of);
 }
 
 template <typename AnyLanes>
@@ -58,6 +61,13 @@ void push_out(const Material& material, const Surroundings& surroundings, const 
 
 }  // namespace
 
+std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedCloth& cloth,
+                             const TimeSpan& time) {
+  const std::size_t count = cloth.layout.pin_count;
+  return pin_displacements(surroundings, std::span(cloth.layout.vertex_of_row).first(count),
+                           std::span(cloth.motion.start_m).first(count), time);
+}
+
 void step(const Garment& garment, const Surroundings& surroundings, const TimeStep& time,
           ParallelKernels& kernels, SteppedCloth& cloth) {
   // Layers come first, so that the prediction no longer has the speed that this removes.
@@ -71,7 +81,7 @@ void step(const Garment& garment, const Surroundings& surroundings, const TimeSt
   }
   // ... and predict where they go, eq. (1): d(t+dt) = d(t) + (d(t) - d(t-dt)) / (1 + c dt) + a dt^2.
   predict(surroundings, time, kernels, cloth);
-  move_pins(surroundings.pin_motion, time, cloth);
+  move_pins(surroundings, time, cloth);
 
   // Step 3: compensate the predicted displacements, eqs. (2)-(3).
   constrain(kernels, cloth);

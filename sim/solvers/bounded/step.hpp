@@ -39,6 +39,10 @@ struct TimeStep {
   double update_interval_s = 0.0;
 };
 
+/// Returns how far each pin moves within the time, which begins with the frame, in m, by row.
+std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedCloth& cloth,
+                             const TimeSpan& time);
+
 /// Does one time step: Steps 2 and 3 of the paper, in the stages of sim/step.cpp. It works on displacements
 /// in single precision instead of positions in double precision.
 void step(const Garment& garment, const Surroundings& surroundings, const TimeStep& time,

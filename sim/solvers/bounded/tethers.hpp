@@ -5,7 +5,8 @@
 
 namespace taut::sim::bounded {
 
-/// The tethers of a cloth: one entry per row, spare rows included. All pins must move alike.
+/// The tethers of a cloth: one entry per row, spare rows included. Where pins move in groups, tethers
+/// are left out of the step.
 struct Tethers {
   std::vector<Index> pin;  ///< the row of the pin
   Lanes<Tether> lanes;

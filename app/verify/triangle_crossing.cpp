@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "app/verify/orientation.hpp"
 
@@ -175,6 +176,34 @@ std::optional<Vec3> place_opposite(const Corners& a, const Sides& sides, const C
   return std::nullopt;
 }
 
+/// Whether a plane at right angles to the axis certainly has these points in front of it and those behind: by
+/// far more than rounding, which is some 1e-15 of their distances from the plane's origin. Most neighbours
+/// part in this way, which is cheap, also where they lie in one plane, which exact signs are slow to tell.
+bool are_far_apart(const Vec3& origin, const Vec3& axis, std::span<const Vec3> before,
+                   std::span<const Vec3> behind) {
+  constexpr double far = 1e-6;
+  // Below it products lose digits.
+  constexpr double smallest = 1e-200;
+  const auto is_in_front = [&](const Vec3& p, double side) {
+    const double far_off = far * glm::length(axis) * glm::distance(p, origin);
+    return side * glm::dot(axis, p - origin) > std::max(far_off, smallest);
+  };
+  const auto is_before = [&](const Vec3& p) { return is_in_front(p, 1.0); };
+  const auto is_behind = [&](const Vec3& p) { return is_in_front(p, -1.0); };
+  return std::all_of(before.begin(), before.end(), is_before) &&
+         std::all_of(behind.begin(), behind.end(), is_behind);
+}
+
+Vec3 middle_of(const Corners& t) {
+  return (t[0] + t[1] + t[2]) / 3.0;
+}
+
+/// A direction from corner 0 between both sides.
+Vec3 inwards(const Corners& t) {
+  const Vec3 u = t[1] - t[0], v = t[2] - t[0];
+  return glm::length(v) * u + glm::length(u) * v;
+}
+
 /// Of triangles that share their first two corners.
 bool reaches_beyond_edge(const Corners& a, const Corners& b) {
   return !segments_meet({a[2], a[2]}, edge_of(a, 0)) && common_place(a[2], b);
@@ -183,6 +212,10 @@ bool reaches_beyond_edge(const Corners& a, const Corners& b) {
 }  // namespace
 
 std::optional<Vec3> crossing_place(const Corners& a, const Corners& b) {
+  const Vec3 from = middle_of(b), to = middle_of(a);
+  if (are_far_apart(0.5 * (from + to), to - from, a, b)) {
+    return std::nullopt;
+  }
   const SidesOfCorners of_b = sides_of(a, b);
   if (are_one(of_b)) {
     return std::nullopt;
@@ -196,6 +229,10 @@ std::optional<Vec3> crossing_place(const Corners& a, const Corners& b) {
 }
 
 std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners& b) {
+  const Vec3 axis = glm::normalize(inwards(a)) - glm::normalize(inwards(b));
+  if (are_far_apart(a[0], axis, std::span(a).subspan(1), std::span(b).subspan(1))) {
+    return std::nullopt;
+  }
   const Sides of_b = sides_of(a, b[1], b[2]);
   if (of_b.are_one()) {
     return std::nullopt;
@@ -211,6 +248,11 @@ std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners
 }
 
 std::optional<Vec3> crossing_place_beside_edge(const Corners& a, const Corners& b) {
+  const Vec3 edge = a[1] - a[0], side = a[2] - a[0];
+  const Vec3 across = side - glm::dot(side, edge) / glm::dot(edge, edge) * edge;
+  if (are_far_apart(a[0], across, std::span(a).last(1), std::span(b).last(1))) {
+    return std::nullopt;
+  }
   if (orientation(a[0], a[1], a[2], b[2]) != 0) {
     return std::nullopt;
   }

@@ -104,6 +104,8 @@ TEST(TriangleCrossing, OfTrianglesThatShareAnEdge) {
       {"nearly folded", {o, x, y}, {o, x, y + 1e-300 * z}, false},
       {"folded flat", {o, x, y}, {o, x, Vec3(2, 1, 0)}, true},
       {"folded flat, overhanging", {o, x, y}, {o, x, Vec3(9, 1, 0)}, true},
+      {"folded flat, leaning apart", {o, x, Vec3(-9, 0.1, 0)}, {o, x, Vec3(13, 0.1, 0)}, true},
+      {"folded flat and steep", {o, x, Vec3(-9, 1e-12, 0)}, {o, x, Vec3(13, 3e-12, 0)}, true},
       {"the same", {o, x, y}, {o, x, y}, true},
       {"a needle along the edge", {o, x, y}, {o, x, 0.5 * x}, false},
       {"a needle beyond the edge", {o, x, y}, {o, x, 2.0 * x}, false},

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Enters {
   bool operator()(const sim::Capsule& limb) const {
     return enters_limb(triangle, {limb.start_m, limb.end_m, limb.start_radius_m, limb.end_radius_m});
   }
+  bool operator()(const sim::BodyMesh&) const { return false; }
 };
 
 /// Crossing pairs of one kind: how many, and a text about them; empty: none.
@@ -42,25 +44,49 @@ Finding crossings_of(const Surface& cloth) {
   return {pairs.size(), pairs.empty() ? "" : describe(cloth, pairs)};
 }
 
-Finding entries_into(const sim::Shape& shape, std::size_t body, const Surface& cloth) {
-  Finding finding;
+Finding crossings_with(const sim::BodyMesh& mesh, std::span<const sim::Vec3> positions_m,
+                       const std::string& name, const Surface& cloth) {
+  const Surface body = {positions_m, mesh.data->triangles};
+  const std::vector<CrossingPair> pairs = crossing_pairs(cloth, body);
+  if (pairs.empty()) {
+    return {};
+  }
+  const CrossingPair& first = pairs.front();
+  return {pairs.size(),
+          fmt::format("{} with {}, the first: {} and its {} at {}",
+                      counted(pairs.size(), "pair of triangles crosses", "pairs of triangles cross"), name,
+                      describe_triangle(cloth, first.first), describe_triangle(body, first.second),
+                      describe_place(first.place_m))};
+}
+
+Finding entries_into(const sim::Shape& shape, const std::string& name, const Surface& cloth) {
+  std::vector<CrossingPair> entries;
   for (sim::Index t = 0; t < cloth.triangles.size(); ++t) {
     const sim::Triangle& v = cloth.triangles[t];
     const Corners corners = {cloth.positions_m[v[0]], cloth.positions_m[v[1]], cloth.positions_m[v[2]]};
-    if (!std::visit(Enters{corners}, shape)) {
-      continue;
-    }
-    if (finding.pairs++ == 0) {
-      const sim::Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-      finding.text =
-          fmt::format("the first: {} near {}", describe_triangle(cloth, t), describe_place(middle));
+    if (std::visit(Enters{corners}, shape)) {
+      entries.push_back({t, 0, (corners[0] + corners[1] + corners[2]) / 3.0});
     }
   }
-  if (finding.pairs > 0) {
-    finding.text = fmt::format("{} body {}, {}", counted(finding.pairs, "triangle enters", "triangles enter"),
-                               body, finding.text);
+  if (entries.empty()) {
+    return {};
   }
-  return finding;
+  return {entries.size(),
+          fmt::format("{} {}, the first: {} near {}",
+                      counted(entries.size(), "triangle enters", "triangles enter"), name,
+                      describe_triangle(cloth, entries[0].first), describe_place(entries[0].place_m))};
+}
+
+Finding contact_with(const sim::Body& body, std::size_t number, double time_s, const Surface& cloth) {
+  const std::string name =
+      body.name.empty() ? fmt::format("body {}", number) : fmt::format("the body '{}'", body.name);
+  const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
+  if (mesh == nullptr) {
+    return entries_into(sim::shape_at(body, time_s), name, cloth);
+  }
+  std::vector<sim::Vec3> positions_m(mesh->data->positions_m.size());
+  sim::positions_at(body, time_s, positions_m);
+  return crossings_with(*mesh, positions_m, name, cloth);
 }
 
 }  // namespace
@@ -91,9 +117,9 @@ std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord&
   largest_.surface = std::max(largest_.surface, stretch.surface);
 
   std::vector<Finding> findings = {crossings_of(cloth)};
-  const std::vector<sim::Collider>& bodies = simulation.surroundings().colliders;
+  const std::vector<sim::Body>& bodies = simulation.surroundings().bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    findings.push_back(entries_into(bodies[b].shape, b, cloth));
+    findings.push_back(contact_with(bodies[b], b, record.time_s, cloth));
   }
   findings.push_back({0, describe_excess(stretch, simulation.settings().solver)});
 

@@ -16,8 +16,8 @@ std::string describe_excess(const LargestStretch& stretch, const sim::SolverSett
 class FrameVerifier {
  public:
   /// Checks the present shape and counts its crossing pairs in the record: pairs of triangles, and a pair for
-  /// each triangle in a body that is no mesh. Returns what is broken, with frame, time, triangles, vertices
-  /// and place; empty: nothing.
+  /// each triangle in a body that is no mesh. Bodies are taken where they are at the record's time. Returns
+  /// what is broken, with frame, time, triangles, vertices and place; empty: nothing.
   std::string check(const sim::Simulation& simulation, FrameRecord& record);
 
   /// Returns a line about all frames that were checked, none of which was broken.

@@ -126,7 +126,7 @@ std::string describe_triangle(const Surface& surface, sim::Index triangle) {
 }
 
 std::string describe_place(const sim::Vec3& place_m) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}] m", place_m.x, place_m.y, place_m.z);
+  return fmt::format("[{:.5f}, {:.5f}, {:.5f}] m", place_m.x, place_m.y, place_m.z);
 }
 
 std::string describe(const Surface& cloth, std::span<const CrossingPair> pairs) {

@@ -35,10 +35,10 @@ std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& bo
 std::string describe_triangle(const Surface& surface, sim::Index triangle);
 
 /// Returns "2 pairs of triangles cross, the first: triangle 7 (vertices 1, 2, 3) and triangle 9 (vertices 4,
-/// 5, 6) at [0.1, 0.2, 0.3] m". The pairs must be of the cloth itself, at least one.
+/// 5, 6) at [0.10000, 0.20000, 0.30000] m". The pairs must be of the cloth itself, at least one.
 std::string describe(const Surface& cloth, std::span<const CrossingPair> pairs);
 
-/// Returns "[0.1, 0.2, 0.3] m".
+/// Returns "[0.10000, 0.20000, 0.30000] m".
 std::string describe_place(const sim::Vec3& place_m);
 
 }  // namespace taut::app

@@ -4,6 +4,7 @@
 #include "app/models/inspection.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "sim/mesh/grid.hpp"
+#include "sim/surface.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -11,34 +12,67 @@ namespace {
 
 using sim::Vec3;
 
-// Cells of 1 m; each body reaches a point within a triangle and no vertex.
-TEST(FrameVerifier, CountsTheTrianglesInEachBody) {
-  const auto sheet = sim::share(sim::make_garment(sim::make_grid(
+/// Cells of 1 m, and what touches a triangle but none of its corners.
+struct Sheet {
+  std::shared_ptr<const sim::Garment> garment = sim::share(sim::make_garment(sim::make_grid(
       {.columns = 3, .rows = 3, .width_m = 2.0, .height_m = 2.0, .plane = sim::GridPlane::horizontal})));
-  const auto& p = sheet->mesh.positions;
-  const sim::Triangle& t = sheet->mesh.triangles[5];
-  const Vec3 middle = (p[t[0]] + p[t[1]] + p[t[2]]) / 3.0, down(0.0, -1.0, 0.0);
-  const auto found = [&](const sim::Shape& shape) {
+  std::array<Vec3, 3> corners = sim::corners_of(garment->mesh.triangles[5], garment->mesh.positions);
+  Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+
+  /// After a second.
+  std::pair<std::size_t, std::string> found(const sim::Body& body) const {
     sim::Surroundings surroundings;
-    surroundings.colliders = {{.shape = shape}};
+    surroundings.bodies = {body};
     FrameRecord record;
-    record.frame = 3;
+    record.frame = 60;
+    record.time_s = 1.0;
     FrameVerifier verifier;
-    const std::string broken = verifier.check(sim::Simulation(sheet, {}, {}, surroundings), record);
-    return std::pair(record.crossing_pairs, broken);
-  };
+    const std::string broken = verifier.check(sim::Simulation(garment, {}, {}, surroundings), record);
+    return {record.crossing_pairs.value(), broken};
+  }
+};
+
+const Vec3 down(0.0, -1.0, 0.0);
+
+TEST(FrameVerifier, CountsTheTrianglesInEachBody) {
+  const Sheet sheet;
   for (const double depth_m : {0.01, -0.01}) {
     const std::size_t one = depth_m > 0.0 ? 1 : 0;
-    const Vec3 centre = middle + (0.1 - depth_m) * down;
-    EXPECT_EQ(found(sim::Sphere{centre, 0.1}).first, one);
-    EXPECT_EQ(found(sim::Capsule{centre, centre + down, 0.1, 0.05}).first, one);
-    EXPECT_EQ(found(sim::Plane{middle - depth_m * down, -down}).first, 8 * one);
+    const Vec3 centre = sheet.middle + (0.1 - depth_m) * down;
+    EXPECT_EQ(sheet.found({.shape = sim::Sphere{centre, 0.1}}).first, one);
+    EXPECT_EQ(sheet.found({.shape = sim::Capsule{centre, centre + down, 0.1, 0.05}}).first, one);
+    EXPECT_EQ(sheet.found({.shape = sim::Plane{sheet.middle - depth_m * down, -down}}).first, 8 * one);
   }
-  const std::string text = found(sim::Sphere{middle, 0.1}).second;
+  const std::string text = sheet.found({.shape = sim::Sphere{sheet.middle, 0.1}}).second;
   EXPECT_TRUE(
-      text.starts_with("frame 3, 0.0000 s: 1 triangle enters body 0, the first: triangle 5 (vertices "))
+      text.starts_with("frame 60, 1.0000 s: 1 triangle enters body 0, the first: triangle 5 (vertices "))
       << text;
-  EXPECT_EQ(found(sim::Sphere{middle + down, 0.1}).second, "");
+  EXPECT_EQ(sheet.found({.shape = sim::Sphere{sheet.middle + down, 0.1}}).second, "");
+}
+
+TEST(FrameVerifier, TakesBodiesWhereTheyAreInTheFrame) {
+  const Sheet sheet;
+  sim::Body ball = {.name = "ball", .shape = sim::Sphere{sheet.middle + down, 0.1}};
+  EXPECT_EQ(sheet.found(ball).first, 0U);
+  ball.motion.path = {{0.0, Vec3(0.0)}, {2.0, -2.0 * down}};
+  const auto [count, text] = sheet.found(ball);
+  EXPECT_EQ(count, 1U);
+  EXPECT_CONTAINS(text, "1 triangle enters the body 'ball', the first");
+}
+
+TEST(FrameVerifier, CountsPairsWithTheTrianglesOfAMesh) {
+  const Sheet sheet;
+  const Vec3 p = sheet.middle + 0.7 * down, x(0.1, 0.0, 0.0), z(0.0, 0.0, 0.1);
+  sim::Body body = {.name = "spike"};
+  // Its tip reaches through the sheet, its base does not.
+  body.shape = sim::BodyMesh{std::make_shared<sim::BodyMeshData>(sim::BodyMeshData{
+      {p - x - z, p + x - z, p + z, p - 0.8 * down}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}})};
+  const auto [count, text] = sheet.found(body);
+  EXPECT_EQ(count, 3U);
+  EXPECT_CONTAINS(text, "3 pairs of triangles cross with the body 'spike', the first: triangle 5 (vertices ");
+  EXPECT_CONTAINS(text, " and its triangle 1 (vertices 0, 3, 1) at [");
+  body.motion.path = {{0.0, Vec3(0.0)}, {1.0, 0.2 * down}};
+  EXPECT_EQ(sheet.found(body).second, "") << "drawn back by then";
 }
 
 TEST(FrameVerifier, HoldsStretchToTheBoundThatTheSolverPromises) {

@@ -106,7 +106,7 @@ TEST(CrossingPairs, AreDescribedByTheFirst) {
   EXPECT_EQ(describe(cloth, pairs),
             "3 pairs of triangles cross, the first: triangle 0 (vertices 0, 1, 2) and triangle 1 (vertices "
             "3, 4, 5) at "
-            "[1, 1, 0] m");
+            "[1.00000, 1.00000, 0.00000] m");
   EXPECT_TRUE(
       describe(cloth, std::span(pairs).first(1)).starts_with("1 pair of triangles crosses, the first"));
 }

@@ -56,6 +56,12 @@ void require_possible(const Surroundings& surroundings, std::size_t vertex_count
   for (const HeldVertex& held : surroundings.forces.held_vertices) {
     require_vertex("a hand holds", held.vertex, vertex_count);
   }
+  for (const Body& body : surroundings.bodies) {
+    const auto* mesh = std::get_if<BodyMesh>(&body.shape);
+    if (mesh != nullptr && !mesh->data) {
+      throw std::invalid_argument("the body '" + body.name + "' is a mesh without positions and triangles");
+    }
+  }
   for (const MovingPins& group : surroundings.moving_pins) {
     if (!std::is_sorted(group.vertices.begin(), group.vertices.end())) {
       throw std::invalid_argument("the vertices of moving pins must be in ascending order");

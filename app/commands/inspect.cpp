@@ -1,11 +1,12 @@
 #include <fmt/core.h>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/commands/options.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/inspection_picture.hpp"
+#include "app/models/body_loading.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"
 #include "renderer/page/png.hpp"
@@ -16,6 +17,7 @@ int run(const InspectOptions& options) {
   DrawnScene scene;
   scene.garment.file = options.garment;
   apply_overrides(options.overrides, scene);
+  load_bodies(scene);
   if (!options.picture.empty()) {
     if (options.picture.extension() != ".png") {
       throw UsageError("--picture " + options.picture.string() + ": expected a name that ends in .png");

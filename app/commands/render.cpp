@@ -16,6 +16,7 @@
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/offscreen_renderer.hpp"
 #include "app/frame_loop.hpp"
+#include "app/models/body_loading.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/output/bound_verdict.hpp"
@@ -57,6 +58,7 @@ RenderJob render_job_of(const RenderOptions& options) {
   } else {
     job.scene = find_scene(options.scene, options.overrides);
   }
+  load_bodies(job.scene);
   // Made again, a picture never takes the place of the one it is made from unasked.
   const std::string name = job.scene.name + (job.again ? "-again.png" : ".png");
   job.output = options.output.empty() ? name : options.output;

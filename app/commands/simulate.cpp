@@ -12,6 +12,7 @@
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/frame_loop.hpp"
+#include "app/models/body_loading.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/obj_writing.hpp"
@@ -203,7 +204,8 @@ struct Running {
 }  // namespace
 
 int run(const SimulateOptions& options) {
-  const DrawnScene scene = find_scene(options.scene, options.overrides);
+  DrawnScene scene = find_scene(options.scene, options.overrides);
+  load_bodies(scene);
   const FrameRange range =
       options.frames.empty() ? FrameRange{1, scene.frames} : frame_range(options.frames, scene.frames);
   std::optional<ShapeOutput> shapes;

@@ -4,6 +4,7 @@
 #include "app/base/files.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/models/body_loading.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/window_viewer.hpp"
 #include "renderer/page/png.hpp"
@@ -95,7 +96,8 @@ int run(const ViewOptions& options) {
     throw UsageError("--script, --screenshot and --layout are for --headless: a window has a person instead");
   }
   const Session session = session_of(options);
-  const DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
+  DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
+  load_bodies(scene);
   if (options.headless) {
     view_headless(options, session, scene);
   } else {

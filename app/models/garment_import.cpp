@@ -61,7 +61,7 @@ ImportedModel import_garment(const std::filesystem::path& path, const ImportLimi
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
-    throw InputError("cannot read a garment from '" + path.string() + "': " + error.what() +
+    throw InputError("cannot read a model from '" + path.string() + "': " + error.what() +
                      "; expected a 3D model with faces, such as OBJ, PLY, STL, glTF, FBX or Collada");
   }
 }

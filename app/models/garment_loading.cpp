@@ -127,6 +127,38 @@ std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, L
                      {mesh, loaded.landmarks, loaded.file_vertices, is_grid ? &scene.garment.grid : nullptr});
 }
 
+/// Requires that no pin is led by two motions.
+void require_one_motion(const std::vector<sim::MovingPins>& groups, const FileVertices& file_vertices) {
+  std::vector<sim::Index> all;
+  for (const sim::MovingPins& group : groups) {
+    all.insert(all.end(), group.vertices.begin(), group.vertices.end());
+  }
+  std::sort(all.begin(), all.end());
+  const auto twice = std::adjacent_find(all.begin(), all.end());
+  if (twice != all.end()) {
+    throw InputError(fmt::format("pins.moving: found vertex {} in two entries, expected each in one",
+                                 file_vertices.number_of(*twice).value_or(*twice)));
+  }
+}
+
+std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::Mesh& mesh,
+                                                const LoadedGarment& loaded) {
+  const sim::GridSettings* grid = scene.garment.file.empty() ? &scene.garment.grid : nullptr;
+  std::vector<sim::MovingPins> groups;
+  for (const MovingPinsInScene& entry : scene.moving_pins) {
+    std::vector<sim::Index> vertices =
+        select_pins(entry.at, {mesh, loaded.landmarks, loaded.file_vertices, grid, "pins.moving"});
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sim::PinnedMesh finer =
+        subdivided({scene.garment.subdivisions > 0 ? mesh : sim::Mesh{}, std::move(vertices)},
+                   scene.garment.subdivisions);
+    groups.push_back({std::move(finer.pins), entry.motion});
+  }
+  require_one_motion(groups, loaded.file_vertices);
+  return groups;
+}
+
 /// The positions of the file's vertices, as they stand in it.
 std::vector<sim::Vec3> read_start(const std::filesystem::path& file, std::size_t count) {
   const ImportedModel model = import_garment(file);
@@ -164,9 +196,13 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   }
   // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
   std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded);
+  loaded.moving_pins = choose_moving_pins(scene, mesh, loaded);
   sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
   loaded.garment = sim::share(sim::make_garment(std::move(pinned.mesh), scene.mapping, scene.material));
   loaded.pins = std::move(pinned.pins);
+  for (const sim::MovingPins& group : loaded.moving_pins) {
+    loaded.pins.insert(loaded.pins.end(), group.vertices.begin(), group.vertices.end());
+  }
   if (!scene.garment.start.empty()) {
     loaded.start_m = read_start(scene.garment.start, loaded.garment->mesh.positions.size());
   }
@@ -178,10 +214,24 @@ Surface surface_at_start(const GarmentInScene& loaded) {
   return {loaded.start_m ? *loaded.start_m : mesh.positions, mesh.triangles};
 }
 
+sim::Surroundings settled(sim::Surroundings surroundings, std::optional<double> layer_distance_m,
+                          const GarmentInScene& loaded) {
+  for (sim::PointForce& force : surroundings.forces.artificial_forces) {
+    const std::optional<sim::Index> vertex = loaded.file_vertices.find(force.vertex);
+    if (!vertex) {
+      throw InputError("forces.vertex: " + loaded.file_vertices.why_missing(force.vertex));
+    }
+    force.vertex = *vertex;
+  }
+  surroundings.layer_distance_m =
+      layer_distance_m ? *layer_distance_m : suitable_layer_distance(*loaded.garment);
+  surroundings.moving_pins = loaded.moving_pins;
+  return surroundings;
+}
+
 sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded) {
   return {loaded.garment, loaded.pins, simulation_settings(scene.simulation),
-          settled(scene.surroundings, scene.layer_distance_m, *loaded.garment, loaded.file_vertices),
-          loaded.start_m};
+          settled(scene.surroundings, scene.layer_distance_m, loaded), loaded.start_m};
 }
 
 }  // namespace taut::app

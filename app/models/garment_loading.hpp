@@ -20,9 +20,10 @@ namespace taut::app {
 /// A scene's garment as it is simulated.
 struct GarmentInScene {
   std::shared_ptr<const sim::Garment> garment;
-  std::vector<sim::Index> pins;                   ///< vertices of the mesh
+  std::vector<sim::Index> pins;                   ///< vertices of the mesh, those that are led too
   std::optional<std::vector<sim::Vec3>> start_m;  ///< positions at the start, per vertex; empty: as modelled
   FileVertices file_vertices;  ///< For the mesh before subdivision. Of a grid: all its vertices.
+  std::vector<sim::MovingPins> moving_pins = {};  ///< vertices of the mesh
 };
 
 /// A scene's garment with all that was found out about it.
@@ -47,9 +48,14 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin = {});
 /// Returns the shape that the garment begins in. It refers to what was loaded.
 Surface surface_at_start(const GarmentInScene& loaded);
 
-/// Returns the simulation at its start. Values that the scene leaves to the garment, such as the distance of
-/// layers, are filled in first. Throws std::invalid_argument as sim::Simulation does, and InputError for a
-/// force at a vertex that does not exist.
+/// Completes the surroundings of a scene for the simulation. Sets the distance of layers: `layer_distance_m`,
+/// or if empty suitable_layer_distance(). Changes the vertices of forces from numbers of the file to those of
+/// the mesh, and adds the moving pins. Throws InputError for a force at a vertex that does not exist.
+sim::Surroundings settled(sim::Surroundings surroundings, std::optional<double> layer_distance_m,
+                          const GarmentInScene& loaded);
+
+/// Returns the simulation at its start, in the scene's settled surroundings. Throws std::invalid_argument as
+/// sim::Simulation does, and InputError for a force at a vertex that does not exist.
 sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded);
 
 }  // namespace taut::app

@@ -9,7 +9,6 @@
 #include <limits>
 #include <vector>
 
-#include "app/base/errors.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 
@@ -117,19 +116,6 @@ double suitable_layer_distance(const sim::Garment& garment) {
     suitable_m *= less_distance;
   }
   return suitable_m < smallest_m ? 0.0 : suitable_m;
-}
-
-sim::Surroundings settled(sim::Surroundings surroundings, std::optional<double> layer_distance_m,
-                          const sim::Garment& garment, const FileVertices& file_vertices) {
-  for (sim::PointForce& force : surroundings.forces.artificial_forces) {
-    const std::optional<sim::Index> vertex = file_vertices.find(force.vertex);
-    if (!vertex) {
-      throw InputError("forces.vertex: " + file_vertices.why_missing(force.vertex));
-    }
-    force.vertex = *vertex;
-  }
-  surroundings.layer_distance_m = layer_distance_m ? *layer_distance_m : suitable_layer_distance(garment);
-  return surroundings;
 }
 
 }  // namespace taut::app

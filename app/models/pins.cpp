@@ -63,14 +63,14 @@ struct Selection {
       return top_band(targets.mesh);
     }
     const std::vector<std::string> names = pin_names(targets);
-    throw InputError("pins.at: the garment has no part named '" + name + '\'' + did_you_mean(name, names) +
-                     " (it has: " + joined(names) + ')');
+    throw InputError(std::string(targets.key) + ": the garment has no part named '" + name + '\'' +
+                     did_you_mean(name, names) + " (it has: " + joined(names) + ')');
   }
 
   std::vector<sim::Index> operator()(sim::Index number) const {
     const std::optional<sim::Index> vertex = targets.file_vertices.find(number);
     if (!vertex) {
-      throw InputError("pins.at: " + targets.file_vertices.why_missing(number));
+      throw InputError(std::string(targets.key) + ": " + targets.file_vertices.why_missing(number));
     }
     return {*vertex};
   }

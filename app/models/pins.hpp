@@ -27,6 +27,7 @@ struct PinTargets {
   const Landmarks& landmarks;
   const FileVertices& file_vertices;
   const sim::GridSettings* grid = nullptr;  ///< null for a model
+  const char* key = "pins.at";              ///< the key that names the pins, for messages
 };
 
 /// The names that a scene can pin: landmarks, corners and edges of a grid, and "top-band" (the upper 3 % of

@@ -37,6 +37,21 @@ struct NearestTo {
 /// the garment's file (file_vertices.hpp).
 using PinSelector = std::variant<std::string, sim::Index, NearestTo>;
 
+/// Pins that are led by a motion of their own.
+struct MovingPinsInScene {
+  std::vector<PinSelector> at;
+  sim::RigidMotion motion;
+};
+
+/// Where the mesh of a body comes from.
+struct BodySource {
+  std::filesystem::path file;
+  std::optional<double> scale;   ///< metres per unit of the file; empty: the file's own unit, or else metres
+  std::optional<ModelAxis> up;   ///< in the file's coordinates; empty: the file's own, or else y
+  std::filesystem::path frames;  ///< PC2; empty: the mesh keeps its shape
+  double frame_rate_hz = sim::BodyFrames{}.frame_rate_hz;
+};
+
 /// All that the simulation needs to know about a scene. How it is drawn is in DrawnScene.
 struct Scene {
   std::string name;  ///< as it was asked for; not a key of the file
@@ -45,8 +60,11 @@ struct Scene {
   sim::MappingSettings mapping;
   sim::Material material;
   std::optional<std::vector<PinSelector>> pins;  ///< empty: the garment hangs by its top
+  std::vector<MovingPinsInScene> moving_pins;    ///< besides `pins`
   RunSettings simulation;
-  sim::Surroundings surroundings;  ///< without the distance of layers
+  /// Without the distance of layers and without moving pins. Meshes of bodies are as load_bodies() left them.
+  sim::Surroundings surroundings;
+  std::vector<BodySource> body_sources;  ///< one for each of the bodies; those of meshes count
   /// 0: layers are not kept apart; empty: suitable_layer_distance()
   std::optional<double> layer_distance_m = 0.0;
   std::filesystem::path checkpoint;  ///< a saved moment to begin with (run_checkpoint.hpp); empty: none

@@ -1,7 +1,5 @@
 #include "app/scene/scene_format.hpp"
 
-#include <algorithm>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 
@@ -36,11 +34,6 @@ void require_garment_of(const toml::table& file, const Source& source, const Gar
       require_named(name, named.*member, source, line_of(*key));
     }
   }
-}
-
-Json::json_pointer pointer_to(std::string key) {
-  std::replace(key.begin(), key.end(), '.', '/');
-  return Json::json_pointer('/' + key);
 }
 
 }  // namespace taut::app

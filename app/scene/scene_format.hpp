@@ -39,9 +39,6 @@ void require_garment_of(const toml::table& file, const Source& source, const Gar
 void require_named(const std::string& key, const std::filesystem::path& named, const Source& source,
                    int line);
 
-/// The place of a key with its sections, such as "solver.substeps", in `settings_of`.
-Json::json_pointer pointer_to(std::string key);
-
 /// Sets keys of a scene. Throws UsageError if a key or a value is not valid.
 template <class S>
 void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
@@ -112,7 +109,7 @@ std::string describe_key(const Key<T>& key, const T& defaults) {
          '\n';
 }
 
-/// The keys of [[forces]] and [[bodies]], as describe_key() writes them.
+/// The keys of [[forces]], [[pins.moving]] and [[bodies]], as describe_key() writes them.
 std::string list_entries_help();
 
 }  // namespace taut::app

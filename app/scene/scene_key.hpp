@@ -221,6 +221,19 @@ Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> 
   return {std::move(name), "", std::move(expected), std::move(meaning), read, write};
 }
 
+/// The values of an entry of a list, nested as in a file; those that are not set are left out.
+template <class T>
+Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
+  Json table = Json::object();
+  for (const Key<T>& key : keys) {
+    Json value = key.write(entry);
+    if (!value.is_null()) {
+      table[pointer_to(key.name)] = std::move(value);
+    }
+  }
+  return table;
+}
+
 /// Reads a table of a scene file into a T. Every error message names the key that is wrong and, for an
 /// unknown key, those that are near.
 template <class T>

@@ -3,14 +3,9 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/scene/promise.hpp"
+#include "app/scene/scene_bodies.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/scene/scene_lists.hpp"
-
-// `access` of a key of a body that has the shape.
-#define MEMBER_OF(Shape, member)                 \
-  [](auto& c) -> auto& {                         \
-    return std::get<sim::Shape>(c.shape).member; \
-  }
 
 namespace taut::app {
 namespace {
@@ -36,7 +31,9 @@ void add_garment(SceneKeys& keys) {
   keys.push_back(file_key());
   keys.push_back(number("garment.scale", "m", not_negative, MEMBER(garment.scale),
                         "the model's unit of length; 0: what the file says, or else a guess from its size"));
-  keys.push_back(up_key());
+  keys.push_back(up_key<Scene>(
+      "garment.up", MEMBER(garment.up),
+      "the model's direction that is up; auto: what the file says, or else a guess from its size"));
   keys.push_back(number("garment.weld", "m", {0.0, 0.05}, MEMBER(garment.weld_m),
                         "borders of the model nearer to each other than this are sewn together"));
   keys.push_back(whole("garment.subdivisions", 0, 5, MEMBER(garment.subdivisions),
@@ -67,6 +64,7 @@ void add_garment(SceneKeys& keys) {
 
 void add_pins(SceneKeys& keys) {
   keys.push_back(pins_key());
+  keys.push_back(moving_pins_key());
   keys.push_back(vector_key<Scene>("pins.motion.amplitude", "m", MEMBER(surroundings.pin_motion.amplitude_m),
                                    "all pins swing by this much, as on a shaken hanger"));
   keys.push_back(number("pins.motion.frequency", "Hz", {0.0, 1e4, true},
@@ -166,17 +164,6 @@ void add_forces(SceneKeys& keys) {
   keys.push_back(layer_distance_key());
 }
 
-// Of a body 0 is a friction as good as any other.
-Key<sim::Body> friction_key() {
-  auto read = [](const toml::node& value, const Source&, sim::Body& body) {
-    body.friction = finite_number(value);
-    return body.friction && friction.contains(*body.friction);
-  };
-  auto write = [](const sim::Body& body) { return body.friction ? Json(*body.friction) : Json(); };
-  return {"friction", "",   describe("a number", friction), "Coulomb's coefficient; not set: cloth.friction",
-          read,       write};
-}
-
 }  // namespace
 
 std::vector<Key<Scene>> scene_keys() {
@@ -202,41 +189,7 @@ std::string list_entries_help() {
   for (const auto& key : force_keys()) {
     text += describe_key(key, sim::PointForce{});
   }
-  for (const sim::Shape& shape :
-       {sim::Shape(sim::Plane{}), sim::Shape(sim::Sphere{}), sim::Shape(sim::Capsule{})}) {
-    constexpr std::array names = {"plane", "sphere", "capsule"};
-    text += std::string("\nEach [[bodies]] with shape = \"") + names[shape.index()] + "\":\n";
-    for (const auto& key : body_keys(names[shape.index()])) {
-      if (key.name != "shape") {
-        text += describe_key(key, sim::Body{.shape = shape});
-      }
-    }
-  }
-  return text;
-}
-
-std::vector<Key<sim::Body>> body_keys(const std::string& shape) {
-  using C = sim::Body;
-  std::vector<Key<C>> keys = {
-      {"shape", "", "\"plane\" or \"sphere\" or \"capsule\"", "",
-       [](const toml::node&, const Source&, C&) { return true; }, [shape](const C&) { return Json(shape); }},
-      friction_key()};
-  if (shape == "plane") {
-    keys.push_back(vector_key<C>("point", "m", MEMBER_OF(Plane, point_m), "any point of it"));
-    keys.push_back(vector_key<C>("normal", "", MEMBER_OF(Plane, normal),
-                                 "points to the cloth's side, of any length", {.may_be_zero = false}));
-  } else if (shape == "sphere") {
-    keys.push_back(vector_key<C>("centre", "m", MEMBER_OF(Sphere, centre_m), "of the ball"));
-    keys.push_back(number_key<C>("radius", "m", positive, MEMBER_OF(Sphere, radius_m), "of the ball"));
-  } else {
-    keys.push_back(vector_key<C>("start", "m", MEMBER_OF(Capsule, start_m), "one end"));
-    keys.push_back(vector_key<C>("end", "m", MEMBER_OF(Capsule, end_m), "the other end"));
-    keys.push_back(
-        number_key<C>("start_radius", "m", positive, MEMBER_OF(Capsule, start_radius_m), "at the start"));
-    keys.push_back(
-        number_key<C>("end_radius", "m", positive, MEMBER_OF(Capsule, end_radius_m), "at the end"));
-  }
-  return keys;
+  return text + moving_entries_help();
 }
 
 std::vector<Key<sim::PointForce>> force_keys() {

@@ -10,9 +10,6 @@ namespace taut::app {
 /// All keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
 std::vector<Key<Scene>> scene_keys();
 
-/// The keys of an entry of [[bodies]]. `shape` is "plane", "sphere" or "capsule".
-std::vector<Key<sim::Body>> body_keys(const std::string& shape);
-
 /// The keys of an entry of [[forces]].
 std::vector<Key<sim::PointForce>> force_keys();
 

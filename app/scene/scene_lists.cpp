@@ -1,8 +1,6 @@
 #include "app/scene/scene_lists.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <glm/geometric.hpp>
 
 #include "app/scene/scene_keys.hpp"
 
@@ -30,26 +28,11 @@ std::optional<PinSelector> pin_of(const toml::node& value) {
 }
 
 bool read_pins(const toml::node& value, const Source&, Scene& scene) {
-  std::vector<PinSelector> pins;
-  if (const auto text = text_in(value)) {
-    if (*text != "none") {
-      pins.emplace_back(*text);
-    }
-    scene.pins = pins;
-    return true;
+  const auto pins = text_in(value) == "none" ? std::vector<PinSelector>{} : pins_in(value);
+  if (pins) {
+    scene.pins = *pins;
   }
-  if (!value.is_array()) {
-    return false;
-  }
-  for (const toml::node& item : *value.as_array()) {
-    const auto pin = pin_of(item);
-    if (!pin) {
-      return false;
-    }
-    pins.push_back(*pin);
-  }
-  scene.pins = pins;
-  return true;
+  return pins.has_value();
 }
 
 bool read_layer_distance(const toml::node& value, const Source&, Scene& scene) {
@@ -76,83 +59,7 @@ struct PinWriter {
 };
 
 Json write_pins(const Scene& scene) {
-  if (!scene.pins) {
-    return {};
-  }
-  Json list = Json::array();
-  for (const PinSelector& pin : *scene.pins) {
-    list.push_back(std::visit(PinWriter{}, pin));
-  }
-  return list;
-}
-
-template <class T>
-Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
-  Json table = Json::object();
-  for (const Key<T>& key : keys) {
-    const Json value = key.write(entry);
-    if (!value.is_null()) {
-      table[key.name] = value;
-    }
-  }
-  return table;
-}
-
-const char* shape_name(const sim::Shape& shape) {
-  constexpr std::array names = {"plane", "sphere", "capsule"};
-  return names[shape.index()];
-}
-
-std::optional<sim::Body> body_of_shape(const std::string& name) {
-  for (const sim::Shape& shape :
-       {sim::Shape(sim::Plane{}), sim::Shape(sim::Sphere{}), sim::Shape(sim::Capsule{})}) {
-    if (name == shape_name(shape)) {
-      return sim::Body{.shape = shape};
-    }
-  }
-  return std::nullopt;
-}
-
-sim::Body read_body(const toml::table& entry, const Source& source) {
-  const std::string expected = "expected a shape, \"plane\" or \"sphere\" or \"capsule\"";
-  const toml::node* shape = entry.get("shape");
-  if (shape == nullptr) {
-    fail(source, line_of(entry), "an entry of bodies has no shape; " + expected);
-  }
-  auto body = body_of_shape(text_in(*shape).value_or(""));
-  if (!body) {
-    fail(source, line_of(*shape), "bodies.shape: found " + to_text(*shape) + ", " + expected);
-  }
-  const auto keys = body_keys(shape_name(body->shape));
-  KeyReader(keys, source, *body).read(entry);
-  if (auto* plane = std::get_if<sim::Plane>(&body->shape)) {
-    plane->normal = glm::normalize(plane->normal);
-  }
-  return *body;
-}
-
-bool is_list_of_tables(const toml::node& value) {
-  const toml::array* list = value.as_array();
-  return list != nullptr && (list->empty() || list->is_homogeneous<toml::table>());
-}
-
-bool read_bodies(const toml::node& value, const Source& source, Scene& scene) {
-  if (!is_list_of_tables(value)) {
-    return false;
-  }
-  scene.surroundings.bodies.clear();
-  for (const toml::node& item : *value.as_array()) {
-    scene.surroundings.bodies.push_back(read_body(*item.as_table(), source));
-  }
-  return true;
-}
-
-Json write_bodies(const Scene& scene) {
-  Json list = Json::array();
-  for (const sim::Body& body : scene.surroundings.bodies) {
-    list.push_back(write_entry(body_keys(shape_name(body.shape)), body));
-  }
-  return list;
+  return scene.pins ? json_of(*scene.pins) : Json();
 }
 
 bool read_forces(const toml::node& value, const Source& source, Scene& scene) {
@@ -177,13 +84,6 @@ Json write_forces(const Scene& scene) {
   return list;
 }
 
-// Files are named relative to the scene that names them.
-std::filesystem::path beside(const Source& source, const std::filesystem::path& file) {
-  const auto folder =
-      source.is_command_line ? std::filesystem::path() : std::filesystem::path(source.name).parent_path();
-  return (folder / file).lexically_normal();
-}
-
 Key<Scene> file_name_key(std::string name, std::filesystem::path GarmentSource::*member,
                          std::string meaning) {
   auto read = [member](const toml::node& value, const Source& source, Scene& scene) {
@@ -202,6 +102,32 @@ Key<Scene> file_name_key(std::string name, std::filesystem::path GarmentSource::
 }
 
 }  // namespace
+
+std::optional<std::vector<PinSelector>> pins_in(const toml::node& value) {
+  if (const auto text = text_in(value)) {
+    return std::vector<PinSelector>{*text};
+  }
+  if (!value.is_array()) {
+    return std::nullopt;
+  }
+  std::vector<PinSelector> pins;
+  for (const toml::node& item : *value.as_array()) {
+    const auto pin = pin_of(item);
+    if (!pin) {
+      return std::nullopt;
+    }
+    pins.push_back(*pin);
+  }
+  return pins;
+}
+
+Json json_of(const std::vector<PinSelector>& pins) {
+  Json list = Json::array();
+  for (const PinSelector& pin : pins) {
+    list.push_back(std::visit(PinWriter{}, pin));
+  }
+  return list;
+}
 
 Key<Scene> file_key() {
   return file_name_key("garment.file", &GarmentSource::file,
@@ -233,16 +159,12 @@ Key<Scene> checkpoint_key() {
           write};
 }
 
-Key<Scene> up_key() {
+std::vector<std::pair<std::string, std::optional<ModelAxis>>> up_choices() {
   std::vector<std::pair<std::string, std::optional<ModelAxis>>> choices = {{"auto", std::nullopt}};
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     choices.emplace_back(axis_names[i], static_cast<ModelAxis>(i));
   }
-  Key<Scene> key = choice_key<Scene, std::optional<ModelAxis>>(
-      "garment.up", choices, MEMBER(garment.up),
-      "the model's direction that is up; auto: what the file says, or else a guess from its size");
-  key.expected = "\"auto\" or \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\"";
-  return key;
+  return choices;
 }
 
 Key<Scene> pins_key() {
@@ -261,10 +183,6 @@ Key<Scene> pins_key() {
 
 Key<Scene> forces_key() {
   return {"forces", "", "a list of tables [[forces]]", "pulls on single vertices", read_forces, write_forces};
-}
-
-Key<Scene> bodies_key() {
-  return {"bodies", "", "a list of tables [[bodies]]", "what cloth cannot enter", read_bodies, write_bodies};
 }
 
 Key<Scene> layer_distance_key() {

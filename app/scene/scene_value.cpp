@@ -119,6 +119,22 @@ std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::ta
   return entries;
 }
 
+bool is_list_of_tables(const toml::node& value) {
+  const toml::array* list = value.as_array();
+  return list != nullptr && (list->empty() || list->is_homogeneous<toml::table>());
+}
+
+std::filesystem::path beside(const Source& source, const std::filesystem::path& file) {
+  const auto folder =
+      source.is_command_line ? std::filesystem::path() : std::filesystem::path(source.name).parent_path();
+  return (folder / file).lexically_normal();
+}
+
+Json::json_pointer pointer_to(std::string key) {
+  std::replace(key.begin(), key.end(), '.', '/');
+  return Json::json_pointer('/' + key);
+}
+
 std::string to_text(const Json& value) {
   return joined_words(value, message_word);
 }

@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -40,6 +41,15 @@ std::optional<std::string> text_in(const toml::node& value);
 /// The entries of a table, in the order of their lines. toml++ sorts them by name, but a message should name
 /// the first mistake of the file. Valid as long as the table.
 std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table);
+
+/// Whether the value is a list that holds tables alone, or nothing.
+bool is_list_of_tables(const toml::node& value);
+
+/// The path of a file that a scene names: relative to the scene file, or where the command line runs.
+std::filesystem::path beside(const Source& source, const std::filesystem::path& file);
+
+/// The place of a key with its sections, such as "solver.substeps", in a nested value.
+Json::json_pointer pointer_to(std::string key);
 
 /// The value for messages: numbers with six digits, texts in quotes, tables in braces, "not set" for null.
 std::string to_text(const Json& value);

@@ -9,7 +9,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/models/layers.hpp"
+#include "app/models/garment_loading.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -49,8 +49,7 @@ std::vector<PinSelector> numbered_in_file(const std::vector<sim::Index>& pins, c
 
 sim::Surroundings surroundings_of(const ViewerState& state) {
   const LoadedScene& loaded = *state.shown->loaded;
-  return settled(state.scene.surroundings, state.scene.layer_distance_m, *loaded.garment,
-                 loaded.file_vertices);
+  return settled(state.scene.surroundings, state.scene.layer_distance_m, loaded);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/framing.hpp"
+#include "app/models/body_loading.hpp"
 #include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
 
@@ -208,7 +209,9 @@ void Viewer::load_asked() {
   const auto garment = std::exchange(state_.garment_asked, std::nullopt);
   try {
     if (name) {
-      load(find_scene(*name, {}));
+      DrawnScene scene = find_scene(*name, {});
+      load_bodies(scene);
+      load(std::move(scene));
     } else if (garment) {
       DrawnScene scene = state_.scene;
       // Another cut of the same garment has the same seams to hang from; another garment has not.

@@ -128,8 +128,8 @@ def garments():
 
 def errors():
     yield Model('nothing.obj', b'', error='is empty')
-    yield Model('prose.obj', b'Once upon a time there was a dress.\n', error='cannot read a garment')
-    yield Model('points.obj', w.obj(s.Shape(s.sheet().points, [])), error='cannot read a garment')
+    yield Model('prose.obj', b'Once upon a time there was a dress.\n', error='cannot read a model')
+    yield Model('points.obj', w.obj(s.Shape(s.sheet().points, [])), error='cannot read a model')
     yield Model('damaged.obj', w.obj(s.sheet()).replace(b'-0.3 0 0', b'-0.3 zero 0', 1),
                 error="line 1: found 'zero', expected a coordinate")
     yield Model('wrong_index.obj', w.obj(s.triangle()).replace(b'f 1 2 3', b'f 1 2 9'),
@@ -138,13 +138,13 @@ def errors():
     yield Model('flat_to_a_line.obj', w.obj(s.sheet().mapped(lambda x, y, z: (x, 0, 0))), error='no triangle with an area')
     yield Model('one_place.ply', w.ply(s.sheet().scaled(0)), error='no triangle with an area')
     yield Model('not_a_number.ply', w.ply(s.sheet()).replace(b'-0.3 0 0', b'nan 0 0', 1), error='not finite')
-    yield Model('wrong_index.ply', w.ply(s.triangle()).replace(b'3 0 1 2', b'3 0 1 9'), error='cannot read a garment')
-    yield Model('cut_off.glb', w.glb(s.sheet())[:300], error='cannot read a garment')
-    yield Model('cut_off.stl', w.stl_binary(s.sheet())[:200], error='cannot read a garment')
-    yield Model('cut_off.3mf', b'PK\x03\x04' + b'\0' * 40, error='cannot read a garment')
-    yield Model('cut_off.dae', w.dae(s.sheet())[:500], error='cannot read a garment')
-    yield Model('vast_count.stl', b'cloth'.ljust(80, b' ') + b'\xff\xff\xff\x7f' + b'\0' * 50, error='cannot read a garment')
-    yield Model('picture.png', b'\x89PNG\r\n\x1a\n' + b'\0' * 64, error="cannot read a garment|no PNG picture")
+    yield Model('wrong_index.ply', w.ply(s.triangle()).replace(b'3 0 1 2', b'3 0 1 9'), error='cannot read a model')
+    yield Model('cut_off.glb', w.glb(s.sheet())[:300], error='cannot read a model')
+    yield Model('cut_off.stl', w.stl_binary(s.sheet())[:200], error='cannot read a model')
+    yield Model('cut_off.3mf', b'PK\x03\x04' + b'\0' * 40, error='cannot read a model')
+    yield Model('cut_off.dae', w.dae(s.sheet())[:500], error='cannot read a model')
+    yield Model('vast_count.stl', b'cloth'.ljust(80, b' ') + b'\xff\xff\xff\x7f' + b'\0' * 50, error='cannot read a model')
+    yield Model('picture.png', b'\x89PNG\r\n\x1a\n' + b'\0' * 64, error="cannot read a model|no PNG picture")
     yield Model('one_vertex_far_away.obj', w.obj(s.sheet()).replace(b'v -0.3 0 0', b'v -1e30 0 0', 1),
                 error='reaches over 1e.30 of its units, but half of its edges')
     yield Model('far_too_far.ply', w.ply(s.sheet().moved(1e9, 0, 0)), error='no triangle with an area')

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/models/garment_loading.hpp"
 #include "app/models/layers.hpp"
 #include "temporary_folder.hpp"
 
@@ -68,11 +69,13 @@ TEST(Layers, AModelWithoutASceneIsLeftToItsMesh) {
   const test::TemporaryFolder folder;
   const auto path = folder.write("shirt.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const sim::Garment garment = sheets({0.0, 0.015});
+  GarmentInScene cloth;
+  cloth.garment = sim::share(garment);
   const Scene scene = find_scene(path.string(), {});
-  EXPECT_EQ(settled(scene.surroundings, scene.layer_distance_m, garment, {}).layer_distance_m,
+  EXPECT_EQ(settled(scene.surroundings, scene.layer_distance_m, cloth).layer_distance_m,
             suitable_layer_distance(garment));
   const Scene asked = find_scene(path.string(), std::vector{parse_override("cloth.layer_distance=0")});
-  EXPECT_EQ(settled(asked.surroundings, asked.layer_distance_m, garment, {}).layer_distance_m, 0.0);
+  EXPECT_EQ(settled(asked.surroundings, asked.layer_distance_m, cloth).layer_distance_m, 0.0);
   const Scene automatic = find_scene("cloth-fall", std::vector{parse_override("cloth.layer_distance=auto")});
   EXPECT_FALSE(automatic.layer_distance_m.has_value());
 }

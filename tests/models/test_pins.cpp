@@ -2,7 +2,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/layers.hpp"
 #include "app/models/pins.hpp"
 #include "sim/mesh/grid.hpp"
 #include "temporary_folder.hpp"
@@ -144,13 +143,11 @@ TEST_F(PinsOfAFile, NumberForcesToo) {
   sim::Surroundings surroundings;
   surroundings.layer_distance_m = 0.0;
   surroundings.forces.artificial_forces = {{.vertex = 1, .force_n = {1, 0, 0}}};
-  const auto forces =
-      settled(surroundings, {}, *loaded.garment, loaded.file_vertices).forces.artificial_forces;
+  const auto forces = settled(surroundings, {}, loaded).forces.artificial_forces;
   EXPECT_EQ(loaded.garment->mesh.positions[forces.at(0).vertex], sim::Vec3(2, 1, 0));
   surroundings.forces.artificial_forces[0].vertex = 0;
-  EXPECT_CONTAINS(
-      test::message_of<InputError>([&] { settled(surroundings, {}, *loaded.garment, loaded.file_vertices); }),
-      "forces.vertex: vertex 0 of the file belongs to no face");
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { settled(surroundings, {}, loaded); }),
+                  "forces.vertex: vertex 0 of the file belongs to no face");
 }
 
 // What the window holds is a vertex of the mesh; a scene that is saved names it as any reader finds it.

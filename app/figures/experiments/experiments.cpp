@@ -11,7 +11,6 @@
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/moments.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/layers.hpp"
 #include "app/models/pins.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
@@ -208,8 +207,7 @@ RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_afte
   const LoadedGarment loaded = load_garment(stepped);
   const sim::Garment& garment = *loaded.garment;
   const sim::Pins pins = sim::make_pins(garment, loaded.pins);
-  const sim::Surroundings surroundings =
-      settled(stepped.surroundings, stepped.layer_distance_m, garment, loaded.file_vertices);
+  const sim::Surroundings surroundings = settled(stepped.surroundings, stepped.layer_distance_m, loaded);
   const double time_step_s = 1.0 / stepped.simulation.frame_rate_hz;
   const auto go_on = [&](sim::State& state, int steps) {
     const auto solver = sim::make_solver(solver_settings(stepped.simulation.solver));

@@ -7,7 +7,6 @@
 #include "app/base/stopwatch.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
-#include "app/models/layers.hpp"
 #include "app/output/run_checkpoint.hpp"
 
 namespace taut::app {
@@ -102,8 +101,7 @@ void LiveSimulation::perform(const ChangeSettings& change) {
     // Another bound may move the cloth before another frame.
     measure_stretches(*simulation_, record_);
   }
-  surroundings_ =
-      settled(change.surroundings, change.layer_distance_m, *loaded_->garment, loaded_->file_vertices);
+  surroundings_ = settled(change.surroundings, change.layer_distance_m, *loaded_);
   simulation_->set_surroundings(surroundings_);
 }
 

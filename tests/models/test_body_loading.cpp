@@ -1,0 +1,193 @@
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/base/errors.hpp"
+#include "app/models/body_loading.hpp"
+#include "app/models/garment_loading.hpp"
+#include "sim/bytes.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+/// A tetrahedron; its faces look outwards.
+const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const std::string tetrahedron = corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+using Frame = std::vector<sim::Vec3>;
+const Frame modelled = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+std::string pc2(const std::vector<Frame>& frames) {
+  sim::ByteWriter out;
+  for (const char c : std::string("POINTCACHE2") + '\0') {
+    out.put(c);
+  }
+  out.put<std::int32_t>(1);
+  out.put(static_cast<std::int32_t>(frames.front().size()));
+  out.put(0.0F);
+  out.put(1.0F);
+  out.put(static_cast<std::int32_t>(frames.size()));
+  for (const Frame& frame : frames) {
+    for (const sim::Vec3& p : frame) {
+      for (int axis = 0; axis < 3; ++axis) {
+        out.put(static_cast<float>(p[axis]));
+      }
+    }
+  }
+  return out.bytes();
+}
+
+struct BodyLoading : testing::Test {
+  sim::BodyMesh load(const std::string& obj, const std::string& frames = "", BodySource source = {}) {
+    source.file = folder.write("body.obj", obj);
+    if (!frames.empty()) {
+      source.frames = folder / "body.pc2";
+      std::ofstream(source.frames, std::ios::binary) << frames;
+    }
+    Scene scene;
+    scene.surroundings.bodies = {{.shape = sim::Plane{}}, {.name = "avatar", .shape = sim::BodyMesh{}}};
+    scene.body_sources = {{}, source};
+    load_bodies(scene);
+    return std::get<sim::BodyMesh>(scene.surroundings.bodies[1].shape);
+  }
+  std::string error_of(const std::string& obj, const std::string& frames = "") {
+    return test::message_of<InputError>([&] { load(obj, frames); });
+  }
+
+  test::TemporaryFolder folder;
+};
+
+double volume_m3(const sim::BodyMeshData& mesh) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sum += glm::dot(mesh.positions_m[a], glm::cross(mesh.positions_m[b], mesh.positions_m[c]));
+  }
+  return sum / 6.0;
+}
+
+TEST_F(BodyLoading, ReadsAMeshInItsUnitAndAxes) {
+  EXPECT_EQ(load(tetrahedron).data->positions_m.size(), 4U);
+  EXPECT_NEAR(volume_m3(*load(tetrahedron).data), 1.0 / 6.0, 1e-15)
+      << "in metres where nobody says otherwise";
+  const auto data = load("v 9 9 9\n" + corners + "f 2 4 3\nf 2 3 5\nf 2 5 4\nf 3 4 5\n", "",
+                         {.file = {}, .scale = 0.1, .up = ModelAxis::z, .frames = {}})
+                        .data;
+  EXPECT_NEAR(volume_m3(*data), 1e-3 / 6.0, 1e-15);
+  EXPECT_EQ(data->positions_m.size(), 4U) << "no face uses the first";
+  EXPECT_NE(std::find(data->positions_m.begin(), data->positions_m.end(), sim::Vec3(0, 0.1, 0)),
+            data->positions_m.end());
+}
+
+TEST_F(BodyLoading, WeldsWhatWasCutAlongSeams) {
+  const auto data = load(corners + "v 0 0 0\nv 1 0 0\nf 1 3 2\nf 5 6 4\nf 1 4 3\nf 2 3 4\n").data;
+  EXPECT_EQ(data->positions_m.size(), 4U);
+}
+
+TEST_F(BodyLoading, FacesOutwardsHoweverItsTrianglesWereTurned) {
+  EXPECT_GT(volume_m3(*load(corners + "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n").data), 0.1) << "inside out";
+  EXPECT_GT(volume_m3(*load(corners + "f 1 2 3\nf 1 2 4\nf 1 4 3\nf 2 3 4\n").data), 0.1) << "one is turned";
+}
+
+TEST_F(BodyLoading, LeavesWhatWasReadAlone) {
+  Scene scene;
+  scene.surroundings.bodies = {{.shape = sim::BodyMesh{std::make_shared<const sim::BodyMeshData>()}}};
+  scene.body_sources = {{.file = "none.obj", .scale = {}, .up = {}, .frames = {}}};
+  load_bodies(scene);
+  EXPECT_TRUE(std::get<sim::BodyMesh>(scene.surroundings.bodies[0].shape).data->positions_m.empty());
+}
+
+TEST_F(BodyLoading, NamesWhatIsNotClosed) {
+  const std::string hole = error_of(corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\n");
+  EXPECT_CONTAINS(hole, "body 'avatar': '");
+  EXPECT_CONTAINS(hole, "body.obj': found the edge from [");
+  EXPECT_CONTAINS(hole, "with 1 triangle, expected two at every edge: a body has no holes");
+  const std::string fin = error_of(tetrahedron + "v 2 2 2\nf 1 2 5\n");
+  EXPECT_CONTAINS(fin, "with 3 triangles, expected two at every edge");
+}
+
+TEST_F(BodyLoading, NamesFacesWithoutAreaAndThoseThatAreThereTwice) {
+  EXPECT_CONTAINS(error_of(corners + "v 0.5 0 0\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 5 2\n"),
+                  "body.obj': found a face without area at [0, 0, 0]");
+  EXPECT_CONTAINS(error_of(tetrahedron + "f 1 3 2\n"), "found a triangle that is there twice");
+}
+
+// A Klein bottle as a torus of quads whose last ring is joined to the first the other way around.
+TEST_F(BodyLoading, NamesASurfaceWithOneSide) {
+  constexpr int n = 8;
+  std::string obj;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const double a = 2.0 * 3.14159265 * i / n, b = 2.0 * 3.14159265 * j / n;
+      obj += "v " + std::to_string(std::cos(a) * (2 + std::cos(b))) + ' ' + std::to_string(std::sin(b)) +
+             ' ' + std::to_string(std::sin(a) * (2 + std::cos(b))) + '\n';
+    }
+  }
+  const auto vertex = [](int i, int j) {
+    return ' ' + std::to_string(1 + i % n * n + (i == n ? (2 * n - j) % n : j % n));
+  };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      obj += 'f' + vertex(i, j) + vertex(i, j + 1) + vertex(i + 1, j + 1) + '\n';
+      obj += 'f' + vertex(i, j) + vertex(i + 1, j + 1) + vertex(i + 1, j) + '\n';
+    }
+  }
+  EXPECT_CONTAINS(error_of(obj), "found triangles that face different sides at the edge from [");
+}
+
+TEST_F(BodyLoading, NamesWhatIsNoModel) {
+  EXPECT_CONTAINS(error_of("v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+                  "body.obj': found a vertex at [0, nan, 0], expected numbers");
+  EXPECT_CONTAINS(error_of("v 0 0 0\nv 1 0 0\n"), "it has no faces");
+  Scene scene;
+  scene.surroundings.bodies = {{.shape = sim::BodyMesh{}}};
+  scene.body_sources = {{.file = folder / "none.obj", .scale = {}, .up = {}, .frames = {}}};
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_bodies(scene); }), "body 1: there is no file '");
+}
+
+TEST_F(BodyLoading, ReadsFramesInTheOrderOfTheFile) {
+  Frame grown = modelled;
+  for (sim::Vec3& p : grown) {
+    p *= 1.5;
+  }
+  // Faces use the vertices in another order than the file has them, and one vertex is there twice.
+  Frame first = modelled;
+  first.emplace_back(0, 0, 0);
+  grown.emplace_back(0, 0, 0);
+  BodySource source;
+  source.frame_rate_hz = 24.0;
+  source.scale = 0.5;
+  const sim::BodyMesh body =
+      load(corners + "v 0 0 0\nf 4 2 3\nf 5 3 2\nf 1 2 4\nf 1 4 3\n", pc2({first, grown}), source);
+  ASSERT_EQ(body.frames->positions_m.size(), 2U);
+  EXPECT_EQ(body.frames->frame_rate_hz, 24.0);
+  EXPECT_EQ(body.frames->positions_m[0], body.data->positions_m);
+  for (std::size_t v = 0; v < 4; ++v) {
+    EXPECT_EQ(body.frames->positions_m[1][v], 1.5 * body.data->positions_m[v]);
+  }
+}
+
+TEST_F(BodyLoading, NamesWhatIsWrongWithFrames) {
+  const std::string good = pc2({modelled, modelled});
+  load(tetrahedron, good);
+  EXPECT_CONTAINS(error_of(tetrahedron, pc2({{{0, 0, 0}}})),
+                  "body.pc2': found 1 vertex, expected the 4 of '");
+  EXPECT_CONTAINS(error_of(tetrahedron, good.substr(0, good.size() - 1)),
+                  "found 127 bytes, expected 128 for 2 frames of 4 vertices");
+  EXPECT_CONTAINS(error_of(tetrahedron, good.substr(0, 20)),
+                  "body.pc2': byte 20, the first frame: found 0 bytes");
+  EXPECT_CONTAINS(error_of(tetrahedron, "POINTCACHE3" + good.substr(11)),
+                  "what the file is: found 'POINTCACHE3");
+  Frame jumped = modelled;
+  jumped[2] = {0, 2.5, 0};
+  EXPECT_CONTAINS(error_of(tetrahedron, pc2({modelled, modelled, jumped})),
+                  "frame 2, vertex 2: found at [0, 2.5, 0] m, 1.5 m from where it is in the frame before");
+  jumped[2].x = NAN;
+  EXPECT_CONTAINS(error_of(tetrahedron, pc2({modelled, jumped})),
+                  "frame 1, vertex 2: byte 104, a coordinate: found nan");
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -1,0 +1,114 @@
+// Keys of bodies and of pins that move.
+
+#include <gtest/gtest.h>
+
+#include "app/base/errors.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+using test::message_of;
+
+const std::string grid = "[garment.grid]\ncolumns = 5\nrows = 5\n";
+
+DrawnScene read(const std::string& rest) {
+  return read_scene_text(grid + rest, "scene.toml");
+}
+
+std::string error_of(const std::string& rest) {
+  return message_of<InputError>([&] { read(rest); });
+}
+
+const std::string moving = R"(
+[pins]
+at = "none"
+[[pins.moving]]
+at = ["top-left", 7]
+shift = { velocity = [1, 0, 0.5], from = 0.25 }
+[[pins.moving]]
+at = "bottom-edge"
+spin = { turns_per_second = -0.5, axis = [0, 0, 3], about = [0, 0.1, 0], until = 2 }
+[[bodies]]
+shape = "sphere"
+name = "ball"
+path = [[0, 0, 0, 0], [1.5, 0.1, 0.2, 0.3]]
+[[bodies]]
+shape = "mesh"
+file = "avatar.obj"
+scale = 0.01
+up = "z"
+frames = "walk.pc2"
+frame_rate = 25
+friction = 0
+shift = { velocity = [0, 1, 0], until = 3 }
+)";
+
+TEST(MovingKeys, AreReadForBodiesAndPinsAlike) {
+  const DrawnScene scene = read(moving);
+  ASSERT_EQ(scene.moving_pins.size(), 2U);
+  EXPECT_EQ(std::get<sim::Index>(scene.moving_pins[0].at.at(1)), 7U);
+  EXPECT_EQ(scene.moving_pins[0].motion, (sim::RigidMotion{.shift = {{1, 0, 0.5}, 0.25}}));
+  EXPECT_EQ(std::get<std::string>(scene.moving_pins[1].at.at(0)), "bottom-edge");
+  EXPECT_EQ(scene.moving_pins[1].motion,
+            (sim::RigidMotion{.spin = {{0, 0.1, 0}, {0, 0, 1}, -0.5, 0.0, 2.0}}));
+  const auto& bodies = scene.surroundings.bodies;
+  ASSERT_EQ(bodies.size(), 2U);
+  EXPECT_EQ(bodies[0].name, "ball");
+  EXPECT_EQ(bodies[0].motion, (sim::RigidMotion{.path = {{0, {0, 0, 0}}, {1.5, {0.1, 0.2, 0.3}}}}));
+  EXPECT_EQ(bodies[1].motion, (sim::RigidMotion{.shift = {{0, 1, 0}, 0, 3}}));
+  EXPECT_EQ(bodies[1].friction, 0.0);
+  const BodySource& source = scene.body_sources.at(1);
+  EXPECT_EQ(source.file, "avatar.obj");
+  EXPECT_EQ(source.scale, 0.01);
+  EXPECT_EQ(source.up, ModelAxis::z);
+  EXPECT_EQ(source.frames, "walk.pc2");
+  EXPECT_EQ(source.frame_rate_hz, 25.0);
+}
+
+TEST(MovingKeys, AreWrittenAsTheyWereRead) {
+  const std::string text = scene_text(
+      read(moving + "[[pins.moving]]\nat = [3]\nspin = { turns_per_second = 1, axis = [1, 2, 3] }\n"));
+  const DrawnScene again = read_scene_text(text, "again.toml");
+  EXPECT_EQ(scene_text(again), text);
+  const DrawnScene first = read(moving);
+  EXPECT_EQ(again.surroundings.bodies[0].motion, first.surroundings.bodies[0].motion);
+  EXPECT_EQ(again.surroundings.bodies[1].motion, first.surroundings.bodies[1].motion);
+  EXPECT_EQ(again.moving_pins[1].motion, first.moving_pins[1].motion);
+  EXPECT_EQ(again.body_sources[1].file, std::filesystem::absolute("avatar.obj"));
+  EXPECT_EQ(again.body_sources[1].frame_rate_hz, 25.0);
+}
+
+TEST(MovingKeys, AreExplained) {
+  const std::string help = scene_help();
+  EXPECT_CONTAINS(help, "Each [[pins.moving]]:\n  at = not set");
+  EXPECT_CONTAINS(help, "spin.turns_per_second = not set");
+  EXPECT_CONTAINS(help, "Each [[bodies]] with shape = \"mesh\" also:\n  file = not set");
+}
+
+TEST(MovingKeys, SayWhatIsWrong) {
+  const std::string ball = "[[bodies]]\nshape = \"sphere\"\n";
+  EXPECT_CONTAINS(error_of("[[colliders]]\nshape = \"plane\"\n"), "scene.toml:4: unknown key 'colliders'");
+  EXPECT_CONTAINS(error_of("[[colliders]]\nshape = \"plane\"\n"), "bodies");
+  EXPECT_CONTAINS(error_of(ball + "shift = { speed = 3 }\n"), ":6: unknown key 'shift.speed'");
+  EXPECT_CONTAINS(error_of(ball + "shift = { velocity = 3 }\n"),
+                  ":6: shift.velocity: found 3, expected three");
+  EXPECT_CONTAINS(error_of(ball + "shift = { velocity = [1, 0, 0], from = 2, until = 1 }\n"),
+                  "shift.until: found 1 s, expected a time after shift.from, 2 s");
+  EXPECT_CONTAINS(error_of(ball + "spin = { from = 2, until = 2 }\n"), "a time after spin.from, 2 s");
+  EXPECT_CONTAINS(error_of(ball + "spin = { axis = [0, 0, 0] }\n"), "spin.axis: found [0, 0, 0]");
+  for (const char* path : {"3", "[]", "[[0, 1, 2]]", "[[1, 0, 0, 0], [1, 0, 0, 0]]", "[[0, 0, 0, nan]]"}) {
+    EXPECT_CONTAINS(error_of(ball + "path = " + path + '\n'),
+                    "expected a list of [time, x, y, z], the times rising")
+        << path;
+  }
+  EXPECT_CONTAINS(error_of("[[bodies]]\nshape = \"mesh\"\n"), ":4: a body of shape \"mesh\" has no file");
+  EXPECT_CONTAINS(error_of(ball + "file = \"a.obj\"\n"), ":6: unknown key 'file'");
+  EXPECT_CONTAINS(error_of("[[pins.moving]]\nspin = { turns_per_second = 1 }\n"),
+                  ":4: an entry of pins.moving has no");
+  EXPECT_CONTAINS(error_of("[pins]\nmoving = 3\n"), "pins.moving: found 3, expected a list of tables");
+}
+
+}  // namespace
+}  // namespace taut::app

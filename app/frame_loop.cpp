@@ -57,7 +57,7 @@ void verify_start(const sim::Simulation& simulation, const FrameOutputs& outputs
 
 void draw_frame(FrameInWork& work, const FrameOutputs& outputs) {
   Stopwatch drawing;
-  work.picture = outputs.draw_positions(work.positions);
+  work.picture = outputs.draw_positions(work.positions, work.record.time_s);
   work.record.draw_ms = drawing.elapsed_ms();
 }
 

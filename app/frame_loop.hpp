@@ -17,7 +17,7 @@ struct FrameOutputs {
   int start_frame = 0;            ///< frame the simulation is at
   bool with_start = false;        ///< also hands out the start frame, drawn or not
   /// Called on the thread that called run_frames.
-  std::function<renderer::Image(const std::vector<sim::Vec3>& positions)> draw_positions;
+  std::function<renderer::Image(const std::vector<sim::Vec3>& positions, double time_s)> draw_positions;
   /// This and report are called frame after frame, but not always on the caller's thread. The record lacks
   /// only `encode_ms`.
   std::function<void(const FrameRecord&, const renderer::Image&)> write_frame;

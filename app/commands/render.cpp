@@ -183,7 +183,9 @@ std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation,
   outputs.pictures = frames;
   outputs.start_frame = go_to_start(job.scene, simulation);
   require_begun(outputs.start_frame, job.frames.front());
-  outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions) { return painter.draw(positions); };
+  outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions, double time_s) {
+    return painter.draw(positions, time_s);
+  };
   outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
     output.write(origin, record, picture);
   };

@@ -36,20 +36,12 @@ double distance_to_nearest_pin(const sim::Garment& garment, std::span<const sim:
   return nearest_m;
 }
 
-std::optional<float> level_plane(const DrawnScene& scene) {
-  for (const sim::Body& body : scene.surroundings.bodies) {
-    const auto* plane = std::get_if<sim::Plane>(&body.shape);
-    if (plane != nullptr && plane->normal.y > 0.999) {
-      return static_cast<float>(plane->point_m.y);
-    }
-  }
-  return std::nullopt;
-}
-
 struct ShapeBox {
+  const sim::Body& body;
+
   std::optional<renderer::Box> operator()(const sim::Plane&) const { return std::nullopt; }
-  std::optional<renderer::Box> operator()(const sim::BodyMesh& mesh) const {
-    return renderer::bounding_box(app::to_float(mesh.data->positions_m));
+  std::optional<renderer::Box> operator()(const sim::BodyMesh&) const {
+    return renderer::bounding_box(mesh_positions(body, 0.0));
   }
   std::optional<renderer::Box> operator()(const sim::Sphere& ball) const {
     const glm::vec3 centre(ball.centre_m);
@@ -62,7 +54,22 @@ struct ShapeBox {
   }
 };
 
+std::optional<renderer::Box> box_of(const sim::Body& body) {
+  return std::visit(ShapeBox{body}, sim::shape_at(body, 0.0));
+}
+
 }  // namespace
+
+std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s) {
+  for (const sim::Body& body : bodies) {
+    const sim::Shape shape = sim::shape_at(body, time_s);
+    const auto* plane = std::get_if<sim::Plane>(&shape);
+    if (plane != nullptr && plane->normal.y > 0.999) {
+      return static_cast<float>(plane->point_m.y);
+    }
+  }
+  return std::nullopt;
+}
 
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   std::vector<glm::vec3> nearest(points.size());
@@ -70,6 +77,12 @@ std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
     return glm::vec3{to_float(point.x), to_float(point.y), to_float(point.z)};
   });
   return nearest;
+}
+
+std::vector<glm::vec3> mesh_positions(const sim::Body& body, double time_s) {
+  std::vector<sim::Vec3> positions_m(std::get<sim::BodyMesh>(body.shape).data->positions_m.size());
+  sim::positions_at(body, time_s, positions_m);
+  return to_float(positions_m);
 }
 
 renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment,
@@ -81,11 +94,11 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
     reach.lower.y = std::min(reach.lower.y, static_cast<float>(pin.y - distance_m));
   }
   for (const sim::Body& body : scene.surroundings.bodies) {
-    if (const auto box = std::visit(ShapeBox{}, body.shape)) {
+    if (const auto box = box_of(body)) {
       reach = renderer::united(reach, *box);
     }
   }
-  if (const auto height_m = level_plane(scene)) {
+  if (const auto height_m = level_plane(scene.surroundings.bodies, 0.0)) {
     reach.lower.y = std::min(reach.lower.y, *height_m);
   }
   const glm::vec3 swing(glm::abs(glm::vec3(scene.surroundings.pin_motion.amplitude_m)));
@@ -117,7 +130,7 @@ std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box&
   }
   const renderer::Box box = scene.camera.box.value_or(reach);
   const float below = box.lower.y - ground_gap * (box.upper.y - box.lower.y);
-  return level_plane(scene).value_or(below);
+  return level_plane(scene.surroundings.bodies, 0.0).value_or(below);
 }
 
 }  // namespace taut::app

@@ -2,10 +2,12 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "renderer/camera.hpp"
+#include "sim/contact/bodies.hpp"
 #include "sim/garment.hpp"
 
 namespace taut::app {
@@ -13,11 +15,17 @@ namespace taut::app {
 /// The points in single precision. A coordinate too large for a float becomes the largest float.
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points);
 
+/// Where the vertices of a body that is a mesh are at this time, in metres.
+std::vector<glm::vec3> mesh_positions(const sim::Body& body, double time_s);
+
 /// The box in metres that the garment is expected to stay in. It holds the shape as modelled, each vertex
-/// hanging straight below its nearest pin, and bodies that are near. It depends only on the scene, so all
+/// hanging straight below its nearest pin, and bodies where they begin. It depends only on the scene, so all
 /// frames have the same camera.
 renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garment,
                              std::span<const sim::Index> pins);
+
+/// Height in metres of the first level plane among the bodies at this time. Empty if there is none.
+std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s);
 
 /// The camera of a scene's pictures. `aspect` is width over height.
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect);

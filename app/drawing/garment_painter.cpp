@@ -68,12 +68,14 @@ sim::Garment part_measured(const sim::Garment& garment, const PictureStyle& styl
 
 // A capsule whose radius changes is drawn as the balls at its ends and the larger of them between.
 struct ObstacleMaker {
+  const sim::Body& body;
+  double time_s;
   std::vector<renderer::TriangleMesh>& meshes;
 
   void operator()(const sim::Plane&) const {}
   void operator()(const sim::BodyMesh& mesh) const {
     renderer::TriangleMesh& drawn = meshes.emplace_back();
-    drawn.positions = to_float(mesh.data->positions_m);
+    drawn.positions = mesh_positions(body, time_s);
     drawn.triangles = flat(mesh.data->triangles);
     drawn.normals.resize(drawn.positions.size());
     renderer::vertex_normals(drawn.positions, drawn.triangles, drawn.normals);
@@ -108,6 +110,9 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       triangles_(flat(garment.mesh.triangles)),
       rest_positions_(to_float(garment.mesh.positions)),
       structural_edges_(structural_edges(garment.springs)),
+      bodies_(scene.surroundings.bodies),
+      bodies_move_(std::any_of(bodies_.begin(), bodies_.end(),
+                               [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
       normals_(garment.mesh.positions.size()) {
   const renderer::Box reach = expected_reach(scene, garment, pins);
   const auto aspect =
@@ -117,13 +122,18 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
   frame_.ground_height_m = ground_height(scene, reach);
   line_width_px_ = std::max(1.0F, static_cast<float>(style_.settings.height_px) / full_line_height_px);
   pin_radius_m_ = pin_radius_m(reach);
-  make_fixed_parts(scene, garment);
+  place_bodies(0.0);
+  if (style_.rest_outline) {
+    add_rest_outline(garment);
+  }
 }
 
-void GarmentPainter::make_fixed_parts(const DrawnScene& scene, const sim::Garment& garment) {
-  for (const sim::Body& body : scene.surroundings.bodies) {
-    std::visit(ObstacleMaker{obstacles_}, body.shape);
+void GarmentPainter::place_bodies(double time_s) {
+  obstacles_.clear();
+  for (const sim::Body& body : bodies_) {
+    std::visit(ObstacleMaker{body, time_s, obstacles_}, sim::shape_at(body, time_s));
   }
+  frame_.surfaces.clear();
   for (const renderer::TriangleMesh& obstacle : obstacles_) {
     renderer::SurfaceView surface;
     surface.positions = obstacle.positions;
@@ -133,15 +143,22 @@ void GarmentPainter::make_fixed_parts(const DrawnScene& scene, const sim::Garmen
     surface.style.translucency = 0.0F;
     frame_.surfaces.push_back(surface);
   }
-  if (style_.rest_outline) {
-    rest_outline_ = borders(garment);
-    renderer::LineView outline;
-    outline.points = rest_outline_;
-    outline.colours = std::span(&outline_colour, 1);
-    outline.width_px = 1.5F * line_width_px_;
-    outline.hidden_by_surfaces = false;
-    frame_.lines.push_back(outline);
+  if (style_.ground.kind == GroundKind::automatic) {
+    if (const auto height_m = level_plane(bodies_, time_s)) {
+      frame_.ground_height_m = height_m;
+    }
   }
+  bodies_placed_s_ = time_s;
+}
+
+void GarmentPainter::add_rest_outline(const sim::Garment& garment) {
+  rest_outline_ = borders(garment);
+  renderer::LineView outline;
+  outline.points = rest_outline_;
+  outline.colours = std::span(&outline_colour, 1);
+  outline.width_px = 1.5F * line_width_px_;
+  outline.hidden_by_surfaces = false;
+  frame_.lines.push_back(outline);
 }
 
 renderer::SurfaceView GarmentPainter::garment_view() const {
@@ -161,7 +178,7 @@ renderer::SurfaceView GarmentPainter::garment_view() const {
   return surface;
 }
 
-const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions) {
+const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
   assert(positions.size() == rest_positions_.size());
   positions_ = to_float(positions);
   renderer::vertex_normals(positions_, triangles_, normals_);
@@ -170,6 +187,9 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
                                             ? sim::vertex_surface_stretch(measured_, positions)
                                             : sim::vertex_stretch(measured_.springs, positions);
     stretch_.assign(stretch.begin(), stretch.end());
+  }
+  if (bodies_move_ && time_s != bodies_placed_s_) {
+    place_bodies(time_s);
   }
   frame_.surfaces.resize(obstacles_.size());
   frame_.surfaces.push_back(garment_view());
@@ -186,8 +206,8 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
   return frame_;
 }
 
-renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions) {
-  renderer::Image image = renderer_.draw(view(positions), style_.settings);
+renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions, double time_s) {
+  renderer::Image image = renderer_.draw(view(positions, time_s), style_.settings);
   if (style_.surface != SurfaceLook::stretch || !style_.legend) {
     return image;
   }

@@ -10,6 +10,7 @@
 #include "renderer/page/legend.hpp"
 #include "renderer/primitives.hpp"
 #include "renderer/scene_renderer.hpp"
+#include "sim/contact/bodies.hpp"
 #include "sim/garment.hpp"
 
 namespace taut::app {
@@ -25,14 +26,16 @@ class GarmentPainter {
   GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
                  std::span<const sim::Index> pins);
 
-  /// Returns the picture, with a legend if the scene asks for one.
-  renderer::Image draw(const std::vector<sim::Vec3>& positions);
+  /// Returns the picture, with bodies where they are at this time and with a legend if the scene asks for
+  /// one.
+  renderer::Image draw(const std::vector<sim::Vec3>& positions, double time_s);
 
   /// What `draw` hands to the renderer. It refers to data of the painter and is valid until the next call.
-  const renderer::FrameView& view(const std::vector<sim::Vec3>& positions);
+  const renderer::FrameView& view(const std::vector<sim::Vec3>& positions, double time_s);
 
  private:
-  void make_fixed_parts(const DrawnScene& scene, const sim::Garment& garment);
+  void add_rest_outline(const sim::Garment& garment);
+  void place_bodies(double time_s);
   renderer::SurfaceView garment_view() const;
 
   renderer::SceneRenderer& renderer_;
@@ -43,6 +46,9 @@ class GarmentPainter {
   std::vector<std::uint32_t> triangles_;
   std::vector<glm::vec3> rest_positions_;
   std::vector<std::uint32_t> structural_edges_;
+  std::vector<sim::Body> bodies_;
+  bool bodies_move_;
+  double bodies_placed_s_ = 0.0;  ///< the time that `obstacles_` are of
   std::vector<renderer::TriangleMesh> obstacles_;
   std::vector<glm::vec3> rest_outline_;
   renderer::FrameView frame_;

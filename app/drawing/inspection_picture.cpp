@@ -38,7 +38,7 @@ renderer::Image draw_side(OffscreenRenderer& offscreen, DrawnScene& scene, const
   scene.picture.cloth.outside_colour = outside_colour;
   scene.picture.cloth.inside_colour = inside_colour;
   GarmentPainter painter(offscreen.renderer(), scene, *loaded.garment, loaded.pins);
-  renderer::FrameView frame = painter.view(loaded.garment->mesh.positions);
+  renderer::FrameView frame = painter.view(loaded.garment->mesh.positions, 0.0);
   frame.backdrop.plain = true;
   frame.backdrop.lower_colour = renderer::rgb(0xFFFFFF);
   for (const InspectionMarks& marks : all) {

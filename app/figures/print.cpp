@@ -134,7 +134,7 @@ Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMo
     scene.camera.target = camera.target;
     GarmentPainter painter(offscreen.open().renderer(), scene, *moment.recording->garment,
                            moment.recording->pins);
-    prints.pictures.push_back(painter.draw(moment.moment->positions));
+    prints.pictures.push_back(painter.draw(moment.moment->positions, moment.moment->record.time_s));
   }
   const float seen_m =
       2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);

@@ -76,7 +76,7 @@ TEST(FrameLoop, DrawsAndWritesTheFramesAskedFor) {
   int reported = 0;
   FrameOutputs outputs;
   outputs.pictures = pictures;
-  outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions) {
+  outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions, double) {
     drawn.push_back(positions);
     return renderer::Image{};
   };

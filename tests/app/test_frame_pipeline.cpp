@@ -123,7 +123,7 @@ sim::Simulation small_cloth() {
 }
 
 // A picture that shows the positions bit for bit.
-renderer::Image picture_of(const std::vector<sim::Vec3>& positions) {
+renderer::Image picture_of(const std::vector<sim::Vec3>& positions, double) {
   renderer::Image image;
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(positions.data());
   image.pixels.assign(bytes, bytes + positions.size() * sizeof(sim::Vec3));

@@ -102,7 +102,7 @@ TEST(GarmentPainter, ColoursTheStretchOfWhatTheSceneNames) {
   const auto colours = [&](StretchOf shown) {
     scene.picture.stretch_of = shown;
     GarmentPainter painter(offscreen.renderer(), scene, garment, {});
-    const std::span<const float> values = painter.view(sheared).surfaces.back().scalars->values;
+    const std::span<const float> values = painter.view(sheared, 0.0).surfaces.back().scalars->values;
     return std::vector<float>(values.begin(), values.end());
   };
   const auto single = [](const std::vector<double>& values) {
@@ -113,6 +113,29 @@ TEST(GarmentPainter, ColoursTheStretchOfWhatTheSceneNames) {
   EXPECT_EQ(of_springs, single(sim::vertex_stretch(garment.springs, sheared)));
   EXPECT_EQ(of_surface, single(sim::vertex_surface_stretch(garment, sheared)));
   EXPECT_GT(of_surface[4], of_springs[4] + 0.1F);
+}
+
+TEST(GarmentPainter, DrawsBodiesWhereTheyAreAtTheTimeOfTheFrame) {
+  const auto corner = std::make_shared<const sim::BodyMeshData>(sim::BodyMeshData{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+  const sim::RigidMotion upwards = {.shift = {{0, 1, 0}, 0, 2}};
+  DrawnScene scene = horizontal_cloth();
+  scene.surroundings.bodies = {{.shape = sim::Sphere{{0, -2, 0}, 0.5}, .motion = upwards},
+                               {.shape = sim::BodyMesh{corner}, .motion = upwards},
+                               {.shape = sim::Plane{{0, -4, 0}}, .motion = upwards}};
+  const sim::Garment garment = sim::make_garment(sim::make_grid(scene.garment.grid));
+  OffscreenRenderer offscreen("auto");
+  GarmentPainter painter(offscreen.renderer(), scene, garment, {});
+  for (const double time_s : {0.0, 1.5, 9.0, 0.5}) {
+    const auto raised_m = static_cast<float>(std::min(time_s, 2.0));
+    const renderer::FrameView& view = painter.view(garment.mesh.positions, time_s);
+    ASSERT_EQ(view.surfaces.size(), 3U) << "two bodies and the cloth";
+    EXPECT_NEAR(renderer::bounding_box(view.surfaces[0].positions).upper.y, -1.5F + raised_m, 1e-6);
+    EXPECT_NEAR(view.surfaces[1].positions[0].y, raised_m, 1e-6);
+    EXPECT_GT(view.surfaces[1].normals[2].y, 0.5F);
+    EXPECT_NEAR(*view.ground_height_m, -4.0F + raised_m, 1e-6);
+    EXPECT_EQ(view.surfaces[2].positions.size(), garment.mesh.positions.size());
+  }
 }
 
 TEST(StretchLegend, HasNoBoundWhereTheSolverMeansNone) {

@@ -112,7 +112,8 @@ bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layou
 // A scene that stands still is drawn once more to be kept; one that moves would be kept for nothing.
 void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
                                const PictureQuality& quality, bool keep) {
-  renderer::FrameView frame = painter_for(state, area).view(state.shown->positions());
+  renderer::FrameView frame =
+      painter_for(state, area).view(state.shown->positions(), state.shown->checkpoint->state.time_s);
   frame.camera = state.camera.camera();
   frame.lighting = renderer::studio_lighting(frame.camera);
   if (state.show_springs) {

@@ -41,7 +41,12 @@ std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
 }
 
 void normalise(sim::Vec3& direction) {
-  if (std::abs(glm::dot(direction, direction) - 1.0) > 1e-15) {
+  constexpr double rounded_off = 4e-15;
+  constexpr double least_squared = 1e-200;  // below it squares are lost
+  if (glm::dot(direction, direction) < least_squared) {
+    direction *= 1.0 / least_squared;
+  }
+  if (std::abs(glm::dot(direction, direction) - 1.0) > rounded_off) {
     direction = glm::normalize(direction);
   }
 }

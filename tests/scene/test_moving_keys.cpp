@@ -80,6 +80,15 @@ TEST(MovingKeys, AreWrittenAsTheyWereRead) {
   EXPECT_EQ(again.body_sources[1].frame_rate_hz, 25.0);
 }
 
+TEST(MovingKeys, TakeDirectionsOfAnyLength) {
+  for (const char* axis : {"[0, 1e-150, 0]", "[0, 5e-324, 0]", "[0, 1e6, 0]"}) {
+    const DrawnScene scene = read(std::string("[[bodies]]\nshape = \"plane\"\nnormal = ") + axis +
+                                  "\nspin = { turns_per_second = 1, axis = " + axis + " }\n");
+    EXPECT_EQ(scene.surroundings.bodies[0].motion.spin.axis, sim::Vec3(0, 1, 0)) << axis;
+    EXPECT_EQ(std::get<sim::Plane>(scene.surroundings.bodies[0].shape).normal, sim::Vec3(0, 1, 0)) << axis;
+  }
+}
+
 TEST(MovingKeys, AreExplained) {
   const std::string help = scene_help();
   EXPECT_CONTAINS(help, "Each [[pins.moving]]:\n  at = not set");

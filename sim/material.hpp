@@ -12,8 +12,10 @@ struct Material {
   /// Used by `bounded` only: the stiffness of springs that are shorter than their rest length. A lower value
   /// lets the cloth crumple sooner. For its upper limit see FrameReport::followed_compression_n_per_m.
   double compression_stiffness_n_per_m = 30.0;
-  double thickness_m = 0.001;  ///< the distance kept between cloth and bodies
-  /// Coulomb's coefficient for bodies that have none of their own.
+  /// What a gauge measures of a single layer. It is the distance kept between layers and to bodies. Solvers
+  /// other than `bounded` do not keep layers apart.
+  double thickness_m = 0.001;
+  /// Coulomb's coefficient, between layers and for bodies that have none of their own.
   double friction = 0.3;
 
   bool operator==(const Material&) const = default;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/contact/layers.hpp"
 #include "sim/verlet.hpp"
 
 namespace taut::sim {
@@ -34,14 +33,6 @@ void move_pins(const Pins& pins, const Surroundings& surroundings, double time_s
   }
 }
 
-void part_layers(const Garment& garment, const Pins& pins, double layer_distance_m, State& state,
-                 NeighbourList& layers) {
-  if (layer_distance_m > 0.0) {
-    layers.update(garment.mesh.positions, state.predicted, layer_distance_m);
-    sim::part_layers(layers.pairs(), layer_distance_m, pins.inverse_masses_per_kg, state.predicted);
-  }
-}
-
 void constrain(const Garment& garment, const Pins& pins, const SpringResponse& springs, State& state) {
   springs.compensate(garment, pins, state);
 }
@@ -62,8 +53,7 @@ void end_step(double time_step_s, State& state) {
 }  // namespace
 
 void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-          const SpringResponse& springs, double time_step_s, State& state, StepBuffers& buffers) {
-  std::vector<Vec3>& forces_n = buffers.forces_n;
+          const SpringResponse& springs, double time_step_s, State& state, std::span<Vec3> forces_n) {
   set_time_step(state, time_step_s);
 
   // Step 2: impose the forces on the mass points ...
@@ -71,7 +61,6 @@ void step(const Garment& garment, const Pins& pins, const Surroundings& surround
   // ... and predict where they go, eq. (1): p(t+dt) = 2 p(t) - p(t-dt) + a dt^2.
   predict(pins, forces_n, time_step_s, state);
   move_pins(pins, surroundings, time_step_s, state);
-  part_layers(garment, pins, surroundings.layer_distance_m, state, buffers.layers);
 
   // Step 3: compensate the predicted positions, eqs. (2)-(3), and eliminate the forces.
   constrain(garment, pins, springs, state);

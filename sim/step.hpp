@@ -1,9 +1,7 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "sim/contact/neighbour_list.hpp"
 #include "sim/garment.hpp"
 #include "sim/pins.hpp"
 #include "sim/state.hpp"
@@ -24,16 +22,10 @@ class SpringResponse {
   virtual void compensate(const Garment& garment, const Pins& pins, State& state) const = 0;
 };
 
-/// What steps hand on to each other besides the state.
-struct StepBuffers {
-  std::vector<Vec3> forces_n;  ///< one per vertex; all zero before and after a step
-  /// The pairs of vertices that may soon touch.
-  NeighbourList layers;
-};
-
-/// Does one time step: Steps 2 and 3 of the paper. `time_step_s` must be above 0. Requires as many forces in
-/// `buffers` as the garment has vertices.
+/// Does one time step: Steps 2 and 3 of the paper. Cloth is pushed out of bodies (push_out_of_bodies); its
+/// layers pass through each other. `time_step_s` must be above 0. `forces_n` is memory to work in, one entry
+/// per vertex: all zero before and after a step.
 void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-          const SpringResponse& springs, double time_step_s, State& state, StepBuffers& buffers);
+          const SpringResponse& springs, double time_step_s, State& state, std::span<Vec3> forces_n);
 
 }  // namespace taut::sim

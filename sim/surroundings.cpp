@@ -44,9 +44,6 @@ std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<
 }
 
 void require_possible(const Surroundings& surroundings, std::size_t vertex_count) {
-  if (!(surroundings.layer_distance_m >= 0.0)) {
-    throw std::invalid_argument("the distance of layers must be at least 0 m");
-  }
   if (!(surroundings.forces.air_drag_per_s >= 0.0)) {
     throw std::invalid_argument("the air drag must be at least 0 per second");
   }

@@ -31,10 +31,6 @@ struct MovingPins {
 struct Surroundings {
   ExternalForces forces;
   std::vector<Body> bodies;
-  /// The distance kept between vertices of different layers of the cloth, in metres. At 0 the layers pass
-  /// through each other. About the mean edge length of the mesh is a good value: at less, layers pass through
-  /// each other in places; at more, folds get stiffer.
-  double layer_distance_m = 0.0;
   PinMotion pin_motion;
   std::vector<MovingPins> moving_pins;
 
@@ -43,7 +39,7 @@ struct Surroundings {
 
 /// Checks the surroundings of a garment with `vertex_count` vertices. Throws std::invalid_argument if a force
 /// or a hand acts on a vertex that does not exist, or if one moves. Throws it also if moving pins are not in
-/// ascending order, or if the layer distance or the air drag is below 0.
+/// ascending order, or if the air drag is below 0.
 void require_possible(const Surroundings& surroundings, std::size_t vertex_count);
 
 /// Returns how far each of `pins` moves within the time, in metres, from where it is at its beginning, which

@@ -38,8 +38,8 @@ std::vector<Setting> settings_of(const BenchScene& scene, const BenchSize& size)
   std::vector<Setting> settings = {
       {"garment.subdivisions", std::to_string(size.subdivisions)},
       {"pins.at", R"(["front_neckline", "back_neckline"])"},
-      // Layers are another matter, and no peer keeps them apart here.
-      {"cloth.layer_distance", "0.0"},
+      // Contact is another matter, and no peer has it here.
+      {"solver.contact", "false"},
   };
   settings.insert(settings.end(), scene.settings.begin(), scene.settings.end());
   return settings;

@@ -126,7 +126,7 @@ Drawing draw_figure6(const Results& results, LazyOffscreenRenderer&) {
          fmt::format("one frame of 1/60 s with the strong constraint, one thread: medians of {}, bars from "
                      "shortest to longest",
                      times.front().frame_ms.size()),
-         "gravity alone, no layers; lines are fitted to the shortest times; medians " + medians_of(times)},
+         "gravity alone, no contact; lines are fitted to the shortest times; medians " + medians_of(times)},
         1200.0F, 1300.0F, style);
   };
   return drawing;

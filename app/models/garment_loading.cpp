@@ -11,7 +11,6 @@
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
-#include "app/models/layers.hpp"
 #include "app/models/pins.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/subdivide.hpp"
@@ -214,8 +213,7 @@ Surface surface_at_start(const GarmentInScene& loaded) {
   return {loaded.start_m ? *loaded.start_m : mesh.positions, mesh.triangles};
 }
 
-sim::Surroundings settled(sim::Surroundings surroundings, std::optional<double> layer_distance_m,
-                          const GarmentInScene& loaded) {
+sim::Surroundings settled(sim::Surroundings surroundings, const GarmentInScene& loaded) {
   for (sim::PointForce& force : surroundings.forces.artificial_forces) {
     const std::optional<sim::Index> vertex = loaded.file_vertices.find(force.vertex);
     if (!vertex) {
@@ -223,15 +221,13 @@ sim::Surroundings settled(sim::Surroundings surroundings, std::optional<double> 
     }
     force.vertex = *vertex;
   }
-  surroundings.layer_distance_m =
-      layer_distance_m ? *layer_distance_m : suitable_layer_distance(*loaded.garment);
   surroundings.moving_pins = loaded.moving_pins;
   return surroundings;
 }
 
 sim::Simulation make_simulation(const Scene& scene, const GarmentInScene& loaded) {
   return {loaded.garment, loaded.pins, simulation_settings(scene.simulation),
-          settled(scene.surroundings, scene.layer_distance_m, loaded), loaded.start_m};
+          settled(scene.surroundings, loaded), loaded.start_m};
 }
 
 }  // namespace taut::app

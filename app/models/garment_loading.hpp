@@ -48,11 +48,10 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin = {});
 /// Returns the shape that the garment begins in. It refers to what was loaded.
 Surface surface_at_start(const GarmentInScene& loaded);
 
-/// Completes the surroundings of a scene for the simulation. Sets the distance of layers: `layer_distance_m`,
-/// or if empty suitable_layer_distance(). Changes the vertices of forces from numbers of the file to those of
-/// the mesh, and adds the moving pins. Throws InputError for a force at a vertex that does not exist.
-sim::Surroundings settled(sim::Surroundings surroundings, std::optional<double> layer_distance_m,
-                          const GarmentInScene& loaded);
+/// Completes the surroundings of a scene for the simulation. Changes the vertices of forces from numbers of
+/// the file to those of the mesh, and adds the moving pins. Throws InputError for a force at a vertex that
+/// does not exist.
+sim::Surroundings settled(sim::Surroundings surroundings, const GarmentInScene& loaded);
 
 /// Returns the simulation at its start, in the scene's settled surroundings. Throws std::invalid_argument as
 /// sim::Simulation does, and InputError for a force at a vertex that does not exist.

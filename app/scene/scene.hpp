@@ -62,13 +62,11 @@ struct Scene {
   std::optional<std::vector<PinSelector>> pins;  ///< empty: the garment hangs by its top
   std::vector<MovingPinsInScene> moving_pins;    ///< besides `pins`
   RunSettings simulation;
-  /// Without the distance of layers and without moving pins. Meshes of bodies are as load_bodies() left them.
+  /// Without moving pins. Meshes of bodies are as load_bodies() left them.
   sim::Surroundings surroundings;
   std::vector<BodySource> body_sources;  ///< one for each of the bodies; those of meshes count
-  /// 0: layers are not kept apart; empty: suitable_layer_distance()
-  std::optional<double> layer_distance_m = 0.0;
-  std::filesystem::path checkpoint;  ///< a saved moment to begin with (run_checkpoint.hpp); empty: none
-  int frames = 600;                  ///< length of the run
+  std::filesystem::path checkpoint;      ///< a saved moment to begin with (run_checkpoint.hpp); empty: none
+  int frames = 600;                      ///< length of the run
 };
 
 }  // namespace taut::app

@@ -98,6 +98,9 @@ void add_run(SceneKeys& keys) {
       "solver.bound", named(sim::all_bound_kinds), MEMBER(simulation.solver.bounded.bound),
       "bounded: what is held: every spring; or the surface, which is every triangle in every direction, and "
       "springs too"));
+  keys.push_back(
+      switch_key<Scene>("solver.contact", MEMBER(simulation.solver.bounded.contact),
+                        "bounded: keeps the cloth from crossing itself too, not only bodies; costs more"));
   keys.push_back(switch_key<Scene>("solver.tethers", MEMBER(simulation.solver.bounded.tethers),
                                    "bounded: cloth is held by long threads from its pins too; less work"));
   keys.push_back(choice_key<Scene>("solver.vector_unit", named(sim::all_vector_units),
@@ -152,16 +155,16 @@ void add_forces(SceneKeys& keys) {
                         "force coefficient of air that strokes along cloth"));
   keys.push_back(forces_key());
   keys.push_back(bodies_key());
-  keys.push_back(number("cloth.thickness", "m", not_negative, MEMBER(material.thickness_m),
-                        "kept between cloth and bodies"));
+  keys.push_back(
+      number("cloth.thickness", "m", not_negative, MEMBER(material.thickness_m),
+             "of one layer, as a gauge measures it; kept to bodies, and by bounded between layers too"));
   keys.push_back(number("cloth.friction", "", friction, MEMBER(material.friction),
-                        "Coulomb's coefficient, of bodies that have none of their own"));
+                        "Coulomb's coefficient, between layers and of bodies that have none of their own"));
   keys.push_back(number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m),
                         "bounded: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 5e-5"));
   keys.push_back(number("cloth.compression_stiffness", "N/m", not_negative,
                         MEMBER(material.compression_stiffness_n_per_m),
                         "bounded: of springs that are too short; less crumples more easily"));
-  keys.push_back(layer_distance_key());
 }
 
 }  // namespace

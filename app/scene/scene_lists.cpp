@@ -35,20 +35,6 @@ bool read_pins(const toml::node& value, const Source&, Scene& scene) {
   return pins.has_value();
 }
 
-bool read_layer_distance(const toml::node& value, const Source&, Scene& scene) {
-  const bool from_mesh = text_in(value) == "auto";
-  const std::optional<double> distance_m = finite_number(value);
-  if (!from_mesh && !(distance_m && *distance_m >= 0.0)) {
-    return false;
-  }
-  scene.layer_distance_m = distance_m;
-  return true;
-}
-
-Json write_layer_distance(const Scene& scene) {
-  return scene.layer_distance_m ? Json(*scene.layer_distance_m) : Json("auto");
-}
-
 struct PinWriter {
   Json operator()(const std::string& name) const { return name; }
   Json operator()(sim::Index vertex) const { return vertex; }
@@ -183,17 +169,6 @@ Key<Scene> pins_key() {
 
 Key<Scene> forces_key() {
   return {"forces", "", "a list of tables [[forces]]", "pulls on single vertices", read_forces, write_forces};
-}
-
-Key<Scene> layer_distance_key() {
-  return {
-      "cloth.layer_distance",
-      "m",
-      "\"auto\" or a number from 0",
-      "kept between layers of the cloth, about its mesh's edge length; auto: what suits the mesh, as when a "
-      "model is given without a scene; 0: they pass through",
-      read_layer_distance,
-      write_layer_distance};
 }
 
 }  // namespace taut::app

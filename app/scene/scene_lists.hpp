@@ -12,7 +12,6 @@ Key<Scene> start_key();
 Key<Scene> checkpoint_key();
 Key<Scene> pins_key();
 Key<Scene> forces_key();
-Key<Scene> layer_distance_key();
 
 /// The choices for the direction of a model that is up.
 std::vector<std::pair<std::string, std::optional<ModelAxis>>> up_choices();

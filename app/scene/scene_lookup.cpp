@@ -74,7 +74,6 @@ void set_garment(const std::filesystem::path& file, Scene& scene) {
   scene.title = file.filename().string();
   scene.garment.file = file;
   scene.frames = 240;
-  scene.layer_distance_m.reset();
 }
 
 FoundScene locate_scene(const std::string& name) {

@@ -48,8 +48,7 @@ std::vector<PinSelector> numbered_in_file(const std::vector<sim::Index>& pins, c
 }
 
 sim::Surroundings surroundings_of(const ViewerState& state) {
-  const LoadedScene& loaded = *state.shown->loaded;
-  return settled(state.scene.surroundings, state.scene.layer_distance_m, loaded);
+  return settled(state.scene.surroundings, *state.shown->loaded);
 }
 
 }  // namespace

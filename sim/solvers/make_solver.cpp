@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "sim/solvers/bounded/bounded.hpp"
 #include "sim/solvers/stable_step.hpp"
@@ -45,27 +46,24 @@ class SteppedSolver : public Solver {
 
   FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
                             double frame_time_s, State& state) override {
-    buffers_.forces_n.assign(state.current.size(), Vec3(0.0));
+    forces_n_.assign(state.current.size(), Vec3(0.0));
     FrameReport report;
     report.substeps = std::max(equal_substeps(settings_),
                                least_substeps(settings_, garment, pins, surroundings.forces, frame_time_s));
     for (int substep = 0; substep < report.substeps; ++substep) {
-      step(garment, pins, surroundings, *springs_, frame_time_s / report.substeps, state, buffers_);
+      step(garment, pins, surroundings, *springs_, frame_time_s / report.substeps, state, forces_n_);
     }
     return report;
   }
 
-  void save(const Garment&, const Pins&, ByteWriter& memory) const override { buffers_.layers.save(memory); }
-
-  void restore(const Garment& garment, const Pins&, const Surroundings&, double,
-               ByteReader& memory) override {
-    buffers_.layers.restore(garment.mesh.positions, memory);
-  }
+  // All that it knows is in the state.
+  void save(const Garment&, const Pins&, ByteWriter&) const override {}
+  void restore(const Garment&, const Pins&, const Surroundings&, double, ByteReader&) override {}
 
  private:
   SolverSettings settings_;
   std::unique_ptr<SpringResponse> springs_;
-  StepBuffers buffers_;
+  std::vector<Vec3> forces_n_;
 };
 
 void require_max_stretch(double max_stretch) {

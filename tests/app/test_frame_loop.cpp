@@ -43,7 +43,7 @@ TEST(FrameLoop, EndsWithAFrameThatBreaksAPromise) {
       checked.push_back(record.frame);
       return record.frame == 4 ? "frame 4 is broken" : "";
     };
-    outputs.draw_positions = [&](const auto&) { return renderer::Image{}; };
+    outputs.draw_positions = [&](const auto&, double) { return renderer::Image{}; };
     outputs.write_frame = [&](const FrameRecord& record, const auto&) { drawn.push_back(record.frame); };
     outputs.write_shape = [&](int frame, const sim::Simulation&) { written.push_back(frame); };
     outputs.report = [&](const FrameRecord& record) { reported.push_back(record.frame); };

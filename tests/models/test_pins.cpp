@@ -141,12 +141,11 @@ TEST_F(PinsOfAFile, CountCornersWhereFacesShareNoVertices) {
 TEST_F(PinsOfAFile, NumberForcesToo) {
   const LoadedGarment loaded = load("strip.obj", strip_obj, {});
   sim::Surroundings surroundings;
-  surroundings.layer_distance_m = 0.0;
   surroundings.forces.artificial_forces = {{.vertex = 1, .force_n = {1, 0, 0}}};
-  const auto forces = settled(surroundings, {}, loaded).forces.artificial_forces;
+  const auto forces = settled(surroundings, loaded).forces.artificial_forces;
   EXPECT_EQ(loaded.garment->mesh.positions[forces.at(0).vertex], sim::Vec3(2, 1, 0));
   surroundings.forces.artificial_forces[0].vertex = 0;
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { settled(surroundings, {}, loaded); }),
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { settled(surroundings, loaded); }),
                   "forces.vertex: vertex 0 of the file belongs to no face");
 }
 

@@ -38,7 +38,6 @@ TEST_F(Start, IsTheShapeThatTheSameSceneExported) {
                                     "f 1 2 3\nf 2 4 3\nf 3 5 6\n");
   model.garment.up = ModelAxis::z;
   model.garment.subdivisions = 2;
-  model.layer_distance_m.reset();
   for (Scene scene : {Scene{}, model}) {
     export_after(scene, 60);
     const std::vector<sim::Vec3> rest_m = load_garment(scene).garment->mesh.positions;

@@ -12,7 +12,7 @@ from program import pdf_text, png_texts, settings
 
 BOUNDS = {"5_percent": 0.05, "1_percent": 0.01, "0.1_percent": 0.001}
 BOUNDED = {"solver__kind": "bounded", "solver__substeps": 0}
-NECKLINE = {"pins__at": ["front_neckline", "back_neckline"], "cloth__layer_distance": 0}
+NECKLINE = {"pins__at": ["front_neckline", "back_neckline"]}
 LITERAL = {"solver__kind": "strong", "solver__substeps": 60, "solver__iterations": 1, "solver__compression": 1,
            "solver__flexural": 1}
 SHAKEN = {"pins__motion__amplitude": [0.1, 0, 0], "pins__motion__frequency": 1}

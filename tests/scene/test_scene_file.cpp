@@ -151,13 +151,22 @@ TEST(SceneFile, SaysWhatABoundHoldsAndWhatColoursShow) {
 
 TEST(SceneFile, LeavesOutWhatIsLeftToTheProgram) {
   const TemporaryFolder folder;
-  const std::string text =
-      std::string(grid) + "[solver]\nsubsteps = 0\nthreads = 3\n[cloth]\nlayer_distance = 0\n";
+  const std::string text = std::string(grid) + "[solver]\nsubsteps = 0\nthreads = 3\n";
   const Scene scene = read_scene_file(folder.write("scene.toml", text));
   EXPECT_EQ(scene.simulation.solver.substeps, std::nullopt);
   EXPECT_EQ(scene.simulation.solver.bounded.threads, 3);
   EXPECT_EQ(scene.garment.scale, std::nullopt);
-  EXPECT_EQ(scene.layer_distance_m, 0.0) << "layers pass through each other, as asked";
+}
+
+TEST(SceneFile, SaysWhetherThereIsContact) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(read_scene_file(folder.write("scene.toml", grid)).simulation.solver.bounded.contact);
+  const std::string with = std::string(grid) + "[solver]\ncontact = true\n";
+  const DrawnScene scene = read_scene_file(folder.write("scene.toml", with));
+  EXPECT_TRUE(scene.simulation.solver.bounded.contact);
+  EXPECT_CONTAINS(scene_text(scene), "contact = true");
+  EXPECT_CONTAINS(file_error(folder, std::string(grid) + "[solver]\ncontact = 1\n"),
+                  "solver.contact: found 1, expected true or false");
 }
 
 TEST(SceneFile, NamesAStartThatIsNotThere) {

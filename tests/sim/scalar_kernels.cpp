@@ -353,7 +353,7 @@ const Kernels& scalar_kernels() {
   static constexpr Kernels table = {predict,       start_springs,   sweep,
                                     shorten,       largest_ratios,  start_surface,
                                     sweep_surface, shorten_surface, largest_surface_ratios,
-                                    wind,          add_product};
+                                    wind,          add_product,     {}};
   return table;
 }
 

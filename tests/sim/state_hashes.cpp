@@ -36,7 +36,6 @@ Surroundings storm_over_obstacles() {
   surroundings.bodies = {{.shape = Plane{}, .friction = 0.4},
                          {.shape = Sphere{{0.1, 0.5, -0.3}, 0.25}, .friction = 0.2},
                          {.shape = Capsule{{-0.5, 0.3, -0.4}, {0.5, 0.4, -0.4}, 0.1, 0.05}, .friction = 0.3}};
-  surroundings.layer_distance_m = 0.03;
   surroundings.pin_motion = {{0.05, 0.0, 0.02}, 1.5};
   return surroundings;
 }
@@ -68,6 +67,9 @@ void print_bounded(BoundKind bound, const Cloth& square, const Cloth& sheet) {
   bounded.max_stretch = 0.02;
   print("9x9 under gravity", square, bounded, {}, 60);
   print("irregular sheet in a storm over obstacles", sheet, bounded, storm_over_obstacles(), 60);
+  bounded.contact = true;
+  print("same storm with contact", sheet, bounded, storm_over_obstacles(), 60);
+  bounded.contact = false;
   bounded.vector_unit = VectorUnit::scalar;
   print("same storm without vectors", sheet, bounded, storm_over_obstacles(), 60);
 

@@ -69,7 +69,9 @@ double slid_m(double slope_rad, double friction) {
   surroundings.forces.air_drag_per_s = 0.0;
   surroundings.bodies = {
       {.shape = Plane{{0, 0, 0}, {std::sin(slope_rad), std::cos(slope_rad), 0}}, .friction = friction}};
-  Simulation simulation(share(point), {}, {}, surroundings);
+  SimulationSettings settings;
+  settings.solver.method = StrongSettings{};
+  Simulation simulation(share(point), {}, settings, surroundings);
   for (int frame = 0; frame < 60; ++frame) {
     simulation.advance_frame();
   }

@@ -261,9 +261,6 @@ TEST(Simulation, RefusesImpossibleSurroundingsAndKeepsTheOnesItHas) {
     return "";
   };
   Surroundings surroundings;
-  surroundings.layer_distance_m = -1.0;
-  EXPECT_EQ(refusal_of(surroundings), "the distance of layers must be at least 0 m");
-  surroundings = {};
   surroundings.forces.air_drag_per_s = -0.1;
   EXPECT_EQ(refusal_of(surroundings), "the air drag must be at least 0 per second");
   surroundings = {};

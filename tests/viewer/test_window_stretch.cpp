@@ -39,6 +39,18 @@ TEST(Window, TheBoundHoldsWhatIsChosen) {
   }
 }
 
+TEST(Window, ContactIsASwitchOfBoundedAlone) {
+  Person person("pinned-9x9-5");
+  EXPECT_FALSE(person.shows("solver.contact")) << "the scene's solver has none";
+  person.click("solver");
+  person.click("solver.bounded");
+  EXPECT_FALSE(hint_for("solver.contact").empty());
+  person.click("solver.contact");
+  const auto& method = person.viewer.state().newest->settings.solver.method;
+  EXPECT_TRUE(std::get<sim::BoundedSettings>(method).contact) << "while it runs";
+  EXPECT_CONTAINS(scene_text(kept_scene(person.viewer.state(), {640, 480})), "contact = true");
+}
+
 // A moment of the past as the bound of now leaves it.
 TEST(Window, MeasuresWhatItShowsOfThePast) {
   Person person("pinned-9x9-20");

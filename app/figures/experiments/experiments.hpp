@@ -137,9 +137,9 @@ inline constexpr std::array stiffness_factors = {1.0, 2.0, 4.0};
 /// continues both for `steps_after` steps.
 RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_after);
 
-/// Measures frames of the three shirts under gravity, without layers, by the paper's method and by `bounded`.
-/// The shirts take turns, `repeats` times. Nothing else should run meanwhile. Fills frame_times and
-/// bounded_times.
+/// Measures frames of the three shirts under gravity, without contact, by the paper's method and by
+/// `bounded`. The shirts take turns, `repeats` times. Nothing else should run meanwhile. Fills frame_times
+/// and bounded_times.
 void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results);
 
 /// Fits ms = factor * triangles^exponent to the shortest time of each model. Other programs can only lengthen

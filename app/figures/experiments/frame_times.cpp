@@ -26,8 +26,8 @@ struct TimedRun {
 };
 
 TimedRun make_timed_run(int triangles, DrawnScene scene) {
-  // The method alone: layers are another matter, and their distance depends on the model.
-  scene.layer_distance_m = 0.0;
+  // The method alone: contact is another matter.
+  scene.simulation.solver.bounded.contact = false;
   const bool is_strong = scene.simulation.solver.kind == sim::SolverKind::strong;
   FrameTimes times;
   times.triangles = triangles;

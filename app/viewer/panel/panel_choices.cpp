@@ -123,11 +123,26 @@ void lay_out_bound(ViewerState& state) {
   }
 }
 
-void lay_out_solver(ViewerState& state) {
+// The list of solvers, and beside it whether there is contact where the solver knows any.
+void lay_out_solver_list(ViewerState& state) {
   SolverChoice& solver = state.scene.simulation.solver;
+  const bool knows_contact = solver.kind == sim::SolverKind::bounded;
+  if (knows_contact) {
+    ImGui::SetNextItemWidth(0.5F * ImGui::CalcItemWidth());
+  }
   sim::SolverKind kind = solver.kind;
   kind_list(state, "solver", "solver", sim::all_solver_kinds, kind);
+  if (knows_contact) {
+    ImGui::SameLine();
+    ImGui::Checkbox("contact", &solver.bounded.contact);
+    note_place(state, "solver.contact");
+  }
   choose_solver(state, kind);
+}
+
+void lay_out_solver(ViewerState& state) {
+  SolverChoice& solver = state.scene.simulation.solver;
+  lay_out_solver_list(state);
   int substeps = solver.substeps.value_or(0);
   whole_slider(state, "substeps", "solver.substeps", substeps, 0, 400,
                solver.substeps ? "%d" : chosen_substeps(state).c_str());

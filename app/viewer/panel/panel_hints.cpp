@@ -68,6 +68,7 @@ constexpr std::array hints = {
     Hint{"solver.bound", "What the bound holds."},
     Hint{"solver.bound.springs", "Every spring along itself, as the paper has it."},
     Hint{"solver.bound.surface", "Every triangle along any direction, and with it the springs."},
+    Hint{"solver.contact", "Keep the cloth from crossing itself too, not only bodies."},
     Hint{"fabric.bending",
          "Bending rigidity of the cloth, in millionths of a newton metre. Jersey 5, denim about 50."},
     Hint{"fabric.compression",

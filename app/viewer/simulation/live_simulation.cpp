@@ -101,7 +101,7 @@ void LiveSimulation::perform(const ChangeSettings& change) {
     // Another bound may move the cloth before another frame.
     measure_stretches(*simulation_, record_);
   }
-  surroundings_ = settled(change.surroundings, change.layer_distance_m, *loaded_);
+  surroundings_ = settled(change.surroundings, *loaded_);
   simulation_->set_surroundings(surroundings_);
 }
 

@@ -22,16 +22,12 @@ struct ChangeSettings {
   ChangeSettings() = default;
   /// The settings of the scene.
   explicit ChangeSettings(const Scene& scene)
-      : simulation(scene.simulation),
-        surroundings(scene.surroundings),
-        layer_distance_m(scene.layer_distance_m),
-        material(scene.material) {}
+      : simulation(scene.simulation), surroundings(scene.surroundings), material(scene.material) {}
 
   bool operator==(const ChangeSettings&) const = default;
 
   RunSettings simulation;
   sim::Surroundings surroundings;
-  std::optional<double> layer_distance_m;
   sim::Material material;
 };
 /// Pins the vertex where it is, or removes its pin.

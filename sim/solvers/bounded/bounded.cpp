@@ -22,10 +22,6 @@ namespace {
 /// Time steps in a frame. Fewer would do for small stiff cloths, and let fast ones pass through obstacles.
 constexpr int least_substeps = 8;
 
-/// How often layers that are too close are moved apart. At half as often they were seen to cross in a wind of
-/// 10 m/s.
-constexpr int partings_per_frame = 8;
-
 /// A projection that costs more sweeps than this many times the substeps is not worth it: more substeps are.
 constexpr double costliest_projection = 3.0;
 /// Where no more substeps are to be had, it is.
@@ -51,7 +47,7 @@ const char* name_of(BoundKind kind) {
 /// What the solver derives from a garment, and keeps from frame to frame.
 struct BoundedSolver::Cloth : SteppedCloth {
   Cloth(const Garment& garment, const Pins& pinned, const BoundedSettings& settings, double frame_time_s)
-      : SteppedCloth(garment, pinned, settings.bound, frame_time_s),
+      : SteppedCloth(garment, pinned, settings, frame_time_s),
         pins(pinned.vertices),
         compression_stiffness_n_per_m(garment.material.compression_stiffness_n_per_m),
         projection(layout),
@@ -70,6 +66,40 @@ struct BoundedSolver::Cloth : SteppedCloth {
   Float4Array velocities;    ///< m/s, when the frame began
   double shift = 0.0;        ///< of the last frame, in parts of the largest allowed
   double time_step_s = 0.0;  ///< the one the springs' short_share is made for
+};
+
+/// Keeps the last correction of a frame from making anything cross.
+class BoundedSolver::ApartWhileCorrected : public Confinement {
+ public:
+  ApartWhileCorrected(const Garment& garment, double time_s, ParallelKernels& kernels, Cloth& cloth)
+      : garment_(garment), time_s_(time_s), kernels_(kernels), cloth_(cloth) {}
+
+  void begin(const Float4Array& raw, const Float4Array& expected) override {
+    cloth_.contacts.make_regions(garment_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
+    last_ = raw;
+  }
+
+  // Where many are held back by their balls alone there is more room from where they have come.
+  void bring_back(Float4Array& displacements) override {
+    if (is_held_back_) {
+      moved_.resize(last_.size());
+      for (std::size_t row = 0; row < last_.size(); ++row) {
+        moved_[row] = scaled_sum(displacements[row], last_[row], -1.0F);
+      }
+      cloth_.contacts.renew_regions(garment_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
+    }
+    is_held_back_ = cloth_.contacts.keep_apart(cloth_.layout, displacements);
+    last_ = displacements;
+  }
+
+ private:
+  const Garment& garment_;
+  double time_s_;
+  ParallelKernels& kernels_;
+  Cloth& cloth_;
+  bool is_held_back_ = false;
+  Float4Array last_;  ///< displacements that are known to keep everything apart
+  Float4Array moved_;
 };
 
 BoundedSolver::BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps)
@@ -141,14 +171,14 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
   const double dt = frame_time_s / substeps;
   const int updates = cloth.forces.updates_per_frame(surroundings.forces, frame_time_s);
   const int substeps_per_update = std::max(1, substeps / updates);
-  const int substeps_per_parting = std::max(1, substeps / partings_per_frame);
   begin_substeps(dt);
+  cloth.contacts.begin_attempt(time_s);
   for (int substep = 0; substep < substeps; ++substep) {
     TimeStep time;
     time.frame_began_s = time_s;
+    time.frame_ends_s = time_s + frame_time_s;
     time.time_s = time_s + substep * dt;
     time.time_step_s = dt;
-    time.parts_layers = substep % substeps_per_parting == 0;
     time.updates_forces = substep % substeps_per_update == 0;
     time.update_interval_s = substeps_per_update * dt;
     bounded::step(garment, surroundings, time, *kernels_, cloth);
@@ -191,12 +221,16 @@ ProjectionResult BoundedSolver::try_frame(const Garment& garment, const Pins& pi
   const int substeps = cloth.control.substeps();
   run_substeps(garment, surroundings, state.time_s, frame_time_s, substeps);
   const double largest_cost = cloth.control.is_spent() ? last_resort_sweeps : costliest_projection * substeps;
-  ProjectionResult projected = cloth.projection.project(cloth.layout, cloth.motion.current,
-                                                        settings_.max_stretch, largest_cost, *kernels_);
+  cloth.contacts.observe(cloth.layout, cloth.motion, state.time_s + frame_time_s);
+  ApartWhileCorrected apart(garment, state.time_s + frame_time_s, *kernels_, cloth);
+  ProjectionResult projected =
+      cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, largest_cost,
+                               cloth.contacts.is_on() ? &apart : nullptr, *kernels_);
   write_shape(surroundings, frame_time_s, state);
   if (!projected.kept || cloth.layout.surface.has_thin) {
     projected.kept = keeps_bound_in_double(garment, pins, settings_, state.current);
   }
+  projected.kept = projected.kept && !cloth.contacts.is_blocked();
   return projected;
 }
 
@@ -208,8 +242,7 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
   Cloth& cloth = *cloth_;
   kernels_->share(cloth.threads.is_shared());
   begin_frame(state);
-  cloth.contacts.begin_frame(garment, pins, cloth.layout, surroundings, cloth.motion, cloth.velocities,
-                             state.time_s, frame_time_s);
+  cloth.contacts.begin_frame(garment, cloth.layout, surroundings, cloth.motion, state.time_s);
   SubstepControl& control = cloth.control;
   ProjectionResult projected;
   const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
@@ -223,6 +256,7 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
            control.try_more());
   cloth.shift = shift;
   cloth.projection.end_frame();
+  cloth.contacts.end_frame();
 
   const int substeps = control.substeps();
   control.frame_kept(projected.cost, shift);
@@ -242,7 +276,7 @@ void BoundedSolver::save(const Garment& garment, const Pins& pins, ByteWriter& m
     memory.put(cloth_->shift);
     cloth_->control.save(memory);
     cloth_->projection.save(cloth_->layout, memory);
-    cloth_->contacts.save(memory);
+    cloth_->contacts.save(cloth_->layout, memory);
   }
 }
 
@@ -256,7 +290,7 @@ void BoundedSolver::restore(const Garment& garment, const Pins& pins, const Surr
   cloth_->shift = memory.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
   cloth_->control.restore(memory);
   cloth_->projection.restore(cloth_->layout, memory);
-  cloth_->contacts.restore(garment, memory);
+  cloth_->contacts.restore(cloth_->layout, memory);
 }
 
 }  // namespace taut::sim

@@ -28,6 +28,7 @@ class BoundedSolver : public Solver {
 
  private:
   struct Cloth;
+  class ApartWhileCorrected;
 
   bool is_laid_out_for(const Garment& garment, const Pins& pins) const;
   void lay_out(const Garment& garment, const Pins& pins, const Surroundings& surroundings,

@@ -1,112 +1,320 @@
 #include "sim/solvers/bounded/contacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
-
-#include "sim/contact/layers.hpp"
+#include <limits>
 
 namespace taut::sim::bounded {
 namespace {
 
-/// Only vertices that could reach a body within the frame are checked. It is assumed that speeds grow to
-/// at most this many times their value in a frame, and that vertices move by this much more, in m. Larger
-/// values check more vertices; smaller ones let fast vertices enter bodies.
-constexpr double reach_factor = 2.0;
-constexpr double extra_reach_m = 0.02;
+/// How far rows may deviate from where they are expected, in m, and this part of the way there. More finds
+/// more pairs; less makes regions last less long. Corrections of a frame are known less well.
+constexpr float room_m = 3e-4F;
+constexpr float correction_room_m = 5e-4F;
+constexpr float room_per_move = 0.25F;
+constexpr float most_room_m = 5e-3F;
+/// A correction may bring things so much nearer, as a part of their distance: where folds are tight, keeping
+/// the bound and the thickness both may not be possible. Time steps part them again.
+constexpr float kept_while_corrected = 0.5F;
+/// A correction that goes on may go this many times as far as it came.
+constexpr float further = 1.5F;
 
-/// The fraction of an overlap that one parting removes. A larger value pulls more at the springs.
-constexpr double parted_at_once = 0.3;
+/// Regions last while neighbours move against each other by this part of the mean edge.
+constexpr double turned_part_of_edge = 0.2;
 
-double largest_speed(const Float4Array& velocities) {
-  double largest = 0.0;
-  for (const Float4& v : velocities) {
-    largest = std::max(largest, glm::length(vector_of(v)));
+/// Where something is near, regions last no longer than this, in s: their planes move as things did before,
+/// and would carry what since has been slowed down.
+constexpr double longest_touching_s = 1.0 / 240.0;
+
+/// Of what contact moved rows from where they were expected, so much is expected the next time.
+constexpr float deviation_kept = 0.7F;
+constexpr float deviation_room = 1.25F;
+
+/// Regions are made anew when more than this part of the rows is held back by its ball.
+constexpr double held_back_part = 0.002;
+/// The next ball of such a row is larger by so much.
+constexpr float held_back_room = 1.5F;
+
+/// No cloth is thinner than this, in m: there has to be room for rounding.
+constexpr double least_thickness_m = 1e-4;
+/// Neighbours in the cloth may come as near as this part of their distance at rest.
+constexpr float rest_part = 0.5F;
+/// Parts of the cloth that touch at rest, as along seams that are not sewn, are not kept apart; nor is cloth
+/// finer than single precision can tell.
+constexpr float smallest_kept_m = 1e-6F;
+/// Searches for pairs, each with larger radii. It was never more than seven.
+constexpr int most_searches = 16;
+
+/// Returns whether rows are where something can be found; in a frame that flies apart they are not.
+bool are_findable(const RowMoves& rows) {
+  constexpr float furthest_m = 1e9F;
+  for (std::size_t row = 0; row < rows.radii.size(); ++row) {
+    const float far_m = length_of(rows.positions[row]) + length_of(rows.moves[row]) + rows.radii[row];
+    if (!(far_m < furthest_m)) {
+      return false;
+    }
   }
-  return largest;
-}
-
-bool is_near_any(const std::vector<Shape>& shapes, const Vec3& position_m, double reach_m) {
-  return std::any_of(shapes.begin(), shapes.end(), [&](const Shape& shape) {
-    return nearest_surface(shape, position_m).distance_m < reach_m;
-  });
-}
-
-void add(Float4& row, const Vec3& v) {
-  row.x += static_cast<float>(v.x);
-  row.y += static_cast<float>(v.y);
-  row.z += static_cast<float>(v.z);
+  return true;
 }
 
 }  // namespace
 
-void Contacts::begin_frame(const Garment& garment, const Pins& pins, const Layout& layout,
-                           const Surroundings& surroundings, const Motion& motion,
-                           const Float4Array& velocities, double time_s, double frame_time_s) {
-  near_rows_.clear();
-  near_inverse_masses_per_kg_.clear();
-  if (surroundings.bodies.empty()) {
+void Contacts::begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
+                           const Motion& motion, double time_s) {
+  is_on_ = within_cloth_ || !surroundings.bodies.empty();
+  if (!is_on_) {
     return;
   }
-  bool any_moves = false;
-  std::vector<Shape> shapes;
-  for (const Body& body : surroundings.bodies) {
-    any_moves = any_moves || is_moving_after(body, time_s);
-    shapes.push_back(shape_at(body, time_s));
+  const bool is_known = near_ && bodies_.are(surroundings.bodies);
+  if (!is_known) {
+    lay_out(garment, layout, surroundings.bodies);
   }
-  const double gravity = glm::length(surroundings.forces.gravity_m_per_s2);
-  const double travel_m = frame_time_s * (largest_speed(velocities) + gravity * frame_time_s);
-  const double reach_m = garment.material.thickness_m + reach_factor * travel_m + extra_reach_m;
-  for (Index row = static_cast<Index>(layout.pin_count); row < layout.vertex_count(); ++row) {
-    if (any_moves || is_near_any(shapes, motion.start_m[row], reach_m)) {
-      near_rows_.push_back(row);
-      near_inverse_masses_per_kg_.push_back(pins.inverse_masses_per_kg[layout.vertex_of_row[row]]);
-    }
-  }
-  near_current_m_.resize(near_rows_.size());
-  near_predicted_m_.resize(near_rows_.size());
-}
-
-void Contacts::push_out(const Material& cloth, const Surroundings& surroundings, const TimeSpan& step,
-                        Motion& motion) {
-  if (near_rows_.empty()) {
+  if (is_known && left_out_.empty()) {
     return;
   }
-  for (std::size_t k = 0; k < near_rows_.size(); ++k) {
-    const Index row = near_rows_[k];
-    near_current_m_[k] = motion.start_m[row] + vector_of(motion.previous[row]);
-    near_predicted_m_[k] = motion.start_m[row] + vector_of(motion.current[row]);
-  }
-  push_out_of_bodies(surroundings.bodies, {cloth.thickness_m, cloth.friction}, step,
-                     near_inverse_masses_per_kg_, near_current_m_, near_predicted_m_);
-  for (std::size_t k = 0; k < near_rows_.size(); ++k) {
-    const Index row = near_rows_[k];
-    motion.current[row] = float4_of(near_predicted_m_[k] - motion.start_m[row]);
+  std::vector<Vec3> positions_m = motion.start_m;
+  positions_m.resize(layout.row_count());
+  const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(time_s);
+  positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
+  if (is_known) {
+    left_out_.update(positions_m);
+  } else {
+    left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
   }
 }
 
-void Contacts::part_layers(const Garment& garment, const Layout& layout, double layer_distance_m,
-                           Motion& motion) {
-  positions_m_.resize(layout.vertex_count());
+void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies) {
+  std::vector<Vec3> positions_m(layout.row_count(), Vec3(0.0));
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    positions_m_[layout.vertex_of_row[row]] = motion.start_m[row] + vector_of(motion.current[row]);
+    positions_m[row] = garment.mesh.positions[layout.vertex_of_row[row]];
   }
-  layers_.update(garment.mesh.positions, positions_m_, layer_distance_m);
-  const LayerParting little_by_little = {layer_distance_m, parted_at_once, false};
-  for (const auto& [a, b] : layers_.pairs()) {
-    const Index i = layout.row_of_vertex[a];
-    const Index j = layout.row_of_vertex[b];
-    const double w_i = layout.inverse_masses_per_kg[i];
-    const double w_j = layout.inverse_masses_per_kg[j];
-    const Vec3 now_i = vector_of(motion.current[i]);
-    const Vec3 now_j = vector_of(motion.current[j]);
-    const Vec3 between = (motion.start_m[i] + now_i) - (motion.start_m[j] + now_j);
-    const Vec3 moved = (now_i - vector_of(motion.previous[i])) - (now_j - vector_of(motion.previous[j]));
-    if (const auto parted = part(little_by_little, between, moved, w_i + w_j)) {
-      add(motion.current[i], w_i * parted->current);
-      add(motion.previous[i], w_i * parted->previous);
-      add(motion.current[j], -w_j * parted->current);
-      add(motion.previous[j], -w_j * parted->previous);
+  triangles_.clear();
+  for (const auto& [a, b, c] : garment.mesh.triangles) {
+    triangles_.push_back({layout.row_of_vertex[a], layout.row_of_vertex[b], layout.row_of_vertex[c]});
+  }
+  add_loose_vertices(layout);
+  measure_edges(garment.mesh);
+  rest_.resize(layout.row_count());
+  std::transform(positions_m.begin(), positions_m.end(), rest_.begin(), float4_of);
+  bodies_ = BodyContacts(bodies, garment.material.friction, static_cast<Index>(layout.row_count()));
+  const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(0.0);
+  positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
+  near_.emplace(make_contact_mesh(triangles_, bodies_.mesh_triangles()), within_cloth_, positions_m);
+  frame_memory_.resize(layout.row_count());
+}
+
+// Bodies are also in the way of vertices without triangles.
+void Contacts::add_loose_vertices(const Layout& layout) {
+  std::vector<bool> is_corner(layout.vertex_count(), false);
+  for (const Triangle& t : triangles_) {
+    for (const Index row : t) {
+      is_corner[row] = true;
     }
+  }
+  solid_ = triangles_;
+  for (Index row = 0; row < layout.vertex_count(); ++row) {
+    if (!is_corner[row]) {
+      solid_.push_back({row, row, row});
+    }
+  }
+}
+
+void Contacts::measure_edges(const Mesh& mesh) {
+  double sum_m = 0.0;
+  longest_edge_m_ = 0.0F;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length_m = glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
+      sum_m += length_m / 3.0;
+      longest_edge_m_ = std::max(longest_edge_m_, static_cast<float>(length_m));
+    }
+  }
+  mean_edge_m_ = sum_m / static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1));
+}
+
+void Contacts::begin_attempt(double time_s) {
+  from_s_ = until_s_ = time_s;
+  since_.clear();
+  is_blocked_ = false;
+  memory_ = frame_memory_;
+}
+
+void Contacts::observe(const Layout& layout, const Motion& motion, double time_s) {
+  if (!since_.empty()) {
+    memory_.observe(layout.vertex_count(), since_, motion.current, time_s - from_s_);
+  }
+}
+
+double Contacts::suitable_end_s(double time_s, double time_step_s, double frame_end_s) const {
+  double longest_s =
+      std::min(frame_end_s - time_s, turned_part_of_edge * mean_edge_m_ /
+                                         std::max(memory_.relative_speed_m_per_s(triangles_), 1e-9));
+  if (memory_.is_touching) {
+    longest_s = std::min(longest_s, longest_touching_s);
+  }
+  const double steps_left = std::max(std::round((frame_end_s - time_s) / time_step_s), 1.0);
+  const double times_left = std::ceil((frame_end_s - time_s) / std::max(longest_s, time_step_s) - 1e-3);
+  const double steps = std::ceil(steps_left / std::max(times_left, 1.0) - 1e-3);
+  return time_s + steps * time_step_s;
+}
+
+// From where the rows are now; nothing is expected of them yet.
+void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements) {
+  since_ = displacements;
+  const std::size_t count = layout.row_count();
+  rows_.positions.resize(count);
+  rows_.moves.assign(count, Float4{});
+  rows_.radii.assign(count, 0.0F);
+  rows_.inverse_masses_per_kg = layout.inverse_masses_per_kg;
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    rows_.positions[row] = scaled_sum(motion.start.high[row], since_[row], 1.0F);
+  }
+}
+
+void Contacts::make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+                            const Float4* accelerations, std::span<const Vec3> pins_moved_m,
+                            const TimeSpan& time, ParallelKernels& kernels) {
+  begin_rows(layout, motion, motion.current);
+  const auto lasts_s = static_cast<float>(time.to_s - time.from_s);
+  const auto before_s = static_cast<float>(std::min(memory_.elapsed_s, time.to_s - time.from_s));
+  for (std::size_t row = 0; row < layout.pin_count; ++row) {
+    rows_.moves[row] = scaled_sum(float4_of(pins_moved_m[row]), since_[row], -1.0F);
+  }
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    Float4& move = rows_.moves[row] = times(memory_.velocities[row], lasts_s);
+    // The velocity is that of the middle of the last time.
+    add_scaled(move, memory_.accelerations[row], 0.5F * lasts_s * (lasts_s + before_s));
+    // What presses layers together; most of it is undone by the cloth itself.
+    const Float4 pressed = times(accelerations[row], 0.5F * lasts_s * lasts_s);
+    move = scaled_sum(move, no_longer_than(room_m, pressed), 1.0F);
+    rows_.radii[row] = std::min(room_m + room_per_move * length_of(move), most_room_m);
+  }
+  from_s_ = time.from_s;
+  until_s_ = time.to_s;
+  find_regions(garment, layout, motion, time, 1.0F, kernels);
+}
+
+void Contacts::make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+                            const Float4Array& displacements, const Float4Array& expected, double time_s,
+                            ParallelKernels& kernels) {
+  begin_rows(layout, motion, displacements);
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    rows_.moves[row] = expected[row];
+    rows_.radii[row] = correction_room_m + room_per_move * length_of(expected[row]);
+  }
+  find_regions(garment, layout, motion, {time_s, time_s}, kept_while_corrected, kernels);
+}
+
+void Contacts::renew_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+                             const Float4Array& displacements, const Float4Array& moved, double time_s,
+                             ParallelKernels& kernels) {
+  begin_rows(layout, motion, displacements);
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    rows_.radii[row] = std::clamp(further * length_of(moved[row]), correction_room_m, most_room_m);
+  }
+  find_regions(garment, layout, motion, {time_s, time_s}, kept_while_corrected, kernels);
+}
+
+// Cloth whose parts are nearer at rest than it is thick is not torn apart for that.
+float Contacts::thickness_of(const NearPair& near, float thickness_m) const {
+  std::array<glm::vec3, 4> p{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    p[k] = vec(rest_[near.rows[k]]);
+  }
+  if (glm::distance(p[0], p[3]) > 2.0F * (longest_edge_m_ + thickness_m)) {
+    return thickness_m;
+  }
+  return std::min(thickness_m, rest_part * distance_between(near, p));
+}
+
+void Contacts::collect_pairs(const Material& material, const TimeSpan& time, const Vec3& origin_m,
+                             ParallelKernels& kernels) {
+  const auto thickness_m = static_cast<float>(std::max(material.thickness_m, least_thickness_m));
+  reaches_.resize(rows_.radii.size());
+  std::transform(rows_.radii.begin(), rows_.radii.end(), reaches_.begin(),
+                 [&](float radius) { return radius + 0.5F * thickness_m; });
+  pairs_.clear();
+  for (const NearPair& near : near_->find(rows_.positions, rows_.moves, reaches_, kernels)) {
+    if (left_out_.has(near)) {
+      continue;
+    }
+    const Index first = near.rows.front();
+    const Index second = near.rows.back();
+    if (bodies_.has(first) || bodies_.has(second)) {
+      pairs_.push_back({near, thickness_m, bodies_.friction_of(bodies_.has(first) ? first : second)});
+    } else {
+      const float kept_m = thickness_of(near, thickness_m);
+      if (kept_m > smallest_kept_m) {
+        pairs_.push_back({near, kept_m, static_cast<float>(material.friction)});
+      }
+    }
+  }
+  bodies_.add_near(solid_, thickness_m, time, origin_m, rows_, pairs_);
+}
+
+void Contacts::find_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+                            const TimeSpan& time, float kept_part, ParallelKernels& kernels) {
+  const Vec3 origin_m = motion.start_m.front();
+  bodies_.add_mesh_rows(time, origin_m, rows_);
+  const std::size_t lasting_rows = rows_.radii.size();
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    rows_.radii[row] = std::max(rows_.radii[row], deviation_room * memory_.deviations[row]);
+  }
+  if (!are_findable(rows_)) {
+    std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
+    regions_.make({}, kept_part, rows_);
+    is_blocked_ = true;
+    return;
+  }
+  bool fits = false;
+  for (int search = 0; search < most_searches && !fits; ++search) {
+    rows_.positions.resize(lasting_rows);
+    rows_.moves.resize(lasting_rows);
+    rows_.radii.resize(lasting_rows);
+    rows_.inverse_masses_per_kg.resize(lasting_rows);
+    collect_pairs(garment.material, time, origin_m, kernels);
+    fits = regions_.make(pairs_, kept_part, rows_);
+  }
+  memory_.is_touching = regions_.pair_count() > 0;
+  is_blocked_ = is_blocked_ || !fits || regions_.blocked() != nullptr;
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    float& deviation = memory_.deviations[row];
+    deviation = std::max(deviation_kept * deviation, regions_.deviation(row));
+  }
+}
+
+void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_s, Motion& motion) {
+  const double lasts_s = until_s_ - from_s_;
+  held_back_.clear();
+  regions_.bring_back(
+      {layout.pin_count, layout.vertex_count()}, static_cast<float>((time_s - from_s_) / lasts_s),
+      static_cast<float>(time_step_s / lasts_s), since_, motion.previous, motion.current, held_back_);
+  for (const Index row : held_back_) {
+    memory_.deviations[row] = std::max(memory_.deviations[row], held_back_room * regions_.radius(row));
+  }
+  if (static_cast<double>(held_back_.size()) > held_back_part * static_cast<double>(layout.vertex_count())) {
+    until_s_ = time_s - 0.5 * time_step_s;
+  }
+}
+
+// Here a single row that is held back keeps the bound from being reached.
+bool Contacts::keep_apart(const Layout& layout, Float4Array& displacements) const {
+  return regions_.bring_back({layout.pin_count, layout.vertex_count()}, since_, displacements) > 0;
+}
+
+void Contacts::save(const Layout& layout, ByteWriter& memory) const {
+  memory.put<std::uint8_t>(is_on_ ? 1 : 0);
+  if (is_on_) {
+    frame_memory_.save(layout.vertex_count(), memory);
+  }
+}
+
+void Contacts::restore(const Layout& layout, ByteReader& memory) {
+  is_on_ = memory.get_bool("whether anything could touch");
+  if (is_on_) {
+    frame_memory_.resize(layout.row_count());
+    frame_memory_.restore(layout.vertex_count(), memory);
   }
 }
 

@@ -1,42 +1,107 @@
 #pragma once
 
-#include "sim/contact/neighbour_list.hpp"
+#include <optional>
+
+#include "sim/solvers/bounded/contact/body_contacts.hpp"
+#include "sim/solvers/bounded/contact/crossings.hpp"
+#include "sim/solvers/bounded/contact/near_pairs.hpp"
+#include "sim/solvers/bounded/contact/regions.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/motion.hpp"
+#include "sim/solvers/bounded/row_memory.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim::bounded {
 
-/// Keeps the cloth away from bodies and its layers away from each other.
+/// Keeps cloth from crossing itself and bodies: says when to look for what is near, and gives each row its
+/// region until the next time (regions.hpp). How and why: contact.md beside this file.
 class Contacts {
  public:
-  /// Finds the rows that could reach a body within the frame, which begins at `time_s`: all, if a body moves.
-  /// `velocities` has one entry per row, in m/s.
-  void begin_frame(const Garment& garment, const Pins& pins, const Layout& layout,
-                   const Surroundings& surroundings, const Motion& motion, const Float4Array& velocities,
-                   double time_s, double frame_time_s);
+  /// With `within_cloth` false only bodies are in the way of the cloth.
+  explicit Contacts(bool within_cloth) : within_cloth_(within_cloth) {}
 
-  /// Moves cloth out of the bodies, with friction. Call it after the sweeps of each time step.
-  void push_out(const Material& cloth, const Surroundings& surroundings, const TimeSpan& step,
-                Motion& motion);
+  /// Returns whether anything could touch in this frame.
+  bool is_on() const { return is_on_; }
 
-  /// Moves layers apart that are too close. It removes their speed of approach and adds no other speed. Call
-  /// it a few times per frame.
-  void part_layers(const Garment& garment, const Layout& layout, double layer_distance_m, Motion& motion);
+  /// Call it before the first attempt at a frame, which begins at `time_s`. What crosses when the first frame
+  /// begins is left out until it is apart.
+  void begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
+                   const Motion& motion, double time_s);
+  /// Call it before each attempt: all begins as it was when the frame began.
+  void begin_attempt(double time_s);
+  /// Call it when a frame is kept.
+  void end_frame() { frame_memory_ = memory_; }
 
-  /// Saves and restores what is kept from earlier frames; see NeighbourList.
-  void save(ByteWriter& memory) const { layers_.save(memory); }
-  void restore(const Garment& garment, ByteReader& memory) {
-    layers_.restore(garment.mesh.positions, memory);
-  }
+  /// Returns whether regions have to be made before the time step that begins now.
+  bool are_due(double time_s) const { return is_on_ && !(time_s < until_s_); }
+
+  /// Ends the time of the last regions, to learn from it how rows move.
+  void observe(const Layout& layout, const Motion& motion, double time_s);
+
+  /// Returns until when regions that are made now should last: a time at which a time step ends.
+  double suitable_end_s(double time_s, double time_step_s, double frame_end_s) const;
+
+  /// Makes regions for this time. `pins_moved_m` is how far pins are from the start of the frame at its end.
+  void make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+                    const Float4* accelerations, std::span<const Vec3> pins_moved_m, const TimeSpan& time,
+                    ParallelKernels& kernels);
+
+  /// Makes regions for a correction of displacements at the end of a frame, which is expected to be about
+  /// `expected`.
+  void make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+                    const Float4Array& displacements, const Float4Array& expected, double time_s,
+                    ParallelKernels& kernels);
+  /// The same for going on with a correction, where `moved` is how far it came.
+  void renew_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+                     const Float4Array& displacements, const Float4Array& moved, double time_s,
+                     ParallelKernels& kernels);
+
+  /// Keeps things apart at the end of a time step, with friction.
+  void keep_apart(const Layout& layout, double time_s, double time_step_s, Motion& motion);
+
+  /// Keeps things apart in a correction. Returns whether regions should be made anew.
+  bool keep_apart(const Layout& layout, Float4Array& displacements) const;
+
+  /// Returns whether some pair could not be kept apart since the attempt began.
+  bool is_blocked() const { return is_blocked_; }
+
+  /// Saves and restores what is kept from frame to frame.
+  void save(const Layout& layout, ByteWriter& memory) const;
+  /// Throws BadBytes.
+  void restore(const Layout& layout, ByteReader& memory);
 
  private:
-  std::vector<Index> near_rows_;
-  std::vector<double> near_inverse_masses_per_kg_;
-  std::vector<Vec3> near_current_m_;
-  std::vector<Vec3> near_predicted_m_;
-  std::vector<Vec3> positions_m_;
-  NeighbourList layers_;
+  void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
+  void add_loose_vertices(const Layout& layout);
+  void measure_edges(const Mesh& mesh);
+  void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
+  void find_regions(const Garment& garment, const Layout& layout, const Motion& motion, const TimeSpan& time,
+                    float kept_part, ParallelKernels& kernels);
+  void collect_pairs(const Material& material, const TimeSpan& time, const Vec3& origin_m,
+                     ParallelKernels& kernels);
+  float thickness_of(const NearPair& near, float thickness_m) const;
+
+  bool within_cloth_;
+  bool is_on_ = false;
+  std::vector<Triangle> triangles_;  ///< of the cloth, by row
+  std::vector<Triangle> solid_;      ///< the same, and vertices without triangles as triangles of one place
+  Float4Array rest_;                 ///< its positions at rest, by row, in m
+  double mean_edge_m_ = 0.0;
+  float longest_edge_m_ = 0.0F;
+  BodyContacts bodies_;
+  std::optional<NearPairs> near_;
+  Crossings left_out_;
+  std::vector<ContactPair> pairs_;
+  RowMoves rows_;
+  std::vector<Index> held_back_;
+  std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
+  Regions regions_;
+  bool is_blocked_ = false;
+  double from_s_ = 0.0;  ///< the time of the regions
+  double until_s_ = 0.0;
+  Float4Array since_;  ///< displacements when they were made; empty before the first
+  RowMemory memory_;
+  RowMemory frame_memory_;  ///< when the frame began
 };
 
 }  // namespace taut::sim::bounded

@@ -129,8 +129,39 @@ double BoundProjection::shorten_long(const Layout& layout, float squared_aim, Pa
   return 1.0 + shortened / static_cast<double>(all);
 }
 
+// Returns the largest ratio of where the correction starts: at the last one, unless the raw state is nearer.
+double BoundProjection::start(const Layout& layout, const Float4Array& raw, double raw_ratio,
+                              Confinement* confinement, ParallelKernels& kernels) {
+  const auto bring_back = [&] {
+    if (confinement != nullptr) {
+      confinement->bring_back(corrected_);
+    }
+    return largest_ratio(layout, kernels);
+  };
+  if (confinement != nullptr) {
+    confinement->begin(raw, corrections_);
+  }
+  start_from_last_frame(raw);
+  const double ratio = bring_back();
+  if (ratio <= raw_ratio) {
+    return ratio;
+  }
+  corrected_ = raw;
+  return bring_back();
+}
+
+void BoundProjection::end(const Float4Array& raw, ProjectionResult& result) {
+  float largest_shift2 = 0.0F;
+  for (std::size_t row = 0; row < raw.size(); ++row) {
+    const Float4& shift = new_corrections_[row] = scaled_sum(corrected_[row], raw[row], -1.0F);
+    largest_shift2 = std::max(largest_shift2, shift.x * shift.x + shift.y * shift.y + shift.z * shift.z);
+  }
+  result.largest_shift_m = std::sqrt(largest_shift2);
+}
+
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
-                                          double largest_cost, ParallelKernels& kernels) {
+                                          double largest_cost, Confinement* confinement,
+                                          ParallelKernels& kernels) {
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;
   const float squared_aim = squared_aim_of(max_stretch);
@@ -138,25 +169,18 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   corrected_ = raw;
   double ratio = largest_ratio(layout, kernels);
   result.raw_max_stretch = std::sqrt(ratio) - 1.0;
-  if (const double raw_ratio = ratio; !(raw_ratio <= squared_bound)) {
-    start_from_last_frame(raw);
-    ratio = largest_ratio(layout, kernels);
-    if (!(ratio <= raw_ratio)) {
-      corrected_ = raw;
-      ratio = largest_ratio(layout, kernels);
-    }
+  if (!(ratio <= squared_bound)) {
+    ratio = start(layout, raw, ratio, confinement, kernels);
   }
   while (!(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio)) {
     result.cost += shorten_long(layout, squared_aim, kernels);
+    if (confinement != nullptr) {
+      confinement->bring_back(corrected_);
+    }
     ratio = largest_ratio(layout, kernels);
   }
-  float largest_shift2 = 0.0F;
-  for (std::size_t row = 0; row < raw.size(); ++row) {
-    const Float4& shift = new_corrections_[row] = scaled_sum(corrected_[row], raw[row], -1.0F);
-    largest_shift2 = std::max(largest_shift2, shift.x * shift.x + shift.y * shift.y + shift.z * shift.z);
-  }
-  result.largest_shift_m = std::sqrt(largest_shift2);
   result.kept = ratio <= squared_bound;
+  end(raw, result);
   return result;
 }
 

@@ -17,6 +17,15 @@ struct ProjectionResult {
   bool kept = false;             ///< none is longer than the bound allows
 };
 
+/// What a correction has to stay within besides the bound. It has to be convex, vertex by vertex.
+class Confinement {
+ public:
+  virtual ~Confinement() = default;
+  /// A correction of displacements `raw` begins, which is expected to be about `expected`.
+  virtual void begin(const Float4Array& raw, const Float4Array& expected) = 0;
+  virtual void bring_back(Float4Array& displacements) = 0;
+};
+
 /// The last correction of a frame: moves the cloth to where no spring, or no triangle in any direction, is
 /// longer than the bound.
 ///
@@ -29,9 +38,10 @@ class BoundProjection {
  public:
   explicit BoundProjection(const Layout& layout);
 
-  /// Stops when its cost, in sweeps over all springs and triangles, reaches `largest_cost`.
+  /// Stops when its cost, in sweeps over all springs and triangles, reaches `largest_cost`. `confinement` may
+  /// be null.
   ProjectionResult project(const Layout& layout, const Float4Array& raw, double max_stretch,
-                           double largest_cost, ParallelKernels& kernels);
+                           double largest_cost, Confinement* confinement, ParallelKernels& kernels);
 
   /// Ends the frame: the next projection starts from the corrections of this one.
   void end_frame() { corrections_.swap(new_corrections_); }
@@ -46,6 +56,9 @@ class BoundProjection {
 
  private:
   void start_from_last_frame(const Float4Array& raw);
+  double start(const Layout& layout, const Float4Array& raw, double raw_ratio, Confinement* confinement,
+               ParallelKernels& kernels);
+  void end(const Float4Array& raw, ProjectionResult& result);
   double largest_ratio(const Layout& layout, ParallelKernels& kernels);
   double shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels);
   template <typename AnyLanes>

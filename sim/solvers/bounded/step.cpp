@@ -5,12 +5,6 @@
 namespace taut::sim::bounded {
 namespace {
 
-void part_layers(const Garment& garment, double layer_distance_m, SteppedCloth& cloth) {
-  if (layer_distance_m > 0.0) {
-    cloth.contacts.part_layers(garment, cloth.layout, layer_distance_m, cloth.motion);
-  }
-}
-
 void impose_forces(const Garment& garment, const ExternalForces& external, const TimeStep& time,
                    ParallelKernels& kernels, SteppedCloth& cloth) {
   cloth.forces.update(garment, external, cloth.motion, time.time_s, time.time_step_s, time.update_interval_s,
@@ -53,10 +47,15 @@ void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
   sweep(cloth.layout.surface, kernels, cloth);
 }
 
-void push_out(const Material& material, const Surroundings& surroundings, const TimeStep& time,
-              SteppedCloth& cloth) {
-  cloth.contacts.push_out(material, surroundings, {time.time_s, time.time_s + time.time_step_s},
-                          cloth.motion);
+// Until when they last is known only after it is known how fast the cloth moves.
+void renew_regions(const Garment& garment, const Surroundings& surroundings, const TimeStep& time,
+                   ParallelKernels& kernels, SteppedCloth& cloth) {
+  Contacts& contacts = cloth.contacts;
+  contacts.observe(cloth.layout, cloth.motion, time.time_s);
+  const double end_s = contacts.suitable_end_s(time.time_s, time.time_step_s, time.frame_ends_s);
+  contacts.make_regions(garment, cloth.layout, cloth.motion, cloth.forces.accelerations(),
+                        pins_moved(surroundings, cloth, {time.frame_began_s, end_s}), {time.time_s, end_s},
+                        kernels);
 }
 
 }  // namespace
@@ -70,14 +69,12 @@ std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedClot
 
 void step(const Garment& garment, const Surroundings& surroundings, const TimeStep& time,
           ParallelKernels& kernels, SteppedCloth& cloth) {
-  // Layers come first, so that the prediction no longer has the speed that this removes.
-  if (time.parts_layers) {
-    part_layers(garment, surroundings.layer_distance_m, cloth);
-  }
-
   // Step 2: impose the forces on the mass points, a few times in a frame ...
   if (time.updates_forces) {
     impose_forces(garment, surroundings.forces, time, kernels, cloth);
+  }
+  if (cloth.contacts.are_due(time.time_s)) {
+    renew_regions(garment, surroundings, time, kernels, cloth);
   }
   // ... and predict where they go, eq. (1): d(t+dt) = d(t) + (d(t) - d(t-dt)) / (1 + c dt) + a dt^2.
   predict(surroundings, time, kernels, cloth);
@@ -85,7 +82,9 @@ void step(const Garment& garment, const Surroundings& surroundings, const TimeSt
 
   // Step 3: compensate the predicted displacements, eqs. (2)-(3).
   constrain(kernels, cloth);
-  push_out(garment.material, surroundings, time, cloth);
+  if (cloth.contacts.is_on()) {
+    cloth.contacts.keep_apart(cloth.layout, time.time_s + time.time_step_s, time.time_step_s, cloth.motion);
+  }
 }
 
 }  // namespace taut::sim::bounded

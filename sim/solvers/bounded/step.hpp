@@ -14,9 +14,10 @@ namespace taut::sim::bounded {
 /// What time steps work on: the cloth, what acts on it and where it is.
 struct SteppedCloth {
   /// Makes no tethers and sets no positions.
-  SteppedCloth(const Garment& garment, const Pins& pins, BoundKind bound, double frame_time_s)
-      : layout(make_layout(garment, pins, bound)),
-        forces(garment, pins, layout, garment.material.bending_rigidity_n_m, frame_time_s) {}
+  SteppedCloth(const Garment& garment, const Pins& pins, const BoundedSettings& settings, double frame_time_s)
+      : layout(make_layout(garment, pins, settings.bound)),
+        forces(garment, pins, layout, garment.material.bending_rigidity_n_m, frame_time_s),
+        contacts(settings.contact) {}
   SteppedCloth(const SteppedCloth&) = delete;
   SteppedCloth& operator=(const SteppedCloth&) = delete;
 
@@ -31,9 +32,9 @@ struct SteppedCloth {
 /// one.
 struct TimeStep {
   double frame_began_s = 0.0;
+  double frame_ends_s = 0.0;
   double time_s = 0.0;  ///< at the start of this step
   double time_step_s = 0.0;
-  bool parts_layers = false;
   bool updates_forces = false;
   /// From one update of the forces to the next.
   double update_interval_s = 0.0;

@@ -49,4 +49,14 @@ inline Vec3 vector_of(const Float4& v) {
   return {v.x, v.y, v.z};
 }
 
+inline glm::vec3 vec(const Float4& v) {
+  return {v.x, v.y, v.z};
+}
+
+inline void add(Float4& sum, const glm::vec3& v) {
+  sum.x += v.x;
+  sum.y += v.y;
+  sum.z += v.z;
+}
+
 }  // namespace taut::sim::bounded

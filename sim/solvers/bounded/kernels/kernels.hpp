@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "sim/solvers/bounded/kernels/contact_kernels.hpp"
 #include "sim/solvers/bounded/kernels/lanes.hpp"
 #include "sim/solvers/bounded/kernels/sliced_matrix.hpp"
 #include "sim/solvers/bounded/kernels/vector_unit.hpp"
@@ -94,6 +95,9 @@ struct Kernels {
   /// For the rows of slices [begin, end): result += sum over the columns of value (x_column - x_row).
   void (*add_product)(const SlicedMatrix& matrix, std::size_t begin, std::size_t end, const Float4* positions,
                       Float4* result);
+
+  /// The search for what is near.
+  ContactKernels contact;
 };
 
 /// Added to the divisor of SurfaceMobility, which is 1/2 on average: a triangle with two corners pinned too

@@ -5,7 +5,9 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "sim/solvers/bounded/kernels/boxes_inl.hpp"
 #include "sim/solvers/bounded/kernels/kernel_tables.hpp"
+#include "sim/solvers/bounded/kernels/near_inl.hpp"
 #include "sim/solvers/bounded/kernels/surface_inl.hpp"
 #include "sim/solvers/bounded/kernels/vectors_inl.hpp"
 
@@ -230,10 +232,12 @@ void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end,
 }
 
 const Kernels* table() {
+  static constexpr ContactKernels contact = {enclose, enclose_blocks, overlapping, keep_near<1>,
+                                             keep_near<2>};
   static constexpr Kernels kernels = {predict,       start_springs,   sweep,
                                       shorten,       largest_ratios,  start_surface,
                                       sweep_surface, shorten_surface, largest_surface_ratios,
-                                      wind,          add_product};
+                                      wind,          add_product,     contact};
   return &kernels;
 }
 

@@ -1,5 +1,7 @@
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 
+#include <algorithm>
+
 namespace taut::sim::bounded {
 namespace {
 
@@ -77,6 +79,19 @@ void ParallelKernels::wind(const TriangleLanes& triangles, const AirFlow& air, c
 void ParallelKernels::add_product(const SlicedMatrix& matrix, const Float4* positions, Float4* result) {
   pool_.split(0, matrix.slice_count(), least_blocks,
               [&](std::size_t b, std::size_t e) { kernels_.add_product(matrix, b, e, positions, result); });
+}
+
+void ParallelKernels::enclose(const PrimitiveLanes& primitives, const MovingRows& rows, BoxBlock* boxes) {
+  pool_.split(0, primitives.block_count(), least_blocks,
+              [&](std::size_t b, std::size_t e) { kernels_.contact.enclose(primitives, b, e, rows, boxes); });
+}
+
+void ParallelKernels::enclose_blocks(const BoxBlock* boxes, std::size_t count, BoxBlock* around) {
+  // Threads write whole blocks of `around`.
+  const std::size_t parents = (count + block_size - 1) / block_size;
+  pool_.split(0, parents, least_blocks / block_size, [&](std::size_t b, std::size_t e) {
+    kernels_.contact.enclose_blocks(boxes, b * block_size, std::min(e * block_size, count), around);
+  });
 }
 
 }  // namespace taut::sim::bounded

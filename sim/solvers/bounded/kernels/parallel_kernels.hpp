@@ -38,6 +38,16 @@ class ParallelKernels {
             const Float4* previous, Float4* corner_forces);
   void add_product(const SlicedMatrix& matrix, const Float4* positions, Float4* result);
 
+  const ContactKernels& contact() const { return kernels_.contact; }
+  void enclose(const PrimitiveLanes& primitives, const MovingRows& rows, BoxBlock* boxes);
+  void enclose_blocks(const BoxBlock* boxes, std::size_t count, BoxBlock* around);
+
+  /// Calls part(b, e) for ranges that together cover [begin, end), each of at least `least`. See ThreadPool.
+  template <typename Part>
+  void split(std::size_t begin, std::size_t end, std::size_t least, const Part& part) {
+    pool_.split(begin, end, least, part);
+  }
+
   /// Calls part(b, e) for ranges of rows that together cover [begin, end). What it does for one row must not
   /// depend on other rows.
   template <typename Part>

@@ -1,0 +1,119 @@
+#include "sim/solvers/bounded/contact/box_hierarchy.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "sim/mesh/extent.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+BoxBlock empty_boxes() {
+  BoxBlock block;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    block.low[axis].fill(infinite);
+    block.high[axis].fill(-infinite);
+  }
+  return block;
+}
+
+std::size_t blocks_for(std::size_t count) {
+  return (count + block_size - 1) / block_size;
+}
+
+int longest_axis(std::span<const Vec3> centres, std::span<const Index> things) {
+  Extent extent;
+  for (const Index thing : things) {
+    extent.add(centres[thing]);
+  }
+  const Vec3 size = extent.size();
+  return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+}
+
+/// Orders things so that those of a block lie side by side, and so do those of a block of blocks, and so on.
+void order_by_place(std::span<const Vec3> centres, std::span<Index> things) {
+  if (things.size() <= block_size) {
+    return;
+  }
+  std::size_t part = block_size;
+  while (part * block_size < things.size()) {
+    part *= block_size;
+  }
+  const std::size_t parts = (things.size() + part - 1) / part;
+  const std::size_t middle = (parts + 1) / 2 * part;
+  const int axis = longest_axis(centres, things);
+  std::nth_element(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(middle), things.end(),
+                   [&](Index a, Index b) {
+                     return centres[a][axis] < centres[b][axis] ||
+                            (centres[a][axis] == centres[b][axis] && a < b);
+                   });
+  order_by_place(centres, things.first(middle));
+  order_by_place(centres, things.subspan(middle));
+}
+
+template <std::size_t corners>
+std::vector<Index> order_of(std::span<const std::array<Index, corners>> primitives,
+                            std::span<const Vec3> positions) {
+  std::vector<Vec3> centres;
+  for (const auto& rows : primitives) {
+    Vec3 sum(0.0);
+    for (const Index row : rows) {
+      sum += positions[row];
+    }
+    centres.push_back(sum / static_cast<double>(corners));
+  }
+  std::vector<Index> order(primitives.size());
+  std::iota(order.begin(), order.end(), 0U);
+  order_by_place(centres, order);
+  return order;
+}
+
+}  // namespace
+
+BoxHierarchy::BoxHierarchy(std::span<const std::array<Index, 1>> vertices, std::span<const Vec3> positions) {
+  build(vertices, positions);
+}
+BoxHierarchy::BoxHierarchy(std::span<const Edge> edges, std::span<const Vec3> positions) {
+  build(edges, positions);
+}
+BoxHierarchy::BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions) {
+  build(triangles, positions);
+}
+
+template <std::size_t corners>
+void BoxHierarchy::build(std::span<const std::array<Index, corners>> primitives,
+                         std::span<const Vec3> positions) {
+  primitives_.corner_count = corners;
+  primitives_.count = primitives.size();
+  const std::vector<Index> order = order_of(primitives, positions);
+  const std::size_t blocks = blocks_for(primitives.size());
+  for (std::size_t k = 0; k < corners; ++k) {
+    primitives_.at[k].assign(blocks * block_size, 0);
+    for (std::size_t lane = 0; lane < order.size(); ++lane) {
+      primitives_.at[k][lane] = 4 * primitives[order[lane]][k];
+    }
+  }
+  levels_.emplace_back(blocks, empty_boxes());
+  for (std::size_t below = 2; below > 1;) {
+    below = levels_.back().size();
+    levels_.emplace_back(blocks_for(below), empty_boxes());
+  }
+}
+
+void BoxHierarchy::raise(std::size_t height) {
+  while (this->height() < height) {
+    levels_.emplace_back(1, empty_boxes());
+  }
+}
+
+void BoxHierarchy::fit(const MovingRows& rows, ParallelKernels& kernels) {
+  kernels.enclose(primitives_, rows, levels_[0].data());
+  for (std::size_t l = 0; l < height(); ++l) {
+    kernels.enclose_blocks(levels_[l].data(), levels_[l].size(), levels_[l + 1].data());
+  }
+}
+
+}  // namespace taut::sim::bounded

@@ -1,0 +1,35 @@
+#include "sim/solvers/bounded/contact/contact_mesh.hpp"
+
+#include <algorithm>
+
+namespace taut::sim::bounded {
+namespace {
+
+template <typename T>
+void keep_each_once(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+Primitives primitives_of(std::span<const Triangle> triangles) {
+  Primitives p;
+  p.triangles.assign(triangles.begin(), triangles.end());
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index next = t[(k + 1) % 3];
+      p.vertices.push_back({t[k]});
+      p.edges.push_back({std::min(t[k], next), std::max(t[k], next)});
+    }
+  }
+  keep_each_once(p.vertices);
+  keep_each_once(p.edges);
+  return p;
+}
+
+}  // namespace
+
+ContactMesh make_contact_mesh(std::span<const Triangle> cloth, std::span<const Triangle> bodies) {
+  return {primitives_of(cloth), primitives_of(bodies)};
+}
+
+}  // namespace taut::sim::bounded

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sim/mesh/types.hpp"
+
+namespace taut::sim::bounded {
+
+/// The triangles of a surface with their vertices and edges, each once; by row.
+struct Primitives {
+  std::vector<std::array<Index, 1>> vertices;
+  std::vector<Edge> edges;
+  std::vector<Triangle> triangles;
+};
+
+/// What may touch.
+struct ContactMesh {
+  Primitives cloth;
+  Primitives bodies;
+};
+
+/// `cloth` and `bodies` are triangles of rows; no row is of both.
+ContactMesh make_contact_mesh(std::span<const Triangle> cloth, std::span<const Triangle> bodies);
+
+}  // namespace taut::sim::bounded

@@ -1,0 +1,122 @@
+#include "sim/solvers/bounded/contact/crossings.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "sim/solvers/bounded/contact/box_tree.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+bool has_row(const Triangle& t, Index row) {
+  return t[0] == row || t[1] == row || t[2] == row;
+}
+
+/// Whether `d` is above the plane of the triangle a, b, c.
+bool is_above(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return glm::dot(glm::cross(b - a, c - a), d - a) > 0.0;
+}
+
+/// Whether an edge of the one triangle goes through the other.
+bool pierces(const Triangle& edges_of, const Triangle& t, std::span<const Vec3> p) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index i = edges_of[k];
+    const Index j = edges_of[(k + 1) % 3];
+    if (has_row(t, i) || has_row(t, j) ||
+        is_above(p[t[0]], p[t[1]], p[t[2]], p[i]) == is_above(p[t[0]], p[t[1]], p[t[2]], p[j])) {
+      continue;
+    }
+    const bool side = is_above(p[i], p[j], p[t[0]], p[t[1]]);
+    if (side == is_above(p[i], p[j], p[t[1]], p[t[2]]) && side == is_above(p[i], p[j], p[t[2]], p[t[0]])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool cross(const Triangle& s, const Triangle& t, std::span<const Vec3> positions) {
+  return pierces(s, t, positions) || pierces(t, s, positions);
+}
+
+Box box_of(const Triangle& t, std::span<const Vec3> positions) {
+  const Vec3 low = glm::min(positions[t[0]], glm::min(positions[t[1]], positions[t[2]]));
+  const Vec3 high = glm::max(positions[t[0]], glm::max(positions[t[1]], positions[t[2]]));
+  Box box{};
+  for (int axis = 0; axis < 3; ++axis) {
+    // Rounding moves by less than this, in m, where cloth is.
+    constexpr double rounding_m = 1e-5;
+    box.low[axis] = static_cast<float>(low[axis] - rounding_m);
+    box.high[axis] = static_cast<float>(high[axis] + rounding_m);
+  }
+  return box;
+}
+
+Edge ordered(Index a, Index b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+}  // namespace
+
+Crossings::Crossings(std::span<const Triangle> cloth, std::span<const Triangle> bodies, bool within_cloth,
+                     std::span<const Vec3> positions_m) {
+  if (!within_cloth && bodies.empty()) {
+    return;
+  }
+  std::vector<Triangle> triangles(cloth.begin(), cloth.end());
+  triangles.insert(triangles.end(), bodies.begin(), bodies.end());
+  std::vector<Vec3> centres_m;
+  std::vector<Box> boxes;
+  for (const Triangle& t : triangles) {
+    centres_m.push_back((positions_m[t[0]] + positions_m[t[1]] + positions_m[t[2]]) / 3.0);
+    boxes.push_back(box_of(t, positions_m));
+  }
+  BoxTree tree(centres_m);
+  tree.fit(boxes);
+  tree.for_overlapping(boxes, [&](Index s, Index t) {
+    const auto& [low, high] = std::minmax(s, t);
+    const bool is_wanted = low < cloth.size() && (within_cloth || high >= cloth.size());
+    if (is_wanted && cross(triangles[s], triangles[t], positions_m)) {
+      pairs_.push_back({triangles[s], triangles[t]});
+    }
+  });
+  find_keys();
+}
+
+void Crossings::update(std::span<const Vec3> positions_m) {
+  if (std::erase_if(pairs_, [&](const auto& pair) { return !cross(pair[0], pair[1], positions_m); }) > 0) {
+    find_keys();
+  }
+}
+
+Crossings::Key Crossings::key_of(const NearPair& near) {
+  const auto& r = near.rows;
+  if (near.first_count == 1) {
+    Triangle t = {r[1], r[2], r[3]};
+    std::sort(t.begin(), t.end());
+    return {1, r[0], t[0], t[1], t[2]};
+  }
+  const Edge first = ordered(r[0], r[1]);
+  const Edge second = ordered(r[2], r[3]);
+  const auto& [low, high] = std::minmax(first, second);
+  return {2, low[0], low[1], high[0], high[1]};
+}
+
+void Crossings::find_keys() {
+  keys_.clear();
+  for (const auto& [s, t] : pairs_) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      keys_.push_back(key_of({{s[k], t[0], t[1], t[2]}, 1}));
+      keys_.push_back(key_of({{t[k], s[0], s[1], s[2]}, 1}));
+      for (std::size_t l = 0; l < 3; ++l) {
+        keys_.push_back(key_of({{s[k], s[(k + 1) % 3], t[l], t[(l + 1) % 3]}, 2}));
+      }
+    }
+  }
+  std::sort(keys_.begin(), keys_.end());
+}
+
+bool Crossings::has(const NearPair& near) const {
+  return !keys_.empty() && std::binary_search(keys_.begin(), keys_.end(), key_of(near));
+}
+
+}  // namespace taut::sim::bounded

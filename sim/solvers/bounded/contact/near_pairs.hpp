@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/solvers/bounded/contact/box_hierarchy.hpp"
+#include "sim/solvers/bounded/contact/contact_mesh.hpp"
+#include "sim/solvers/bounded/contact/near_pair.hpp"
+#include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
+
+namespace taut::sim::bounded {
+
+/// Finds what is near in a mesh that moves.
+class NearPairs {
+ public:
+  /// `positions` are those of the mesh when it begins to move, one per row.
+  /// Pairs within the cloth are found only if asked for.
+  NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const Vec3> positions_m);
+
+  /// Finds all pairs that could meet while every row moves by `moves`, or by up to `radii` more or less:
+  /// those whose boxes overlap, around all that their corners can reach, and that are nearer than
+  /// ContactKernels says. Pairs within the bodies are left out. In m, one entry per row each. The order
+  /// depends on the mesh and on which pairs are found, and on nothing else.
+  const std::vector<NearPair>& find(const Float4Array& positions, const Float4Array& moves,
+                                    std::span<const float> radii, ParallelKernels& kernels);
+
+ private:
+  struct Hierarchies {
+    BoxHierarchy vertices, edges, triangles;
+  };
+  /// Two trees that are gone through side by side. They may be the same.
+  struct Trees {
+    const BoxHierarchy& a;
+    const BoxHierarchy& b;
+  };
+
+  static Hierarchies hierarchies_of(const Primitives& primitives, std::span<const Vec3> positions);
+  void find_between(const Trees& trees, const MovingRows& rows, ParallelKernels& kernels);
+  void find_blocks(const Trees& trees, const ContactKernels& kernels);
+  template <typename Take>
+  void for_found(const Trees& trees, std::size_t level, std::size_t begin, std::size_t end,
+                 const ContactKernels& kernels, const Take& take) const;
+
+  bool within_cloth_;
+  Hierarchies cloth_;
+  Hierarchies bodies_;
+  Float4Array ways_;                            ///< see MovingRows
+  std::array<Lanes<std::uint32_t>, 2> blocks_;  ///< pairs of blocks of one level
+  std::array<Lanes<std::uint32_t>, 2> next_blocks_;
+  std::vector<std::vector<NearPair>> parts_;  ///< of what is found, by where a thread began
+  std::vector<NearPair> pairs_;
+};
+
+}  // namespace taut::sim::bounded

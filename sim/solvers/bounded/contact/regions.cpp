@@ -1,0 +1,239 @@
+#include "sim/solvers/bounded/contact/regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+
+#include "sim/solvers/bounded/contact/closest_points.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Of what two things lack to the thickness, so much is asked for at once. More throws them apart.
+constexpr float parted_at_once = 0.2F;
+/// Things nearer than this part of the thickness may not come nearer still. Less leaves less room for
+/// rounding.
+constexpr float least_part = 0.1F;
+/// Moves need not part things to the last bit: planes go by what they leave.
+constexpr float enough_part = 0.01F;
+constexpr int most_passes = 12;
+/// Nearer than this, in m, rounding decides which side a thing is on.
+constexpr float smallest_told_apart_m = 1e-7F;
+/// Of its ball, a row's move as contact lets it may be so far from the centre, so that there is room to
+/// deviate from it.
+constexpr float largest_deviation = 0.8F;
+constexpr float more_radius = 1.5F;
+bool is_zero(const Float4& v) {
+  return v.x == 0.0F && v.y == 0.0F && v.z == 0.0F;
+}
+
+}  // namespace
+
+void Regions::add_pair(const ContactPair& contact, float kept_part, const RowMoves& rows) {
+  const NearPair& near = contact.near;
+  std::array<glm::vec3, 4> p{};
+  for (Index k = 0; k < 4; ++k) {
+    p[k] = vec(rows.positions[near.rows[k]]);
+  }
+  Pair pair;
+  pair.contact = contact;
+  pair.weights = closest_weights(near, p);
+  const glm::vec3 between = between_closest(near, p, pair.weights);
+  pair.normal = contact.normal.value_or(between / glm::length(between));
+  Span span = {infinity, -infinity};
+  for (Index k = 0; k < 4; ++k) {
+    pair.heights[k] = glm::dot(pair.normal, p[k] - p[0]);
+    if (k < near.first_count) {
+      span.low = std::min(span.low, pair.heights[k]);
+    } else {
+      span.high = std::max(span.high, pair.heights[k]);
+    }
+  }
+  pair.distance = span.low - span.high;
+  smallest_distance_m_ = std::min(smallest_distance_m_, pair.distance);
+  // Also where the distance is not a number, as things touch. What begins within a body that knows its way
+  // out is let out.
+  const bool is_told_apart = pair.distance > smallest_told_apart_m;
+  if (!is_told_apart && !contact.normal) {
+    blocked_ = is_blocked_ ? blocked_ : near;
+    is_blocked_ = true;
+    return;
+  }
+  pair.needed = std::min(pair.distance, least_part * contact.thickness_m);
+  const float thickness = std::min(contact.thickness_m, std::max(kept_part * pair.distance, pair.needed));
+  pair.kept = thickness;
+  pair.wanted = kept_part < 1.0F || pair.distance >= contact.thickness_m
+                    ? thickness
+                    : pair.distance + parted_at_once * (contact.thickness_m - pair.distance);
+  pairs_.push_back(pair);
+}
+
+Regions::Span Regions::span_at_end(const Pair& pair) const {
+  Span span = {infinity, -infinity};
+  for (Index k = 0; k < 4; ++k) {
+    const float height = pair.heights[k] + glm::dot(pair.normal, vec(moves_[pair.contact.near.rows[k]]));
+    if (k < pair.contact.near.first_count) {
+      span.low = std::min(span.low, height);
+    } else {
+      span.high = std::max(span.high, height);
+    }
+  }
+  return span;
+}
+
+// Projects the moves onto those that leave the wanted distance, corner by corner. As masses weigh them,
+// momentum is kept and no energy is gained: a collision without rebound.
+void Regions::resolve(const Pair& pair, std::span<const float> inverse_masses) {
+  const NearPair& near = pair.contact.near;
+  for (Index k = 0; k < near.first_count; ++k) {
+    for (Index l = near.first_count; l < 4; ++l) {
+      Float4& first = moves_[near.rows[k]];
+      Float4& second = moves_[near.rows[l]];
+      const float w_first = inverse_masses[near.rows[k]];
+      const float w_second = inverse_masses[near.rows[l]];
+      const float apart = pair.heights[k] - pair.heights[l] + glm::dot(pair.normal, vec(first) - vec(second));
+      if (apart < pair.wanted && w_first + w_second > 0.0F) {
+        const glm::vec3 lacking = pair.normal * ((pair.wanted - apart) / (w_first + w_second));
+        add(first, w_first * lacking);
+        add(second, -w_second * lacking);
+      }
+    }
+  }
+}
+
+void Regions::resolve_moves(std::span<const float> inverse_masses) {
+  bool is_done = false;
+  for (int pass = 0; pass < most_passes && !is_done; ++pass) {
+    is_done = true;
+    for (const Pair& pair : pairs_) {
+      const Span span = span_at_end(pair);
+      if (span.low - span.high < pair.wanted - enough_part * pair.contact.thickness_m) {
+        resolve(pair, inverse_masses);
+        is_done = false;
+      }
+    }
+  }
+}
+
+// Nothing crosses where nothing moves. Each round stills rows for good, so that the rounds end.
+void Regions::keep_still_where_needed(std::span<const float> inverse_masses) {
+  bool has_changed = true;
+  while (has_changed) {
+    has_changed = false;
+    for (const Pair& pair : pairs_) {
+      const Span span = span_at_end(pair);
+      if (span.low - span.high >= pair.needed) {
+        continue;
+      }
+      bool is_still = true;
+      for (const Index row : pair.contact.near.rows) {
+        if (inverse_masses[row] > 0.0F && !is_zero(moves_[row])) {
+          moves_[row] = {};
+          is_still = false;
+        }
+      }
+      has_changed = has_changed || !is_still;
+      if (is_still && !is_blocked_) {
+        blocked_ = pair.contact.near;
+        is_blocked_ = true;
+      }
+    }
+  }
+}
+
+bool Regions::fit_radii(RowMoves& rows) {
+  bool fits = true;
+  deviations_.resize(rows.radii.size());
+  for (std::size_t row = 0; row < rows.radii.size(); ++row) {
+    const float deviation = deviations_[row] = glm::distance(vec(moves_[row]), vec(rows.moves[row]));
+    if (rows.inverse_masses_per_kg[row] > 0.0F && !(deviation <= largest_deviation * rows.radii[row])) {
+      rows.radii[row] = more_radius * deviation;
+      fits = false;
+    }
+  }
+  return fits;
+}
+
+void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_masses,
+                              std::span<Index> next) {
+  const NearPair& near = pair.contact.near;
+  Span begin = {infinity, -infinity};
+  std::array<float, 2> masses_kg = {0.0F, 0.0F};
+  std::array<glm::vec3, 2> moved = {glm::vec3(0.0F), pair.contact.surface_slides};
+  for (Index k = 0; k < 4; ++k) {
+    const std::size_t side = k < near.first_count ? 0 : 1;
+    masses_kg[side] += 1.0F / inverse_masses[near.rows[k]];  // infinite for what cannot be moved
+    moved[side] += pair.weights[k] * vec(moves_[near.rows[k]]);
+    begin.low = side == 0 ? std::min(begin.low, pair.heights[k]) : begin.low;
+    begin.high = side == 1 ? std::max(begin.high, pair.heights[k]) : begin.high;
+  }
+  const bool is_second_fixed = std::isinf(masses_kg[1]);
+  const bool is_first_fixed = std::isinf(masses_kg[0]);
+  // Of the room between the two the first gets this share.
+  const float share = is_first_fixed == is_second_fixed ? 0.5F : (is_first_fixed ? 0.0F : 1.0F);
+  const float first_weight =
+      is_first_fixed || is_second_fixed ? 1.0F - share : masses_kg[0] / (masses_kg[0] + masses_kg[1]);
+  const glm::vec3 sliding = first_weight * moved[0] + (1.0F - first_weight) * moved[1];
+  const Span end = span_at_end(pair);
+  const float room_at_begin = std::max(begin.low - begin.high - std::min(pair.distance, pair.kept), 0.0F);
+  const float room_at_end = std::max(end.low - end.high - pair.wanted, 0.0F);
+  for (Index k = 0; k < 4; ++k) {
+    const Index row = near.rows[k];
+    const bool is_first = k < near.first_count;
+    const float sign = is_first ? 1.0F : -1.0F;
+    const float plane_at_begin =
+        is_first ? begin.low - share * room_at_begin : begin.high + (1.0F - share) * room_at_begin;
+    const float plane_at_end =
+        is_first ? end.low - share * room_at_end : end.high + (1.0F - share) * room_at_end;
+    const float at_begin = sign * (plane_at_begin - pair.heights[k]);
+    const float at_end = sign * (plane_at_end - pair.heights[k]);
+    const float moved_up = sign * glm::dot(pair.normal, vec(moves_[row]));
+    half_spaces_[next[row]++] = {sign * pair.normal, at_begin, at_end - at_begin, pair.contact.friction,
+                                 sliding};
+    free_[row] = std::min({free_[row], -at_begin, moved_up - at_end});
+  }
+}
+
+void Regions::make_half_spaces(std::span<const float> inverse_masses) {
+  half_space_begin_.assign(radii_.size() + 1, 0);
+  for (const Pair& pair : pairs_) {
+    for (const Index row : pair.contact.near.rows) {
+      ++half_space_begin_[row + 1];
+    }
+  }
+  std::partial_sum(half_space_begin_.begin(), half_space_begin_.end(), half_space_begin_.begin());
+  half_spaces_.resize(half_space_begin_.back());
+  free_.resize(radii_.size());
+  for (std::size_t row = 0; row < radii_.size(); ++row) {
+    free_[row] = radii_[row] - deviations_[row];
+  }
+  std::vector<Index> next(half_space_begin_.begin(), half_space_begin_.end() - 1);
+  for (const Pair& pair : pairs_) {
+    add_half_spaces(pair, inverse_masses, next);
+  }
+}
+
+bool Regions::make(std::span<const ContactPair> pairs, float kept_part, RowMoves& rows) {
+  pairs_.clear();
+  is_blocked_ = false;
+  smallest_distance_m_ = infinity;
+  for (const ContactPair& pair : pairs) {
+    add_pair(pair, kept_part, rows);
+  }
+  moves_ = rows.moves;
+  resolve_moves(rows.inverse_masses_per_kg);
+  keep_still_where_needed(rows.inverse_masses_per_kg);
+  if (!fit_radii(rows)) {
+    return false;
+  }
+  expected_ = rows.moves;
+  radii_ = rows.radii;
+  make_half_spaces(rows.inverse_masses_per_kg);
+  return true;
+}
+
+}  // namespace taut::sim::bounded

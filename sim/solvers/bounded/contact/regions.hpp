@@ -1,0 +1,134 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/solvers/bounded/contact/near_pair.hpp"
+#include "sim/solvers/bounded/kernels/float4.hpp"
+
+namespace taut::sim::bounded {
+
+/// A near pair with what decides how its two things touch.
+struct ContactPair {
+  NearPair near;
+  /// The distance kept, in m. Things that are nearer are moved apart little by little.
+  float thickness_m = 0.0F;
+  float friction = 0.0F;  ///< Coulomb's coefficient
+  /// How far the second thing's surface slides along itself until the time 1, beyond its moves, in m: a ball
+  /// that turns about its centre does not move and yet drags the cloth along.
+  glm::vec3 surface_slides = glm::vec3(0.0F);
+  /// Of length 1, towards the first thing; where it is not given, along the shortest distance.
+  std::optional<glm::vec3> normal = {};
+};
+
+/// Rows as contact sees them. One entry per row each, in m.
+struct RowMoves {
+  Float4Array positions;     ///< at the time 0, from an origin
+  Float4Array moves;         ///< until the time 1, as expected
+  std::vector<float> radii;  ///< how much further than its move, in any direction, a row may go
+  /// In 1/kg. Rows of 0 move by exactly their moves.
+  std::vector<float> inverse_masses_per_kg;
+};
+
+/// Rows [begin, end).
+struct RowRange {
+  std::size_t begin;
+  std::size_t end;
+};
+
+/// For every row a convex region that moves from the time 0 to the time 1. What stays within its regions
+/// crosses nothing, on straight ways between any two times.
+///
+/// A region is a ball around the row as it moves, for all that was not near, and a half-space for each near
+/// pair: a plane between the two things at right angles to their distance, which moves along as both are
+/// expected to. Corners that are on one side keep their triangle on that side. Where a row is expected to be
+/// lies within its region at any time, so that rows can always be brought back, each by itself. (Planes:
+/// "divide and truncate", 2026; balls: Chen and others 2025. That planes move lets layers in contact move
+/// together.)
+class Regions {
+ public:
+  /// Makes the regions for the time 0 to 1. Every pair that could meet has to be among `pairs`. Returns false
+  /// where contact moves rows further from where they are expected than their radii; then `rows` has larger
+  /// radii, for pairs to be found anew.
+  /// `kept_part` of their distance is what near things that are thicker than that keep: 1 keeps thicknesses,
+  /// less leaves more room to correct something else.
+  bool make(std::span<const ContactPair> pairs, float kept_part, RowMoves& rows);
+
+  /// The first pair that cannot be kept apart, as rows that move by exactly their moves close in on it or as
+  /// it touched from the beginning; null if there is none.
+  const NearPair* blocked() const { return is_blocked_ ? &blocked_ : nullptr; }
+
+  /// Brings rows back into their regions at a time from 0 to 1, with friction against what they moved in the
+  /// last time step, which took `step` of the whole time. `since` are their displacements at the time 0,
+  /// `previous` a time step ago, which are changed so that nothing rebounds: what touches has no speed away
+  /// from what it touches. Appends the rows that had gone out of their balls to `held_back`.
+  void bring_back(const RowRange& range, float time, float step, const Float4Array& since,
+                  Float4Array& previous, Float4Array& current, std::vector<Index>& held_back) const;
+
+  /// The same at the time 1 without friction. Returns how many rows had gone out of their balls.
+  std::size_t bring_back(const RowRange& range, const Float4Array& since, Float4Array& current) const;
+
+  std::size_t pair_count() const { return pairs_.size(); }
+
+  /// Returns the radius of a row's ball, in m.
+  float radius(std::size_t row) const { return radii_[row]; }
+
+  /// Returns how far contact moves a row from where it was expected, in m.
+  float deviation(std::size_t row) const { return deviations_[row]; }
+
+  /// The smallest distance of near things at the time 0, in m; infinite where nothing was near.
+  float smallest_distance_m() const { return smallest_distance_m_; }
+
+ private:
+  /// A pair with its geometry at the time 0.
+  struct Pair {
+    ContactPair contact;
+    glm::vec3 normal;              ///< towards the first thing, of length 1
+    std::array<float, 4> heights;  ///< of the corners along it
+    std::array<float, 4> weights;  ///< of the corners, where the two things are nearest
+    float distance;                ///< of the two things along it, in m
+    float needed;                  ///< the least distance that has to be left
+    float kept;                    ///< the thickness that goes for it
+    float wanted;                  ///< the distance that should be left
+  };
+  struct HalfSpace {
+    glm::vec3 normal;
+    float start;  ///< displacements along the normal are at least so much at the time 0
+    float rate;   ///< and so much more at the time 1
+    float friction;
+    glm::vec3 sliding;  ///< how far both things move together until the time 1
+  };
+  /// Lowest of the first thing and highest of the second, along a pair's normal.
+  struct Span {
+    float low;
+    float high;
+  };
+
+  void add_pair(const ContactPair& contact, float kept_part, const RowMoves& rows);
+  Span span_at_end(const Pair& pair) const;
+  void resolve(const Pair& pair, std::span<const float> inverse_masses);
+  void resolve_moves(std::span<const float> inverse_masses);
+  void keep_still_where_needed(std::span<const float> inverse_masses);
+  bool fit_radii(RowMoves& rows);
+  void make_half_spaces(std::span<const float> inverse_masses);
+  void add_half_spaces(const Pair& pair, std::span<const float> inverse_masses, std::span<Index> next);
+  template <typename Slide>
+  bool bring_row_back(Index row, float time, const glm::vec3& since, const Slide& slide,
+                      Float4& current) const;
+
+  std::vector<Pair> pairs_;
+  bool is_blocked_ = false;
+  NearPair blocked_ = {};
+  float smallest_distance_m_ = 0.0F;
+  Float4Array expected_;  ///< the centres of balls at the time 1
+  Float4Array moves_;     ///< as contact lets them, within the balls
+  std::vector<float> radii_;
+  std::vector<float> deviations_;
+  std::vector<float> free_;  ///< how far from its move a row is certainly within its region
+  std::vector<Index> half_space_begin_;
+  std::vector<HalfSpace> half_spaces_;  ///< by row
+};
+
+}  // namespace taut::sim::bounded

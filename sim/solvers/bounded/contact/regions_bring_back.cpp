@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/solvers/bounded/contact/regions.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+/// Rounds over the half-spaces of a row, and how much further than onto one a round moves it after the first:
+/// where half-spaces are nearly parallel, exact projections take very many. Where these do not end within all
+/// of them, the row is moved less.
+constexpr int most_projections = 12;
+constexpr float over_projected = 1.4F;
+/// Rows further out than this, in m, are not within a half-space.
+constexpr float tolerance_m = 2e-8F;
+
+}  // namespace
+
+// Returns whether the row had gone out of its ball.
+template <typename Slide>
+bool Regions::bring_row_back(Index row, float time, const glm::vec3& since, const Slide& slide,
+                             Float4& current) const {
+  const glm::vec3 aim = time * vec(moves_[row]);
+  glm::vec3 e = vec(current) - since;
+  if (glm::dot(e - aim, e - aim) <= free_[row] * free_[row]) {
+    return false;
+  }
+  const std::span<const HalfSpace> half_spaces(half_spaces_.data() + half_space_begin_[row],
+                                               half_space_begin_[row + 1] - half_space_begin_[row]);
+  const glm::vec3 before = e;
+  bool is_out = true;
+  for (int projection = 0; projection < most_projections && is_out; ++projection) {
+    is_out = false;
+    for (const HalfSpace& half_space : half_spaces) {
+      const float depth = half_space.start + time * half_space.rate - glm::dot(half_space.normal, e);
+      if (depth > (projection == 0 ? 0.0F : tolerance_m)) {
+        e += (projection == 0 ? depth : over_projected * depth) * half_space.normal;
+        if (projection == 0) {
+          slide(half_space, depth, e);
+        }
+        is_out = true;
+      }
+    }
+  }
+  // Where that has not ended within all of them: towards the aim, which is within them, as little as will do.
+  float part = 1.0F;
+  for (const HalfSpace& half_space : half_spaces) {
+    const float limit = half_space.start + time * half_space.rate;
+    const float room = glm::dot(half_space.normal, e) - limit;
+    if (room < -tolerance_m) {
+      const float room_at_aim = std::max(glm::dot(half_space.normal, aim) - limit, 0.0F);
+      part = std::min(part, room_at_aim / (room_at_aim - room));
+    }
+  }
+  e = aim + part * (e - aim);
+  const glm::vec3 centre = time * vec(expected_[row]);
+  const bool is_far = glm::dot(e - centre, e - centre) > radii_[row] * radii_[row];
+  if (is_far) {
+    // From the aim outwards to where the ball ends: the larger root of |aim - centre + s out| = radius.
+    const glm::vec3 out = e - aim;
+    const glm::vec3 inside = aim - centre;
+    const float a = glm::dot(out, out);
+    const float b = glm::dot(inside, out);
+    const float c = glm::dot(inside, inside) - radii_[row] * radii_[row];
+    const float s = (std::sqrt(std::max(b * b - a * c, 0.0F)) - b) / a;
+    e = aim + std::clamp(s, 0.0F, 1.0F) * out;
+  }
+  if (e != before) {
+    current = {since.x + e.x, since.y + e.y, since.z + e.z, 0.0F};
+  }
+  return is_far;
+}
+
+void Regions::bring_back(const RowRange& range, float time, float step, const Float4Array& since,
+                         Float4Array& previous, Float4Array& current, std::vector<Index>& held_back) const {
+  for (auto row = static_cast<Index>(range.begin); row < range.end; ++row) {
+    const glm::vec3 origin = vec(since[row]);
+    const auto slide = [&](const HalfSpace& half_space, float depth, glm::vec3& e) {
+      const glm::vec3 moved = e - (vec(previous[row]) - origin) - step * half_space.sliding;
+      const float away = glm::dot(moved, half_space.normal);
+      const glm::vec3 slid = moved - away * half_space.normal;
+      const float length = glm::length(slid);
+      add(previous[row], std::max(away, 0.0F) * half_space.normal);
+      if (length > 0.0F) {
+        e -= slid * std::min(1.0F, half_space.friction * depth / length);
+      }
+    };
+    if (bring_row_back(row, time, origin, slide, current[row])) {
+      held_back.push_back(row);
+    }
+  }
+}
+
+std::size_t Regions::bring_back(const RowRange& range, const Float4Array& since, Float4Array& current) const {
+  std::size_t far = 0;
+  const auto no_slide = [](const HalfSpace&, float, glm::vec3&) {};
+  for (auto row = static_cast<Index>(range.begin); row < range.end; ++row) {
+    far += bring_row_back(row, 1.0F, vec(since[row]), no_slide, current[row]) ? 1 : 0;
+  }
+  return far;
+}
+
+}  // namespace taut::sim::bounded

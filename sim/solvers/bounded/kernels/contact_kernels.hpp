@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/solvers/bounded/kernels/float4.hpp"
+
+namespace taut::sim::bounded {
+
+/// `block_size` boxes, side by side in memory, in m. Those in padding are empty: from infinity to minus
+/// infinity.
+struct alignas(64) BoxBlock {
+  std::array<std::array<float, block_size>, 3> low;
+  std::array<std::array<float, block_size>, 3> high;
+};
+
+/// Vertices, edges or triangles, padded to whole blocks.
+struct PrimitiveLanes {
+  std::size_t corner_count = 0;  ///< of each: 1, 2 or 3
+  std::size_t count = 0;         ///< without padding
+  /// Per corner and primitive, where the row of the corner begins, counted in floats.
+  std::array<Lanes<std::uint32_t>, 3> at;
+
+  std::size_t block_count() const { return (count + block_size - 1) / block_size; }
+};
+
+/// How rows move, one entry per row, in m.
+struct MovingRows {
+  /// Where they are.
+  const Float4* places;
+  /// Where to they move from there; `unused` is how much more or less that may be.
+  const Float4* ways;
+};
+
+/// Some boxes, and the boxes around each block of them.
+struct BoxLevel {
+  const BoxBlock* boxes;
+  const BoxBlock* around;
+  /// What the boxes are around; null if other boxes.
+  const PrimitiveLanes* primitives;
+};
+
+struct BlockPairs {
+  const std::uint32_t* first;
+  const std::uint32_t* second;
+  std::size_t count;
+};
+
+/// Four lists of the same length.
+using PairLists = std::array<std::uint32_t*, 4>;
+
+/// Vectors are loaded whole at the end of a list: this many entries more than it has must be there.
+inline constexpr std::size_t list_padding = block_size;
+/// How many entries one pair of blocks can give.
+inline constexpr std::size_t most_per_block_pair = block_size * block_size;
+
+/// They divide by at least this, in m^2 or m^4.
+inline constexpr float smallest_divisor = 1e-30F;
+
+/// The loops of the search for what is near. What they return, and in which order, is the same for any width
+/// of vectors.
+struct ContactKernels {
+  /// Sets the boxes around all that primitives in blocks [begin, end) can reach.
+  void (*enclose)(const PrimitiveLanes& primitives, std::size_t begin, std::size_t end,
+                  const MovingRows& rows, BoxBlock* boxes);
+
+  /// Sets the boxes around blocks [begin, end), each a lane of `around`.
+  void (*enclose_blocks)(const BoxBlock* boxes, std::size_t begin, std::size_t end, BoxBlock* around);
+
+  /// For each pair of blocks, the one of `a` and the other of `b`, finds the pairs of lanes whose
+  /// boxes overlap; of a block with itself, each two lanes once, and each lane with itself.
+  /// If `a` and `b` are of primitives, those that share a row are left out, and `found` gets where the rows
+  /// of their corners begin: a list for each corner of the one and then of the other. Otherwise it gets the
+  /// lanes themselves in its first two lists. Returns the length of these lists.
+  std::size_t (*overlapping)(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
+                             const PairLists& found);
+
+  /// Of the first `count` pairs of a vertex and a triangle, keeps those that could meet, in their order, and
+  /// returns how many these are. A pair stays apart if, along the line between its two nearest points, every
+  /// corner of the one is ahead of every corner of the other, before and after their ways, by more than both
+  /// may move besides. What both do together does not matter, and neither do ways across that line.
+  /// Rounding loses nothing: pairs that are apart by 1e-5 of their radii too much, or by 1e-6 of the longest
+  /// distance between corners and the longest difference of their ways, may be kept too, and so may those
+  /// that nearly touch, where the line is uncertain.
+  std::size_t (*near_vertex_triangle)(const MovingRows& rows, std::size_t count, const PairLists& pairs);
+
+  /// The same for pairs of edges.
+  std::size_t (*near_edges)(const MovingRows& rows, std::size_t count, const PairLists& pairs);
+};
+
+}  // namespace taut::sim::bounded

@@ -1,0 +1,91 @@
+#include "sim/solvers/bounded/row_memory.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace taut::sim::bounded {
+namespace {
+
+/// A velocity is a mean over this time, in s. Within a time step vertices go back and forth.
+constexpr double lasting_s = 2e-3;
+/// In m/s^2: more than a fall's is trembling.
+constexpr float most_acceleration = 12.0F;
+/// The fastest neighbours are not counted, as single vertices tremble.
+constexpr double counted_part = 0.99;
+
+}  // namespace
+
+float length_of(const Float4& v) {
+  return static_cast<float>(glm::length(vector_of(v)));
+}
+
+Float4 times(const Float4& v, float factor) {
+  return {v.x * factor, v.y * factor, v.z * factor, 0.0F};
+}
+
+Float4 no_longer_than(float most, const Float4& v) {
+  return times(v, std::min(1.0F, most / std::max(length_of(v), 1e-12F)));
+}
+
+void RowMemory::resize(std::size_t rows) {
+  velocities.resize(rows);
+  accelerations.resize(rows);
+  deviations.resize(rows, 0.0F);
+}
+
+void RowMemory::observe(std::size_t rows, const Float4Array& before, const Float4Array& after,
+                        double observed_s) {
+  const auto share = static_cast<float>(observed_s / std::max(observed_s, lasting_s));
+  const auto per_s = static_cast<float>(1.0 / observed_s);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const Float4 moved = scaled_sum(after[row], before[row], -1.0F);
+    const Float4 change = times(scaled_sum(times(moved, per_s), velocities[row], -1.0F), share);
+    velocities[row] = scaled_sum(velocities[row], change, 1.0F);
+    const Float4 observed = no_longer_than(most_acceleration, times(change, per_s));
+    accelerations[row] = times(scaled_sum(accelerations[row], observed, 1.0F), 0.5F);
+  }
+  elapsed_s = observed_s;
+}
+
+double RowMemory::relative_speed_m_per_s(std::span<const Triangle> triangles) const {
+  if (triangles.empty()) {
+    return 0.0;
+  }
+  std::vector<float> speeds;
+  speeds.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    speeds.push_back(length_of(scaled_sum(velocities[t[0]], velocities[t[1]], -1.0F)));
+  }
+  const auto rank = static_cast<std::ptrdiff_t>(counted_part * static_cast<double>(speeds.size()));
+  std::nth_element(speeds.begin(), speeds.begin() + rank, speeds.end());
+  return speeds[static_cast<std::size_t>(rank)];
+}
+
+void RowMemory::save(std::size_t rows, ByteWriter& memory) const {
+  memory.put<std::uint8_t>(is_touching ? 1 : 0);
+  memory.put(elapsed_s);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (const Float4& v : {velocities[row], accelerations[row]}) {
+      memory.put(v.x);
+      memory.put(v.y);
+      memory.put(v.z);
+    }
+    memory.put(deviations[row]);
+  }
+}
+
+void RowMemory::restore(std::size_t rows, ByteReader& memory) {
+  is_touching = memory.get_bool("whether something touched");
+  elapsed_s = memory.get("the time of what was observed", 0.0, std::numeric_limits<double>::max());
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (Float4* v : {&velocities[row], &accelerations[row]}) {
+      for (float* value : {&v->x, &v->y, &v->z}) {
+        *value = memory.get<float>("how rows moved");
+      }
+    }
+    deviations[row] = memory.get<float>("how far rows went from where they were expected");
+  }
+}
+
+}  // namespace taut::sim::bounded

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/bytes.hpp"
+#include "sim/mesh/types.hpp"
+#include "sim/solvers/bounded/kernels/float4.hpp"
+
+namespace taut::sim::bounded {
+
+float length_of(const Float4& v);
+Float4 times(const Float4& v, float factor);
+/// Returns v, shortened where it is longer.
+Float4 no_longer_than(float most, const Float4& v);
+
+/// What is known of rows from earlier regions, for where to expect them next.
+struct RowMemory {
+  Float4Array velocities;         ///< lasting ones, in m/s
+  Float4Array accelerations;      ///< lasting ones, no larger than a fall's, in m/s^2
+  std::vector<float> deviations;  ///< how far rows went from where they were expected, in m
+  double elapsed_s = 0.0;         ///< the time that they were last observed over
+  bool is_touching = false;       ///< something was near
+
+  void resize(std::size_t rows);
+
+  /// Learns from displacements at both ends of a time, in m.
+  void observe(std::size_t rows, const Float4Array& before, const Float4Array& after, double elapsed_s);
+
+  /// Returns the speed at which neighbours in the cloth move against each other, but for the fastest.
+  double relative_speed_m_per_s(std::span<const Triangle> triangles) const;
+
+  void save(std::size_t rows, ByteWriter& memory) const;
+  /// Requires as many rows. Throws BadBytes.
+  void restore(std::size_t rows, ByteReader& memory);
+};
+
+}  // namespace taut::sim::bounded

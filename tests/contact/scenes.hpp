@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+
+#include "sim/mesh/grid.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::sim {
+
+/// A sheet that lies level or hangs, its middle or the middle of its upper edge at a place.
+struct Sheet {
+  Index columns = 9;
+  Index rows = 9;
+  double width_m = 0.4;
+  double length_m = 0.4;
+  GridPlane plane = GridPlane::horizontal;
+  Vec3 at_m = {0.0, 0.0, 0.0};
+};
+
+inline Mesh mesh_of(const Sheet& sheet) {
+  const bool is_level = sheet.plane == GridPlane::horizontal;
+  const Vec3 top_m = sheet.at_m - Vec3(0.0, 0.0, is_level ? 0.5 * sheet.length_m : 0.0);
+  return make_grid({sheet.columns, sheet.rows, sheet.width_m, sheet.length_m, sheet.plane, top_m});
+}
+
+/// Two meshes as one garment.
+inline Mesh both(Mesh first, const Mesh& second) {
+  const auto count = static_cast<Index>(first.positions.size());
+  first.quads.clear();
+  first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());
+  for (const auto& [a, b, c] : second.triangles) {
+    first.triangles.push_back({count + a, count + b, count + c});
+  }
+  return first;
+}
+
+struct ContactScene {
+  Mesh mesh;
+  std::vector<Index> pins = {};
+  Surroundings surroundings = {};
+  Material material = {};
+  BoundedSettings bounded = {.max_stretch = 0.01, .contact = true, .threads = 1};
+};
+
+inline Simulation begin(ContactScene scene) {
+  SimulationSettings settings;
+  settings.solver.method = scene.bounded;
+  return {share(make_garment(std::move(scene.mesh), {}, scene.material)), std::move(scene.pins), settings,
+          std::move(scene.surroundings)};
+}
+
+}  // namespace taut::sim

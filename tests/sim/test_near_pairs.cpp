@@ -1,0 +1,210 @@
+// What could meet, against a search through all pairs in double precision.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <random>
+#include <set>
+
+#include "all_pairs.hpp"
+#include "sheets.hpp"
+
+namespace taut::sim {
+namespace {
+
+using namespace bounded;
+
+/// The same for a pair and for the pair of the same two edges the other way round.
+std::array<Index, 5> name_of(const NearPair& pair) {
+  std::array<Index, 4> r = pair.rows;
+  if (pair.first_count == 2 && std::tie(r[2], r[3]) < std::tie(r[0], r[1])) {
+    r = {r[2], r[3], r[0], r[1]};
+  }
+  return {pair.first_count, r[0], r[1], r[2], r[3]};
+}
+
+/// Holds what is found against all pairs. Returns how many there are.
+std::size_t expect_what_is_near(const Scene& scene) {
+  std::set<std::array<Index, 5>> found;
+  for (const NearPair& pair : scene.find()) {
+    EXPECT_TRUE(found.insert(name_of(pair)).second) << "found twice";
+  }
+  std::size_t near = 0;
+  for (const NearPair& pair : all_pairs(scene.mesh())) {
+    const auto [gap_m, reach_m, tolerance_m] = gap_of(pair, scene);
+    const bool is_found = found.erase(name_of(pair)) == 1;
+    if (!boxes_overlap(pair, scene) || gap_m > reach_m + tolerance_m) {
+      EXPECT_FALSE(is_found) << pair.first_count << ": " << gap_m << " m, reach " << reach_m;
+    } else if (gap_m < reach_m - tolerance_m) {
+      ++near;
+      EXPECT_TRUE(is_found) << pair.first_count << ": " << gap_m << " m, reach " << reach_m;
+    }
+  }
+  EXPECT_TRUE(found.empty()) << found.size() << " pairs that may not be found at all";
+  return near;
+}
+
+Float4Array some_vectors(std::size_t count, float size, std::mt19937& random) {
+  std::uniform_real_distribution<float> metres(-size, size);
+  Float4Array vectors(count);
+  for (Float4& v : vectors) {
+    v = {metres(random), metres(random), metres(random), 0.0F};
+  }
+  return vectors;
+}
+
+std::vector<float> some_radii(std::size_t count, float largest, std::mt19937& random) {
+  std::uniform_real_distribution<float> metres(0.0F, largest);
+  std::vector<float> radii(count);
+  std::generate(radii.begin(), radii.end(), [&] { return metres(random); });
+  return radii;
+}
+
+/// Triangles that share corners at random, and two thirds as many of a body.
+Scene soup(Index triangles, unsigned seed) {
+  std::mt19937 random(seed);
+  const Index rows = triangles * 2;
+  std::uniform_int_distribution<Index> of_cloth(0, rows / 2 - 1);
+  std::uniform_int_distribution<Index> of_body(rows / 2, rows - 1);
+  Scene scene;
+  for (Index t = 0; t < triangles; ++t) {
+    const Index a = of_cloth(random);
+    scene.cloth.push_back({a, (a + 1) % (rows / 2), (a + 2 + of_cloth(random) % 3) % (rows / 2)});
+    if (t % 3 != 0) {
+      const Index b = of_body(random) - rows / 2;
+      scene.bodies.push_back(
+          {rows / 2 + b, rows / 2 + (b + 1) % (rows / 2), rows / 2 + (b + 2) % (rows / 2)});
+    }
+  }
+  for (std::vector<Triangle>* triangles_of : {&scene.cloth, &scene.bodies}) {
+    std::sort(triangles_of->begin(), triangles_of->end());
+    triangles_of->erase(std::unique(triangles_of->begin(), triangles_of->end()), triangles_of->end());
+  }
+  scene.positions = some_vectors(rows, 0.1F, random);
+  for (Index row = 1; row < rows; ++row) {
+    // Small triangles: rows lie near those before them.
+    const Float4 before = scene.positions[row - 1];
+    scene.positions[row] = scaled_sum(before, scene.positions[row], row % 7 == 0 ? -1.0F : 0.2F);
+  }
+  scene.moves = some_vectors(rows, 0.01F, random);
+  scene.radii = some_radii(rows, 0.005F, random);
+  return scene;
+}
+
+/// A sheet folded onto itself, its layers 1 mm apart, which moves as a whole and a little in itself.
+Scene folded_sheet(Index count) {
+  std::mt19937 random(11);
+  const Mesh mesh = irregular_sheet(count, 1.0);
+  Scene scene;
+  scene.cloth = mesh.triangles;
+  scene.moves = some_vectors(mesh.positions.size(), 0.001F, random);
+  for (std::size_t row = 0; row < mesh.positions.size(); ++row) {
+    Vec3 p = mesh.positions[row];
+    const double middle = mesh.positions[0].x + 0.5;
+    p.z += p.x > middle ? 0.001 : 0.0;
+    p.x = std::min(p.x, 2.0 * middle - p.x);
+    scene.positions.push_back(float4_of(p));
+    add_scaled(scene.moves[row], {0.02F, -0.05F, 0.01F, 0.0F}, 1.0F);
+  }
+  scene.radii = some_radii(mesh.positions.size(), 0.001F, random);
+  return scene;
+}
+
+TEST(NearPairs, AreThoseOfASearchThroughAll) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    EXPECT_GT(expect_what_is_near(soup(150, seed)), 100U);
+  }
+  EXPECT_GT(expect_what_is_near(folded_sheet(30)), 1000U);
+}
+
+TEST(NearPairs, AreTheSameInTheSameOrderForEveryVectorUnitAndAnyThreads) {
+  for (const Scene& scene : {soup(500, 4), folded_sheet(40), folded_sheet(100)}) {
+    const std::vector<NearPair> expected = scene.find(VectorUnit::scalar);
+    EXPECT_FALSE(expected.empty());
+    for (const VectorUnit unit : available_vector_units()) {
+      EXPECT_EQ(scene.find(unit), expected) << sim::name_of(unit);
+    }
+    for (const int threads : {2, 3, 4}) {
+      EXPECT_EQ(scene.find(VectorUnit::best, threads), expected) << threads;
+    }
+  }
+}
+
+/// Two triangles whose corners lie in a box of this size.
+Scene two_triangles(const Float4& size_m, std::mt19937& random) {
+  Scene scene;
+  scene.cloth = {{0, 1, 2}, {3, 4, 5}};
+  scene.positions = some_vectors(6, 1.0F, random);
+  for (Float4& p : scene.positions) {
+    p = {p.x * size_m.x, p.y * size_m.y, p.z * size_m.z, 0.0F};
+  }
+  scene.moves.resize(6);
+  scene.radii.resize(6);
+  return scene;
+}
+
+// Thin triangles and edges that are nearly parallel included.
+TEST(NearPairs, AreNearIfTheirDistanceIsLessThanTheirRadii) {
+  std::mt19937 random(9);
+  for (const Float4& size_m : {Float4{0.02F, 0.02F, 0.02F, 0.0F}, Float4{0.02F, 0.02F, 1e-3F, 0.0F},
+                               Float4{0.02F, 1e-3F, 1e-3F, 0.0F}, Float4{0.02F, 1e-4F, 1e-3F, 0.0F},
+                               Float4{0.02F, 0.0F, 1e-3F, 0.0F}}) {
+    for (int k = 0; k < 40; ++k) {
+      Scene scene = two_triangles(size_m, random);
+      for (const NearPair& pair : all_pairs(scene.mesh())) {
+        const auto is_found = [&](double reach) {
+          std::fill(scene.radii.begin(), scene.radii.end(), static_cast<float>(0.5 * reach));
+          const std::vector<NearPair> found = scene.find();
+          return std::any_of(found.begin(), found.end(),
+                             [&](const NearPair& f) { return name_of(f) == name_of(pair); });
+        };
+        const auto [distance, reach, rounding] = gap_of(pair, scene);
+        EXPECT_TRUE(is_found(distance * (1.0 + 1e-6))) << pair.first_count << ' ' << size_m.y;
+        // What touches has no line between nearest points.
+        if (distance > rounding) {
+          EXPECT_FALSE(is_found(distance * (1.0 - 2e-5) - rounding))
+              << pair.first_count << ": " << distance << " m, " << size_m.y;
+        }
+      }
+    }
+  }
+}
+
+TEST(NearPairs, AreNotSoughtWithinBodiesOrWhereThereIsNothing) {
+  Scene scene = soup(100, 5);
+  EXPECT_FALSE(scene.find().empty());
+  scene.bodies.insert(scene.bodies.end(), scene.cloth.begin(), scene.cloth.end());
+  scene.cloth.clear();
+  EXPECT_TRUE(scene.find().empty());
+  scene.bodies.clear();
+  EXPECT_TRUE(scene.find().empty());
+}
+
+TEST(NearPairs, ComeAnewFromTheSamePositionsAndFromOthers) {
+  const Scene scene = folded_sheet(20);
+  std::vector<Vec3> flat;
+  for (const Vec3& p : irregular_sheet(20, 1.0).positions) {
+    flat.push_back(p);
+  }
+  NearPairs pairs(scene.mesh(), true, flat);
+  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+  const std::vector<NearPair> first = pairs.find(scene.positions, scene.moves, scene.radii, kernels);
+  Float4Array away = scene.positions;
+  for (std::size_t row = 0; row < away.size(); ++row) {
+    away[row] = float4_of(10.0 * flat[row]);
+  }
+  EXPECT_TRUE(pairs.find(away, Float4Array(away.size()), std::vector<float>(away.size()), kernels).empty());
+  EXPECT_EQ(pairs.find(scene.positions, scene.moves, scene.radii, kernels), first);
+  std::set<std::array<Index, 5>> names, names_in_other_order;
+  for (const NearPair& pair : first) {
+    names.insert(name_of(pair));
+  }
+  for (const NearPair& pair : scene.find()) {
+    names_in_other_order.insert(name_of(pair));
+  }
+  EXPECT_EQ(names, names_in_other_order);
+}
+
+}  // namespace
+}  // namespace taut::sim

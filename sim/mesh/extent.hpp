@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <span>
 
@@ -28,6 +29,17 @@ inline Extent extent_of(std::span<const Vec3> points) {
     extent.add(point);
   }
   return extent;
+}
+
+/// Returns whether the two have a point in common.
+inline bool overlap(const Extent& a, const Extent& b) {
+  return glm::all(glm::lessThanEqual(a.lower, b.upper)) && glm::all(glm::lessThanEqual(b.lower, a.upper));
+}
+
+/// Returns the axis along which it is largest, the first of several.
+inline int longest_axis(const Extent& extent) {
+  const Vec3 size = extent.size();
+  return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
 }
 
 }  // namespace taut::sim

@@ -277,7 +277,7 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
     fits = regions_.make(pairs_, kept_part, rows_);
   }
   memory_.is_touching = regions_.pair_count() > 0;
-  is_blocked_ = is_blocked_ || !fits || regions_.blocked() != nullptr;
+  is_blocked_ = is_blocked_ || !fits || regions_.is_blocked();
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     float& deviation = memory_.deviations[row];
     deviation = std::max(deviation_kept * deviation, regions_.deviation(row));

@@ -1,7 +1,6 @@
 #include "sim/solvers/bounded/row_memory.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <limits>
 
 namespace taut::sim::bounded {
@@ -15,18 +14,6 @@ constexpr float most_acceleration = 12.0F;
 constexpr double counted_part = 0.99;
 
 }  // namespace
-
-float length_of(const Float4& v) {
-  return static_cast<float>(glm::length(vector_of(v)));
-}
-
-Float4 times(const Float4& v, float factor) {
-  return {v.x * factor, v.y * factor, v.z * factor, 0.0F};
-}
-
-Float4 no_longer_than(float most, const Float4& v) {
-  return times(v, std::min(1.0F, most / std::max(length_of(v), 1e-12F)));
-}
 
 void RowMemory::resize(std::size_t rows) {
   velocities.resize(rows);

@@ -9,11 +9,6 @@
 
 namespace taut::sim::bounded {
 
-float length_of(const Float4& v);
-Float4 times(const Float4& v, float factor);
-/// Returns v, shortened where it is longer.
-Float4 no_longer_than(float most, const Float4& v);
-
 /// What is known of rows from earlier regions, for where to expect them next.
 struct RowMemory {
   Float4Array velocities;         ///< lasting ones, in m/s

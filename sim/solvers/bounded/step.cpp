@@ -73,6 +73,7 @@ void step(const Garment& garment, const Surroundings& surroundings, const TimeSt
   if (time.updates_forces) {
     impose_forces(garment, surroundings.forces, time, kernels, cloth);
   }
+  // ... find what could touch, as often as the cloth's motion asks for ...
   if (cloth.contacts.are_due(time.time_s)) {
     renew_regions(garment, surroundings, time, kernels, cloth);
   }

@@ -24,15 +24,6 @@ std::size_t blocks_for(std::size_t count) {
   return (count + block_size - 1) / block_size;
 }
 
-int longest_axis(std::span<const Vec3> centres, std::span<const Index> things) {
-  Extent extent;
-  for (const Index thing : things) {
-    extent.add(centres[thing]);
-  }
-  const Vec3 size = extent.size();
-  return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-}
-
 /// Orders things so that those of a block lie side by side, and so do those of a block of blocks, and so on.
 void order_by_place(std::span<const Vec3> centres, std::span<Index> things) {
   if (things.size() <= block_size) {
@@ -44,7 +35,11 @@ void order_by_place(std::span<const Vec3> centres, std::span<Index> things) {
   }
   const std::size_t parts = (things.size() + part - 1) / part;
   const std::size_t middle = (parts + 1) / 2 * part;
-  const int axis = longest_axis(centres, things);
+  Extent extent;
+  for (const Index thing : things) {
+    extent.add(centres[thing]);
+  }
+  const int axis = longest_axis(extent);
   std::nth_element(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(middle), things.end(),
                    [&](Index a, Index b) {
                      return centres[a][axis] < centres[b][axis] ||

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
 
-#include "sim/solvers/bounded/contact/box_tree.hpp"
+#include "sim/mesh/extent.hpp"
 
 namespace taut::sim::bounded {
 namespace {
@@ -38,17 +39,30 @@ bool cross(const Triangle& s, const Triangle& t, std::span<const Vec3> positions
   return pierces(s, t, positions) || pierces(t, s, positions);
 }
 
-Box box_of(const Triangle& t, std::span<const Vec3> positions) {
-  const Vec3 low = glm::min(positions[t[0]], glm::min(positions[t[1]], positions[t[2]]));
-  const Vec3 high = glm::max(positions[t[0]], glm::max(positions[t[1]], positions[t[2]]));
-  Box box{};
-  for (int axis = 0; axis < 3; ++axis) {
-    // Rounding moves by less than this, in m, where cloth is.
-    constexpr double rounding_m = 1e-5;
-    box.low[axis] = static_cast<float>(low[axis] - rounding_m);
-    box.high[axis] = static_cast<float>(high[axis] + rounding_m);
+/// Calls each(s, t) for every two triangles whose extents overlap.
+template <typename Each>
+void for_overlapping(std::span<const Triangle> triangles, std::span<const Vec3> positions, const Each& each) {
+  std::vector<Extent> extents;
+  Extent all;
+  for (const Triangle& t : triangles) {
+    const std::array<Vec3, 3> corners = {positions[t[0]], positions[t[1]], positions[t[2]]};
+    extents.push_back(extent_of(corners));
+    all.add(extents.back().lower);
+    all.add(extents.back().upper);
   }
-  return box;
+  const int axis = longest_axis(all);
+  std::vector<Index> order(triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](Index s, Index t) { return extents[s].lower[axis] < extents[t].lower[axis]; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Extent& one = extents[order[i]];
+    for (std::size_t j = i + 1; j < order.size() && extents[order[j]].lower[axis] <= one.upper[axis]; ++j) {
+      if (overlap(one, extents[order[j]])) {
+        each(order[i], order[j]);
+      }
+    }
+  }
 }
 
 Edge ordered(Index a, Index b) {
@@ -64,15 +78,7 @@ Crossings::Crossings(std::span<const Triangle> cloth, std::span<const Triangle> 
   }
   std::vector<Triangle> triangles(cloth.begin(), cloth.end());
   triangles.insert(triangles.end(), bodies.begin(), bodies.end());
-  std::vector<Vec3> centres_m;
-  std::vector<Box> boxes;
-  for (const Triangle& t : triangles) {
-    centres_m.push_back((positions_m[t[0]] + positions_m[t[1]] + positions_m[t[2]]) / 3.0);
-    boxes.push_back(box_of(t, positions_m));
-  }
-  BoxTree tree(centres_m);
-  tree.fit(boxes);
-  tree.for_overlapping(boxes, [&](Index s, Index t) {
+  for_overlapping(triangles, positions_m, [&](Index s, Index t) {
     const auto& [low, high] = std::minmax(s, t);
     const bool is_wanted = low < cloth.size() && (within_cloth || high >= cloth.size());
     if (is_wanted && cross(triangles[s], triangles[t], positions_m)) {

@@ -27,6 +27,7 @@ constexpr float smallest_told_apart_m = 1e-7F;
 /// deviate from it.
 constexpr float largest_deviation = 0.8F;
 constexpr float more_radius = 1.5F;
+
 bool is_zero(const Float4& v) {
   return v.x == 0.0F && v.y == 0.0F && v.z == 0.0F;
 }
@@ -44,45 +45,43 @@ void Regions::add_pair(const ContactPair& contact, float kept_part, const RowMov
   pair.weights = closest_weights(near, p);
   const glm::vec3 between = between_closest(near, p, pair.weights);
   pair.normal = contact.normal.value_or(between / glm::length(between));
-  Span span = {infinity, -infinity};
   for (Index k = 0; k < 4; ++k) {
     pair.heights[k] = glm::dot(pair.normal, p[k] - p[0]);
-    if (k < near.first_count) {
-      span.low = std::min(span.low, pair.heights[k]);
-    } else {
-      span.high = std::max(span.high, pair.heights[k]);
-    }
   }
-  pair.distance = span.low - span.high;
-  smallest_distance_m_ = std::min(smallest_distance_m_, pair.distance);
+  pair.distance = span_of(near, pair.heights).apart();
   // Also where the distance is not a number, as things touch. What begins within a body that knows its way
   // out is let out.
   const bool is_told_apart = pair.distance > smallest_told_apart_m;
   if (!is_told_apart && !contact.normal) {
-    blocked_ = is_blocked_ ? blocked_ : near;
     is_blocked_ = true;
     return;
   }
   pair.needed = std::min(pair.distance, least_part * contact.thickness_m);
-  const float thickness = std::min(contact.thickness_m, std::max(kept_part * pair.distance, pair.needed));
-  pair.kept = thickness;
+  pair.kept = std::min(contact.thickness_m, std::max(kept_part * pair.distance, pair.needed));
   pair.wanted = kept_part < 1.0F || pair.distance >= contact.thickness_m
-                    ? thickness
+                    ? pair.kept
                     : pair.distance + parted_at_once * (contact.thickness_m - pair.distance);
   pairs_.push_back(pair);
 }
 
-Regions::Span Regions::span_at_end(const Pair& pair) const {
+Regions::Span Regions::span_of(const NearPair& near, const std::array<float, 4>& heights) {
   Span span = {infinity, -infinity};
   for (Index k = 0; k < 4; ++k) {
-    const float height = pair.heights[k] + glm::dot(pair.normal, vec(moves_[pair.contact.near.rows[k]]));
-    if (k < pair.contact.near.first_count) {
-      span.low = std::min(span.low, height);
+    if (k < near.first_count) {
+      span.low = std::min(span.low, heights[k]);
     } else {
-      span.high = std::max(span.high, height);
+      span.high = std::max(span.high, heights[k]);
     }
   }
   return span;
+}
+
+Regions::Span Regions::span_at_end(const Pair& pair) const {
+  std::array<float, 4> heights = pair.heights;
+  for (Index k = 0; k < 4; ++k) {
+    heights[k] += glm::dot(pair.normal, vec(moves_[pair.contact.near.rows[k]]));
+  }
+  return span_of(pair.contact.near, heights);
 }
 
 // Projects the moves onto those that leave the wanted distance, corner by corner. As masses weigh them,
@@ -110,8 +109,7 @@ void Regions::resolve_moves(std::span<const float> inverse_masses) {
   for (int pass = 0; pass < most_passes && !is_done; ++pass) {
     is_done = true;
     for (const Pair& pair : pairs_) {
-      const Span span = span_at_end(pair);
-      if (span.low - span.high < pair.wanted - enough_part * pair.contact.thickness_m) {
+      if (span_at_end(pair).apart() < pair.wanted - enough_part * pair.contact.thickness_m) {
         resolve(pair, inverse_masses);
         is_done = false;
       }
@@ -125,8 +123,7 @@ void Regions::keep_still_where_needed(std::span<const float> inverse_masses) {
   while (has_changed) {
     has_changed = false;
     for (const Pair& pair : pairs_) {
-      const Span span = span_at_end(pair);
-      if (span.low - span.high >= pair.needed) {
+      if (span_at_end(pair).apart() >= pair.needed) {
         continue;
       }
       bool is_still = true;
@@ -137,10 +134,7 @@ void Regions::keep_still_where_needed(std::span<const float> inverse_masses) {
         }
       }
       has_changed = has_changed || !is_still;
-      if (is_still && !is_blocked_) {
-        blocked_ = pair.contact.near;
-        is_blocked_ = true;
-      }
+      is_blocked_ = is_blocked_ || is_still;
     }
   }
 }
@@ -161,15 +155,12 @@ bool Regions::fit_radii(RowMoves& rows) {
 void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_masses,
                               std::span<Index> next) {
   const NearPair& near = pair.contact.near;
-  Span begin = {infinity, -infinity};
   std::array<float, 2> masses_kg = {0.0F, 0.0F};
   std::array<glm::vec3, 2> moved = {glm::vec3(0.0F), pair.contact.surface_slides};
   for (Index k = 0; k < 4; ++k) {
     const std::size_t side = k < near.first_count ? 0 : 1;
     masses_kg[side] += 1.0F / inverse_masses[near.rows[k]];  // infinite for what cannot be moved
     moved[side] += pair.weights[k] * vec(moves_[near.rows[k]]);
-    begin.low = side == 0 ? std::min(begin.low, pair.heights[k]) : begin.low;
-    begin.high = side == 1 ? std::max(begin.high, pair.heights[k]) : begin.high;
   }
   const bool is_second_fixed = std::isinf(masses_kg[1]);
   const bool is_first_fixed = std::isinf(masses_kg[0]);
@@ -178,19 +169,20 @@ void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_m
   const float first_weight =
       is_first_fixed || is_second_fixed ? 1.0F - share : masses_kg[0] / (masses_kg[0] + masses_kg[1]);
   const glm::vec3 sliding = first_weight * moved[0] + (1.0F - first_weight) * moved[1];
+  // Where the plane of the one or the other thing is, so that `gap` is left between the two.
+  const auto plane = [&](const Span& span, float gap, bool is_first) {
+    const float room = std::max(span.apart() - gap, 0.0F);
+    return is_first ? span.low - share * room : span.high + (1.0F - share) * room;
+  };
+  const Span begin = span_of(near, pair.heights);
   const Span end = span_at_end(pair);
-  const float room_at_begin = std::max(begin.low - begin.high - std::min(pair.distance, pair.kept), 0.0F);
-  const float room_at_end = std::max(end.low - end.high - pair.wanted, 0.0F);
   for (Index k = 0; k < 4; ++k) {
     const Index row = near.rows[k];
     const bool is_first = k < near.first_count;
     const float sign = is_first ? 1.0F : -1.0F;
-    const float plane_at_begin =
-        is_first ? begin.low - share * room_at_begin : begin.high + (1.0F - share) * room_at_begin;
-    const float plane_at_end =
-        is_first ? end.low - share * room_at_end : end.high + (1.0F - share) * room_at_end;
-    const float at_begin = sign * (plane_at_begin - pair.heights[k]);
-    const float at_end = sign * (plane_at_end - pair.heights[k]);
+    const float at_begin =
+        sign * (plane(begin, std::min(pair.distance, pair.kept), is_first) - pair.heights[k]);
+    const float at_end = sign * (plane(end, pair.wanted, is_first) - pair.heights[k]);
     const float moved_up = sign * glm::dot(pair.normal, vec(moves_[row]));
     half_spaces_[next[row]++] = {sign * pair.normal, at_begin, at_end - at_begin, pair.contact.friction,
                                  sliding};
@@ -220,7 +212,6 @@ void Regions::make_half_spaces(std::span<const float> inverse_masses) {
 bool Regions::make(std::span<const ContactPair> pairs, float kept_part, RowMoves& rows) {
   pairs_.clear();
   is_blocked_ = false;
-  smallest_distance_m_ = infinity;
   for (const ContactPair& pair : pairs) {
     add_pair(pair, kept_part, rows);
   }

@@ -56,9 +56,9 @@ class Regions {
   /// less leaves more room to correct something else.
   bool make(std::span<const ContactPair> pairs, float kept_part, RowMoves& rows);
 
-  /// The first pair that cannot be kept apart, as rows that move by exactly their moves close in on it or as
-  /// it touched from the beginning; null if there is none.
-  const NearPair* blocked() const { return is_blocked_ ? &blocked_ : nullptr; }
+  /// Returns whether some pair cannot be kept apart, as rows that move by exactly their moves close in on it
+  /// or as it touched from the beginning.
+  bool is_blocked() const { return is_blocked_; }
 
   /// Brings rows back into their regions at a time from 0 to 1, with friction against what they moved in the
   /// last time step, which took `step` of the whole time. `since` are their displacements at the time 0,
@@ -77,9 +77,6 @@ class Regions {
 
   /// Returns how far contact moves a row from where it was expected, in m.
   float deviation(std::size_t row) const { return deviations_[row]; }
-
-  /// The smallest distance of near things at the time 0, in m; infinite where nothing was near.
-  float smallest_distance_m() const { return smallest_distance_m_; }
 
  private:
   /// A pair with its geometry at the time 0.
@@ -104,9 +101,11 @@ class Regions {
   struct Span {
     float low;
     float high;
+    float apart() const { return low - high; }
   };
 
   void add_pair(const ContactPair& contact, float kept_part, const RowMoves& rows);
+  static Span span_of(const NearPair& near, const std::array<float, 4>& heights);
   Span span_at_end(const Pair& pair) const;
   void resolve(const Pair& pair, std::span<const float> inverse_masses);
   void resolve_moves(std::span<const float> inverse_masses);
@@ -114,14 +113,18 @@ class Regions {
   bool fit_radii(RowMoves& rows);
   void make_half_spaces(std::span<const float> inverse_masses);
   void add_half_spaces(const Pair& pair, std::span<const float> inverse_masses, std::span<Index> next);
+  std::span<const HalfSpace> half_spaces_of(Index row) const;
+  glm::vec3 moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
+  static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim,
+                                   const glm::vec3& end);
+  template <typename Slide>
+  glm::vec3 projected(Index row, float time, const glm::vec3& start, const Slide& slide) const;
   template <typename Slide>
   bool bring_row_back(Index row, float time, const glm::vec3& since, const Slide& slide,
                       Float4& current) const;
 
   std::vector<Pair> pairs_;
   bool is_blocked_ = false;
-  NearPair blocked_ = {};
-  float smallest_distance_m_ = 0.0F;
   Float4Array expected_;  ///< the centres of balls at the time 1
   Float4Array moves_;     ///< as contact lets them, within the balls
   std::vector<float> radii_;

@@ -17,22 +17,17 @@ constexpr float tolerance_m = 2e-8F;
 
 }  // namespace
 
-// Returns whether the row had gone out of its ball.
+std::span<const Regions::HalfSpace> Regions::half_spaces_of(Index row) const {
+  return {half_spaces_.data() + half_space_begin_[row], half_spaces_.data() + half_space_begin_[row + 1]};
+}
+
 template <typename Slide>
-bool Regions::bring_row_back(Index row, float time, const glm::vec3& since, const Slide& slide,
-                             Float4& current) const {
-  const glm::vec3 aim = time * vec(moves_[row]);
-  glm::vec3 e = vec(current) - since;
-  if (glm::dot(e - aim, e - aim) <= free_[row] * free_[row]) {
-    return false;
-  }
-  const std::span<const HalfSpace> half_spaces(half_spaces_.data() + half_space_begin_[row],
-                                               half_space_begin_[row + 1] - half_space_begin_[row]);
-  const glm::vec3 before = e;
+glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, const Slide& slide) const {
+  glm::vec3 e = start;
   bool is_out = true;
   for (int projection = 0; projection < most_projections && is_out; ++projection) {
     is_out = false;
-    for (const HalfSpace& half_space : half_spaces) {
+    for (const HalfSpace& half_space : half_spaces_of(row)) {
       const float depth = half_space.start + time * half_space.rate - glm::dot(half_space.normal, e);
       if (depth > (projection == 0 ? 0.0F : tolerance_m)) {
         e += (projection == 0 ? depth : over_projected * depth) * half_space.normal;
@@ -43,28 +38,49 @@ bool Regions::bring_row_back(Index row, float time, const glm::vec3& since, cons
       }
     }
   }
-  // Where that has not ended within all of them: towards the aim, which is within them, as little as will do.
+  return e;
+}
+
+// Towards the aim, which is within all half-spaces, as little as will do.
+glm::vec3 Regions::moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const {
   float part = 1.0F;
-  for (const HalfSpace& half_space : half_spaces) {
+  for (const HalfSpace& half_space : half_spaces_of(row)) {
     const float limit = half_space.start + time * half_space.rate;
-    const float room = glm::dot(half_space.normal, e) - limit;
+    const float room = glm::dot(half_space.normal, end) - limit;
     if (room < -tolerance_m) {
       const float room_at_aim = std::max(glm::dot(half_space.normal, aim) - limit, 0.0F);
       part = std::min(part, room_at_aim / (room_at_aim - room));
     }
   }
-  e = aim + part * (e - aim);
+  return aim + part * (end - aim);
+}
+
+// From the aim outwards to where the ball ends: the larger root of |aim - centre + s out| = radius.
+glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim,
+                                   const glm::vec3& end) {
+  const glm::vec3 out = end - aim;
+  const glm::vec3 inside = aim - centre;
+  const float a = glm::dot(out, out);
+  const float b = glm::dot(inside, out);
+  const float c = glm::dot(inside, inside) - radius * radius;
+  const float s = (std::sqrt(std::max(b * b - a * c, 0.0F)) - b) / a;
+  return aim + std::clamp(s, 0.0F, 1.0F) * out;
+}
+
+// Returns whether the row had gone out of its ball.
+template <typename Slide>
+bool Regions::bring_row_back(Index row, float time, const glm::vec3& since, const Slide& slide,
+                             Float4& current) const {
+  const glm::vec3 aim = time * vec(moves_[row]);
+  const glm::vec3 before = vec(current) - since;
+  if (glm::dot(before - aim, before - aim) <= free_[row] * free_[row]) {
+    return false;
+  }
+  glm::vec3 e = moved_less(row, time, aim, projected(row, time, before, slide));
   const glm::vec3 centre = time * vec(expected_[row]);
   const bool is_far = glm::dot(e - centre, e - centre) > radii_[row] * radii_[row];
   if (is_far) {
-    // From the aim outwards to where the ball ends: the larger root of |aim - centre + s out| = radius.
-    const glm::vec3 out = e - aim;
-    const glm::vec3 inside = aim - centre;
-    const float a = glm::dot(out, out);
-    const float b = glm::dot(inside, out);
-    const float c = glm::dot(inside, inside) - radii_[row] * radii_[row];
-    const float s = (std::sqrt(std::max(b * b - a * c, 0.0F)) - b) / a;
-    e = aim + std::clamp(s, 0.0F, 1.0F) * out;
+    e = end_within_ball(centre, radii_[row], aim, e);
   }
   if (e != before) {
     current = {since.x + e.x, since.y + e.y, since.z + e.z, 0.0F};

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "sim/mesh/types.hpp"
 #include "sim/solvers/bounded/kernels/blocks.hpp"
 
@@ -49,10 +52,25 @@ inline Vec3 vector_of(const Float4& v) {
   return {v.x, v.y, v.z};
 }
 
+inline float length_of(const Float4& v) {
+  return static_cast<float>(glm::length(vector_of(v)));
+}
+
+inline Float4 times(const Float4& v, float factor) {
+  return {v.x * factor, v.y * factor, v.z * factor, 0.0F};
+}
+
+/// Returns v, shortened where it is longer.
+inline Float4 no_longer_than(float most, const Float4& v) {
+  return times(v, std::min(1.0F, most / std::max(length_of(v), 1e-12F)));
+}
+
+/// The same three numbers.
 inline glm::vec3 vec(const Float4& v) {
   return {v.x, v.y, v.z};
 }
 
+/// sum += v.
 inline void add(Float4& sum, const glm::vec3& v) {
   sum.x += v.x;
   sum.y += v.y;

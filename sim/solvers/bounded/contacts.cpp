@@ -14,9 +14,6 @@ constexpr float room_m = 3e-4F;
 constexpr float correction_room_m = 5e-4F;
 constexpr float room_per_move = 0.25F;
 constexpr float most_room_m = 5e-3F;
-/// A correction may bring things so much nearer, as a part of their distance: where folds are tight, keeping
-/// the bound and the thickness both may not be possible. Time steps part them again.
-constexpr float kept_while_corrected = 0.5F;
 /// A correction that goes on may go this many times as far as it came.
 constexpr float further = 1.5F;
 
@@ -28,11 +25,11 @@ constexpr double turned_part_of_edge = 0.2;
 constexpr double longest_touching_s = 1.0 / 240.0;
 
 /// Of what contact moved rows from where they were expected, so much is expected the next time.
-constexpr float deviation_kept = 0.7F;
+constexpr float deviation_kept = 0.98F;
 constexpr float deviation_room = 1.25F;
 
 /// Regions are made anew when more than this part of the rows is held back by its ball.
-constexpr double held_back_part = 0.002;
+constexpr double held_back_part = 0.05;
 /// The next ball of such a row is larger by so much.
 constexpr float held_back_room = 1.5F;
 
@@ -192,7 +189,7 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
-  find_regions(garment, layout, motion, time, 1.0F, kernels);
+  find_regions(garment, layout, motion, time, kernels);
 }
 
 void Contacts::make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
@@ -203,7 +200,7 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
     rows_.moves[row] = expected[row];
     rows_.radii[row] = correction_room_m + room_per_move * length_of(expected[row]);
   }
-  find_regions(garment, layout, motion, {time_s, time_s}, kept_while_corrected, kernels);
+  find_regions(garment, layout, motion, {time_s, time_s}, kernels);
 }
 
 void Contacts::renew_regions(const Garment& garment, const Layout& layout, const Motion& motion,
@@ -213,7 +210,7 @@ void Contacts::renew_regions(const Garment& garment, const Layout& layout, const
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     rows_.radii[row] = std::clamp(further * length_of(moved[row]), correction_room_m, most_room_m);
   }
-  find_regions(garment, layout, motion, {time_s, time_s}, kept_while_corrected, kernels);
+  find_regions(garment, layout, motion, {time_s, time_s}, kernels);
 }
 
 // Cloth whose parts are nearer at rest than it is thick is not torn apart for that.
@@ -254,7 +251,7 @@ void Contacts::collect_pairs(const Material& material, const TimeSpan& time, con
 }
 
 void Contacts::find_regions(const Garment& garment, const Layout& layout, const Motion& motion,
-                            const TimeSpan& time, float kept_part, ParallelKernels& kernels) {
+                            const TimeSpan& time, ParallelKernels& kernels) {
   const Vec3 origin_m = motion.start_m.front();
   bodies_.add_mesh_rows(time, origin_m, rows_);
   const std::size_t lasting_rows = rows_.radii.size();
@@ -263,7 +260,7 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
   }
   if (!are_findable(rows_)) {
     std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
-    regions_.make({}, kept_part, rows_);
+    regions_.make({}, rows_);
     is_blocked_ = true;
     return;
   }
@@ -274,7 +271,7 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
     rows_.radii.resize(lasting_rows);
     rows_.inverse_masses_per_kg.resize(lasting_rows);
     collect_pairs(garment.material, time, origin_m, kernels);
-    fits = regions_.make(pairs_, kept_part, rows_);
+    fits = regions_.make(pairs_, rows_);
   }
   memory_.is_touching = regions_.pair_count() > 0;
   is_blocked_ = is_blocked_ || !fits || regions_.is_blocked();
@@ -286,10 +283,12 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
 
 void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_s, Motion& motion) {
   const double lasts_s = until_s_ - from_s_;
+  const auto time = static_cast<float>((time_s - from_s_) / lasts_s);
+  const auto step = static_cast<float>(time_step_s / lasts_s);
+  regions_.collide(time, step, since_, motion.previous, motion.current);
   held_back_.clear();
-  regions_.bring_back(
-      {layout.pin_count, layout.vertex_count()}, static_cast<float>((time_s - from_s_) / lasts_s),
-      static_cast<float>(time_step_s / lasts_s), since_, motion.previous, motion.current, held_back_);
+  regions_.bring_back({layout.pin_count, layout.vertex_count()}, time, step, since_, motion.previous,
+                      motion.current, held_back_);
   for (const Index row : held_back_) {
     memory_.deviations[row] = std::max(memory_.deviations[row], held_back_room * regions_.radius(row));
   }

@@ -76,7 +76,7 @@ class Contacts {
   void measure_edges(const Mesh& mesh);
   void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
   void find_regions(const Garment& garment, const Layout& layout, const Motion& motion, const TimeSpan& time,
-                    float kept_part, ParallelKernels& kernels);
+                    ParallelKernels& kernels);
   void collect_pairs(const Material& material, const TimeSpan& time, const Vec3& origin_m,
                      ParallelKernels& kernels);
   float thickness_of(const NearPair& near, float thickness_m) const;

@@ -13,8 +13,6 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Of what two things lack to the thickness, so much is asked for at once. More throws them apart.
-constexpr float parted_at_once = 0.2F;
 /// Things nearer than this part of the thickness may not come nearer still. Less leaves less room for
 /// rounding.
 constexpr float least_part = 0.1F;
@@ -34,7 +32,7 @@ bool is_zero(const Float4& v) {
 
 }  // namespace
 
-void Regions::add_pair(const ContactPair& contact, float kept_part, const RowMoves& rows) {
+void Regions::add_pair(const ContactPair& contact, const RowMoves& rows) {
   const NearPair& near = contact.near;
   std::array<glm::vec3, 4> p{};
   for (Index k = 0; k < 4; ++k) {
@@ -57,10 +55,7 @@ void Regions::add_pair(const ContactPair& contact, float kept_part, const RowMov
     return;
   }
   pair.needed = std::min(pair.distance, least_part * contact.thickness_m);
-  pair.kept = std::min(contact.thickness_m, std::max(kept_part * pair.distance, pair.needed));
-  pair.wanted = kept_part < 1.0F || pair.distance >= contact.thickness_m
-                    ? pair.kept
-                    : pair.distance + parted_at_once * (contact.thickness_m - pair.distance);
+  pair.wanted = std::min(pair.distance, contact.thickness_m);
   pairs_.push_back(pair);
 }
 
@@ -156,19 +151,14 @@ void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_m
                               std::span<Index> next) {
   const NearPair& near = pair.contact.near;
   std::array<float, 2> masses_kg = {0.0F, 0.0F};
-  std::array<glm::vec3, 2> moved = {glm::vec3(0.0F), pair.contact.surface_slides};
   for (Index k = 0; k < 4; ++k) {
     const std::size_t side = k < near.first_count ? 0 : 1;
     masses_kg[side] += 1.0F / inverse_masses[near.rows[k]];  // infinite for what cannot be moved
-    moved[side] += pair.weights[k] * vec(moves_[near.rows[k]]);
   }
   const bool is_second_fixed = std::isinf(masses_kg[1]);
   const bool is_first_fixed = std::isinf(masses_kg[0]);
   // Of the room between the two the first gets this share.
   const float share = is_first_fixed == is_second_fixed ? 0.5F : (is_first_fixed ? 0.0F : 1.0F);
-  const float first_weight =
-      is_first_fixed || is_second_fixed ? 1.0F - share : masses_kg[0] / (masses_kg[0] + masses_kg[1]);
-  const glm::vec3 sliding = first_weight * moved[0] + (1.0F - first_weight) * moved[1];
   // Where the plane of the one or the other thing is, so that `gap` is left between the two.
   const auto plane = [&](const Span& span, float gap, bool is_first) {
     const float room = std::max(span.apart() - gap, 0.0F);
@@ -180,12 +170,10 @@ void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_m
     const Index row = near.rows[k];
     const bool is_first = k < near.first_count;
     const float sign = is_first ? 1.0F : -1.0F;
-    const float at_begin =
-        sign * (plane(begin, std::min(pair.distance, pair.kept), is_first) - pair.heights[k]);
-    const float at_end = sign * (plane(end, pair.wanted, is_first) - pair.heights[k]);
+    const float at_begin = sign * (plane(begin, pair.needed, is_first) - pair.heights[k]);
+    const float at_end = sign * (plane(end, pair.needed, is_first) - pair.heights[k]);
     const float moved_up = sign * glm::dot(pair.normal, vec(moves_[row]));
-    half_spaces_[next[row]++] = {sign * pair.normal, at_begin, at_end - at_begin, pair.contact.friction,
-                                 sliding};
+    half_spaces_[next[row]++] = {sign * pair.normal, at_begin, at_end - at_begin};
     free_[row] = std::min({free_[row], -at_begin, moved_up - at_end});
   }
 }
@@ -209,11 +197,11 @@ void Regions::make_half_spaces(std::span<const float> inverse_masses) {
   }
 }
 
-bool Regions::make(std::span<const ContactPair> pairs, float kept_part, RowMoves& rows) {
+bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows) {
   pairs_.clear();
   is_blocked_ = false;
   for (const ContactPair& pair : pairs) {
-    add_pair(pair, kept_part, rows);
+    add_pair(pair, rows);
   }
   moves_ = rows.moves;
   resolve_moves(rows.inverse_masses_per_kg);
@@ -224,6 +212,7 @@ bool Regions::make(std::span<const ContactPair> pairs, float kept_part, RowMoves
   expected_ = rows.moves;
   radii_ = rows.radii;
   make_half_spaces(rows.inverse_masses_per_kg);
+  make_touches(rows.inverse_masses_per_kg);
   return true;
 }
 

@@ -52,18 +52,21 @@ class Regions {
   /// Makes the regions for the time 0 to 1. Every pair that could meet has to be among `pairs`. Returns false
   /// where contact moves rows further from where they are expected than their radii; then `rows` has larger
   /// radii, for pairs to be found anew.
-  /// `kept_part` of their distance is what near things that are thicker than that keep: 1 keeps thicknesses,
-  /// less leaves more room to correct something else.
-  bool make(std::span<const ContactPair> pairs, float kept_part, RowMoves& rows);
+  bool make(std::span<const ContactPair> pairs, RowMoves& rows);
 
   /// Returns whether some pair cannot be kept apart, as rows that move by exactly their moves close in on it
   /// or as it touched from the beginning.
   bool is_blocked() const { return is_blocked_; }
 
-  /// Brings rows back into their regions at a time from 0 to 1, with friction against what they moved in the
-  /// last time step, which took `step` of the whole time. `since` are their displacements at the time 0,
-  /// `previous` a time step ago, which are changed so that nothing rebounds: what touches has no speed away
-  /// from what it touches. Appends the rows that had gone out of their balls to `held_back`.
+  /// Parts pairs that a time step brought nearer than they should be, at a time from 0 to 1: without rebound,
+  /// with friction, and without a change of momentum. The step took `step` of the whole time. `since` are
+  /// displacements at the time 0, `previous` a time step ago.
+  void collide(float time, float step, const Float4Array& since, Float4Array& previous,
+               Float4Array& current) const;
+
+  /// Brings rows back into their regions at a time from 0 to 1. `since` are their displacements at the time
+  /// 0, `previous` a time step ago, which are changed so that nothing rebounds. Appends the rows that had
+  /// gone out of their balls to `held_back`.
   void bring_back(const RowRange& range, float time, float step, const Float4Array& since,
                   Float4Array& previous, Float4Array& current, std::vector<Index>& held_back) const;
 
@@ -87,15 +90,24 @@ class Regions {
     std::array<float, 4> weights;  ///< of the corners, where the two things are nearest
     float distance;                ///< of the two things along it, in m
     float needed;                  ///< the least distance that has to be left
-    float kept;                    ///< the thickness that goes for it
-    float wanted;                  ///< the distance that should be left
+    float wanted;                  ///< the distance that expected moves leave
   };
   struct HalfSpace {
     glm::vec3 normal;
     float start;  ///< displacements along the normal are at least so much at the time 0
     float rate;   ///< and so much more at the time 1
+  };
+  /// A pair that may touch until the time 1.
+  struct Touch {
+    std::array<Index, 4> rows;
+    std::array<float, 4> weights;     ///< where the two things are nearest; those of the second are negative
+    std::array<float, 4> mobilities;  ///< how far a row goes for each m that parts the two
+    glm::vec3 normal;
+    float distance;  ///< at the time 0
+    float wanted;    ///< the least distance at the time 0
+    float rate;      ///< and so much more at the time 1
     float friction;
-    glm::vec3 sliding;  ///< how far both things move together until the time 1
+    glm::vec3 slides;  ///< see ContactPair
   };
   /// Lowest of the first thing and highest of the second, along a pair's normal.
   struct Span {
@@ -104,7 +116,7 @@ class Regions {
     float apart() const { return low - high; }
   };
 
-  void add_pair(const ContactPair& contact, float kept_part, const RowMoves& rows);
+  void add_pair(const ContactPair& contact, const RowMoves& rows);
   static Span span_of(const NearPair& near, const std::array<float, 4>& heights);
   Span span_at_end(const Pair& pair) const;
   void resolve(const Pair& pair, std::span<const float> inverse_masses);
@@ -113,6 +125,11 @@ class Regions {
   bool fit_radii(RowMoves& rows);
   void make_half_spaces(std::span<const float> inverse_masses);
   void add_half_spaces(const Pair& pair, std::span<const float> inverse_masses, std::span<Index> next);
+  void make_touches(std::span<const float> inverse_masses);
+  void add_touch(const Pair& pair, const std::array<float, 4>& weights,
+                 std::span<const float> inverse_masses);
+  void collide(const Touch& touch, float time, float step, const Float4Array& since, Float4Array& previous,
+               Float4Array& current) const;
   std::span<const HalfSpace> half_spaces_of(Index row) const;
   glm::vec3 moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
   static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim,
@@ -132,6 +149,7 @@ class Regions {
   std::vector<float> free_;  ///< how far from its move a row is certainly within its region
   std::vector<Index> half_space_begin_;
   std::vector<HalfSpace> half_spaces_;  ///< by row
+  std::vector<Touch> touches_;
 };
 
 }  // namespace taut::sim::bounded

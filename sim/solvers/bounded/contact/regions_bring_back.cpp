@@ -92,15 +92,10 @@ void Regions::bring_back(const RowRange& range, float time, float step, const Fl
                          Float4Array& previous, Float4Array& current, std::vector<Index>& held_back) const {
   for (auto row = static_cast<Index>(range.begin); row < range.end; ++row) {
     const glm::vec3 origin = vec(since[row]);
-    const auto slide = [&](const HalfSpace& half_space, float depth, glm::vec3& e) {
-      const glm::vec3 moved = e - (vec(previous[row]) - origin) - step * half_space.sliding;
-      const float away = glm::dot(moved, half_space.normal);
-      const glm::vec3 slid = moved - away * half_space.normal;
-      const float length = glm::length(slid);
+    const auto slide = [&](const HalfSpace& half_space, float, glm::vec3& e) {
+      const float away =
+          glm::dot(e - (vec(previous[row]) - origin), half_space.normal) - step * half_space.rate;
       add(previous[row], std::max(away, 0.0F) * half_space.normal);
-      if (length > 0.0F) {
-        e -= slid * std::min(1.0F, half_space.friction * depth / length);
-      }
     };
     if (bring_row_back(row, time, origin, slide, current[row])) {
       held_back.push_back(row);

@@ -57,7 +57,7 @@ struct ReachBox {
   ReachBox(const Scene& scene, std::span<const Index> rows) {
     for (const Index row : rows) {
       const Float4& p = scene.positions[row];
-      const Float4& m = scene.moves[row];
+      const Float4 m = scaled_sum(scene.moves[row], scene.together, -1.0F);
       const glm::vec3 begin(p.x, p.y, p.z);
       const glm::vec3 end = begin + glm::vec3(m.x, m.y, m.z);
       low = glm::min(low, glm::min(begin, end) - scene.radii[row]);

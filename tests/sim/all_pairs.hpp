@@ -13,15 +13,20 @@ struct Scene {
   Float4Array positions;
   Float4Array moves;
   std::vector<float> radii;
+  /// What boxes leave out of all moves; see NearPairs.
+  Float4 together = {};
 
   ContactMesh mesh() const { return make_contact_mesh(cloth, bodies); }
   std::vector<NearPair> find(VectorUnit unit = VectorUnit::best, int threads = 1) const {
-    std::vector<Vec3> now;
-    for (const Float4& p : positions) {
-      now.push_back(vector_of(p));
-    }
     ParallelKernels kernels(kernels_for(unit), threads);
-    return NearPairs(mesh(), true, now).find(positions, moves, radii, kernels);
+    return NearPairs(mesh(), true, places_m()).find(positions, moves, radii, kernels);
+  }
+  std::vector<Vec3> places_m() const {
+    std::vector<Vec3> places;
+    for (const Float4& p : positions) {
+      places.push_back(vector_of(p));
+    }
+    return places;
   }
 };
 
@@ -36,7 +41,7 @@ struct Gap {
 /// In double precision.
 Gap gap_of(const NearPair& pair, const Scene& scene);
 
-/// Returns whether the boxes overlap around all that each of the two can reach.
+/// Returns whether the boxes overlap around all that each of the two can reach beyond `together`.
 bool boxes_overlap(const NearPair& pair, const Scene& scene);
 
 /// All pairs that share no row, apart from those within the bodies.

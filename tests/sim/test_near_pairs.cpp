@@ -9,6 +9,7 @@
 
 #include "all_pairs.hpp"
 #include "sheets.hpp"
+#include "sim/solvers/bounded/contact/lasting_pairs.hpp"
 
 namespace taut::sim {
 namespace {
@@ -24,10 +25,10 @@ std::array<Index, 5> name_of(const NearPair& pair) {
   return {pair.first_count, r[0], r[1], r[2], r[3]};
 }
 
-/// Holds what is found against all pairs. Returns how many there are.
-std::size_t expect_what_is_near(const Scene& scene) {
+/// Holds what was found against all pairs. Returns how many there are.
+std::size_t expect_what_is_near(const Scene& scene, std::span<const NearPair> pairs) {
   std::set<std::array<Index, 5>> found;
-  for (const NearPair& pair : scene.find()) {
+  for (const NearPair& pair : pairs) {
     EXPECT_TRUE(found.insert(name_of(pair)).second) << "found twice";
   }
   std::size_t near = 0;
@@ -89,6 +90,7 @@ Scene soup(Index triangles, unsigned seed) {
   }
   scene.moves = some_vectors(rows, 0.01F, random);
   scene.radii = some_radii(rows, 0.005F, random);
+  scene.together = mean_of(scene.moves);
   return scene;
 }
 
@@ -108,14 +110,78 @@ Scene folded_sheet(Index count) {
     add_scaled(scene.moves[row], {0.02F, -0.05F, 0.01F, 0.0F}, 1.0F);
   }
   scene.radii = some_radii(mesh.positions.size(), 0.001F, random);
+  scene.together = mean_of(scene.moves);
   return scene;
 }
 
 TEST(NearPairs, AreThoseOfASearchThroughAll) {
-  for (const unsigned seed : {1U, 2U, 3U}) {
-    EXPECT_GT(expect_what_is_near(soup(150, seed)), 100U);
+  for (const Scene& scene : {soup(150, 1), soup(150, 2), soup(150, 3)}) {
+    EXPECT_GT(expect_what_is_near(scene, scene.find()), 100U);
   }
-  EXPECT_GT(expect_what_is_near(folded_sheet(30)), 1000U);
+  const Scene scene = folded_sheet(30);
+  EXPECT_GT(expect_what_is_near(scene, scene.find()), 1000U);
+}
+
+/// Other radii and moves for some rows.
+std::vector<std::uint8_t> change_some(Scene& scene, unsigned seed) {
+  std::mt19937 random(seed);
+  std::bernoulli_distribution is_marked(0.1);
+  std::vector<std::uint8_t> marks(scene.positions.size());
+  for (std::size_t row = 0; row < marks.size(); ++row) {
+    if (is_marked(random)) {
+      marks[row] = 1;
+      scene.radii[row] += 0.003F;
+      add_scaled(scene.moves[row], {0.001F, 0.002F, -0.003F, 0.0F}, 1.0F);
+    }
+  }
+  return marks;
+}
+
+TEST(NearPairs, AroundRowsThatMoveOtherwiseAreFoundAnew) {
+  for (Scene scene : {soup(150, 1), soup(150, 2), folded_sheet(30)}) {
+    ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+    NearPairs pairs(scene.mesh(), true, scene.places_m());
+    pairs.find(scene.positions, scene.moves, scene.radii, kernels);
+    scene.together = mean_of(scene.moves);
+    const std::vector<std::uint8_t> marks = change_some(scene, 7);
+    EXPECT_GT(expect_what_is_near(scene,
+                                  pairs.find_anew(marks, scene.positions, scene.moves, scene.radii, kernels)),
+              100U);
+  }
+}
+
+/// Rows as they are expected from a part of their ways to another, and within their radii.
+void go_on(const Scene& scene, float from, float to, unsigned seed, Scene& now) {
+  std::mt19937 random(seed);
+  const Float4Array off = some_vectors(scene.positions.size(), 3e-4F, random);
+  for (std::size_t row = 0; row < off.size(); ++row) {
+    const bool keeps_to_it = row % 50 != 0;
+    now.positions[row] = scaled_sum(scene.positions[row], scene.moves[row], from);
+    add_scaled(now.positions[row], off[row], keeps_to_it ? 1.0F : 100.0F);
+    now.moves[row] = times(scene.moves[row], to - from);
+  }
+}
+
+TEST(LastingPairs, AreAllThatAreNear) {
+  const Scene scene = folded_sheet(30);
+  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+  LastingPairs lasting(scene.mesh(), true, scene.places_m());
+  for (const float part : {0.0F, 0.25F, 0.5F, 0.75F}) {
+    Scene now = scene;
+    go_on(scene, part, part + 0.25F, static_cast<unsigned>(100.0F * part), now);
+    const std::span<const NearPair> found =
+        lasting.find({now.positions, now.moves, now.radii, {part, part + 0.25}}, 1.0, 0.1F, kernels);
+    std::set<std::array<Index, 5>> names;
+    for (const NearPair& pair : found) {
+      EXPECT_TRUE(names.insert(name_of(pair)).second) << "found twice";
+    }
+    std::size_t near = 0;
+    for (const NearPair& pair : now.find()) {
+      near += names.count(name_of(pair));
+    }
+    EXPECT_EQ(near, now.find().size()) << part;
+    EXPECT_GT(near, 1000U);
+  }
 }
 
 TEST(NearPairs, AreTheSameInTheSameOrderForEveryVectorUnitAndAnyThreads) {

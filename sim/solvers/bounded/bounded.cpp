@@ -32,6 +32,9 @@ constexpr double last_resort_sweeps = 1000.0;
 constexpr double too_far = 3.0;
 constexpr double further_than_before = 1.2;
 
+/// Rounds of a correction that go on within the same regions.
+constexpr int most_rounds = 8;
+
 /// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
 double tether_slack(const BoundedSettings& settings) {
   return settings.bound == BoundKind::springs ? 0.5 * settings.max_stretch : 0.0;
@@ -79,9 +82,11 @@ class BoundedSolver::ApartWhileCorrected : public Confinement {
     last_ = raw;
   }
 
-  // Where many are held back by their balls alone there is more room from where they have come.
+  // Where rows are held back by their balls there is more room from where they have come; and so there is
+  // beside planes from which one of the two has moved away.
   void bring_back(Float4Array& displacements) override {
-    if (is_held_back_) {
+    ++rounds_;
+    if (is_held_back_ || rounds_ % most_rounds == 0) {
       moved_.resize(last_.size());
       for (std::size_t row = 0; row < last_.size(); ++row) {
         moved_[row] = scaled_sum(displacements[row], last_[row], -1.0F);
@@ -97,6 +102,7 @@ class BoundedSolver::ApartWhileCorrected : public Confinement {
   double time_s_;
   ParallelKernels& kernels_;
   Cloth& cloth_;
+  int rounds_ = 0;
   bool is_held_back_ = false;
   Float4Array last_;  ///< displacements that are known to keep everything apart
   Float4Array moved_;
@@ -166,13 +172,13 @@ void BoundedSolver::begin_substeps(double time_step_s) {
 }
 
 void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
-                                 double frame_time_s, int substeps) {
+                                 double frame_time_s, int substeps, int earlier_attempts) {
   Cloth& cloth = *cloth_;
   const double dt = frame_time_s / substeps;
   const int updates = cloth.forces.updates_per_frame(surroundings.forces, frame_time_s);
   const int substeps_per_update = std::max(1, substeps / updates);
   begin_substeps(dt);
-  cloth.contacts.begin_attempt(time_s);
+  cloth.contacts.begin_attempt({time_s, time_s + frame_time_s}, earlier_attempts);
   for (int substep = 0; substep < substeps; ++substep) {
     TimeStep time;
     time.frame_began_s = time_s;
@@ -216,10 +222,10 @@ void BoundedSolver::end_frame(double frame_time_s, int substeps, State& state) c
 // From where the frame began: the time steps, and the projection of where they end onto the bound.
 ProjectionResult BoundedSolver::try_frame(const Garment& garment, const Pins& pins,
                                           const Surroundings& surroundings, double frame_time_s,
-                                          State& state) {
+                                          int earlier_attempts, State& state) {
   Cloth& cloth = *cloth_;
   const int substeps = cloth.control.substeps();
-  run_substeps(garment, surroundings, state.time_s, frame_time_s, substeps);
+  run_substeps(garment, surroundings, state.time_s, frame_time_s, substeps, earlier_attempts);
   const double largest_cost = cloth.control.is_spent() ? last_resort_sweeps : costliest_projection * substeps;
   cloth.contacts.observe(cloth.layout, cloth.motion, state.time_s + frame_time_s);
   ApartWhileCorrected apart(garment, state.time_s + frame_time_s, *kernels_, cloth);
@@ -248,8 +254,9 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
   const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
   double sweeps = 0.0;
   double shift = 0.0;
+  int attempts = 0;
   do {
-    projected = try_frame(garment, pins, surroundings, frame_time_s, state);
+    projected = try_frame(garment, pins, surroundings, frame_time_s, attempts++, state);
     sweeps += control.substeps() + projected.cost;
     shift = allowed_m > 0.0 ? projected.largest_shift_m / allowed_m : 0.0;
   } while ((!projected.kept || (shift > too_far && shift > further_than_before * cloth.shift)) &&

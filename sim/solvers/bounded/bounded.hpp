@@ -36,9 +36,10 @@ class BoundedSolver : public Solver {
   void begin_frame(const State& state);
   void begin_substeps(double time_step_s);
   void run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
-                    double frame_time_s, int substeps);
+                    double frame_time_s, int substeps, int earlier_attempts);
   bounded::ProjectionResult try_frame(const Garment& garment, const Pins& pins,
-                                      const Surroundings& surroundings, double frame_time_s, State& state);
+                                      const Surroundings& surroundings, double frame_time_s,
+                                      int earlier_attempts, State& state);
   void write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const;
   void end_frame(double frame_time_s, int substeps, State& state) const;
 

@@ -10,7 +10,7 @@ namespace {
 
 /// How far rows may deviate from where they are expected, in m, and this part of the way there. More finds
 /// more pairs; less makes regions last less long. Corrections of a frame are known less well.
-constexpr float room_m = 3e-4F;
+constexpr float room_m = 7e-4F;
 constexpr float correction_room_m = 5e-4F;
 constexpr float room_per_move = 0.25F;
 constexpr float most_room_m = 5e-3F;
@@ -20,12 +20,19 @@ constexpr float further = 1.5F;
 /// Regions last while neighbours move against each other by this part of the mean edge.
 constexpr double turned_part_of_edge = 0.2;
 
+/// Pairs found last a frame where nothing moves further in it than this part of the mean edge.
+constexpr float slow_part_of_edge = 0.5F;
+
 /// Where something is near, regions last no longer than this, in s: their planes move as things did before,
 /// and would carry what since has been slowed down.
 constexpr double longest_touching_s = 1.0 / 240.0;
 
+/// When a frame is attempted again, regions last so much less long every time, and hold back so much less to
+/// its square: regions that are wrong stretch the cloth, and more time steps do not help.
+constexpr double more_cautious = 2.0;
+
 /// Of what contact moved rows from where they were expected, so much is expected the next time.
-constexpr float deviation_kept = 0.98F;
+constexpr float deviation_kept = 0.9F;
 constexpr float deviation_room = 1.25F;
 
 /// Regions are made anew when more than this part of the rows is held back by its ball.
@@ -130,11 +137,16 @@ void Contacts::measure_edges(const Mesh& mesh) {
   mean_edge_m_ = sum_m / static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1));
 }
 
-void Contacts::begin_attempt(double time_s) {
-  from_s_ = until_s_ = time_s;
+void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts) {
+  caution_ = std::pow(more_cautious, earlier_attempts);
+  from_s_ = until_s_ = frame.from_s;
+  frame_ends_s_ = frame.to_s;
   since_.clear();
   is_blocked_ = false;
   memory_ = frame_memory_;
+  if (near_) {
+    near_->forget();
+  }
 }
 
 void Contacts::observe(const Layout& layout, const Motion& motion, double time_s) {
@@ -145,7 +157,7 @@ void Contacts::observe(const Layout& layout, const Motion& motion, double time_s
 
 double Contacts::suitable_end_s(double time_s, double time_step_s, double frame_end_s) const {
   double longest_s =
-      std::min(frame_end_s - time_s, turned_part_of_edge * mean_edge_m_ /
+      std::min(frame_end_s - time_s, turned_part_of_edge / caution_ * mean_edge_m_ /
                                          std::max(memory_.relative_speed_m_per_s(triangles_), 1e-9));
   if (memory_.is_touching) {
     longest_s = std::min(longest_s, longest_touching_s);
@@ -225,14 +237,19 @@ float Contacts::thickness_of(const NearPair& near, float thickness_m) const {
   return std::min(thickness_m, rest_part * distance_between(near, p));
 }
 
-void Contacts::collect_pairs(const Material& material, const TimeSpan& time, const Vec3& origin_m,
-                             ParallelKernels& kernels) {
-  const auto thickness_m = static_cast<float>(std::max(material.thickness_m, least_thickness_m));
+std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickness_m,
+                                              ParallelKernels& kernels) {
   reaches_.resize(rows_.radii.size());
   std::transform(rows_.radii.begin(), rows_.radii.end(), reaches_.begin(),
                  [&](float radius) { return radius + 0.5F * thickness_m; });
+  return near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
+                     slow_part_of_edge * static_cast<float>(mean_edge_m_), kernels);
+}
+
+void Contacts::collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
+                             const TimeSpan& time, const Vec3& origin_m) {
   pairs_.clear();
-  for (const NearPair& near : near_->find(rows_.positions, rows_.moves, reaches_, kernels)) {
+  for (const NearPair& near : found) {
     if (left_out_.has(near)) {
       continue;
     }
@@ -264,13 +281,14 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
     is_blocked_ = true;
     return;
   }
+  const auto thickness_m = static_cast<float>(std::max(garment.material.thickness_m, least_thickness_m));
   bool fits = false;
   for (int search = 0; search < most_searches && !fits; ++search) {
     rows_.positions.resize(lasting_rows);
     rows_.moves.resize(lasting_rows);
     rows_.radii.resize(lasting_rows);
     rows_.inverse_masses_per_kg.resize(lasting_rows);
-    collect_pairs(garment.material, time, origin_m, kernels);
+    collect_pairs(garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m);
     fits = regions_.make(pairs_, rows_);
   }
   memory_.is_touching = regions_.pair_count() > 0;
@@ -289,11 +307,22 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   held_back_.clear();
   regions_.bring_back({layout.pin_count, layout.vertex_count()}, time, step, since_, motion.previous,
                       motion.current, held_back_);
-  for (const Index row : held_back_) {
-    memory_.deviations[row] = std::max(memory_.deviations[row], held_back_room * regions_.radius(row));
+  for (const HeldBack& held : held_back_) {
+    memory_.deviations[held.row] =
+        std::max(memory_.deviations[held.row], held_back_room * regions_.radius(held.row));
   }
-  if (static_cast<double>(held_back_.size()) > held_back_part * static_cast<double>(layout.vertex_count())) {
-    until_s_ = time_s - 0.5 * time_step_s;
+  const double most_held_back = held_back_part / (caution_ * caution_);
+  if (static_cast<double>(held_back_.size()) > most_held_back * static_cast<double>(layout.vertex_count())) {
+    let_go(motion);
+    until_s_ = time_s;
+  }
+}
+
+// Of a few rows it is their trembling that balls hold back. Where there are many, something else was to be
+// expected, and a ball is nothing to bump into: they are late, and as fast as they were.
+void Contacts::let_go(Motion& motion) const {
+  for (const HeldBack& held : held_back_) {
+    add(motion.previous[held.row], -held.out);
   }
 }
 

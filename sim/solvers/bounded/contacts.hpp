@@ -4,7 +4,7 @@
 
 #include "sim/solvers/bounded/contact/body_contacts.hpp"
 #include "sim/solvers/bounded/contact/crossings.hpp"
-#include "sim/solvers/bounded/contact/near_pairs.hpp"
+#include "sim/solvers/bounded/contact/lasting_pairs.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/motion.hpp"
@@ -27,13 +27,16 @@ class Contacts {
   /// begins is left out until it is apart.
   void begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
                    const Motion& motion, double time_s);
-  /// Call it before each attempt: all begins as it was when the frame began.
-  void begin_attempt(double time_s);
+  /// Call it before each attempt: all begins as it was when the frame began. It goes the slower the more
+  /// attempts there were.
+  void begin_attempt(const TimeSpan& frame, int earlier_attempts);
   /// Call it when a frame is kept.
   void end_frame() { frame_memory_ = memory_; }
 
   /// Returns whether regions have to be made before the time step that begins now.
-  bool are_due(double time_s) const { return is_on_ && !(time_s < until_s_); }
+  bool are_due(double time_s, double time_step_s) const {
+    return is_on_ && time_s + 0.5 * time_step_s > until_s_;  // times are rounded
+  }
 
   /// Ends the time of the last regions, to learn from it how rows move.
   void observe(const Layout& layout, const Motion& motion, double time_s);
@@ -77,8 +80,10 @@ class Contacts {
   void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
   void find_regions(const Garment& garment, const Layout& layout, const Motion& motion, const TimeSpan& time,
                     ParallelKernels& kernels);
-  void collect_pairs(const Material& material, const TimeSpan& time, const Vec3& origin_m,
-                     ParallelKernels& kernels);
+  std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels);
+  void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
+                     const TimeSpan& time, const Vec3& origin_m);
+  void let_go(Motion& motion) const;
   float thickness_of(const NearPair& near, float thickness_m) const;
 
   bool within_cloth_;
@@ -89,16 +94,18 @@ class Contacts {
   double mean_edge_m_ = 0.0;
   float longest_edge_m_ = 0.0F;
   BodyContacts bodies_;
-  std::optional<NearPairs> near_;
+  std::optional<LastingPairs> near_;
   Crossings left_out_;
   std::vector<ContactPair> pairs_;
   RowMoves rows_;
-  std::vector<Index> held_back_;
+  std::vector<HeldBack> held_back_;
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
   Regions regions_;
   bool is_blocked_ = false;
+  double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;
+  double frame_ends_s_ = 0.0;
   Float4Array since_;  ///< displacements when they were made; empty before the first
   RowMemory memory_;
   RowMemory frame_memory_;  ///< when the frame began

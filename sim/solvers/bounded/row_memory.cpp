@@ -12,6 +12,8 @@ constexpr double lasting_s = 2e-3;
 constexpr float most_acceleration = 12.0F;
 /// The fastest neighbours are not counted, as single vertices tremble.
 constexpr double counted_part = 0.99;
+/// Some triangles tell as much as all.
+constexpr std::size_t looked_at_every = 4;
 
 }  // namespace
 
@@ -40,8 +42,9 @@ double RowMemory::relative_speed_m_per_s(std::span<const Triangle> triangles) co
     return 0.0;
   }
   std::vector<float> speeds;
-  speeds.reserve(triangles.size());
-  for (const Triangle& t : triangles) {
+  speeds.reserve(triangles.size() / looked_at_every + 1);
+  for (std::size_t k = 0; k < triangles.size(); k += looked_at_every) {
+    const Triangle& t = triangles[k];
     speeds.push_back(length_of(scaled_sum(velocities[t[0]], velocities[t[1]], -1.0F)));
   }
   const auto rank = static_cast<std::ptrdiff_t>(counted_part * static_cast<double>(speeds.size()));

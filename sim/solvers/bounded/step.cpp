@@ -74,7 +74,7 @@ void step(const Garment& garment, const Surroundings& surroundings, const TimeSt
     impose_forces(garment, surroundings.forces, time, kernels, cloth);
   }
   // ... find what could touch, as often as the cloth's motion asks for ...
-  if (cloth.contacts.are_due(time.time_s)) {
+  if (cloth.contacts.are_due(time.time_s, time.time_step_s)) {
     renew_regions(garment, surroundings, time, kernels, cloth);
   }
   // ... and predict where they go, eq. (1): d(t+dt) = d(t) + (d(t) - d(t-dt)) / (1 + c dt) + a dt^2.

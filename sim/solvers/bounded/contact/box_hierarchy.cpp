@@ -68,19 +68,29 @@ std::vector<Index> order_of(std::span<const std::array<Index, corners>> primitiv
 
 }  // namespace
 
-BoxHierarchy::BoxHierarchy(std::span<const std::array<Index, 1>> vertices, std::span<const Vec3> positions) {
-  build(vertices, positions);
+BoxHierarchy::BoxHierarchy(std::span<const std::array<Index, 1>> vertices, std::span<const Vec3> positions,
+                           std::size_t height) {
+  build(vertices, positions, height);
 }
-BoxHierarchy::BoxHierarchy(std::span<const Edge> edges, std::span<const Vec3> positions) {
-  build(edges, positions);
+BoxHierarchy::BoxHierarchy(std::span<const Edge> edges, std::span<const Vec3> positions, std::size_t height) {
+  build(edges, positions, height);
 }
-BoxHierarchy::BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions) {
-  build(triangles, positions);
+BoxHierarchy::BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions,
+                           std::size_t height) {
+  build(triangles, positions, height);
+}
+
+std::size_t BoxHierarchy::height_for(std::size_t count) {
+  std::size_t height = 1;
+  for (std::size_t blocks = blocks_for(count); blocks > 1; blocks = blocks_for(blocks)) {
+    ++height;
+  }
+  return height;
 }
 
 template <std::size_t corners>
 void BoxHierarchy::build(std::span<const std::array<Index, corners>> primitives,
-                         std::span<const Vec3> positions) {
+                         std::span<const Vec3> positions, std::size_t height) {
   primitives_.corner_count = corners;
   primitives_.count = primitives.size();
   const std::vector<Index> order = order_of(primitives, positions);
@@ -92,15 +102,8 @@ void BoxHierarchy::build(std::span<const std::array<Index, corners>> primitives,
     }
   }
   levels_.emplace_back(blocks, empty_boxes());
-  for (std::size_t below = 2; below > 1;) {
-    below = levels_.back().size();
-    levels_.emplace_back(blocks_for(below), empty_boxes());
-  }
-}
-
-void BoxHierarchy::raise(std::size_t height) {
-  while (this->height() < height) {
-    levels_.emplace_back(1, empty_boxes());
+  for (std::size_t level = 0; level < height; ++level) {
+    levels_.emplace_back(std::max<std::size_t>(blocks_for(levels_.back().size()), 1), empty_boxes());
   }
 }
 

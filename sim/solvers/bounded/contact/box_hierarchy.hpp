@@ -13,13 +13,15 @@ namespace taut::sim::bounded {
 /// since what lies side by side in cloth stays side by side.
 class BoxHierarchy {
  public:
-  /// Primitives of one, two or three corners, by row. `positions` has one entry per row.
-  BoxHierarchy(std::span<const std::array<Index, 1>> vertices, std::span<const Vec3> positions);
-  BoxHierarchy(std::span<const Edge> edges, std::span<const Vec3> positions);
-  BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions);
+  /// Primitives of one, two or three corners, by row. `positions` has one entry per row. Trees that are gone
+  /// through side by side need the same height, at least that of the higher one.
+  BoxHierarchy(std::span<const std::array<Index, 1>> vertices, std::span<const Vec3> positions,
+               std::size_t height);
+  BoxHierarchy(std::span<const Edge> edges, std::span<const Vec3> positions, std::size_t height);
+  BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions, std::size_t height);
 
-  /// Adds levels with one box each, so that two trees can be gone through level by level.
-  void raise(std::size_t height);
+  /// Returns the height that a tree of so many primitives needs.
+  static std::size_t height_for(std::size_t count);
 
   /// Fits the boxes to all that the primitives can reach.
   void fit(const MovingRows& rows, ParallelKernels& kernels);
@@ -37,7 +39,8 @@ class BoxHierarchy {
 
  private:
   template <std::size_t corners>
-  void build(std::span<const std::array<Index, corners>> primitives, std::span<const Vec3> positions);
+  void build(std::span<const std::array<Index, corners>> primitives, std::span<const Vec3> positions,
+             std::size_t height);
 
   PrimitiveLanes primitives_;
   std::vector<Lanes<BoxBlock>> levels_;  ///< the last one has one box

@@ -10,28 +10,54 @@ constexpr std::size_t most_at_once = 32;
 /// A thread takes at least so many pairs of blocks.
 constexpr std::size_t least_pairs = 256;
 
+bool is_any_marked(std::span<const Index> rows, std::span<const std::uint8_t> marks) {
+  return std::any_of(rows.begin(), rows.end(), [&](Index row) { return marks[row] != 0; });
+}
+
+template <typename Things>
+Things marked(const Things& things, std::span<const std::uint8_t> marks) {
+  Things some;
+  std::copy_if(things.begin(), things.end(), std::back_inserter(some),
+               [&](const auto& rows) { return is_any_marked(rows, marks); });
+  return some;
+}
+
+/// Returns those of which a row is marked.
+Primitives marked(const Primitives& all, std::span<const std::uint8_t> marks) {
+  return {marked(all.vertices, marks), marked(all.edges, marks), marked(all.triangles, marks)};
+}
+
+std::size_t height_for(const ContactMesh& mesh) {
+  std::size_t most = 0;
+  for (const Primitives* p : {&mesh.cloth, &mesh.bodies}) {
+    most = std::max({most, p->vertices.size(), p->edges.size(), p->triangles.size()});
+  }
+  return BoxHierarchy::height_for(most);
+}
+
 }  // namespace
 
+Float4 mean_of(const Float4Array& vectors) {
+  Float4 mean{};
+  for (const Float4& vector : vectors) {
+    add_scaled(mean, vector, 1.0F / static_cast<float>(vectors.size()));
+  }
+  return mean;
+}
+
 NearPairs::Hierarchies NearPairs::hierarchies_of(const Primitives& primitives,
-                                                 std::span<const Vec3> positions) {
-  return {BoxHierarchy(primitives.vertices, positions), BoxHierarchy(primitives.edges, positions),
-          BoxHierarchy(primitives.triangles, positions)};
+                                                 std::span<const Vec3> positions, std::size_t height) {
+  return {BoxHierarchy(primitives.vertices, positions, height),
+          BoxHierarchy(primitives.edges, positions, height),
+          BoxHierarchy(primitives.triangles, positions, height)};
 }
 
 NearPairs::NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const Vec3> positions_m)
-    : within_cloth_(within_cloth),
-      cloth_(hierarchies_of(mesh.cloth, positions_m)),
-      bodies_(hierarchies_of(mesh.bodies, positions_m)) {
-  std::size_t height = 0;
-  for (const Hierarchies* h : {&cloth_, &bodies_}) {
-    height = std::max({height, h->vertices.height(), h->edges.height(), h->triangles.height()});
-  }
-  for (Hierarchies* h : {&cloth_, &bodies_}) {
-    h->vertices.raise(height);
-    h->edges.raise(height);
-    h->triangles.raise(height);
-  }
-}
+    : mesh_(mesh),
+      within_cloth_(within_cloth),
+      height_(height_for(mesh)),
+      cloth_(hierarchies_of(mesh.cloth, positions_m, height_)),
+      bodies_(hierarchies_of(mesh.bodies, positions_m, height_)) {}
 
 /// Calls take(lists, count) with what is found between pairs [begin, end) of blocks of a level, in turn.
 template <typename Take>
@@ -93,18 +119,28 @@ void NearPairs::find_between(const Trees& trees, const MovingRows& rows, Paralle
   }
 }
 
-const std::vector<NearPair>& NearPairs::find(const Float4Array& positions, const Float4Array& moves,
-                                             std::span<const float> radii, ParallelKernels& kernels) {
-  ways_ = moves;
+MovingRows NearPairs::moving_rows(const Float4Array& positions, const Float4Array& moves,
+                                  std::span<const float> radii) {
+  ways_.resize(moves.size());
   for (std::size_t row = 0; row < radii.size(); ++row) {
+    ways_[row] = scaled_sum(moves[row], together_, -1.0F);
     ways_[row].unused = radii[row];
   }
-  const MovingRows rows = {positions.data(), ways_.data()};
-  for (Hierarchies* h : {&cloth_, &bodies_}) {
-    h->vertices.fit(rows, kernels);
-    h->edges.fit(rows, kernels);
-    h->triangles.fit(rows, kernels);
-  }
+  return {positions.data(), ways_.data()};
+}
+
+void NearPairs::fit(const MovingRows& rows, ParallelKernels& kernels, Hierarchies& hierarchies) {
+  hierarchies.vertices.fit(rows, kernels);
+  hierarchies.edges.fit(rows, kernels);
+  hierarchies.triangles.fit(rows, kernels);
+}
+
+const std::vector<NearPair>& NearPairs::find(const Float4Array& positions, const Float4Array& moves,
+                                             std::span<const float> radii, ParallelKernels& kernels) {
+  together_ = mean_of(moves);
+  const MovingRows rows = moving_rows(positions, moves, radii);
+  fit(rows, kernels, cloth_);
+  fit(rows, kernels, bodies_);
   pairs_.clear();
   if (within_cloth_) {
     find_between({cloth_.vertices, cloth_.triangles}, rows, kernels);
@@ -113,6 +149,55 @@ const std::vector<NearPair>& NearPairs::find(const Float4Array& positions, const
   find_between({cloth_.vertices, bodies_.triangles}, rows, kernels);
   find_between({bodies_.vertices, cloth_.triangles}, rows, kernels);
   find_between({cloth_.edges, bodies_.edges}, rows, kernels);
+  return pairs_;
+}
+
+template <typename Keep>
+void NearPairs::find_some_between(const Trees& trees, const MovingRows& rows, const Keep& keep,
+                                  ParallelKernels& kernels) {
+  const auto before = static_cast<std::ptrdiff_t>(pairs_.size());
+  find_between(trees, rows, kernels);
+  const auto is_left_out = [&](const NearPair& pair) { return !keep(pair); };
+  pairs_.erase(std::remove_if(pairs_.begin() + before, pairs_.end(), is_left_out), pairs_.end());
+}
+
+// Trees of what is marked are fitted, and gone through beside those of all, which are not: what is marked in
+// those is left out, and found by going through the small trees alone.
+const std::vector<NearPair>& NearPairs::find_anew(std::span<const std::uint8_t> marks,
+                                                  const Float4Array& positions, const Float4Array& moves,
+                                                  std::span<const float> radii, ParallelKernels& kernels) {
+  const MovingRows rows = moving_rows(positions, moves, radii);
+  std::vector<Vec3> places_m(positions.size());
+  std::transform(positions.begin(), positions.end(), places_m.begin(), vector_of);
+  Hierarchies cloth = hierarchies_of(marked(mesh_.cloth, marks), places_m, height_);
+  Hierarchies bodies = hierarchies_of(marked(mesh_.bodies, marks), places_m, height_);
+  fit(rows, kernels, cloth);
+  fit(rows, kernels, bodies);
+  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(),
+                              [&](const NearPair& pair) { return is_any_marked(pair.rows, marks); }),
+               pairs_.end());
+  const auto any = [](const NearPair&) { return true; };
+  const auto first_is_other = [&](const NearPair& pair) {
+    return !is_any_marked(std::span(pair.rows).first(pair.first_count), marks);
+  };
+  const auto second_is_other = [&](const NearPair& pair) {
+    return !is_any_marked(std::span(pair.rows).subspan(pair.first_count), marks);
+  };
+  const auto find_both_ways = [&](const BoxHierarchy& a, const BoxHierarchy& all_a, const BoxHierarchy& b,
+                                  const BoxHierarchy& all_b) {
+    find_some_between({a, b}, rows, any, kernels);
+    find_some_between({a, all_b}, rows, second_is_other, kernels);
+    if (&a != &b) {
+      find_some_between({all_a, b}, rows, first_is_other, kernels);
+    }
+  };
+  if (within_cloth_) {
+    find_both_ways(cloth.vertices, cloth_.vertices, cloth.triangles, cloth_.triangles);
+    find_both_ways(cloth.edges, cloth_.edges, cloth.edges, cloth_.edges);
+  }
+  find_both_ways(cloth.vertices, cloth_.vertices, bodies.triangles, bodies_.triangles);
+  find_both_ways(bodies.vertices, bodies_.vertices, cloth.triangles, cloth_.triangles);
+  find_both_ways(cloth.edges, cloth_.edges, bodies.edges, bodies_.edges);
   return pairs_;
 }
 

@@ -10,6 +10,8 @@
 
 namespace taut::sim::bounded {
 
+Float4 mean_of(const Float4Array& vectors);
+
 /// Finds what is near in a mesh that moves.
 class NearPairs {
  public:
@@ -18,11 +20,17 @@ class NearPairs {
   NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const Vec3> positions_m);
 
   /// Finds all pairs that could meet while every row moves by `moves`, or by up to `radii` more or less:
-  /// those whose boxes overlap, around all that their corners can reach, and that are nearer than
-  /// ContactKernels says. Pairs within the bodies are left out. In m, one entry per row each. The order
-  /// depends on the mesh and on which pairs are found, and on nothing else.
+  /// those whose boxes overlap, around all that their corners can reach beyond what all rows do together, and
+  /// that are nearer than ContactKernels says. Pairs within the bodies are left out. In m, one entry per row
+  /// each. The order depends on the mesh and on which pairs are found, and on nothing else.
   const std::vector<NearPair>& find(const Float4Array& positions, const Float4Array& moves,
                                     std::span<const float> radii, ParallelKernels& kernels);
+
+  /// Finds pairs anew after only marked rows have come to move otherwise or further; all others are as they
+  /// were found. One mark per row, not 0 where it is marked.
+  const std::vector<NearPair>& find_anew(std::span<const std::uint8_t> marks, const Float4Array& positions,
+                                         const Float4Array& moves, std::span<const float> radii,
+                                         ParallelKernels& kernels);
 
  private:
   struct Hierarchies {
@@ -34,17 +42,27 @@ class NearPairs {
     const BoxHierarchy& b;
   };
 
-  static Hierarchies hierarchies_of(const Primitives& primitives, std::span<const Vec3> positions);
+  static Hierarchies hierarchies_of(const Primitives& primitives, std::span<const Vec3> positions,
+                                    std::size_t least_height);
+  static void fit(const MovingRows& rows, ParallelKernels& kernels, Hierarchies& hierarchies);
+  MovingRows moving_rows(const Float4Array& positions, const Float4Array& moves,
+                         std::span<const float> radii);
+  template <typename Keep>
+  void find_some_between(const Trees& trees, const MovingRows& rows, const Keep& keep,
+                         ParallelKernels& kernels);
   void find_between(const Trees& trees, const MovingRows& rows, ParallelKernels& kernels);
   void find_blocks(const Trees& trees, const ContactKernels& kernels);
   template <typename Take>
   void for_found(const Trees& trees, std::size_t level, std::size_t begin, std::size_t end,
                  const ContactKernels& kernels, const Take& take) const;
 
+  ContactMesh mesh_;
   bool within_cloth_;
+  std::size_t height_;  ///< of all trees
   Hierarchies cloth_;
   Hierarchies bodies_;
-  Float4Array ways_;                            ///< see MovingRows
+  Float4 together_;   ///< what all rows move alike, which does not bring them nearer and makes boxes larger
+  Float4Array ways_;  ///< see MovingRows
   std::array<Lanes<std::uint32_t>, 2> blocks_;  ///< pairs of blocks of one level
   std::array<Lanes<std::uint32_t>, 2> next_blocks_;
   std::vector<std::vector<NearPair>> parts_;  ///< of what is found, by where a thread began

@@ -38,6 +38,12 @@ struct RowRange {
   std::size_t end;
 };
 
+/// A row that had gone out of its ball, and how far, in m.
+struct HeldBack {
+  Index row;
+  glm::vec3 out;
+};
+
 /// For every row a convex region that moves from the time 0 to the time 1. What stays within its regions
 /// crosses nothing, on straight ways between any two times.
 ///
@@ -65,10 +71,10 @@ class Regions {
                Float4Array& current) const;
 
   /// Brings rows back into their regions at a time from 0 to 1. `since` are their displacements at the time
-  /// 0, `previous` a time step ago, which are changed so that nothing rebounds. Appends the rows that had
-  /// gone out of their balls to `held_back`.
+  /// 0, `previous` a time step ago, which are changed so that nothing rebounds. Appends to `held_back` what
+  /// had gone out of their balls.
   void bring_back(const RowRange& range, float time, float step, const Float4Array& since,
-                  Float4Array& previous, Float4Array& current, std::vector<Index>& held_back) const;
+                  Float4Array& previous, Float4Array& current, std::vector<HeldBack>& held_back) const;
 
   /// The same at the time 1 without friction. Returns how many rows had gone out of their balls.
   std::size_t bring_back(const RowRange& range, const Float4Array& since, Float4Array& current) const;
@@ -137,8 +143,8 @@ class Regions {
   template <typename Slide>
   glm::vec3 projected(Index row, float time, const glm::vec3& start, const Slide& slide) const;
   template <typename Slide>
-  bool bring_row_back(Index row, float time, const glm::vec3& since, const Slide& slide,
-                      Float4& current) const;
+  std::optional<glm::vec3> bring_row_back(Index row, float time, const glm::vec3& since, const Slide& slide,
+                                          Float4& current) const;
 
   std::vector<Pair> pairs_;
   bool is_blocked_ = false;

@@ -67,29 +67,32 @@ glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const 
   return aim + std::clamp(s, 0.0F, 1.0F) * out;
 }
 
-// Returns whether the row had gone out of its ball.
+// Returns how far the row had gone out of its ball, if it had.
 template <typename Slide>
-bool Regions::bring_row_back(Index row, float time, const glm::vec3& since, const Slide& slide,
-                             Float4& current) const {
+std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const glm::vec3& since,
+                                                 const Slide& slide, Float4& current) const {
   const glm::vec3 aim = time * vec(moves_[row]);
   const glm::vec3 before = vec(current) - since;
   if (glm::dot(before - aim, before - aim) <= free_[row] * free_[row]) {
-    return false;
+    return std::nullopt;
   }
   glm::vec3 e = moved_less(row, time, aim, projected(row, time, before, slide));
   const glm::vec3 centre = time * vec(expected_[row]);
-  const bool is_far = glm::dot(e - centre, e - centre) > radii_[row] * radii_[row];
-  if (is_far) {
-    e = end_within_ball(centre, radii_[row], aim, e);
+  std::optional<glm::vec3> out;
+  if (glm::dot(e - centre, e - centre) > radii_[row] * radii_[row]) {
+    const glm::vec3 within = end_within_ball(centre, radii_[row], aim, e);
+    out = e - within;
+    e = within;
   }
   if (e != before) {
     current = {since.x + e.x, since.y + e.y, since.z + e.z, 0.0F};
   }
-  return is_far;
+  return out;
 }
 
 void Regions::bring_back(const RowRange& range, float time, float step, const Float4Array& since,
-                         Float4Array& previous, Float4Array& current, std::vector<Index>& held_back) const {
+                         Float4Array& previous, Float4Array& current,
+                         std::vector<HeldBack>& held_back) const {
   for (auto row = static_cast<Index>(range.begin); row < range.end; ++row) {
     const glm::vec3 origin = vec(since[row]);
     const auto slide = [&](const HalfSpace& half_space, float, glm::vec3& e) {
@@ -97,8 +100,8 @@ void Regions::bring_back(const RowRange& range, float time, float step, const Fl
           glm::dot(e - (vec(previous[row]) - origin), half_space.normal) - step * half_space.rate;
       add(previous[row], std::max(away, 0.0F) * half_space.normal);
     };
-    if (bring_row_back(row, time, origin, slide, current[row])) {
-      held_back.push_back(row);
+    if (const std::optional<glm::vec3> out = bring_row_back(row, time, origin, slide, current[row])) {
+      held_back.push_back({row, *out});
     }
   }
 }

@@ -1,0 +1,168 @@
+#include "sim/solvers/bounded/contact/lasting_pairs.hpp"
+
+#include <algorithm>
+
+namespace taut::sim::bounded {
+namespace {
+
+/// In a list's time rows may move so much more than asked for, in m, and by this part of their ways in it.
+/// More makes the list longer and lets it last longer.
+constexpr float more_m = 1e-3F;
+constexpr float more_per_way = 0.1F;
+/// Those that did not keep to that may go off so far again, but not further than this, in m.
+constexpr float most_off_m = 5e-3F;
+/// A list is made anew rather than renewed when more than this part of the rows has to be looked at.
+constexpr double most_renewed = 0.1;
+
+/// A list is made to last where no more than this part of the rows is fast.
+constexpr double fast_part = 0.02;
+
+enum Mark : std::uint8_t { as_expected, renewed, unexpected };
+
+float length_between(const Float4& a, const Float4& b) {
+  return length_of(scaled_sum(a, b, -1.0F));
+}
+
+}  // namespace
+
+bool LastingPairs::is_list_for(const ExpectedRows& rows) const {
+  constexpr double rounding_s = 1e-9;
+  return begin_.size() == rows.radii.size() && rows.time.from_s >= time_.from_s &&
+         rows.time.to_s <= time_.to_s + rounding_s;
+}
+
+// At which part of the list's time; if that is a moment, `at_once`.
+float LastingPairs::part_at(double time_s, float at_once) const {
+  const double lasts_s = time_.to_s - time_.from_s;
+  return lasts_s > 0.0 ? static_cast<float>((time_s - time_.from_s) / lasts_s) : at_once;
+}
+
+void LastingPairs::sort_by_kind(std::span<const NearPair> pairs) {
+  for (List& list : lists_) {
+    for (Lanes<std::uint32_t>& at : list) {
+      at.clear();
+    }
+  }
+  for (const NearPair& pair : pairs) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      lists_[pair.first_count - 1][k].push_back(4 * pair.rows[k]);
+    }
+  }
+}
+
+void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float slow_m,
+                             ParallelKernels& kernels) {
+  const double lasts_s = rows.time.to_s - rows.time.from_s;
+  const auto longer = static_cast<float>(lasts_s > 0.0 ? (until_s - rows.time.from_s) / lasts_s : 0.0);
+  const auto is_fast = [&](const Float4& move) { return !(longer * length_of(move) < slow_m); };
+  begin_ = rows.positions;
+  ways_ = rows.moves;
+  reaches_.assign(rows.radii.begin(), rows.radii.end());
+  marks_.assign(rows.radii.size(), as_expected);
+  time_ = rows.time;
+  const auto fast = static_cast<double>(std::count_if(rows.moves.begin(), rows.moves.end(), is_fast));
+  lasts_ = longer > 1.0F && fast < fast_part * static_cast<double>(rows.moves.size());
+  if (lasts_) {
+    time_.to_s = until_s;
+    for (std::size_t row = 0; row < reaches_.size(); ++row) {
+      ways_[row] = times(ways_[row], longer);
+      reaches_[row] += more_m + more_per_way * length_of(ways_[row]);
+    }
+  }
+  found_ = near_.find(begin_, ways_, reaches_, kernels);
+}
+
+// Where a row is at the beginning and at the end of the time, and so at any time between, it has to be within
+// what the list was made for.
+LastingPairs::Marked LastingPairs::mark_unexpected(const ExpectedRows& rows) {
+  const float from = part_at(rows.time.from_s, 0.0F);
+  const float to = part_at(rows.time.to_s, 1.0F);
+  Marked marked = {0, 0};
+  for (std::size_t row = 0; row < reaches_.size(); ++row) {
+    const float room = reaches_[row] - rows.radii[row];
+    const Float4 off = scaled_sum(rows.positions[row], begin_[row], -1.0F);
+    const float before = length_between(off, times(ways_[row], from));
+    const float after = length_between(scaled_sum(off, rows.moves[row], 1.0F), times(ways_[row], to));
+    // Also where one of them is not a number.
+    if (!(before <= room && after <= room)) {
+      marks_[row] = unexpected;
+      ++marked.unexpected;
+    }
+    marked.all += marks_[row] != as_expected ? 1 : 0;
+  }
+  return marked;
+}
+
+void LastingPairs::renew_marked(const ExpectedRows& rows, ParallelKernels& kernels) {
+  const double lasts_s = rows.time.to_s - rows.time.from_s;
+  const auto longer = static_cast<float>(lasts_s > 0.0 ? (time_.to_s - time_.from_s) / lasts_s : 0.0);
+  const float from = part_at(rows.time.from_s, 0.0F);
+  for (std::size_t row = 0; row < reaches_.size(); ++row) {
+    if (marks_[row] != unexpected) {
+      continue;
+    }
+    marks_[row] = renewed;
+    if (!lasts_) {
+      reaches_[row] = rows.radii[row];
+      continue;
+    }
+    const Float4 expected = scaled_sum(begin_[row], ways_[row], from);
+    const float off = std::min(length_between(rows.positions[row], expected), most_off_m);
+    if (lasts_s > 0.0) {
+      ways_[row] = times(rows.moves[row], longer);
+    }
+    begin_[row] = scaled_sum(rows.positions[row], ways_[row], -from);
+    reaches_[row] = rows.radii[row] + off + more_m + more_per_way * length_of(ways_[row]);
+    if (!(lasts_s > 0.0)) {
+      reaches_[row] += length_of(rows.moves[row]);
+    }
+  }
+  found_ = near_.find_anew(marks_, begin_, ways_, reaches_, kernels);
+}
+
+void LastingPairs::keep_near(const MovingRows& rows, Index first_count, const ContactKernels& kernels) {
+  const List& list = lists_[first_count - 1];
+  PairLists at{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    kept_[k] = list[k];
+    kept_[k].resize(list[k].size() + list_padding);
+    at[k] = kept_[k].data();
+  }
+  const auto keep = first_count == 1 ? kernels.near_vertex_triangle : kernels.near_edges;
+  const std::size_t count = keep(rows, list[0].size(), at);
+  for (std::size_t i = 0; i < count; ++i) {
+    pairs_.push_back({{at[0][i] / 4, at[1][i] / 4, at[2][i] / 4, at[3][i] / 4}, first_count});
+  }
+}
+
+std::span<const NearPair> LastingPairs::find(const ExpectedRows& rows, double until_s, float slow_m,
+                                             ParallelKernels& kernels) {
+  bool is_new = true;
+  if (!is_list_for(rows)) {
+    make_list(rows, until_s, slow_m, kernels);
+  } else if (const Marked marked = mark_unexpected(rows);
+             static_cast<double>(marked.all) > most_renewed * static_cast<double>(reaches_.size())) {
+    make_list(rows, until_s, slow_m, kernels);
+  } else if (marked.unexpected > 0) {
+    renew_marked(rows, kernels);
+  } else {
+    is_new = false;
+  }
+  if (!lasts_) {
+    return found_;
+  }
+  if (is_new) {
+    sort_by_kind(found_);
+  }
+  moving_ = rows.moves;
+  for (std::size_t row = 0; row < rows.radii.size(); ++row) {
+    moving_[row].unused = rows.radii[row];
+  }
+  const MovingRows moving = {rows.positions.data(), moving_.data()};
+  pairs_.clear();
+  keep_near(moving, 1, kernels.contact());
+  keep_near(moving, 2, kernels.contact());
+  return pairs_;
+}
+
+}  // namespace taut::sim::bounded

@@ -13,7 +13,7 @@ from program import Program, judged, settings
 # Without its wind a scene of the wind is that of gravity. BARE: the garment's file itself, hung as any model is.
 BARE = "the bare file"
 SCENES = ("tshirt", "tshirt-gravity", BARE)
-SECONDS = 9
+SECONDS = 8
 AREAL_DENSITY_KG_PER_M2 = 0.15
 # Of the number; what is nearly at rest has few digits.
 ROUNDING = 1e-6

@@ -160,11 +160,11 @@ TEST(SceneFile, LeavesOutWhatIsLeftToTheProgram) {
 
 TEST(SceneFile, SaysWhetherThereIsContact) {
   const TemporaryFolder folder;
-  EXPECT_FALSE(read_scene_file(folder.write("scene.toml", grid)).simulation.solver.bounded.contact);
-  const std::string with = std::string(grid) + "[solver]\ncontact = true\n";
-  const DrawnScene scene = read_scene_file(folder.write("scene.toml", with));
-  EXPECT_TRUE(scene.simulation.solver.bounded.contact);
-  EXPECT_CONTAINS(scene_text(scene), "contact = true");
+  EXPECT_TRUE(read_scene_file(folder.write("scene.toml", grid)).simulation.solver.bounded.contact);
+  const std::string without = std::string(grid) + "[solver]\ncontact = false\n";
+  const DrawnScene scene = read_scene_file(folder.write("scene.toml", without));
+  EXPECT_FALSE(scene.simulation.solver.bounded.contact);
+  EXPECT_CONTAINS(scene_text(scene), "contact = false");
   EXPECT_CONTAINS(file_error(folder, std::string(grid) + "[solver]\ncontact = 1\n"),
                   "solver.contact: found 1, expected true or false");
 }

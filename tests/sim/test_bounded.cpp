@@ -162,6 +162,8 @@ TEST_P(Bounded, ReportsTheCompressionStiffnessItsStepsFollow) {
   const Garment garment = make_garment(irregular_sheet(17, 1.0));
   const auto compression_with = [&](double stiffness_n_per_m, int substeps) {
     SimulationSettings settings = bounded_by(0.01, GetParam());
+    std::get<BoundedSettings>(settings.solver.method).contact =
+        false;  // which keeps folds from being pressed flat
     settings.solver.substeps = substeps;
     const Material material = {.compression_stiffness_n_per_m = stiffness_n_per_m};
     Simulation simulation(share(with_material(garment, material)), {0, 16}, settings, {});
@@ -318,7 +320,8 @@ TEST_P(Bounded, ComesToRestAndFallsAsleep) {
       slow_since_s = simulation.state().time_s;
     }
   }
-  EXPECT_LT(slow_since_s, 8.0);
+  // Triangles of which only the edges are held fold over each other, and the folds are kept apart.
+  EXPECT_LT(slow_since_s, GetParam() == BoundKind::surface ? 8.0 : 9.0);
   EXPECT_TRUE(simulation.state().asleep);
 }
 

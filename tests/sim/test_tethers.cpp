@@ -89,7 +89,7 @@ void expect_fewer_steps(BoundKind bound) {
   int steps[2] = {0, 0};
   for (const bool tethered : {false, true}) {
     SimulationSettings settings;
-    settings.solver.method = BoundedSettings{.bound = bound, .tethers = tethered};
+    settings.solver.method = BoundedSettings{.bound = bound, .contact = false, .tethers = tethered};
     Simulation simulation(share(garment), top_row(count), settings, {});
     for (int frame = 0; frame < 60; ++frame) {
       simulation.advance_frame();

@@ -47,8 +47,8 @@ TEST(Window, ContactIsASwitchOfBoundedAlone) {
   EXPECT_FALSE(hint_for("solver.contact").empty());
   person.click("solver.contact");
   const auto& method = person.viewer.state().newest->settings.solver.method;
-  EXPECT_TRUE(std::get<sim::BoundedSettings>(method).contact) << "while it runs";
-  EXPECT_CONTAINS(scene_text(kept_scene(person.viewer.state(), {640, 480})), "contact = true");
+  EXPECT_FALSE(std::get<sim::BoundedSettings>(method).contact) << "while it runs";
+  EXPECT_CONTAINS(scene_text(kept_scene(person.viewer.state(), {640, 480})), "contact = false");
 }
 
 // A moment of the past as the bound of now leaves it.

@@ -8,10 +8,13 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// How far rows may deviate from where they are expected, in m, and this part of the way there. More finds
-/// more pairs; less makes regions last less long. Corrections of a frame are known less well.
+/// How far rows may deviate from where they are expected: in m, or in parts of the mean edge where that is
+/// less, and this part of the way there. More finds more pairs, and where these are neighbours in the cloth
+/// their planes hold it stiff; less makes regions last less long. Corrections of a frame are known less well.
 constexpr float room_m = 7e-4F;
+constexpr float room_per_edge = 0.04F;
 constexpr float correction_room_m = 5e-4F;
+constexpr float correction_room_per_edge = 0.03F;
 constexpr float room_per_move = 0.25F;
 constexpr float most_room_m = 5e-3F;
 /// A correction that goes on may go this many times as far as it came.
@@ -88,14 +91,18 @@ void Contacts::begin_frame(const Garment& garment, const Layout& layout, const S
   }
 }
 
+// A triangle without a surface has nothing to cross, and faces any way.
 void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies) {
   std::vector<Vec3> positions_m(layout.row_count(), Vec3(0.0));
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     positions_m[row] = garment.mesh.positions[layout.vertex_of_row[row]];
   }
   triangles_.clear();
-  for (const auto& [a, b, c] : garment.mesh.triangles) {
-    triangles_.push_back({layout.row_of_vertex[a], layout.row_of_vertex[b], layout.row_of_vertex[c]});
+  for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = garment.mesh.triangles[t];
+    if (!within_cloth_ || garment.triangles_at_rest[t].has_surface()) {
+      triangles_.push_back({layout.row_of_vertex[a], layout.row_of_vertex[b], layout.row_of_vertex[c]});
+    }
   }
   add_loose_vertices(layout);
   measure_edges(garment.mesh);
@@ -135,6 +142,9 @@ void Contacts::measure_edges(const Mesh& mesh) {
     }
   }
   mean_edge_m_ = sum_m / static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1));
+  const auto mean_edge_m = static_cast<float>(mean_edge_m_);
+  room_m_ = std::min(room_m, room_per_edge * mean_edge_m);
+  correction_room_m_ = std::min(correction_room_m, correction_room_per_edge * mean_edge_m);
 }
 
 void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts) {
@@ -196,8 +206,8 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
     add_scaled(move, memory_.accelerations[row], 0.5F * lasts_s * (lasts_s + before_s));
     // What presses layers together; most of it is undone by the cloth itself.
     const Float4 pressed = times(accelerations[row], 0.5F * lasts_s * lasts_s);
-    move = scaled_sum(move, no_longer_than(room_m, pressed), 1.0F);
-    rows_.radii[row] = std::min(room_m + room_per_move * length_of(move), most_room_m);
+    move = scaled_sum(move, no_longer_than(room_m_, pressed), 1.0F);
+    rows_.radii[row] = std::min(room_m_ + room_per_move * length_of(move), most_room_m);
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
@@ -210,7 +220,7 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
   begin_rows(layout, motion, displacements);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     rows_.moves[row] = expected[row];
-    rows_.radii[row] = correction_room_m + room_per_move * length_of(expected[row]);
+    rows_.radii[row] = correction_room_m_ + room_per_move * length_of(expected[row]);
   }
   find_regions(garment, layout, motion, {time_s, time_s}, kernels);
 }
@@ -220,7 +230,7 @@ void Contacts::renew_regions(const Garment& garment, const Layout& layout, const
                              ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    rows_.radii[row] = std::clamp(further * length_of(moved[row]), correction_room_m, most_room_m);
+    rows_.radii[row] = std::clamp(further * length_of(moved[row]), correction_room_m_, most_room_m);
   }
   find_regions(garment, layout, motion, {time_s, time_s}, kernels);
 }

@@ -93,6 +93,8 @@ class Contacts {
   Float4Array rest_;                 ///< its positions at rest, by row, in m
   double mean_edge_m_ = 0.0;
   float longest_edge_m_ = 0.0F;
+  float room_m_ = 0.0F;             ///< how far rows may deviate from where they are expected
+  float correction_room_m_ = 0.0F;  ///< and in the correction of a frame
   BodyContacts bodies_;
   std::optional<LastingPairs> near_;
   Crossings left_out_;

@@ -84,7 +84,8 @@ void add_scene_arguments(CLI::App& command, Options& options, const std::string&
   command.add_flag(
       "--verify", options.verify,
       "check every frame, the start included, by a way of its own: no triangle crosses another or a "
-      "body, nothing is longer than the bound; else end with exit code 3");
+      "body, but for what does so since the start until it is apart, and nothing is longer than the bound; "
+      "else end with exit code 3");
 }
 
 void add_backend(CLI::App& command, std::string& backend) {
@@ -283,7 +284,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
   app.require_subcommand(1);
   app.footer(
       "taut help COMMAND says more. Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a promised bound was "
-      "exceeded, a frame did not keep what --verify checks or the run diverged, 75 stopped, but saved: it "
+      "exceeded, a frame could not be made without a crossing, a frame did not keep what --verify checks or "
+      "the run diverged, 75 stopped, but saved: it "
       "can be resumed.");
   const std::vector<std::function<Command()>> commands = {
       add_figures(app), add_render(app), add_simulate(app),     add_view(app), add_inspect(app),

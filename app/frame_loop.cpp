@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/frame_pipeline.hpp"
@@ -14,11 +13,19 @@ bool is_drawn(int frame, const FrameOutputs& outputs) {
   return std::binary_search(outputs.pictures.begin(), outputs.pictures.end(), frame);
 }
 
+void advance(sim::Simulation& simulation, int frame) {
+  try {
+    simulation.advance_frame();
+  } catch (const sim::ContactBlocked& error) {
+    throw FrameBlocked(frame, error);
+  }
+}
+
 FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOutputs& outputs) {
   FrameInWork work;
   const ProcessorStopwatch simulating;
   if (frame > outputs.start_frame) {
-    simulation.advance_frame();
+    advance(simulation, frame);
   }
   const double sim_ms = simulating.elapsed_ms();
   work.record = measure_frame(simulation, frame);
@@ -68,6 +75,11 @@ void write_frame(FrameInWork& work, const FrameOutputs& outputs) {
 }
 
 }  // namespace
+
+FrameBlocked::FrameBlocked(int blocked_frame, const sim::ContactBlocked& error)
+    : PromiseBroken("frame " + std::to_string(blocked_frame) + ": " + error.what()),
+      frame(blocked_frame),
+      blocked(error.blocked()) {}
 
 std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
                                     const FrameOutputs& outputs) {

@@ -5,11 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "app/base/errors.hpp"
 #include "app/output/frame_record.hpp"
 #include "renderer/page/image.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {
+
+/// A frame could not be made without a crossing (sim::ContactBlocked). The simulation is where it was before.
+struct FrameBlocked : PromiseBroken {
+  FrameBlocked(int blocked_frame, const sim::ContactBlocked& error);
+
+  int frame;
+  sim::BlockedContact blocked;
+};
 
 /// What happens with the frames of a run. Every member may be left empty.
 struct FrameOutputs {
@@ -33,9 +42,9 @@ struct FrameOutputs {
 /// Simulates the frames after the start frame up to `last_frame`; frame n is the cloth n / frame rate seconds
 /// after the clock started, frame 0 the cloth as it was modelled. Returns what was
 /// measured of these, and of the start frame where that is drawn or asked for. Throws sim::Diverged,
-/// PromiseBroken after the report of a frame that was not verified, Interrupted and what the outputs throw;
-/// the pictures written before are complete. Without overlap, an interrupted run has handed out every frame
-/// that it has simulated.
+/// FrameBlocked, PromiseBroken after the report of a frame that was not verified, Interrupted and what the
+/// outputs throw; the pictures written before are complete. Without overlap, an interrupted run has handed
+/// out every frame that it has simulated.
 std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame, const FrameOutputs& outputs);
 
 }  // namespace taut::app

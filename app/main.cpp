@@ -39,6 +39,8 @@ int main(int argument_count, char** arguments) {
     return report(error, exit_wrong_usage);
   } catch (const taut::sim::Diverged& error) {
     return report(error, exit_promise_broken);
+  } catch (const taut::sim::ContactBlocked& error) {
+    return report(error, exit_promise_broken);
   } catch (const PromiseBroken& error) {
     return report(error, exit_promise_broken);
   } catch (const std::exception& error) {

@@ -79,12 +79,15 @@ void Simulation::begin_in(std::vector<Vec3> start_m) {
 }
 
 void Simulation::advance_frame() {
-  before_m_ = state_.current;
+  std::vector<Vec3> before_m = state_.current;
+  if (!state_.asleep) {
+    report_ = solver_->advance_frame(*garment_, pins_, surroundings_, frame_time_s(), state_);
+  }
+  before_m_ = std::move(before_m);
   if (state_.asleep) {
     state_.time_s += frame_time_s();
     return;
   }
-  report_ = solver_->advance_frame(*garment_, pins_, surroundings_, frame_time_s(), state_);
   const std::size_t lost = first_lost(state_.current);
   if (lost < state_.current.size()) {
     throw Diverged(static_cast<Index>(lost), state_.time_s);
@@ -116,6 +119,7 @@ Checkpoint Simulation::save() const {
     saved.quiet_since_m = quiet_since_m_;
   }
   saved.report = report_;
+  saved.report.blocked.reset();
   saved.solver = name_of(kind_of(settings_.solver.method));
   saved.solver_memory = memory.bytes();
   return saved;

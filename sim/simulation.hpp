@@ -55,7 +55,7 @@ class Simulation {
              std::optional<std::vector<Vec3>> start_m = {});
 
   /// Moves on by 1 / frame rate. A garment at rest is left as it is (the paper's Step 2: where no force
-  /// results, go straight to rendering). Throws Diverged.
+  /// results, go straight to rendering). Throws Diverged, and ContactBlocked with the cloth as it was.
   void advance_frame();
 
   /// Each wakes the garment if it changes anything. Each throws as the constructor does.

@@ -7,8 +7,8 @@ namespace taut::app {
 /// Exit codes of the program. A scheduler can decide by them what to run again. 0 means done.
 inline constexpr int exit_bad_input = 1;
 inline constexpr int exit_wrong_usage = 2;
-/// A frame exceeds the bound its solver promised, a frame that was to be verified does not keep a promise, or
-/// a run diverged.
+/// A frame exceeds the bound its solver promised or cannot be made without a crossing, a frame that was to be
+/// verified does not keep a promise, or a run diverged.
 inline constexpr int exit_promise_broken = 3;
 
 /// The run was stopped and can be resumed (EX_TEMPFAIL of sysexits.h).

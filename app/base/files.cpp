@@ -111,6 +111,16 @@ void prepare_folder_of(const fs::path& file) {
   ::unlink(probe.c_str());
 }
 
+fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
+  std::error_code error;
+  for (int n = 1;; ++n) {
+    fs::path path = folder / (stem + '-' + std::to_string(n) + extension);
+    if (!fs::exists(path, error)) {
+      return path;
+    }
+  }
+}
+
 void write_text_file(const fs::path& path, const std::string& text) {
   write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }

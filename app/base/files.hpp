@@ -19,6 +19,10 @@ void require_file(const std::filesystem::path& path);
 /// reason.
 void prepare_folder_of(const std::filesystem::path& file);
 
+/// `folder`/STEM-N.EXTENSION, with the smallest N from 1 that is not taken.
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
+                                const std::string& extension);
+
 /// Writes to a temporary name in the same folder, then renames it. So `path` is never half written: it is
 /// absent, as it was before, or complete. Throws InputError that names the path and the system's reason; the
 /// temporary file is removed.

@@ -11,6 +11,7 @@
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/base/version.hpp"
+#include "app/commands/blocked_run.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/garment_painter.hpp"
@@ -198,9 +199,18 @@ std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation,
                               100.0 * record.surface_stretch.max));
   };
   if (verifier != nullptr) {
+    const std::string crossings = verifier->begin(simulation);
+    if (!job.scene.checkpoint.empty() && !crossings.empty()) {
+      fmt::print("{}: at the start {}\n", job.scene.name, crossings);
+    }
     outputs.verify = [&](const auto& moment, FrameRecord& record) { return verifier->check(moment, record); };
   }
-  return run_frames(simulation, job.frames.back(), outputs);
+  try {
+    return run_frames(simulation, job.frames.back(), outputs);
+  } catch (const FrameBlocked& error) {
+    progress.hide();
+    end_blocked(error, job.scene, simulation, job.output, offscreen);
+  }
 }
 
 }  // namespace

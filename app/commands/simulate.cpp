@@ -9,6 +9,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
+#include "app/commands/blocked_run.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/frame_loop.hpp"
@@ -104,10 +105,21 @@ sim::Simulation prepare(const DrawnScene& scene, Progress& progress, std::FILE* 
   return make_simulation(scene, loaded);
 }
 
+/// What crosses in the checkpoint that a scene begins with. Of other starts it was said as a remark.
+void say_start(const SimulateOptions& options, const DrawnScene& scene, const std::string& crossings) {
+  if (is_told(options) && !scene.checkpoint.empty() && !crossings.empty()) {
+    fmt::print("{}: at the start {}\n", scene.name, crossings);
+  }
+}
+
 /// The run as it begins or goes on; puts the simulation there.
-RunCheckpoint begin(const SimulateOptions& options, const DrawnScene& scene, sim::Simulation& simulation) {
+RunCheckpoint begin(const SimulateOptions& options, const DrawnScene& scene, FrameVerifier& verifier,
+                    sim::Simulation& simulation) {
   RunCheckpoint run;
   if (!options.resume.empty()) {
+    if (options.verify) {
+      verifier.begin(simulation);  // where the run began, which is not where it goes on
+    }
     run = read_run_checkpoint(options.resume);
     require_same_scene(options.resume, run, scene.name, scene_text(scene));
     restore(options.resume, run, simulation);
@@ -115,6 +127,9 @@ RunCheckpoint begin(const SimulateOptions& options, const DrawnScene& scene, sim
     run.scene_name = scene.name;
     run.scene = scene_text(scene);
     run.frame = go_to_start(scene, simulation);
+    if (options.verify) {
+      say_start(options, scene, verifier.begin(simulation));
+    }
   }
   return run;
 }
@@ -222,7 +237,8 @@ int run(const SimulateOptions& options) {
                                        options.quiet  ? nullptr
                                        : options.json ? stderr
                                                       : stdout);
-  RunCheckpoint begun = begin(options, scene, simulation);
+  FrameVerifier verifier;
+  RunCheckpoint begun = begin(options, scene, verifier, simulation);
   require_begun(begun.frame, range.last);
   outputs.start_frame = begun.frame;
   outputs.with_start = options.resume.empty() && range.first <= begun.frame;
@@ -234,7 +250,6 @@ int run(const SimulateOptions& options) {
   }
   Running running{options, simulation, progress, FrameLines(range), std::move(begun), std::move(statistics)};
   outputs.report = [&](const FrameRecord& record) { running.report(record); };
-  FrameVerifier verifier;
   if (options.verify) {
     outputs.verify = [&](const auto& moment, FrameRecord& record) { return verifier.check(moment, record); };
   }
@@ -245,6 +260,9 @@ int run(const SimulateOptions& options) {
       throw;
     }
     return running.stop();
+  } catch (const FrameBlocked& error) {
+    progress.hide();
+    end_blocked(error, scene, simulation, options.shapes);
   }
   progress.hide();
   running.save();

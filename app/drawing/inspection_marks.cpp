@@ -6,6 +6,7 @@
 #include <array>
 #include <tuple>
 
+#include "app/drawing/drawing.hpp"
 #include "app/drawing/spring_colours.hpp"
 #include "sim/mesh/topology.hpp"
 
@@ -15,7 +16,6 @@ namespace {
 const renderer::Colour border_colour = renderer::rgb(0x1C1C1C);
 const renderer::Colour non_manifold_colour = renderer::rgb(0xD00000);
 const renderer::Colour misoriented_colour = renderer::rgb(0x7B2CBF);
-const renderer::Colour crossing_colour = renderer::rgb(0x00B140);
 const renderer::Colour joined_colour = renderer::rgb(0xFFD000);
 
 // Fraction of vertices. If more were welded, they are not marked: in a model without shared vertices all
@@ -100,6 +100,28 @@ InspectionMarks crossing_triangles(const LoadedGarment& loaded, std::span<const 
 }
 
 }  // namespace
+
+void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& frame) {
+  for (const InspectionMarks& marks : all) {
+    if (marks.dots) {
+      // Outlined, they stand out from springs of any colour.
+      frame.points.push_back({.centres = marks.points,
+                              .colours = std::span(&palette::ink, 1),
+                              .diameter_px = marks.width_px + 2.0F * mark_outline_px,
+                              .hidden_by_surfaces = !marks.seen_through});
+      frame.points.push_back({.centres = marks.points,
+                              .colours = std::span(&marks.colour, 1),
+                              .diameter_px = marks.width_px,
+                              .hidden_by_surfaces = !marks.seen_through});
+    } else {
+      frame.lines.push_back({.points = marks.points,
+                             .colours = std::span(&marks.colour, 1),
+                             .width_px = marks.width_px,
+                             .opacity = marks.opacity,
+                             .hidden_by_surfaces = !marks.seen_through});
+    }
+  }
+}
 
 std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded,
                                               std::span<const CrossingPair> crossings,

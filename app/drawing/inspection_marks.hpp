@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/models/garment_loading.hpp"
+#include "renderer/frame_view.hpp"
 #include "renderer/page/colour.hpp"
 
 namespace taut::app {
@@ -20,6 +21,14 @@ struct InspectionMarks {
   bool seen_through = false;           ///< drawn over surfaces that would hide it
   std::vector<glm::vec3> points = {};  ///< in metres
 };
+
+/// Of triangles that cross.
+inline const renderer::Colour crossing_colour = renderer::rgb(0x00B140);
+/// The width of the dark outline that dots have.
+inline constexpr float mark_outline_px = 2.0F;
+
+/// Adds what is marked to a picture. It refers to `all`, which has to last until it is drawn.
+void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& frame);
 
 /// Sizes of marks.
 struct MarkWidths {

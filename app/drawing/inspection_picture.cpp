@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <span>
 
 #include "app/base/counted.hpp"
 #include "app/drawing/drawing.hpp"
@@ -25,7 +24,6 @@ constexpr float header_px = 175.0F;
 constexpr float text_px = 26.0F;
 constexpr float row_px = 1.7F * text_px;
 constexpr auto panel_px = static_cast<float>(inspection_panel_px);
-constexpr float outline_px = 2.0F;
 constexpr std::size_t legend_columns = 3;
 constexpr float page_px = 2.0F * border_px + 2.0F * panel_px + gap_px;
 
@@ -41,25 +39,7 @@ renderer::Image draw_side(OffscreenRenderer& offscreen, DrawnScene& scene, const
   renderer::FrameView frame = painter.view(loaded.garment->mesh.positions, 0.0);
   frame.backdrop.plain = true;
   frame.backdrop.lower_colour = renderer::rgb(0xFFFFFF);
-  for (const InspectionMarks& marks : all) {
-    if (marks.dots) {
-      // Outlined, they stand out from springs of any colour.
-      frame.points.push_back({.centres = marks.points,
-                              .colours = std::span(&palette::ink, 1),
-                              .diameter_px = marks.width_px + 2.0F * outline_px,
-                              .hidden_by_surfaces = !marks.seen_through});
-      frame.points.push_back({.centres = marks.points,
-                              .colours = std::span(&marks.colour, 1),
-                              .diameter_px = marks.width_px,
-                              .hidden_by_surfaces = !marks.seen_through});
-    } else {
-      frame.lines.push_back({.points = marks.points,
-                             .colours = std::span(&marks.colour, 1),
-                             .width_px = marks.width_px,
-                             .opacity = marks.opacity,
-                             .hidden_by_surfaces = !marks.seen_through});
-    }
-  }
+  add_marks(all, frame);
   return offscreen.renderer().draw(frame, scene.picture.settings);
 }
 
@@ -170,7 +150,8 @@ void draw_legend_rows(renderer::Canvas& canvas, const std::vector<LegendRow>& ro
         break;
       case LegendRow::Sample::dot:
         if (rows[i].outlined) {
-          canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px + outline_px, palette::ink);
+          canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px + mark_outline_px,
+                        palette::ink);
         }
         canvas.circle(x_px + 0.5F * sample_px, y_px, 0.5F * rows[i].width_px, rows[i].colour);
         break;

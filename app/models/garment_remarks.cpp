@@ -3,9 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <utility>
+#include <span>
+#include <variant>
 
 #include "app/base/counted.hpp"
+#include "app/models/scene_crossings.hpp"
+#include "app/verify/solid_bodies.hpp"
 
 namespace taut::app {
 namespace {
@@ -30,6 +33,37 @@ bool has_numbers(const std::optional<std::vector<PinSelector>>& pins) {
   return pins && std::any_of(pins->begin(), pins->end(), is_number);
 }
 
+/// Of pins within a body; empty: none are.
+std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, const Surface& start,
+                           std::span<const sim::Index> pins) {
+  const sim::Shape shape = sim::shape_at(bodies[body], 0.0);
+  std::string first;
+  std::size_t count = 0;
+  for (const sim::Index pin : pins) {
+    const sim::Vec3& place_m = start.positions_m[pin];
+    const double depth_m = -sim::nearest_surface(shape, place_m).distance_m;
+    if (depth_m > most_depth_m && ++count == 1) {
+      first = fmt::format("vertex {}, {:.3g} mm deep at {}", pin, 1e3 * depth_m, describe_place(place_m));
+    }
+  }
+  return count == 0 ? ""
+                    : fmt::format("{} within {}, the first: {}; a body does not push pins out",
+                                  counted(count, "pinned vertex begins", "pinned vertices begin"),
+                                  describe_body(bodies, body), first);
+}
+
+/// Of a mesh that crosses itself; empty: it does not.
+std::string remark_on_body(std::span<const sim::Body> bodies, std::size_t body) {
+  const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[body].shape);
+  if (mesh == nullptr) {
+    return "";
+  }
+  const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], 0.0);
+  const Surface surface = {positions_m, mesh->data->triangles};
+  const std::vector<CrossingPair> pairs = crossing_pairs(surface);
+  return pairs.empty() ? "" : describe_body(bodies, body) + " crosses itself: " + describe(surface, pairs);
+}
+
 }  // namespace
 
 std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
@@ -51,10 +85,21 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   return lines;
 }
 
-std::string remark_on_crossings(const GarmentInScene& loaded) {
+std::vector<std::string> remarks_on_start(const Scene& scene, const GarmentInScene& loaded) {
   const Surface start = surface_at_start(loaded);
-  const std::vector<CrossingPair> pairs = crossing_pairs(start);
-  return pairs.empty() ? "" : "at the start " + describe(start, pairs);
+  const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
+  std::vector<std::string> lines;
+  for (const SceneCrossings& crossings : scene_crossings(start, bodies, 0.0)) {
+    if (!crossings.pairs.empty()) {
+      lines.push_back("at the start " + describe(crossings, start, bodies));
+    }
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    lines.push_back(remark_on_pins(bodies, b, start, loaded.pins));
+    lines.push_back(remark_on_body(bodies, b));
+  }
+  std::erase(lines, "");
+  return lines;
 }
 
 void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* output) {
@@ -63,9 +108,8 @@ void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* o
   if (loaded.file_vertices.are_corners && has_numbers(scene.pins)) {
     lines.push_back("pins.at counts " + loaded.file_vertices.describe());
   }
-  if (std::string crossings = remark_on_crossings(loaded); !crossings.empty()) {
-    lines.push_back(std::move(crossings));
-  }
+  const std::vector<std::string> on_start = remarks_on_start(scene, loaded);
+  lines.insert(lines.end(), on_start.begin(), on_start.end());
   for (const std::string& line : lines) {
     fmt::print(output, "{}: {}\n", file, line);
   }

@@ -36,6 +36,17 @@ void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
       asked, summary.mean_substeps(), followed, remedy);
 }
 
+// Only where the scene accepts them: other runs end at the first.
+void warn_of_crossings(const RunSummary& summary) {
+  if (summary.frames_blocked > 0) {
+    fmt::print(
+        stderr,
+        "taut: warning: in {} of {} pins or bodies closed in so that something may cross, first in frame "
+        "{}\n",
+        summary.frames_blocked, counted(summary.frames, "frame"), summary.first_frame_blocked);
+  }
+}
+
 /// "the surface is stretched by up to 0.23, 0.22 too much".
 std::string describe(const char* what, double largest, double bound) {
   const std::string text = fmt::format("{} stretched by up to {:.4g}", what, largest);
@@ -55,6 +66,7 @@ std::string describe_stretch(const sim::BoundedSettings& bound, const RunSummary
 int judge_bound(const Scene& scene, const RunSummary& summary) {
   std::fflush(stdout);
   warn_of_stiffness(scene, summary);
+  warn_of_crossings(summary);
   if (summary.frames_over_bound == 0) {
     return 0;
   }
@@ -68,7 +80,7 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
              summary.frames_over_bound == 1 ? "exceeds" : "exceed", bounded.max_stretch,
              sim::name_of(bounded.bound), summary.first_frame_over_bound, describe_stretch(bounded, summary),
              scene.simulation.solver.max_substeps,
-             allowed ? "" : "; solver.allow_exceeding = true accepts such frames");
+             allowed ? "" : "; solver.allow_exceeding = \"bound\" accepts such frames");
   return allowed ? 0 : exit_promise_broken;
 }
 

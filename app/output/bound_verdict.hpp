@@ -6,9 +6,9 @@
 namespace taut::app {
 
 /// Prints to standard error how a run differs from what the scene asks for. That is: frames exceeded the
-/// solver's bound, or time steps were too long for the fabric's stiffness against compression. Returns the
-/// exit code of the command: exit_promise_broken if the bound was exceeded and the scene does not allow it,
-/// else 0.
+/// solver's bound, something may have crossed where the scene accepts that, or time steps were too long for
+/// the fabric's stiffness against compression. Returns the exit code of the command: exit_promise_broken if
+/// the bound was exceeded and the scene does not allow it, else 0.
 int judge_bound(const Scene& scene, const RunSummary& summary);
 
 }  // namespace taut::app

@@ -39,6 +39,7 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
     const sim::FrameReport& report = simulation.frame_report();
     record.raw_max_stretch = report.bound_promised ? report.raw_max_stretch : record.stretch.max;
     record.bound_kept = is_bound_kept(simulation, record);
+    record.blocked = report.blocked.has_value();
     record.substeps = report.substeps;
     record.followed_compression_n_per_m = report.followed_compression_n_per_m;
   }
@@ -70,6 +71,10 @@ void RunSummary::add(const FrameRecord& record) {
   if (!record.bound_kept) {
     ++frames_over_bound;
     first_frame_over_bound = first_frame_over_bound < 0 ? record.frame : first_frame_over_bound;
+  }
+  if (record.blocked) {
+    ++frames_blocked;
+    first_frame_blocked = first_frame_blocked < 0 ? record.frame : first_frame_blocked;
   }
   total_substeps += record.substeps;
   followed_compression_n_per_m = std::min(followed_compression_n_per_m, record.followed_compression_n_per_m);

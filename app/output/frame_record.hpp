@@ -17,6 +17,7 @@ struct FrameRecord {
   sim::SurfaceStretch surface_stretch;
   double raw_max_stretch = 0.0;  ///< before the solver's last correction
   bool bound_kept = true;        ///< false: the solver has a bound and exceeded it
+  bool blocked = false;          ///< something may cross, and the scene accepts it
   int substeps = 0;
   double followed_compression_n_per_m =
       std::numeric_limits<double>::infinity();  ///< as sim::FrameReport has it
@@ -66,6 +67,8 @@ struct RunSummary {
   double max_raw_stretch = 0.0;
   int frames_over_bound = 0;
   int first_frame_over_bound = -1;  ///< none: -1
+  int frames_blocked = 0;
+  int first_frame_blocked = -1;  ///< none: -1
   double total_substeps = 0.0;
   double followed_compression_n_per_m =
       std::numeric_limits<double>::infinity();  ///< in the least stiff frame

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "app/models/scene_crossings.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/verify/stretch.hpp"
 
@@ -12,18 +14,30 @@ namespace taut::app {
 std::string describe_excess(const LargestStretch& stretch, const sim::SolverSettings& solver);
 
 /// Holds frames to both promises, by the code of app/verify, which shares nothing with the solvers: no
-/// triangle of the cloth crosses another one or a body, and the solver's bound is kept (describe_excess).
+/// triangle of the cloth crosses another one or a body, whatever the scene allows, and the solver's bound is
+/// kept (describe_excess).
 class FrameVerifier {
  public:
+  /// Call it first, with the simulation at its start. What crosses there is left out, pair by pair, until it
+  /// is apart in a frame that is checked. Returns what that is, for people; empty: nothing.
+  ///
+  /// Of a run that is resumed the start is that of the whole run, before the checkpoint: a pair that crosses
+  /// where the run is resumed counts unless it crossed at that start. That a pair was apart in the meantime
+  /// is not known.
+  std::string begin(const sim::Simulation& simulation);
+
   /// Checks the present shape and counts its crossing pairs in the record: pairs of triangles, and a pair for
-  /// each triangle in a body that is no mesh. Bodies are taken where they are at the record's time. Returns
-  /// what is broken, with frame, time, triangles, vertices and place; empty: nothing.
+  /// each triangle in a body that is no mesh, without those that are left out. Bodies are taken where they
+  /// are at the record's time. Returns what is broken, with frame, time, triangles, vertices and place;
+  /// empty: nothing.
   std::string check(const sim::Simulation& simulation, FrameRecord& record);
 
   /// Returns a line about all frames that were checked, none of which was broken.
   std::string summary() const;
 
  private:
+  std::vector<SceneCrossings> left_out_;
+  std::size_t crossing_at_start_ = 0;
   int frames_ = 0;
   LargestStretch largest_;
 };

@@ -11,7 +11,7 @@ namespace taut::app {
 namespace {
 
 constexpr std::string_view magic = "TAUTRUN\n";
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 
 template <class Summary, class Field>
 void for_each_field(Summary& summary, const Field& field) {
@@ -28,6 +28,8 @@ void for_each_field(Summary& summary, const Field& field) {
   field(summary.max_raw_stretch);
   field(summary.frames_over_bound);
   field(summary.first_frame_over_bound);
+  field(summary.frames_blocked);
+  field(summary.first_frame_blocked);
   field(summary.total_substeps);
   field(summary.followed_compression_n_per_m);
   field(summary.final_rms_speed_m_per_s);

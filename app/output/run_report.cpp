@@ -61,7 +61,9 @@ const FrameColumn frame_columns[] = {
      [](const auto& r) -> Json { return fmt::format("{:016x}", r.state_hash); }},
     {"asleep", "", "at rest: nothing is computed until something changes",
      [](const auto& r) -> Json { return r.asleep; }},
-    {"crossing_pairs", "", "with --verify alone: pairs of triangles that cross, and triangles in a body",
+    {"crossing_pairs", "",
+     "with --verify alone: pairs of triangles that cross, and triangles in a body; not those that do so "
+     "since the start",
      [](const auto& r) -> Json { return r.crossing_pairs.value_or(0); }, true},
 };
 

@@ -6,7 +6,7 @@ namespace taut::app {
 
 std::optional<std::string> beyond_promise(const Scene& scene) {
   constexpr sim::PromiseNames keys = {"solver.max_stretch", "gusts (wind.speed, wind.gust_amplitude)",
-                                      "solver.allow_exceeding = true"};
+                                      "solver.allow_exceeding = \"bound\""};
   const SolverChoice& solver = scene.simulation.solver;
   return solver.kind == sim::SolverKind::bounded
              ? sim::beyond_promise(solver.bounded, scene.surroundings, keys)

@@ -26,6 +26,35 @@ Key<Scene> whole(std::string name, double lowest, double highest, auto access, s
   return whole_key<Scene>(std::move(name), {lowest, highest}, access, std::move(meaning));
 }
 
+/// For which promise a frame that breaks it does not fail the run.
+Key<Scene> allow_key() {
+  auto read = [](const toml::node& value, const Source&, Scene& scene) {
+    const std::optional<bool> both = value.value_exact<bool>();
+    const std::optional<std::string> one = text_in(value);
+    if (!both && one != "bound" && one != "contact") {
+      return false;
+    }
+    sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
+    bounded.allow_exceeding = both.value_or(one == "bound");
+    bounded.allow_crossing = both.value_or(one == "contact");
+    return true;
+  };
+  auto write = [](const Scene& scene) {
+    const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
+    return bounded.allow_exceeding == bounded.allow_crossing
+               ? Json(bounded.allow_exceeding)
+               : Json(bounded.allow_exceeding ? "bound" : "contact");
+  };
+  return {
+      "solver.allow_exceeding",
+      "",
+      "true or false or \"bound\" or \"contact\"",
+      "bounded: a frame does not fail the run whose bound could not be kept (\"bound\"), or in which pins "
+      "or bodies make something cross (\"contact\"); true: neither does",
+      read,
+      write};
+}
+
 void add_garment(SceneKeys& keys) {
   keys.push_back(text_key<Scene>("title", MEMBER(title), "shown by `taut scenes`"));
   keys.push_back(file_key());
@@ -108,9 +137,7 @@ void add_run(SceneKeys& keys) {
                                    "bounded: instructions to use; none changes a result"));
   keys.push_back(whole("solver.threads", 0, sim::most_threads, MEMBER(simulation.solver.bounded.threads),
                        "bounded: none changes a result; 0: more than one above some 20000 triangles"));
-  keys.push_back(switch_key<Scene>("solver.allow_exceeding",
-                                   MEMBER(simulation.solver.bounded.allow_exceeding),
-                                   "bounded: a frame whose bound could not be kept does not fail the run"));
+  keys.push_back(allow_key());
   keys.push_back(number("solver.stiffness.structural", "N/m", not_negative,
                         MEMBER(simulation.solver.ideal.stiffness.structural_n_per_m),
                         "ideal: of mesh edges"));

@@ -53,16 +53,6 @@ sim::Surroundings surroundings_of(const ViewerState& state) {
 
 }  // namespace
 
-fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& extension) {
-  for (int n = 1;; ++n) {
-    fs::path path = folder / fmt::format("{}-{}{}", stem, n, extension);
-    std::error_code error;
-    if (!fs::exists(path, error)) {
-      return path;
-    }
-  }
-}
-
 DrawnScene kept_scene(const ViewerState& state, const ViewArea& area) {
   constexpr int smallest_side_px = 16;
   DrawnScene scene = state.scene;

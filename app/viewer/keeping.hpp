@@ -11,10 +11,6 @@
 
 namespace taut::app {
 
-/// `folder`/STEM-N.EXTENSION, with the smallest N from 1 that is not taken.
-std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
-                                const std::string& extension);
-
 /// The scene as it is set now, for saving: settings, camera and look, with the pins and the frame that are
 /// shown.
 DrawnScene kept_scene(const ViewerState& state, const ViewArea& area);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
+#include "sim/blocked_contact.hpp"
 #include "sim/bytes.hpp"
 #include "sim/garment.hpp"
 #include "sim/pins.hpp"
@@ -21,6 +23,8 @@ struct FrameReport {
   /// `bounded`: about the largest stiffness against compression that time steps of this length answer to:
   /// springs of a fabric that is stiffer push back as if they had this one. Infinite where nothing limits it.
   double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
+  /// `bounded`: what may cross in this frame, where its settings accept that. Not saved.
+  std::optional<BlockedContact> blocked = {};
 
   bool operator==(const FrameReport&) const = default;
 };
@@ -30,7 +34,8 @@ class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Advances `state` by one frame of `frame_time_s`, which must be above 0.
+  /// Advances `state` by one frame of `frame_time_s`, which must be above 0. Throws ContactBlocked where the
+  /// solver keeps things from crossing and cannot; `state` is then as it was.
   virtual FrameReport advance_frame(const Garment& garment, const Pins& pins,
                                     const Surroundings& surroundings, double frame_time_s, State& state) = 0;
 

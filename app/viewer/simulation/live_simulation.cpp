@@ -41,7 +41,7 @@ std::vector<sim::Index> without_side(const sim::Garment& garment, std::span<cons
 
 LiveSimulation::LiveSimulation(const DrawnScene& scene) {
   start(load(scene, 1));
-  tell_of_crossings();
+  tell_of_start();
 }
 
 // Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
@@ -79,12 +79,11 @@ void LiveSimulation::apply(const SimulationCommand& command) {
 void LiveSimulation::perform(const LoadScene& asked) {
   start(load(*asked.scene, loaded_->generation + 1));
   tell("loaded " + asked.scene->name, false);
-  tell_of_crossings();
+  tell_of_start();
 }
 
-void LiveSimulation::tell_of_crossings() {
-  const std::string remark = remark_on_crossings(*loaded_);
-  if (!remark.empty()) {
+void LiveSimulation::tell_of_start() {
+  for (const std::string& remark : remarks_on_start(loaded_->scene, *loaded_)) {
     tell(remark, false);
   }
 }
@@ -205,10 +204,16 @@ void LiveSimulation::advance() {
     record_ = measure_frame(*simulation_, ++frame_);
     record_.sim_ms = sim_ms;
     note_shape();
+  } catch (const sim::ContactBlocked& blocked) {
+    stop("frame " + std::to_string(frame_ + 1) + ": " + blocked.what());
   } catch (const std::exception& error) {
-    stopped_ = true;
-    tell(std::string(error.what()) + "; R or any other setting starts again", true);
+    stop(error.what());
   }
+}
+
+void LiveSimulation::stop(const std::string& reason) {
+  stopped_ = true;
+  tell(reason + "; R or any other setting starts again", true);
 }
 
 SnapshotPtr LiveSimulation::take_snapshot() {

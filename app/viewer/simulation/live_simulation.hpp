@@ -24,7 +24,7 @@ class LiveSimulation {
   double frame_time_s() const { return simulation_->frame_time_s(); }
   std::uint64_t advances() const { return advances_; }
 
-  /// Computes one frame. Does nothing after the simulation has diverged.
+  /// Computes one frame. Does nothing after the simulation has diverged or was blocked.
   void advance();
 
   /// The state of now. Each call returns a serial number larger by 1.
@@ -48,7 +48,8 @@ class LiveSimulation {
   void start(std::shared_ptr<const LoadedScene> loaded);
   void set_pins(std::vector<sim::Index> pins);
   void note_shape();
-  void tell_of_crossings();
+  void tell_of_start();
+  void stop(const std::string& reason);
   void tell(const std::string& text, bool is_error);
   void pull();
 

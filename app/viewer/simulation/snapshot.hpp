@@ -43,7 +43,7 @@ struct Snapshot {
   /// The latest, oldest first; never null. A window that missed a snapshot must not miss what it said.
   std::shared_ptr<const std::vector<Notice>> notices;
   bool paused = false;
-  bool stopped = false;   ///< diverged: nothing moves until a reset
+  bool stopped = false;   ///< diverged or blocked: nothing moves until a reset
   bool pristine = false;  ///< since the start or the last reset no setting changed and nobody pulled
 
   /// What is drawn: in metres, per vertex.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/measures.hpp"
 #include "sim/solvers/bounded/compression.hpp"
 #include "sim/solvers/bounded/projection.hpp"
 #include "sim/solvers/bounded/step.hpp"
@@ -236,8 +237,14 @@ ProjectionResult BoundedSolver::try_frame(const Garment& garment, const Pins& pi
   if (!projected.kept || cloth.layout.surface.has_thin) {
     projected.kept = keeps_bound_in_double(garment, pins, settings_, state.current);
   }
-  projected.kept = projected.kept && !cloth.contacts.is_blocked();
   return projected;
+}
+
+// To where the frame began.
+void BoundedSolver::go_back(State& state) const {
+  for (std::size_t row = 0; row < cloth_->layout.vertex_count(); ++row) {
+    state.current[cloth_->layout.vertex_of_row[row]] = cloth_->motion.start_m[row];
+  }
 }
 
 FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pins,
@@ -259,8 +266,14 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
     projected = try_frame(garment, pins, surroundings, frame_time_s, attempts++, state);
     sweeps += control.substeps() + projected.cost;
     shift = allowed_m > 0.0 ? projected.largest_shift_m / allowed_m : 0.0;
-  } while ((!projected.kept || (shift > too_far && shift > further_than_before * cloth.shift)) &&
+  } while ((!projected.kept || cloth.contacts.is_blocked() ||
+            (shift > too_far && shift > further_than_before * cloth.shift)) &&
            control.try_more());
+  const bool is_lost = first_lost(state.current) < state.current.size();  // contact is not what went wrong
+  if (cloth.contacts.is_blocked() && !settings_.allow_crossing && !is_lost) {
+    go_back(state);
+    throw ContactBlocked(cloth.contacts.blocked(), pins, surroundings.bodies, state.time_s + frame_time_s);
+  }
   cloth.shift = shift;
   cloth.projection.end_frame();
   cloth.contacts.end_frame();
@@ -270,9 +283,13 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
   end_frame(frame_time_s, substeps, state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   cloth.threads.frame_took(took.count(), kernels_->take_work());
-  return {substeps,       true,
-          projected.kept, projected.raw_max_stretch,
-          sweeps,         followed_compression(cloth.mobility_per_kg, frame_time_s / substeps)};
+  return {substeps,
+          true,
+          projected.kept,
+          projected.raw_max_stretch,
+          sweeps,
+          followed_compression(cloth.mobility_per_kg, frame_time_s / substeps),
+          cloth.contacts.is_blocked() ? std::optional(cloth.contacts.blocked()) : std::nullopt};
 }
 
 // With other pins than the last frame's the next one begins anew.

@@ -41,6 +41,7 @@ class BoundedSolver : public Solver {
                                       const Surroundings& surroundings, double frame_time_s,
                                       int earlier_attempts, State& state);
   void write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const;
+  void go_back(State& state) const;
   void end_frame(double frame_time_s, int substeps, State& state) const;
 
   BoundedSettings settings_;

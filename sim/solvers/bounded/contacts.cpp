@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "sim/solvers/bounded/blocked_pairs.hpp"
+
 namespace taut::sim::bounded {
 namespace {
 
@@ -53,22 +55,23 @@ constexpr float smallest_kept_m = 1e-6F;
 /// Searches for pairs, each with larger radii. It was never more than seven.
 constexpr int most_searches = 16;
 
-/// Returns whether rows are where something can be found; in a frame that flies apart they are not.
-bool are_findable(const RowMoves& rows) {
+/// Returns the first row that is where nothing can be found, if one is: in a frame that flies apart.
+std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
   constexpr float furthest_m = 1e9F;
   for (std::size_t row = 0; row < rows.radii.size(); ++row) {
     const float far_m = length_of(rows.positions[row]) + length_of(rows.moves[row]) + rows.radii[row];
     if (!(far_m < furthest_m)) {
-      return false;
+      return row;
     }
   }
-  return true;
+  return std::nullopt;
 }
 
 }  // namespace
 
 void Contacts::begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
                            const Motion& motion, double time_s) {
+  first_blocked_.reset();
   is_on_ = within_cloth_ || !surroundings.bodies.empty();
   if (!is_on_) {
     return;
@@ -285,10 +288,11 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     rows_.radii[row] = std::max(rows_.radii[row], deviation_room * memory_.deviations[row]);
   }
-  if (!are_findable(rows_)) {
+  if (const std::optional<std::size_t> row = first_not_findable(rows_)) {
     std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
     regions_.make({}, rows_);
     is_blocked_ = true;
+    first_blocked_ = first_blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
   const auto thickness_m = static_cast<float>(std::max(garment.material.thickness_m, least_thickness_m));
@@ -302,11 +306,33 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
     fits = regions_.make(pairs_, rows_);
   }
   memory_.is_touching = regions_.pair_count() > 0;
-  is_blocked_ = is_blocked_ || !fits || regions_.is_blocked();
+  note_blocked(layout, origin_m, fits);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     float& deviation = memory_.deviations[row];
     deviation = std::max(deviation_kept * deviation, regions_.deviation(row));
   }
+}
+
+void Contacts::note_blocked(const Layout& layout, const Vec3& origin_m, bool fits) {
+  if (fits && !regions_.blocked()) {
+    return;
+  }
+  is_blocked_ = true;
+  if (first_blocked_) {
+    return;
+  }
+  const Searched searched = {layout, bodies_, rows_, pairs_, origin_m};
+  if (regions_.blocked()) {
+    first_blocked_ = blocked_contact(searched, *regions_.blocked());
+    return;
+  }
+  std::size_t furthest = layout.pin_count;
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    if (regions_.deviation(row) > regions_.deviation(furthest)) {
+      furthest = row;
+    }
+  }
+  first_blocked_ = blocked_contact(searched, furthest);
 }
 
 void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_s, Motion& motion) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "sim/blocked_contact.hpp"
 #include "sim/solvers/bounded/contact/body_contacts.hpp"
 #include "sim/solvers/bounded/contact/crossings.hpp"
 #include "sim/solvers/bounded/contact/lasting_pairs.hpp"
@@ -67,6 +68,9 @@ class Contacts {
 
   /// Returns whether some pair could not be kept apart since the attempt began.
   bool is_blocked() const { return is_blocked_; }
+  /// Returns the first pair that could not be kept apart in any attempt at the frame: later ones tell how
+  /// cloth flees from it. Requires that one is blocked.
+  const BlockedContact& blocked() const { return *first_blocked_; }
 
   /// Saves and restores what is kept from frame to frame.
   void save(const Layout& layout, ByteWriter& memory) const;
@@ -84,6 +88,7 @@ class Contacts {
   void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
                      const TimeSpan& time, const Vec3& origin_m);
   void let_go(Motion& motion) const;
+  void note_blocked(const Layout& layout, const Vec3& origin_m, bool fits);
   float thickness_of(const NearPair& near, float thickness_m) const;
 
   bool within_cloth_;
@@ -104,6 +109,7 @@ class Contacts {
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
   Regions regions_;
   bool is_blocked_ = false;
+  std::optional<BlockedContact> first_blocked_;  ///< of the frame
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;

@@ -31,6 +31,8 @@ struct BoundedSettings {
   double max_stretch = 0.05;
   /// Accepts bounds and loads for which the bound is not promised (promise.hpp).
   bool allow_exceeding = false;
+  /// Goes on where pins or bodies close in so that something may cross, instead of throwing ContactBlocked.
+  bool allow_crossing = false;
   /// Keeps the cloth from crossing itself, in every frame. Without it only bodies are in its way, and frames
   /// take a third of the time or less.
   bool contact = true;

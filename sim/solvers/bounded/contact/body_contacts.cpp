@@ -207,7 +207,8 @@ void BodyContacts::add_mesh_rows(const TimeSpan& time, const Vec3& origin_m, Row
 }
 
 void BodyContacts::add_near(std::span<const Triangle> cloth, float thickness_m, const TimeSpan& time,
-                            const Vec3& origin_m, RowMoves& rows, std::vector<ContactPair>& pairs) const {
+                            const Vec3& origin_m, RowMoves& rows, std::vector<ContactPair>& pairs) {
+  near_ends_.clear();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const Search search = {bodies_[b], time, origin_m, frictions_[b], thickness_m};
     const Shape begin = shape_at(bodies_[b], time.from_s);
@@ -222,7 +223,17 @@ void BodyContacts::add_near(std::span<const Triangle> cloth, float thickness_m, 
           }
         },
         begin);
+    near_ends_.push_back(rows.radii.size());
   }
+}
+
+std::size_t BodyContacts::body_of(Index row) const {
+  const std::size_t place = row - first_row_;
+  if (place < body_of_row_.size()) {
+    return body_of_row_[place];
+  }
+  const auto end = std::upper_bound(near_ends_.begin(), near_ends_.end(), row);
+  return static_cast<std::size_t>(end - near_ends_.begin());
 }
 
 }  // namespace taut::sim::bounded

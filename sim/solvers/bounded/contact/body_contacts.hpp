@@ -26,10 +26,12 @@ class BodyContacts {
   /// Appends what triangles of the cloth could come nearer than the thickness to bodies that are no meshes,
   /// and the rows of those.
   void add_near(std::span<const Triangle> cloth, float thickness_m, const TimeSpan& time,
-                const Vec3& origin_m, RowMoves& rows, std::vector<ContactPair>& pairs) const;
+                const Vec3& origin_m, RowMoves& rows, std::vector<ContactPair>& pairs);
 
   /// Returns whether the row is a body's.
   bool has(Index row) const { return row >= first_row_; }
+  /// Returns which body has the row, by its place among them; of rows near to it, as they were appended last.
+  std::size_t body_of(Index row) const;
   /// Returns the friction against the mesh that the row is a vertex of.
   float friction_of(Index row) const { return frictions_[body_of_row_[row - first_row_]]; }
 
@@ -41,6 +43,7 @@ class BodyContacts {
   Index first_row_ = 0;
   std::vector<std::size_t> body_of_row_;  ///< of the meshes' rows
   std::vector<Triangle> mesh_triangles_;
+  std::vector<std::size_t> near_ends_;  ///< per body, where the rows end that were appended last
 };
 
 }  // namespace taut::sim::bounded

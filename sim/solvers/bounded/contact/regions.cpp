@@ -51,12 +51,18 @@ void Regions::add_pair(const ContactPair& contact, const RowMoves& rows) {
   // out is let out.
   const bool is_told_apart = pair.distance > smallest_told_apart_m;
   if (!is_told_apart && !contact.normal) {
-    is_blocked_ = true;
+    note_blocked(near, 0.0F);
     return;
   }
   pair.needed = std::min(pair.distance, least_part * contact.thickness_m);
   pair.wanted = std::min(pair.distance, contact.thickness_m);
   pairs_.push_back(pair);
+}
+
+void Regions::note_blocked(const NearPair& near, float distance) {
+  if (!blocked_) {
+    blocked_ = {near, distance};
+  }
 }
 
 Regions::Span Regions::span_of(const NearPair& near, const std::array<float, 4>& heights) {
@@ -129,7 +135,9 @@ void Regions::keep_still_where_needed(std::span<const float> inverse_masses) {
         }
       }
       has_changed = has_changed || !is_still;
-      is_blocked_ = is_blocked_ || is_still;
+      if (is_still) {
+        note_blocked(pair.contact.near, pair.distance);
+      }
     }
   }
 }
@@ -199,7 +207,7 @@ void Regions::make_half_spaces(std::span<const float> inverse_masses) {
 
 bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows) {
   pairs_.clear();
-  is_blocked_ = false;
+  blocked_.reset();
   for (const ContactPair& pair : pairs) {
     add_pair(pair, rows);
   }

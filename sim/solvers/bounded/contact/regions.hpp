@@ -32,6 +32,12 @@ struct RowMoves {
   std::vector<float> inverse_masses_per_kg;
 };
 
+/// A pair that cannot be kept apart, and the distance of its two things at the time 0, in m.
+struct BlockedPair {
+  NearPair near;
+  float distance;
+};
+
 /// Rows [begin, end).
 struct RowRange {
   std::size_t begin;
@@ -60,9 +66,9 @@ class Regions {
   /// radii, for pairs to be found anew.
   bool make(std::span<const ContactPair> pairs, RowMoves& rows);
 
-  /// Returns whether some pair cannot be kept apart, as rows that move by exactly their moves close in on it
-  /// or as it touched from the beginning.
-  bool is_blocked() const { return is_blocked_; }
+  /// Returns the first pair that cannot be kept apart, as rows that move by exactly their moves close in on
+  /// it or as it touched from the beginning.
+  const std::optional<BlockedPair>& blocked() const { return blocked_; }
 
   /// Parts pairs that a time step brought nearer than they should be, at a time from 0 to 1: without rebound,
   /// with friction, and without a change of momentum. The step took `step` of the whole time. `since` are
@@ -123,6 +129,7 @@ class Regions {
   };
 
   void add_pair(const ContactPair& contact, const RowMoves& rows);
+  void note_blocked(const NearPair& near, float distance);
   static Span span_of(const NearPair& near, const std::array<float, 4>& heights);
   Span span_at_end(const Pair& pair) const;
   void resolve(const Pair& pair, std::span<const float> inverse_masses);
@@ -147,7 +154,7 @@ class Regions {
                                           Float4& current) const;
 
   std::vector<Pair> pairs_;
-  bool is_blocked_ = false;
+  std::optional<BlockedPair> blocked_;
   Float4Array expected_;  ///< the centres of balls at the time 1
   Float4Array moves_;     ///< as contact lets them, within the balls
   std::vector<float> radii_;

@@ -1,0 +1,90 @@
+#include "app/models/scene_crossings.hpp"
+
+#include <fmt/core.h>
+
+#include <variant>
+
+#include "app/base/counted.hpp"
+#include "app/verify/solid_bodies.hpp"
+
+namespace taut::app {
+namespace {
+
+struct Enters {
+  const Corners& triangle;
+
+  bool operator()(const sim::Plane& plane) const {
+    return enters_half_space(triangle, plane.point_m, plane.normal);
+  }
+  bool operator()(const sim::Sphere& ball) const {
+    return enters_limb(triangle, {ball.centre_m, ball.centre_m, ball.radius_m, ball.radius_m});
+  }
+  bool operator()(const sim::Capsule& limb) const {
+    return enters_limb(triangle, {limb.start_m, limb.end_m, limb.start_radius_m, limb.end_radius_m});
+  }
+  bool operator()(const sim::BodyMesh&) const { return false; }
+};
+
+std::vector<CrossingPair> entries_into(const sim::Shape& shape, const Surface& cloth) {
+  std::vector<CrossingPair> entries;
+  for (sim::Index t = 0; t < cloth.triangles.size(); ++t) {
+    const sim::Triangle& v = cloth.triangles[t];
+    const Corners corners = {cloth.positions_m[v[0]], cloth.positions_m[v[1]], cloth.positions_m[v[2]]};
+    if (std::visit(Enters{corners}, shape)) {
+      entries.push_back({t, 0, (corners[0] + corners[1] + corners[2]) / 3.0});
+    }
+  }
+  return entries;
+}
+
+std::vector<CrossingPair> crossings_with(const sim::Body& body, double time_s, const Surface& cloth) {
+  const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
+  if (mesh == nullptr) {
+    return entries_into(sim::shape_at(body, time_s), cloth);
+  }
+  const std::vector<sim::Vec3> positions_m = mesh_positions_m(body, time_s);
+  return crossing_pairs(cloth, {positions_m, mesh->data->triangles});
+}
+
+}  // namespace
+
+std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies,
+                                            double time_s) {
+  std::vector<SceneCrossings> all = {{{}, crossing_pairs(cloth)}};
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    all.push_back({b, crossings_with(bodies[b], time_s, cloth)});
+  }
+  return all;
+}
+
+std::string describe(const SceneCrossings& crossings, const Surface& cloth,
+                     std::span<const sim::Body> bodies) {
+  if (!crossings.body) {
+    return describe(cloth, crossings.pairs);
+  }
+  const std::size_t count = crossings.pairs.size();
+  const CrossingPair& first = crossings.pairs.front();
+  const std::string name = describe_body(bodies, *crossings.body);
+  const std::string triangle = describe_triangle(cloth, first.first);
+  const std::string place = describe_place(first.place_m);
+  if (const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[*crossings.body].shape)) {
+    return fmt::format("{} with {}, the first: {} and its {} at {}",
+                       counted(count, "pair of triangles crosses", "pairs of triangles cross"), name,
+                       triangle, describe_triangle({{}, mesh->data->triangles}, first.second), place);
+  }
+  return fmt::format("{} {}, the first: {} near {}", counted(count, "triangle enters", "triangles enter"),
+                     name, triangle, place);
+}
+
+std::string describe_body(std::span<const sim::Body> bodies, std::size_t body) {
+  const std::string& name = bodies[body].name;
+  return name.empty() ? fmt::format("body {}", body) : fmt::format("the body '{}'", name);
+}
+
+std::vector<sim::Vec3> mesh_positions_m(const sim::Body& body, double time_s) {
+  std::vector<sim::Vec3> positions_m(std::get<sim::BodyMesh>(body.shape).data->positions_m.size());
+  sim::positions_at(body, time_s, positions_m);
+  return positions_m;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/verify/crossing_pairs.hpp"
+#include "sim/contact/bodies.hpp"
+
+namespace taut::app {
+
+/// Where the cloth crosses itself, or a body.
+struct SceneCrossings {
+  std::optional<std::size_t> body = {};  ///< its place among the bodies; empty: the cloth itself
+  /// Of a body that is no mesh: the triangles that enter it, with `second` 0 and the triangle's middle.
+  std::vector<CrossingPair> pairs = {};
+};
+
+/// Returns the crossings of the cloth with itself and then with each body, where it is at this time; of those
+/// without any an entry without pairs.
+std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies,
+                                            double time_s);
+
+/// Returns how many pairs there are, of what, and the first with its place. Requires at least one pair.
+std::string describe(const SceneCrossings& crossings, const Surface& cloth,
+                     std::span<const sim::Body> bodies);
+
+/// Returns "the body 'ball'", or "body 0" if it has no name.
+std::string describe_body(std::span<const sim::Body> bodies, std::size_t body);
+
+/// Returns where the vertices of a body that is a mesh are at this time, in m.
+std::vector<sim::Vec3> mesh_positions_m(const sim::Body& body, double time_s);
+
+}  // namespace taut::app

@@ -73,7 +73,7 @@ std::string describe(const BlockedContact& blocked, const Pins& pins, std::span<
   const Vec3& at = blocked.place_m;
   std::string text = meeting(blocked, pins, bodies);
   if (blocked.behind) {
-    text += ", which cannot give way to " + name_of(*blocked.behind, pins, bodies);
+    text += ", which " + name_of(*blocked.behind, pins, bodies) + " keeps from giving way";
   }
   if (blocked.sides[1] != ContactSide{}) {
     text += blocked.distance_m > 0.0 ? formatted("; they are %.3g mm apart", 1e3 * blocked.distance_m)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float dot_px = 13.0F;
 /// From near by, so many mean edges can be seen to each side of the place.
-constexpr double edges_around = 6.0;
+constexpr double edges_around = 3.0;
 
 double mean_edge_m(const sim::Springs& springs) {
   double sum_m = 0.0;

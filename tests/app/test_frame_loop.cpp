@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <numeric>
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
@@ -29,6 +30,51 @@ TEST(FrameLoop, MeasuresEveryFrameFromOneOn) {
   EXPECT_EQ(records.back().state_hash, sim::hash(simulation.state()));
   EXPECT_NE(records[0].state_hash, records[1].state_hash);
   EXPECT_GT(records.back().rms_speed_m_per_s, 0.0);
+}
+
+TEST(FrameLoop, EndsBeforeAFrameThatCannotBeMade) {
+  DrawnScene scene = read_scene_file(TAUT_TESTS_FOLDER "/contact/closing_spheres.toml");
+  for (const bool overlap : {false, true}) {
+    sim::Simulation simulation = make_simulation(scene, load_garment(scene));
+    std::vector<int> pictures(30);
+    std::iota(pictures.begin(), pictures.end(), 1);
+    std::vector<int> drawn, reported, shapes;
+    FrameOutputs outputs;
+    outputs.pictures = pictures;
+    outputs.overlap = overlap;
+    outputs.draw_positions = [](const auto&, double) { return renderer::make_image(1, 1); };
+    outputs.write_frame = [&](const FrameRecord& record, const auto&) { drawn.push_back(record.frame); };
+    outputs.write_shape = [&](int frame, const auto&) { shapes.push_back(frame); };
+    outputs.report = [&](const FrameRecord& record) { reported.push_back(record.frame); };
+    try {
+      run_frames(simulation, 30, outputs);
+      FAIL() << "it went on";
+    } catch (const FrameBlocked& error) {
+      EXPECT_CONTAINS(std::string(error.what()),
+                      "frame " + std::to_string(error.frame) + ": something would cross at 0.2");
+      EXPECT_NEAR(error.frame, 15, 1);
+      const std::vector<int> before(pictures.begin(), pictures.begin() + error.frame - 1);
+      EXPECT_EQ(reported, before);
+      EXPECT_EQ(drawn, before);
+      EXPECT_EQ(shapes, before);
+    }
+  }
+}
+
+TEST(FrameLoop, CountsFramesInWhichTheSceneAcceptsACrossing) {
+  DrawnScene scene = read_scene_file(TAUT_TESTS_FOLDER "/contact/closing_spheres.toml");
+  scene.simulation.solver.bounded.allow_crossing = true;
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
+  RunSummary summary;
+  for (const FrameRecord& record : run_frames(simulation, 20, {})) {
+    summary.add(record);
+  }
+  EXPECT_GT(summary.frames_blocked, 0);
+  EXPECT_NEAR(summary.first_frame_blocked, 15, 1);
+  EXPECT_EQ(summary.frames_over_bound, 0) << "which is another promise";
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(judge_bound(scene, summary), 0);
+  EXPECT_CONTAINS(testing::internal::GetCapturedStderr(), "of 20 frames pins or bodies closed in so that");
 }
 
 TEST(FrameLoop, EndsWithAFrameThatBreaksAPromise) {

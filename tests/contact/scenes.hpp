@@ -34,6 +34,27 @@ inline Mesh both(Mesh first, const Mesh& second) {
   return first;
 }
 
+/// A box from -0.1 to 0.1 m.
+inline BodyMesh box() {
+  std::vector<Vec3> positions_m;
+  for (int v = 0; v < 8; ++v) {
+    positions_m.push_back(0.1 * Vec3((v & 1) * 2 - 1, (v & 2) - 1, (v & 4) / 2 - 1));
+  }
+  return {std::make_shared<const BodyMeshData>(BodyMeshData{positions_m,
+                                                            {{0, 2, 1},
+                                                             {1, 2, 3},
+                                                             {4, 5, 6},
+                                                             {5, 7, 6},
+                                                             {0, 1, 4},
+                                                             {1, 5, 4},
+                                                             {2, 6, 3},
+                                                             {3, 6, 7},
+                                                             {0, 4, 2},
+                                                             {2, 4, 6},
+                                                             {1, 3, 5},
+                                                             {3, 7, 5}}})};
+}
+
 struct ContactScene {
   Mesh mesh;
   std::vector<Index> pins = {};

@@ -138,27 +138,6 @@ TEST(Contact, ACollisionKeepsMomentumAndDoesNotRebound) {
   EXPECT_NEAR(mean_speed_upwards(simulation, 81, 81), 0.5 * before, 0.1 * -before);
 }
 
-/// A box from -0.1 to 0.1 m.
-BodyMesh box() {
-  std::vector<Vec3> positions_m;
-  for (int v = 0; v < 8; ++v) {
-    positions_m.push_back(0.1 * Vec3((v & 1) * 2 - 1, (v & 2) - 1, (v & 4) / 2 - 1));
-  }
-  return {std::make_shared<const BodyMeshData>(BodyMeshData{positions_m,
-                                                            {{0, 2, 1},
-                                                             {1, 2, 3},
-                                                             {4, 5, 6},
-                                                             {5, 7, 6},
-                                                             {0, 1, 4},
-                                                             {1, 5, 4},
-                                                             {2, 6, 3},
-                                                             {3, 6, 7},
-                                                             {0, 4, 2},
-                                                             {2, 4, 6},
-                                                             {1, 3, 5},
-                                                             {3, 7, 5}}})};
-}
-
 TEST(Contact, ClothHangsOverABoxThatRisesAndTurns) {
   ContactScene scene = {.mesh = mesh_of({.columns = 17, .rows = 17, .at_m = {0.006, 0.11, 0.004}})};
   scene.surroundings.bodies = {

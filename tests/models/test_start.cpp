@@ -6,6 +6,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/models/garment_loading.hpp"
+#include "app/models/garment_remarks.hpp"
 #include "app/models/obj_writing.hpp"
 #include "app/scene/scene_file.hpp"
 #include "temporary_folder.hpp"
@@ -74,6 +75,39 @@ TEST_F(Start, OfAnotherGarmentIsRefusedWithBothCounts) {
   scene.garment.grid.rows = 5;
   EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }),
                   "garment.start: found 81 vertices in '" + file.string() + "', expected the garment's 45");
+}
+
+TEST_F(Start, TellsOfClothAndPinsInBodiesAndOfBodiesThatCrossThemselves) {
+  Scene scene;
+  scene.garment.grid = {.columns = 5, .rows = 5, .width_m = 1.0, .height_m = 1.0};
+  scene.pins = std::vector<PinSelector>{"top-left", "top-right"};
+  const auto remarks = [&] { return remarks_on_start(scene, load_garment(scene)); };
+  EXPECT_EQ(remarks(), std::vector<std::string>());
+  const sim::Vec3 corner = load_garment(scene).garment->mesh.positions[0];
+  scene.surroundings.bodies = {
+      {.name = "ball", .shape = sim::Sphere{corner - sim::Vec3(0.0, 0.0, 0.04), 0.05}}};
+  std::vector<std::string> said = remarks();
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_CONTAINS(said[0], "at the start ");
+  EXPECT_CONTAINS(said[0], " the body 'ball', the first: triangle ");
+  EXPECT_CONTAINS(said[1],
+                  "1 pinned vertex begins within the body 'ball', the first: vertex 0, 10 mm deep at [");
+  // Two spikes that go through each other, beside the cloth.
+  const auto spike = [](std::vector<sim::Vec3>& positions_m, const sim::Vec3& base, const sim::Vec3& tip) {
+    for (const sim::Vec3& p : {base, base + sim::Vec3(0.1, 0.0, 0.0), base + sim::Vec3(0.0, 0.1, 0.1), tip}) {
+      positions_m.push_back(p);
+    }
+  };
+  sim::BodyMeshData data;
+  spike(data.positions_m, {5.0, 0.0, 0.0}, {5.0, 1.0, 0.02});
+  spike(data.positions_m, {5.0, 0.5, -0.5}, {5.03, 0.5, 0.5});
+  data.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {4, 6, 5}, {4, 5, 7}, {5, 6, 7}, {6, 4, 7}};
+  scene.surroundings.bodies = {{.shape = sim::BodyMesh{std::make_shared<sim::BodyMeshData>(data)}}};
+  said = remarks();
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_CONTAINS(said[0], "body 0 crosses itself: ");
+  EXPECT_CONTAINS(said[0], ", the first: triangle ");
+  EXPECT_CONTAINS(said[0], "] m");
 }
 
 }  // namespace

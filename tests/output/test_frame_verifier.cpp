@@ -75,6 +75,66 @@ TEST(FrameVerifier, CountsPairsWithTheTrianglesOfAMesh) {
   EXPECT_EQ(sheet.found(body).second, "") << "drawn back by then";
 }
 
+TEST(FrameVerifier, LeavesOutWhatCrossesAtTheStartPairByPairUntilItIsApart) {
+  const Sheet sheet;
+  const auto corners = sim::corners_of(sheet.garment->mesh.triangles[2], sheet.garment->mesh.positions);
+  const Vec3 other = (corners[0] + corners[1] + corners[2]) / 3.0;
+  sim::Surroundings surroundings;
+  // It begins in triangle 5, leaves it for triangle 2, and comes back.
+  surroundings.bodies = {{.name = "ball", .shape = sim::Sphere{sheet.middle, 0.1}}};
+  surroundings.bodies[0].motion.path = {
+      {0.0, Vec3(0.0)}, {1.0, Vec3(0.0)}, {2.0, 0.5 * down}, {3.0, Vec3(0.0)}, {4.0, other - sheet.middle}};
+  const sim::Simulation simulation(sheet.garment, {}, {}, surroundings);
+  FrameVerifier verifier;
+  const std::string at_start = verifier.begin(simulation);
+  EXPECT_TRUE(at_start.starts_with("1 triangle enters the body 'ball', the first: triangle 5 (vertices "))
+      << at_start;
+  const auto check = [&](double time_s) {
+    FrameRecord record;
+    record.time_s = time_s;
+    const std::string broken = verifier.check(simulation, record);
+    return std::pair(record.crossing_pairs.value(), broken.substr(0, broken.find(" s: ")));
+  };
+  using Checked = std::pair<std::size_t, std::string>;
+  EXPECT_EQ(check(0.0), Checked(0, ""));
+  EXPECT_EQ(check(1.0), Checked(0, ""));
+  EXPECT_CONTAINS(verifier.summary(), "0 crossing pairs but for 1 from the start, of which 1 still cross,");
+  FrameVerifier another;
+  another.begin(simulation);
+  FrameRecord moved;
+  moved.time_s = 4.0;
+  EXPECT_CONTAINS(another.check(simulation, moved), "triangle 2 (vertices ") << "another pair counts";
+  EXPECT_EQ(check(2.0), Checked(0, ""));
+  EXPECT_CONTAINS(verifier.summary(), "0 crossing pairs but for 1 from the start, of which 0 still cross,");
+  EXPECT_EQ(check(3.0), Checked(1, "frame 0, 3.0000")) << "it was apart";
+}
+
+TEST(FrameVerifier, LeavesOutOnlyPairsOfTheClothThatCrossAtTheStart) {
+  sim::Mesh mesh = sim::make_grid(
+      {.columns = 3, .rows = 3, .width_m = 2.0, .height_m = 2.0, .plane = sim::GridPlane::horizontal});
+  const auto first = static_cast<sim::Index>(mesh.positions.size());
+  const Vec3 in_cell = (mesh.positions[0] + mesh.positions[1] + mesh.positions[3] + mesh.positions[4]) / 4.0;
+  for (const Vec3& offset : {Vec3(-0.1, -0.3, -0.2), Vec3(0.1, -0.3, -0.2), Vec3(0.0, 0.3, -0.2)}) {
+    mesh.positions.push_back(in_cell + offset);
+  }
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  const sim::Simulation crossing(sim::share(sim::make_garment(mesh)), {}, {}, {});
+  FrameVerifier verifier;
+  EXPECT_CONTAINS(verifier.begin(crossing), "pair");
+  FrameRecord record;
+  EXPECT_EQ(verifier.check(crossing, record), "");
+  EXPECT_EQ(record.crossing_pairs, 0U);
+  // The same piece through another cell.
+  sim::Checkpoint elsewhere = crossing.save();
+  for (sim::Index v = first; v < first + 3; ++v) {
+    elsewhere.state.current[v].x += 1.0;
+  }
+  sim::Simulation moved(sim::share(sim::make_garment(mesh)), {}, {}, {});
+  moved.restore(elsewhere);
+  EXPECT_CONTAINS(verifier.check(moved, record), "cross");
+  EXPECT_GT(*record.crossing_pairs, 0U);
+}
+
 TEST(FrameVerifier, HoldsStretchToTheBoundThatTheSolverPromises) {
   sim::BoundedSettings bound = {.bound = sim::BoundKind::surface, .max_stretch = 0.01};
   const auto said = [&](double springs, double surface) {

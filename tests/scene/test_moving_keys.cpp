@@ -119,5 +119,25 @@ TEST(MovingKeys, SayWhatIsWrong) {
   EXPECT_CONTAINS(error_of("[pins]\nmoving = 3\n"), "pins.moving: found 3, expected a list of tables");
 }
 
+TEST(AllowExceeding, SaysForWhichPromise) {
+  const auto allowed = [](const std::string& value) {
+    const DrawnScene scene = read("[solver]\nallow_exceeding = " + value + '\n');
+    const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
+    const DrawnScene again = read_scene_text(scene_text(scene), "again.toml");
+    EXPECT_EQ(again.simulation.solver, scene.simulation.solver) << value;
+    EXPECT_CONTAINS(scene_text(scene), "allow_exceeding = " + value + '\n');
+    return std::pair(bounded.allow_exceeding, bounded.allow_crossing);
+  };
+  EXPECT_EQ(allowed("false"), std::pair(false, false));
+  EXPECT_EQ(allowed("true"), std::pair(true, true));
+  EXPECT_EQ(allowed("\"bound\""), std::pair(true, false));
+  EXPECT_EQ(allowed("\"contact\""), std::pair(false, true));
+  for (const std::string wrong : {"\"both\"", "1", "[\"bound\"]", "\"true\""}) {
+    const std::string text = error_of("[solver]\nallow_exceeding = " + wrong + '\n');
+    EXPECT_CONTAINS(text, "solver.allow_exceeding: found ");
+    EXPECT_CONTAINS(text, "expected true or false or \"bound\" or \"contact\"");
+  }
+}
+
 }  // namespace
 }  // namespace taut::app

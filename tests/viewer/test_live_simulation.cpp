@@ -111,6 +111,30 @@ TEST(LiveSimulation, PlaysOnFromAnyFrameBitForBit) {
   }
 }
 
+TEST(LiveSimulation, StopsWithTheClothAsItWasWhereSomethingWouldCross) {
+  LiveSimulation live(read_scene_file(TAUT_TESTS_FOLDER "/contact/closing_spheres.toml"));
+  SnapshotPtr before = live.take_snapshot();
+  for (SnapshotPtr now = before; !now->stopped; now = live.take_snapshot()) {
+    before = now;
+    ASSERT_LT(before->record.frame, 30);
+    live.advance();
+  }
+  const SnapshotPtr after = live.take_snapshot();
+  const Notice& said = after->notices->back();
+  EXPECT_TRUE(said.is_error);
+  EXPECT_TRUE(said.text.starts_with("frame " + std::to_string(before->record.frame + 1) +
+                                    ": something would cross at 0.2"))
+      << said.text;
+  EXPECT_CONTAINS(said.text, " m; R or any other setting starts again");
+  EXPECT_FALSE(live.wants_to_advance());
+  EXPECT_EQ(after->record.frame, before->record.frame);
+  EXPECT_EQ(after->positions(), before->positions());
+  EXPECT_EQ(live.state_hash(), before->record.state_hash);
+  live.apply(Reset{});
+  advance(live, 3);
+  EXPECT_EQ(live.take_snapshot()->record.frame, 3);
+}
+
 TEST(LiveSimulation, GoesBackFromWhereItDiverged) {
   LiveSimulation live(small_scene());
   advance(live, 20);

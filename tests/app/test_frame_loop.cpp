@@ -74,7 +74,8 @@ TEST(FrameLoop, CountsFramesInWhichTheSceneAcceptsACrossing) {
   EXPECT_EQ(summary.frames_over_bound, 0) << "which is another promise";
   testing::internal::CaptureStderr();
   EXPECT_EQ(judge_bound(scene, summary), 0);
-  EXPECT_CONTAINS(testing::internal::GetCapturedStderr(), "of 20 frames pins or bodies closed in so that");
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_CONTAINS(said, "of 20 frames pins or bodies closed in so that");
 }
 
 TEST(FrameLoop, EndsWithAFrameThatBreaksAPromise) {

@@ -78,6 +78,7 @@ TEST(Blocked, BallsThatCloseInOnASheetStopItAsItWas) {
       EXPECT_LT(glm::distance(before.current[v], blocked.place_m), 0.04) << "of the triangle that is there";
     }
     const std::string closing = *blocked.sides[1].body == 0 ? "left" : "right";
+    EXPECT_EQ(closing, blocked.place_m.z < 0.0 ? "left" : "right") << "which is on that side";
     const std::string behind = *blocked.sides[1].body == 0 ? "right" : "left";
     EXPECT_NE(std::string(error->what())
                   .find("the body '" + closing + "' closes in on the triangle of the vertices "),

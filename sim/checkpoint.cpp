@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view magic = "TAUTSAVE";
 /// Raised whenever something is written otherwise, or a solver remembers otherwise.
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 
 constexpr double largest = std::numeric_limits<double>::max();
 /// No run lasts for thirty years. Gusts count their periods.
@@ -83,6 +83,20 @@ void put_report(const FrameReport& report, ByteWriter& out) {
   out.put(report.raw_max_stretch);
   out.put(report.sweeps);
   out.put(report.followed_compression_n_per_m);
+  out.put(report.contact.detections);
+  out.put(report.contact.partial_detections);
+  out.put(report.contact.most_pairs);
+  out.put(report.contact.smallest_distance_m);
+}
+
+ContactReport get_contact(ByteReader& in) {
+  ContactReport contact;
+  contact.detections = in.get("the number of detections", 0, most_counted);
+  contact.partial_detections = in.get("the number of partial detections", 0, most_counted);
+  contact.most_pairs = in.get("the number of near pairs", 0, most_counted);
+  contact.smallest_distance_m =
+      in.get("the smallest distance", -largest, std::numeric_limits<double>::infinity());
+  return contact;
 }
 
 FrameReport get_report(ByteReader& in) {
@@ -94,6 +108,7 @@ FrameReport get_report(ByteReader& in) {
   report.raw_max_stretch = in.get("the stretch before the last correction", -1.0, largest);
   report.sweeps = in.get("the number of sweeps", 0.0, largest);
   report.followed_compression_n_per_m = in.get("the stiffness that was followed", 0.0, infinity);
+  report.contact = get_contact(in);
   return report;
 }
 

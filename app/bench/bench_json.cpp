@@ -162,12 +162,12 @@ Json growth_json(const BenchResults& results) {
   return all;
 }
 
+}  // namespace
+
 Json machine_json(const Machine& machine) {
   return {{"processor", machine.processor}, {"threads", machine.threads},   {"system", machine.system},
           {"load", machine.load},           {"compiler", machine.compiler}, {"program", machine.program}};
 }
-
-}  // namespace
 
 std::string bench_json(const BenchResults& results, const Machine& machine) {
   Json json = {{"machine", machine_json(machine)},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "app/bench/findings.hpp"
@@ -14,6 +15,9 @@ std::string bench_table(const BenchResults& results);
 
 /// All runs and all findings as one JSON object.
 std::string bench_json(const BenchResults& results, const Machine& machine);
+
+/// The machine as a JSON object.
+nlohmann::ordered_json machine_json(const Machine& machine);
 
 /// Plots time per frame against stretch for every scene at one size, on logarithmic axes, with the Pareto
 /// front of each engine. If there are several sizes, it also plots time against triangles.

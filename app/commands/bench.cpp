@@ -7,6 +7,7 @@
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/progress.hpp"
+#include "app/base/suggest.hpp"
 #include "app/base/version.hpp"
 #include "app/bench/bench_output.hpp"
 #include "app/commands/options.hpp"
@@ -27,6 +28,16 @@ struct Extent {
 
 const Extent quick_extent = {{1028, 10600}, {"hanging"}, 2.0, 250.0};
 const Extent full_extent = {{1028, 5280, 10600, 42400, 84480}, {"hanging", "shaken", "wind"}, 10.0, 500.0};
+
+void require_bench_scenes(const std::vector<std::string>& scenes) {
+  const std::vector<std::string> all = bench_scene_names();
+  for (const std::string& name : scenes) {
+    if (std::find(all.begin(), all.end(), name) == all.end()) {
+      throw UsageError("--scenes: found '" + name + '\'' + did_you_mean(name, all) + "; expected some of " +
+                       joined(all, ",") + ", or with --contact one of its scenes");
+    }
+  }
+}
 
 BenchOptions completed(BenchOptions options) {
   const Extent& extent = options.full ? full_extent : quick_extent;
@@ -140,6 +151,10 @@ void write_results(const BenchOptions& options, const BenchResults& results, con
 }  // namespace
 
 int run(const BenchOptions& given) {
+  if (given.contact) {
+    return run_contact_bench(given);
+  }
+  require_bench_scenes(given.scenes);
   const BenchOptions options = completed(given);
   if (!options.output.empty()) {
     prepare_folder_of(options.output / "bench.json");

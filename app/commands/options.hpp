@@ -34,6 +34,10 @@ struct BenchOptions {
   std::optional<double> slowest_frame_ms;  ///< a run with a larger mean is stopped
   bool full = false;                       ///< more sizes, scenes and settings
   bool ablation = false;                   ///< `bounded` with its parts switched off, instead of engines
+  bool contact = false;                    ///< the scenes about contact, instead of all that
+  // With `contact` alone:
+  std::optional<int> runs;    ///< of each scene, each from a start of its own; empty: one, from the scene's
+  std::optional<int> frames;  ///< of each run; empty: as many as the scene has
   bool json = false;
   bool quiet = false;
   std::filesystem::path output;  ///< folder for the results; empty: none
@@ -123,6 +127,8 @@ using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptio
 /// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
 /// UsageError, Interrupted and what the parts it uses throw.
 int run(const BenchOptions& options);
+/// `taut bench --contact`.
+int run_contact_bench(const BenchOptions& options);
 int run(const FiguresOptions& options);
 int run(const RenderOptions& options);
 int run(const SimulateOptions& options);

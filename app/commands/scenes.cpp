@@ -13,8 +13,15 @@ int run(const ScenesOptions&) {
   if (scenes.empty()) {
     throw InputError("no built-in scenes were found; set TAUT_ASSETS to the folder that holds scenes/");
   }
+  std::size_t width = 0;
   for (const BuiltInScene& scene : scenes) {
-    fmt::print("{:<16} {}\n", scene.name, read_scene_file(scene.file).title);
+    width = std::max(width, scene.name.size());
+  }
+  bool is_of_contact = scenes.front().is_of_contact;
+  for (const BuiltInScene& scene : scenes) {
+    fmt::print("{}{:<{}}  {}\n", scene.is_of_contact == is_of_contact ? "" : "\n", scene.name, width,
+               read_scene_file(scene.file).title);
+    is_of_contact = scene.is_of_contact;
   }
   return 0;
 }

@@ -42,6 +42,7 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
     record.blocked = report.blocked.has_value();
     record.substeps = report.substeps;
     record.followed_compression_n_per_m = report.followed_compression_n_per_m;
+    record.contact = report.contact;
   }
   const sim::ShapeChange change = simulation.change();
   record.rms_speed_m_per_s = sim::rms_speed(change);

@@ -21,6 +21,7 @@ struct FrameRecord {
   int substeps = 0;
   double followed_compression_n_per_m =
       std::numeric_limits<double>::infinity();  ///< as sim::FrameReport has it
+  sim::ContactReport contact = {};
   double rms_speed_m_per_s = 0.0;
   sim::Energy energy;
   double convergence_m = 0.0;  ///< the largest |p(t) - p(t - dt)| of any vertex, from frame to frame

@@ -32,6 +32,10 @@ class FrameVerifier {
   /// empty: nothing.
   std::string check(const sim::Simulation& simulation, FrameRecord& record);
 
+  int frames() const { return frames_; }
+  /// Returns the largest stretch of all frames that were checked.
+  const LargestStretch& largest() const { return largest_; }
+
   /// Returns a line about all frames that were checked, none of which was broken.
   std::string summary() const;
 

@@ -40,9 +40,8 @@ std::string shell_word(const std::string& word) {
   return (text == word ? "'" : "$'") + text + '\'';
 }
 
-// A garment of the program's assets, one beside the picture, or the one at the place it was read from.
-std::filesystem::path find_garment(const std::filesystem::path& recorded,
-                                   const std::filesystem::path& folder) {
+// A model of the program's assets, one beside the picture, or the one at the place it was read from.
+std::filesystem::path find_model(const std::filesystem::path& recorded, const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const std::filesystem::path& candidate :
        {assets_folder() / recorded, recorded, folder / recorded.filename()}) {
@@ -53,17 +52,26 @@ std::filesystem::path find_garment(const std::filesystem::path& recorded,
   return recorded;
 }
 
+// As they stand in the table: reading its keys put a scene file's folder in front of them.
+template <class Files, class Models>
+void find_models(const toml::node_view<const toml::node>& table, const Files& files,
+                 const std::filesystem::path& folder, Models& models) {
+  for (const auto& [key, member] : files) {
+    if (const auto recorded = table[key].template value<std::string>()) {
+      models.*member = find_model(*recorded, folder);
+    }
+  }
+}
+
 DrawnScene read_scene(const std::string& text, const std::filesystem::path& file) {
   const Source source{"the scene in '" + file.string() + '\'', false};
   const toml::table settings = read_toml_text(text, source.name);
   DrawnScene scene;
   const SceneFormat<DrawnScene> format = drawn_scene_format();
   KeyReader(format.keys, source, scene).read(settings);
-  for (const auto& [name, member] : garment_files) {
-    // As it stands there: reading the key puts a scene file's folder in front of it.
-    if (const auto recorded = settings["garment"][name].value<std::string>()) {
-      scene.garment.*member = find_garment(*recorded, file.parent_path());
-    }
+  find_models(settings["garment"], garment_files, file.parent_path(), scene.garment);
+  for (std::size_t k = 0; k < scene.body_sources.size(); ++k) {
+    find_models(settings["bodies"][k], body_files, file.parent_path(), scene.body_sources[k]);
   }
   scene.name = file.stem().string();
   return scene;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -24,6 +25,11 @@ struct FrameColumn {
   Json (*value)(const FrameRecord&);
   bool of_verified_runs = false;
 };
+
+// JSON has no infinity.
+Json distance_json(double distance_m) {
+  return std::isfinite(distance_m) ? Json(distance_m) : Json();
+}
 
 const FrameColumn frame_columns[] = {
     {"frame", "", "its number; 0 is the cloth before the first step",
@@ -61,6 +67,15 @@ const FrameColumn frame_columns[] = {
      [](const auto& r) -> Json { return fmt::format("{:016x}", r.state_hash); }},
     {"asleep", "", "at rest: nothing is computed until something changes",
      [](const auto& r) -> Json { return r.asleep; }},
+    {"detections", "", "how often all was searched for what is near, for solver.contact and for bodies",
+     [](const auto& r) -> Json { return r.contact.detections; }},
+    {"partial_detections", "", "how often that was done around single vertices alone",
+     [](const auto& r) -> Json { return r.contact.partial_detections; }},
+    {"contact_pairs", "", "near pairs that were kept apart at a time, the most of them",
+     [](const auto& r) -> Json { return r.contact.most_pairs; }},
+    {"smallest_distance", "m",
+     "of what was near when the frame began, negative within a body; null: nothing was",
+     [](const auto& r) -> Json { return distance_json(r.contact.smallest_distance_m); }},
     {"crossing_pairs", "",
      "with --verify alone: pairs of triangles that cross, and triangles in a body; not those that do so "
      "since the start",

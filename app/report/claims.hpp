@@ -6,6 +6,7 @@
 #include "app/figures/experiments/experiments.hpp"
 #include "app/report/judgements.hpp"
 #include "app/report/machine.hpp"
+#include "app/report/promises.hpp"
 
 namespace taut::app {
 
@@ -30,7 +31,8 @@ struct Claim {
 /// Judges all claims by what was measured.
 std::vector<Claim> judge_claims(const Results& results);
 
-/// All claims as one JSON object.
-std::string claims_json(const std::vector<Claim>& claims, const Machine& machine);
+/// All claims, and what is promised, as one JSON object.
+std::string claims_json(const std::vector<Claim>& claims, const std::vector<PromiseResult>& promises,
+                        const Machine& machine);
 
 }  // namespace taut::app

@@ -49,9 +49,27 @@ Json claim_json(const Claim& claim) {
   return json;
 }
 
+Json promise_json(const PromiseResult& result) {
+  Json json = {{"scene", result.scene},
+               {"figure", result.figure},
+               {"frames", result.counts.frames},
+               {"bound", nullptr},
+               {"max_stretch", result.counts.stretch.springs},
+               {"max_surface_stretch", result.counts.stretch.surface},
+               {"contact", result.is_apart},
+               {"crossing_pairs", result.counts.crossing_pairs},
+               {"most_crossing_pairs", result.counts.most_pairs},
+               {"crossing_frames", result.counts.crossing_frames}};
+  if (result.bound) {
+    json["bound"] = *result.bound;
+  }
+  return json;
+}
+
 }  // namespace
 
-std::string claims_json(const std::vector<Claim>& claims, const Machine& machine) {
+std::string claims_json(const std::vector<Claim>& claims, const std::vector<PromiseResult>& promises,
+                        const Machine& machine) {
   Json json = {
       {"machine",
        {{"processor", machine.processor},
@@ -60,9 +78,13 @@ std::string claims_json(const std::vector<Claim>& claims, const Machine& machine
         {"load_last_minute", machine.load}}},
       {"versions",
        {{"program", machine.program}, {"compiler", machine.compiler}, {"gl_renderer", machine.gl_renderer}}},
-      {"claims", Json::array()}};
+      {"claims", Json::array()},
+      {"promises", Json::array()}};
   for (const Claim& claim : claims) {
     json["claims"].push_back(claim_json(claim));
+  }
+  for (const PromiseResult& result : promises) {
+    json["promises"].push_back(promise_json(result));
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -91,6 +91,48 @@ std::string claim_html(const Claim& claim) {
   return html + "</section>\n";
 }
 
+std::string verdict_html(bool is_promised, bool is_kept) {
+  return !is_promised ? "not promised" : is_kept ? "<b>kept</b>" : "<b>broken</b>";
+}
+
+std::string crossings_text(const PromiseCounts& counts) {
+  return counts.crossing_frames == 0
+             ? "0"
+             : fmt::format("{} in {} of the frames, {} at most", counts.crossing_pairs,
+                           counts.crossing_frames, counts.most_pairs);
+}
+
+std::string promise_html(const PromiseResult& result) {
+  const bool is_broken =
+      (result.bound && !result.is_bound_kept()) || (result.is_apart && !result.is_kept_apart());
+  const bool is_any = result.bound || result.is_apart;
+  return fmt::format(
+      "<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td><td class=\"number\">{}</td>"
+      "<td class=\"number\">{:.4f} %</td><td class=\"number\">{}</td><td>{}</td>"
+      "<td class=\"number\">{}</td><td>{}</td></tr>\n",
+      is_broken ? "fails"
+      : is_any  ? "holds"
+                : "part",
+      result.figure, escaped(result.scene), result.counts.frames, 100.0 * result.counts.stretch.springs,
+      result.bound ? fmt::format("{:g} %", 100.0 * *result.bound) : "none",
+      verdict_html(result.bound.has_value(), result.is_bound_kept()), crossings_text(result.counts),
+      verdict_html(result.is_apart, result.is_kept_apart()));
+}
+
+std::string promises_html(const std::vector<PromiseResult>& promises) {
+  if (promises.empty()) {
+    return "<p>No frame was checked.</p>\n";
+  }
+  std::string html = fmt::format(
+      "<p>{}</p>\n<table>\n<tr><th>scene</th><th>frames</th><th>largest stretch</th><th>bound</th><th></th>"
+      "<th>crossing pairs</th><th></th></tr>\n",
+      escaped(describe(promises)));
+  for (const PromiseResult& result : promises) {
+    html += promise_html(result);
+  }
+  return html + "</table>\n";
+}
+
 std::string figure_html(const DrawnFigure& figure) {
   const std::vector<std::uint8_t> png = renderer::encode_png(
       scaled_to_width(figure.picture, picture_width_px), {}, {.deflate_level = 6, .filter = 4});
@@ -128,8 +170,8 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-std::string report_html(std::span<const Claim> claims, std::span<const DrawnFigure> figures,
-                        const Machine& machine) {
+std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
+                        std::span<const DrawnFigure> figures, const Machine& machine) {
   std::string html = report_page;
   const auto put = [&html](const std::string& place, const std::string& text) {
     html.replace(html.find(place), place.size(), text);
@@ -144,6 +186,7 @@ std::string report_html(std::span<const Claim> claims, std::span<const DrawnFigu
   }
   put("<!--machine-->\n", machine_html(machine));
   put("<!--claims-->\n", claims_html);
+  put("<!--promises-->\n", promises_html(promises));
   put("<!--figures-->\n", figures_html);
   return html;
 }

@@ -5,8 +5,9 @@ namespace taut::app {
 Report make_report(const Results& results, std::span<const DrawnFigure> figures,
                    const std::string& gl_renderer) {
   const std::vector<Claim> claims = judge_claims(results);
+  const std::vector<PromiseResult> promises = promise_results(results);
   const Machine machine = this_machine(gl_renderer);
-  return {report_html(claims, figures, machine), claims_json(claims, machine)};
+  return {report_html(claims, promises, figures, machine), claims_json(claims, promises, machine)};
 }
 
 }  // namespace taut::app

@@ -7,6 +7,7 @@
 
 #include "app/figures/experiments/experiments.hpp"
 #include "app/report/claims.hpp"
+#include "app/report/promises.hpp"
 #include "renderer/page/image.hpp"
 
 namespace taut::app {
@@ -29,8 +30,8 @@ Report make_report(const Results& results, std::span<const DrawnFigure> figures,
                    const std::string& gl_renderer);
 
 /// The report as one HTML file. Pictures are embedded, so it opens from any folder.
-std::string report_html(std::span<const Claim> claims, std::span<const DrawnFigure> figures,
-                        const Machine& machine);
+std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
+                        std::span<const DrawnFigure> figures, const Machine& machine);
 
 /// All figures, small, on one picture. `scale` multiplies its pixels each way.
 renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F);

@@ -22,5 +22,8 @@ Override parse_override(const std::string& text);
 /// The keys of [garment] that name files, and their members.
 inline constexpr std::array garment_files = {std::pair("file", &GarmentSource::file),
                                              std::pair("start", &GarmentSource::start)};
+/// The same of the keys of [[bodies]].
+inline constexpr std::array body_files = {std::pair("file", &BodySource::file),
+                                          std::pair("frames", &BodySource::frames)};
 
 }  // namespace taut::app

@@ -26,16 +26,34 @@ std::vector<fs::path> asset_folders() {
   return folders;
 }
 
-std::vector<BuiltInScene> scenes_in(const fs::path& folder) {
+std::vector<BuiltInScene> scenes_in(const fs::path& folder, bool are_of_contact) {
   std::vector<BuiltInScene> scenes;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() == ".toml") {
-      scenes.push_back({entry.path().stem().string(), entry.path()});
+      scenes.push_back({entry.path().stem().string(), entry.path(), are_of_contact});
     }
   }
   std::sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   return scenes;
+}
+
+struct Assets {
+  fs::path folder;
+  std::vector<BuiltInScene> scenes;
+};
+
+// Both are empty where there is none.
+Assets find_assets() {
+  for (const fs::path& folder : asset_folders()) {
+    std::vector<BuiltInScene> scenes = scenes_in(folder / "scenes", false);
+    const std::vector<BuiltInScene> of_contact = scenes_in(folder / "scenes" / "contact", true);
+    scenes.insert(scenes.end(), of_contact.begin(), of_contact.end());
+    if (!scenes.empty()) {
+      return {fs::absolute(folder).lexically_normal(), scenes};
+    }
+  }
+  return {};
 }
 
 [[noreturn]] void fail_unknown(const std::string& name) {
@@ -54,20 +72,11 @@ std::vector<BuiltInScene> scenes_in(const fs::path& folder) {
 }  // namespace
 
 std::vector<BuiltInScene> built_in_scenes() {
-  for (const fs::path& folder : asset_folders()) {
-    std::vector<BuiltInScene> scenes = scenes_in(folder / "scenes");
-    if (!scenes.empty()) {
-      return scenes;
-    }
-  }
-  return {};
+  return find_assets().scenes;
 }
 
 std::filesystem::path assets_folder() {
-  const std::vector<BuiltInScene> scenes = built_in_scenes();
-  return scenes.empty()
-             ? std::filesystem::path()
-             : std::filesystem::absolute(scenes.front().file.parent_path().parent_path()).lexically_normal();
+  return find_assets().folder;
 }
 
 void set_garment(const std::filesystem::path& file, Scene& scene) {

@@ -12,9 +12,11 @@ namespace taut::app {
 struct BuiltInScene {
   std::string name;  ///< without folder and extension
   std::filesystem::path file;
+  bool is_of_contact = false;  ///< one of those about contact, which take minutes
 };
 
-/// The scenes that come with the program, sorted by name: the files scenes/NAME.toml in assets_folder().
+/// The scenes that come with the program: the files scenes/NAME.toml in assets_folder(), sorted by name, and
+/// then those about contact, scenes/contact/NAME.toml.
 std::vector<BuiltInScene> built_in_scenes();
 
 /// The first of these folders that holds scenes: $TAUT_ASSETS; that of the installed program; that of the

@@ -29,8 +29,8 @@ void append_section(std::string& text, const std::string& section, const Json& t
   }
 }
 
-std::filesystem::path garment_name(const std::filesystem::path& garment, GarmentNaming naming) {
-  const std::filesystem::path full = std::filesystem::absolute(garment).lexically_normal();
+std::filesystem::path model_name(const std::filesystem::path& model, GarmentNaming naming) {
+  const std::filesystem::path full = std::filesystem::absolute(model).lexically_normal();
   if (naming == GarmentNaming::full_path) {
     return full;
   }
@@ -38,6 +38,15 @@ std::filesystem::path garment_name(const std::filesystem::path& garment, Garment
   const std::filesystem::path relative = full.lexically_relative(assets);
   const bool is_inside = !assets.empty() && !relative.empty() && *relative.begin() != "..";
   return is_inside ? relative : full;
+}
+
+template <class Files, class Models>
+void name_files(const Files& files, const Models& models, GarmentNaming naming, Json& table) {
+  for (const auto& [key, member] : files) {
+    if (table.contains(key) && !table[key].is_null()) {
+      table[key] = model_name(models.*member, naming).string();
+    }
+  }
 }
 
 }  // namespace
@@ -50,10 +59,9 @@ std::string text_of(Json settings, const Scene& scene, GarmentNaming naming) {
   if (!scene.garment.file.empty()) {
     garment.erase("grid");
   }
-  for (const auto& [name, member] : garment_files) {
-    if (!garment[name].is_null()) {
-      garment[name] = garment_name(scene.garment.*member, naming).string();
-    }
+  name_files(garment_files, scene.garment, naming, garment);
+  for (std::size_t k = 0; k < scene.body_sources.size(); ++k) {
+    name_files(body_files, scene.body_sources[k], naming, settings["bodies"][k]);
   }
   std::string text;
   append_section(text, "", settings);

@@ -7,9 +7,9 @@
 
 namespace taut::app {
 
-/// How a scene file names a garment that comes with the program. `in_assets`: relative to assets_folder(),
-/// the same on every machine. `full_path`: readable by any program. Other garments always have their full
-/// path.
+/// How a scene file names a garment or a body that comes with the program. `in_assets`: relative to
+/// assets_folder(), the same on every machine. `full_path`: readable by any program. Others always have their
+/// full path.
 enum class GarmentNaming { in_assets, full_path };
 
 /// The scene as a scene file, from its settings (scene_format.hpp). It holds every key, so that a change of a

@@ -12,6 +12,18 @@
 
 namespace taut::sim {
 
+/// What it took to keep things apart in a frame, its repeated attempts included.
+struct ContactReport {
+  int detections = 0;          ///< how often all of the cloth and the bodies was searched for what is near
+  int partial_detections = 0;  ///< how often that was done around single vertices alone
+  int most_pairs = 0;          ///< near pairs that were kept apart at a time, the most of them
+  /// Of near pairs in the shape that the frame began with, in m, negative within a body; infinite where
+  /// nothing was near. Without what crosses since the start and what touches at rest.
+  double smallest_distance_m = std::numeric_limits<double>::infinity();
+
+  bool operator==(const ContactReport&) const = default;
+};
+
 /// How a frame went.
 struct FrameReport {
   int substeps = 0;
@@ -25,6 +37,7 @@ struct FrameReport {
   double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
   /// `bounded`: what may cross in this frame, where its settings accept that. Not saved.
   std::optional<BlockedContact> blocked = {};
+  ContactReport contact = {};  ///< `bounded`: of solver.contact and bodies
 
   bool operator==(const FrameReport&) const = default;
 };

@@ -39,6 +39,31 @@ TEST(Contact, ABandThatFallsOnItselfCrossesNothing) {
   }
 }
 
+TEST(Contact, AFrameReportsItsSearchesAndTheDistanceThatItBeganWith) {
+  ContactScene scene = {.mesh = mesh_of({.at_m = {0.0, 7e-4, 0.0}})};
+  for (Index v = 0; v < scene.mesh.positions.size(); ++v) {
+    scene.pins.push_back(v);
+  }
+  scene.surroundings.bodies = {{.name = "ground", .shape = Plane{}}};
+  Simulation simulation = begin(scene);
+  EXPECT_EQ(simulation.frame_report().contact, ContactReport{});
+  simulation.advance_frame();
+  const ContactReport report = simulation.frame_report().contact;
+  EXPECT_GE(report.detections, 1);
+  EXPECT_EQ(report.most_pairs, 81) << "every vertex";
+  EXPECT_NEAR(report.smallest_distance_m, 7e-4, 1e-8);
+
+  scene.surroundings.bodies.clear();
+  Simulation apart = begin(scene);
+  apart.advance_frame();
+  EXPECT_GE(apart.frame_report().contact.detections, 1) << "for what is near within the cloth";
+  EXPECT_GT(apart.frame_report().contact.smallest_distance_m, 7e-4);
+  scene.bounded.contact = false;
+  Simulation off = begin(scene);
+  off.advance_frame();
+  EXPECT_EQ(off.frame_report().contact, ContactReport{});
+}
+
 TEST(Contact, WithoutItTheSameBandCrossesItself) {
   ContactScene scene = falling_band();
   scene.bounded.contact = false;

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "app/report/report.hpp"
+#include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
@@ -239,7 +240,7 @@ TEST(Claims, JsonIsCompleteEvenWhereARunDiverged) {
   results.methods[4].diverged_at_s = 0.5;
   Machine machine;
   machine.processor = "a \"quoted\" one";
-  const auto json = nlohmann::json::parse(claims_json(judge_claims(results), machine));
+  const auto json = nlohmann::json::parse(claims_json(judge_claims(results), {}, machine));
   EXPECT_EQ(json["machine"]["processor"], "a \"quoted\" one");
   EXPECT_TRUE(json["versions"].contains("compiler"));
   ASSERT_EQ(json["claims"].size(), 9U);
@@ -262,7 +263,7 @@ TEST(Claims, JsonIsCompleteEvenWhereARunDiverged) {
 TEST(Report, IsOneFileWithPicturesInside) {
   renderer::Image picture = renderer::make_image(40, 20);
   const std::vector<DrawnFigure> figures = {{"fig1", "A & B", picture}};
-  const std::string html = report_html(judge_claims(results_in_part()), figures, {});
+  const std::string html = report_html(judge_claims(results_in_part()), {}, figures, {});
   EXPECT_NE(html.find("src=\"data:image/png;base64,iVBOR"), std::string::npos);
   EXPECT_NE(html.find("A &amp; B"), std::string::npos);
   EXPECT_EQ(html.find("http"), std::string::npos) << "nothing from elsewhere";
@@ -270,7 +271,7 @@ TEST(Report, IsOneFileWithPicturesInside) {
 }
 
 TEST(Report, ShowsEachVerdictAndWhatBoundedReaches) {
-  const auto html_of = [](const Results& results) { return report_html(judge_claims(results), {}, {}); };
+  const auto html_of = [](const Results& results) { return report_html(judge_claims(results), {}, {}, {}); };
   const std::string pages[] = {html_of(results_of_the_paper()), html_of(results_in_part()),
                                html_of(results_against_it())};
   const Verdict verdicts[] = {yes, partly, no};
@@ -282,6 +283,54 @@ TEST(Report, ShowsEachVerdictAndWhatBoundedReaches) {
     }
     EXPECT_NE(pages[page].find("With the solver bounded instead"), std::string::npos);
   }
+}
+
+/// Of a bounded scene with contact that keeps both promises, and of one without contact.
+Results results_with_promises() {
+  Results results;
+  for (const std::size_t i : {1U, 2U}) {
+    Recording& shirt = results.shirts[i].emplace();
+    shirt.scene.name = i == 1 ? "apart" : "without contact";
+    shirt.scene.simulation.solver.kind = sim::SolverKind::bounded;
+    shirt.scene.simulation.solver.bounded = {.max_stretch = 0.01, .contact = i == 1};
+    shirt.promises = {241, {0.0099, 0.3}, i == 1 ? 0U : 70U, i == 1 ? 0U : 40U, i == 1 ? 0 : 2};
+  }
+  Recording& strong = results.pinned[0].emplace();
+  strong.scene.name = "strong";
+  strong.scene.simulation.solver.kind = sim::SolverKind::strong;
+  strong.promises = {101, {0.19, 0.4}, 0, 0, 0};
+  results.pinned[1].emplace();
+  return results;
+}
+
+TEST(Report, SaysOfEveryCheckedSceneWhatIsPromisedAndKept) {
+  Results results = results_with_promises();
+  const std::vector<PromiseResult> promises = promise_results(results);
+  ASSERT_EQ(promises.size(), 3U) << "nobody has checked the other one";
+  EXPECT_EQ(
+      describe(promises),
+      "583 frames of 3 scenes were checked. A bound on stretch is promised in 2 of the scenes and kept in "
+      "every frame of 2; that nothing crosses is promised in 1 and kept in every frame of 1. Where contact "
+      "is off nothing is promised about it, and triangles do cross: 70 pairs in all frames together.");
+  const std::string html = report_html({}, promises, {}, {});
+  EXPECT_CONTAINS(html,
+                  "apart</a></td><td class=\"number\">241</td><td class=\"number\">0.9900 %</td>"
+                  "<td class=\"number\">1 %</td><td><b>kept</b></td><td class=\"number\">0</td>"
+                  "<td><b>kept</b></td></tr>");
+  EXPECT_CONTAINS(html, "70 in 2 of the frames, 40 at most</td><td>not promised</td></tr>");
+  EXPECT_CONTAINS(html, "<tr class=\"part\"><td><a href=\"#fig4\">strong</a>");
+  EXPECT_EQ(html.find("broken"), std::string::npos);
+  const auto json = nlohmann::json::parse(claims_json({}, promises, {}))["promises"];
+  EXPECT_EQ(json[0]["bound"], nullptr);
+  EXPECT_EQ(json[1]["max_stretch"], 0.0099);
+  EXPECT_EQ(json[2]["crossing_pairs"], 70);
+  EXPECT_EQ(json[2]["contact"], false);
+
+  results.shirts[1]->promises->crossing_frames = 1;
+  results.shirts[1]->promises->stretch.springs = 0.0101;
+  const std::string broken = report_html({}, promise_results(results), {}, {});
+  EXPECT_CONTAINS(broken, "<tr class=\"fails\"><td><a href=\"#fig5\">apart</a>");
+  EXPECT_CONTAINS(broken, ">1.0100 %</td><td class=\"number\">1 %</td><td><b>broken</b>");
 }
 
 TEST(Report, Base64PadsIncompleteGroups) {

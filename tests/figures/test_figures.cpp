@@ -8,6 +8,8 @@
 
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/figures.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/output/frame_verifier.hpp"
 
 namespace taut::app {
 namespace {
@@ -129,6 +131,39 @@ TEST(Recording, LargestStretchesAreOfAllFramesThoseNotKeptIncluded) {
     EXPECT_EQ(one.largest_stretch, springs);
     EXPECT_EQ(one.largest_surface_stretch.max, surface);
     EXPECT_EQ(one.largest_surface_stretch.p99, p99);
+  }
+}
+
+TEST(Recording, CountsWhatCrossesInEveryFrameWhereAskedTo) {
+  DrawnScene scene = find_scene("pinned-9x9-5", {});
+  scene.simulation.solver.substeps = 1;
+  // It begins within the cloth, which is pushed out later.
+  const sim::Vec3 middle_m = load_garment(scene).garment->mesh.positions[40];
+  scene.surroundings.bodies = {{.name = "ball", .shape = sim::Sphere{middle_m, 0.1}}};
+  const std::array frames = {0, 5};
+  EXPECT_FALSE(record_frames(scene, frames, [](double) {}).promises);
+  sim::Simulation simulation = make_simulation(scene, load_garment(scene));
+  FrameVerifier verifier;
+  PromiseCounts expected;
+  for (int frame = 0; frame <= frames.back(); ++frame) {
+    FrameRecord record;
+    record.time_s = simulation.state().time_s;
+    verifier.check(simulation, record);
+    expected.crossing_pairs += *record.crossing_pairs;
+    expected.most_pairs = std::max(expected.most_pairs, *record.crossing_pairs);
+    expected.crossing_frames += *record.crossing_pairs > 0 ? 1 : 0;
+    simulation.advance_frame();
+  }
+  EXPECT_GT(expected.crossing_pairs, 0U);
+  for (const Recording& recording : {record_frames(
+                                         scene, frames, [](double) {}, Checking::promises),
+                                     record_steps(scene, frames, 40, [](double) {}).frames}) {
+    ASSERT_TRUE(recording.promises);
+    EXPECT_EQ(recording.promises->frames, 6);
+    EXPECT_EQ(recording.promises->crossing_pairs, expected.crossing_pairs);
+    EXPECT_EQ(recording.promises->most_pairs, expected.most_pairs);
+    EXPECT_EQ(recording.promises->crossing_frames, expected.crossing_frames);
+    EXPECT_EQ(recording.promises->stretch.springs, verifier.largest().springs);
   }
 }
 

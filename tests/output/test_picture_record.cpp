@@ -132,6 +132,24 @@ TEST(PictureRecord, AGarmentIsFoundInTheAssetsOrBesideThePicture) {
   EXPECT_EQ(read_picture_record(picture, {}).scene.garment.file, beside);
 }
 
+TEST(PictureRecord, ABodyIsFoundInTheAssetsOrBesideThePicture) {
+  const TemporaryFolder folder;
+  DrawnScene scene = find_scene("needles", {});
+  EXPECT_CONTAINS(scene_text(scene), "file = \"bodies/needles.obj\"");
+  const BodySource found = read_picture_record(write_record(folder, scene), {}).scene.body_sources.at(0);
+  EXPECT_EQ(found.file, assets_folder() / "bodies/needles.obj");
+  EXPECT_TRUE(found.frames.empty());
+  EXPECT_CONTAINS(scene_text(scene, GarmentNaming::full_path), assets_folder().string() + "/bodies/needles");
+
+  scene.body_sources[0].file = "/nowhere/any.obj";
+  scene.body_sources[0].frames = "/nowhere/any.pc2";
+  const auto picture = write_record(folder, scene);
+  EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).file, "/nowhere/any.obj");
+  const auto beside = folder.write("any.obj", "v 0 0 0\n"), frames = folder.write("any.pc2", "");
+  EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).file, beside);
+  EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).frames, frames);
+}
+
 // File names can hold any bytes; a scene that is TOML no more could not be read back at all.
 TEST(PictureRecord, AGarmentWhoseNameIsNoUtf8CanBeReadBack) {
   const TemporaryFolder folder;

@@ -55,6 +55,13 @@ TEST(RunReport, HoldsWhatTheDesignPromises) {
   const json numbers = json::parse(statistics_line(json_lines, stretched));
   EXPECT_EQ(numbers["max_surface_stretch"], 0.75);
   EXPECT_EQ(numbers["p99_surface_stretch"], 0.25);
+  EXPECT_TRUE(numbers["smallest_distance"].is_null()) << "nothing near";
+  stretched.contact = {5, 4, 300, 0.25};
+  const json contact = json::parse(statistics_line(json_lines, stretched));
+  EXPECT_EQ(contact["detections"], 5);
+  EXPECT_EQ(contact["partial_detections"], 4);
+  EXPECT_EQ(contact["contact_pairs"], 300);
+  EXPECT_EQ(contact["smallest_distance"], 0.25);
   RunSummary summary;
   summary.add(records[0]);
   summary.max_surface_stretch = 0.5;

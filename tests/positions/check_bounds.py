@@ -3,7 +3,7 @@
   check_bounds.py TAUT SOURCE FOLDER HELD CHECKED [SCENE...]
 
 HELD is what the solver is asked to hold, CHECKED what the frames are judged by: springs or surface. Without scenes,
-all that the program lists. Every scene runs for SECONDS; for its own time where TAUT_WHOLE_SCENES is set."""
+all that the program lists but for those about contact. Every scene runs for SECONDS; for its own time where TAUT_WHOLE_SCENES is set."""
 
 import os
 import pathlib

@@ -18,11 +18,23 @@ constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 TEST(SceneLookup, FindsBuiltInScenes) {
   const auto scenes = built_in_scenes();
   for (const char* name : {"cloth-fall", "pinned-9x9-5", "pinned-9x9-20", "tshirt", "tshirt-gravity",
-                           "tshirt-wind-1", "tshirt-wind-10"}) {
+                           "tshirt-wind-1", "tshirt-wind-10", "rotating-sphere", "reef-knot"}) {
     EXPECT_TRUE(std::any_of(scenes.begin(), scenes.end(), [&](const auto& scene) {
       return scene.name == name;
     })) << name;
   }
+}
+
+// Bash completion and scripts read the list line by line.
+TEST(SceneLookup, ListsScenesAboutContactLast) {
+  const auto scenes = built_in_scenes();
+  const auto of_contact =
+      std::find_if(scenes.begin(), scenes.end(), [](const auto& s) { return s.is_of_contact; });
+  EXPECT_GE(of_contact - scenes.begin(), 7);
+  EXPECT_GE(scenes.end() - of_contact, 13);
+  EXPECT_TRUE(std::all_of(of_contact, scenes.end(), [](const auto& s) {
+    return s.is_of_contact && s.file.parent_path().filename() == "contact";
+  }));
 }
 
 TEST(SceneLookup, ReadsEveryBuiltInScene) {

@@ -96,7 +96,8 @@ Job recording_job(const std::string& scene_name, double cost, std::optional<Reco
                   int most_frames = std::numeric_limits<int>::max()) {
   return {scene_name, cost, [scene_name, most_frames, &place](const ProgressCallback& report_progress) {
             const DrawnScene scene = find_scene(scene_name, {});
-            place = record_frames(scene, std::array{std::min(scene.frames, most_frames)}, report_progress);
+            place = record_frames(scene, std::array{std::min(scene.frames, most_frames)}, report_progress,
+                                  Checking::promises);
           }};
 }
 

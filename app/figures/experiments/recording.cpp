@@ -4,6 +4,7 @@
 
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
+#include "app/output/frame_verifier.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {
@@ -21,6 +22,25 @@ void keep(const sim::Simulation& simulation, int frame, Recording& recording) {
   recording.moments.push_back({measure_frame(simulation, frame), simulation.state().current});
 }
 
+/// Counts in a recording what frames are promised, whether it is kept or not.
+class PromiseCounter {
+ public:
+  explicit PromiseCounter(Recording& recording) : counts_(recording.promises.emplace()) {}
+
+  void count(const sim::Simulation& simulation, FrameRecord& record) {
+    verifier_.check(simulation, record);
+    counts_.frames = verifier_.frames();
+    counts_.stretch = verifier_.largest();
+    counts_.crossing_pairs += *record.crossing_pairs;
+    counts_.most_pairs = std::max(counts_.most_pairs, *record.crossing_pairs);
+    counts_.crossing_frames += *record.crossing_pairs > 0 ? 1 : 0;
+  }
+
+ private:
+  PromiseCounts& counts_;
+  FrameVerifier verifier_;
+};
+
 }  // namespace
 
 void note_stretch(const FrameRecord& record, Recording& recording) {
@@ -31,9 +51,10 @@ void note_stretch(const FrameRecord& record, Recording& recording) {
 }
 
 Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
-                        const ProgressCallback& report_progress) {
+                        const ProgressCallback& report_progress, Checking checking) {
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   Recording recording = begin_recording(scene, simulation);
+  std::optional<PromiseCounter> counter;
   if (frames.front() == 0) {
     keep(simulation, 0, recording);
   }
@@ -47,6 +68,13 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
     note_stretch(record, recording);
     report_progress(static_cast<double>(record.frame) / frames.back());
   };
+  if (checking == Checking::promises) {
+    counter.emplace(recording);
+    outputs.verify = [&](const sim::Simulation& moment, FrameRecord& record) {
+      counter->count(moment, record);
+      return std::string();
+    };
+  }
   run_frames(simulation, frames.back(), outputs);
   return recording;
 }
@@ -70,6 +98,9 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
   if (frames.front() == 0) {
     keep(simulation, 0, recording.frames);
   }
+  PromiseCounter counter(recording.frames);
+  FrameRecord start;
+  counter.count(simulation, start);
   for (int frame = 1; frame <= frames.back() && !recording.came_to_rest; ++frame) {
     for (int step = 0; step < steps_in_frame && !recording.came_to_rest; ++step) {
       simulation.advance_frame();
@@ -80,8 +111,10 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
       }
     }
     FrameRecord record;
+    record.time_s = simulation.state().time_s;
     measure_stretches(simulation, record);
     note_stretch(record, recording.frames);
+    counter.count(simulation, record);
     if (recording.came_to_rest || std::binary_search(frames.begin(), frames.end(), frame)) {
       keep(simulation, frame, recording.frames);
     }

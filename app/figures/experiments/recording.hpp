@@ -8,6 +8,7 @@
 #include "app/base/job_runner.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/frame_record.hpp"
+#include "app/verify/stretch.hpp"
 #include "sim/garment.hpp"
 #include "sim/measures.hpp"
 
@@ -19,6 +20,15 @@ struct Moment {
   std::vector<sim::Vec3> positions;
 };
 
+/// What was counted in the frames of a run by FrameVerifier, which shares nothing with the solvers.
+struct PromiseCounts {
+  int frames = 0;                  ///< that were checked
+  LargestStretch stretch;          ///< of all of them
+  std::size_t crossing_pairs = 0;  ///< the sum of all of them
+  std::size_t most_pairs = 0;      ///< in the frame with the most
+  int crossing_frames = 0;         ///< in which something crosses
+};
+
 /// Selected frames of a run, from which figures are drawn.
 struct Recording {
   DrawnScene scene;
@@ -28,6 +38,7 @@ struct Recording {
   double largest_stretch = 0.0;  ///< of all frames of the run, a fraction
   /// The largest of all frames, each member by itself.
   sim::SurfaceStretch largest_surface_stretch;
+  std::optional<PromiseCounts> promises;  ///< empty: nobody has counted
 
   const Moment& last() const { return moments.back(); }
 };
@@ -35,9 +46,12 @@ struct Recording {
 /// Takes the stretches of one more frame into the largest of a recording.
 void note_stretch(const FrameRecord& record, Recording& recording);
 
+/// Whether every frame is checked for what is promised; it costs about as much as the frame.
+enum class Checking { none, promises };
+
 /// Simulates the scene up to the last of `frames`, which must be ascending, and keeps these frames.
 Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
-                        const ProgressCallback& report_progress);
+                        const ProgressCallback& report_progress, Checking checking = Checking::none);
 
 /// A run that was looked at after every time step. The paper calls a step an iteration.
 struct StepRecording {
@@ -49,7 +63,8 @@ struct StepRecording {
 };
 
 /// Simulates the scene until it is at rest, but not beyond the last of `frames`, which must be ascending. It
-/// keeps these frames. If the cloth comes to rest earlier, that moment replaces the frames after it.
+/// keeps these frames. If the cloth comes to rest earlier, that moment replaces the frames after it. Every
+/// frame is checked for what is promised.
 StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames, sim::Index vertex,
                            const ProgressCallback& report_progress);
 

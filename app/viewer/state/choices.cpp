@@ -23,14 +23,16 @@ std::string figure_label(const std::string& title) {
 
 std::vector<Choice> scene_choices() {
   std::vector<Choice> choices;
+  std::size_t count_without_contact = 0;
   for (const BuiltInScene& scene : built_in_scenes()) {
     try {
       choices.push_back({scene.name, figure_label(read_scene_file(scene.file).title), scene.file});
+      count_without_contact += scene.is_of_contact ? 0 : 1;
     } catch (const InputError&) {
       continue;
     }
   }
-  std::stable_sort(choices.begin(), choices.end(),
+  std::stable_sort(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(count_without_contact),
                    [](const Choice& a, const Choice& b) { return a.label < b.label; });
   return choices;
 }

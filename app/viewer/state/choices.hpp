@@ -6,8 +6,8 @@
 
 namespace taut::app {
 
-/// The built-in scenes. Those that belong to a figure of the paper have its label. A scene that cannot be
-/// read is left out.
+/// The built-in scenes, those about contact last. Those that belong to a figure of the paper have its label.
+/// A scene that cannot be read is left out.
 std::vector<Choice> scene_choices();
 
 /// The garments that come with the program.

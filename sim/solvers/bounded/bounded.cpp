@@ -289,7 +289,8 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
           projected.raw_max_stretch,
           sweeps,
           followed_compression(cloth.mobility_per_kg, frame_time_s / substeps),
-          cloth.contacts.is_blocked() ? std::optional(cloth.contacts.blocked()) : std::nullopt};
+          cloth.contacts.is_blocked() ? std::optional(cloth.contacts.blocked()) : std::nullopt,
+          cloth.contacts.report()};
 }
 
 // With other pins than the last frame's the next one begins anew.

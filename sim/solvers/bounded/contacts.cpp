@@ -73,6 +73,8 @@ void Contacts::begin_frame(const Garment& garment, const Layout& layout, const S
                            const Motion& motion, double time_s) {
   first_blocked_.reset();
   is_on_ = within_cloth_ || !surroundings.bodies.empty();
+  report_ = {};
+  is_distance_known_ = false;
   if (!is_on_) {
     return;
   }
@@ -159,6 +161,15 @@ void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts) {
   memory_ = frame_memory_;
   if (near_) {
     near_->forget();
+  }
+}
+
+void Contacts::end_frame() {
+  frame_memory_ = memory_;
+  if (is_on_) {
+    const LastingPairs::Searches searches = near_->take_searches();
+    report_.detections = searches.all;
+    report_.partial_detections = searches.marked;
   }
 }
 
@@ -306,6 +317,11 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
     fits = regions_.make(pairs_, rows_);
   }
   memory_.is_touching = regions_.pair_count() > 0;
+  report_.most_pairs = std::max(report_.most_pairs, static_cast<int>(regions_.pair_count()));
+  if (!is_distance_known_) {
+    is_distance_known_ = true;
+    report_.smallest_distance_m = regions_.smallest_distance();
+  }
   note_blocked(layout, origin_m, fits);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     float& deviation = memory_.deviations[row];

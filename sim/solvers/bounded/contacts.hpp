@@ -10,6 +10,7 @@
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/motion.hpp"
 #include "sim/solvers/bounded/row_memory.hpp"
+#include "sim/solvers/solver.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim::bounded {
@@ -32,7 +33,10 @@ class Contacts {
   /// attempts there were.
   void begin_attempt(const TimeSpan& frame, int earlier_attempts);
   /// Call it when a frame is kept.
-  void end_frame() { frame_memory_ = memory_; }
+  void end_frame();
+
+  /// Returns what the last frame that was kept took.
+  const ContactReport& report() const { return report_; }
 
   /// Returns whether regions have to be made before the time step that begins now.
   bool are_due(double time_s, double time_step_s) const {
@@ -110,6 +114,8 @@ class Contacts {
   Regions regions_;
   bool is_blocked_ = false;
   std::optional<BlockedContact> first_blocked_;  ///< of the frame
+  ContactReport report_;
+  bool is_distance_known_ = false;  ///< the report has that of this frame
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;

@@ -69,6 +69,7 @@ void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float slo
       reaches_[row] += more_m + more_per_way * length_of(ways_[row]);
     }
   }
+  ++searches_.all;
   found_ = near_.find(begin_, ways_, reaches_, kernels);
 }
 
@@ -117,6 +118,7 @@ void LastingPairs::renew_marked(const ExpectedRows& rows, ParallelKernels& kerne
       reaches_[row] += length_of(rows.moves[row]);
     }
   }
+  ++searches_.marked;
   found_ = near_.find_anew(marks_, begin_, ways_, reaches_, kernels);
 }
 

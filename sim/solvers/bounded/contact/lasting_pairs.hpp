@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/rigid_motion.hpp"
@@ -29,6 +30,14 @@ class LastingPairs {
   /// Forgets the list, so that what is found next depends on nothing from before.
   void forget() { begin_.clear(); }
 
+  /// How often it has looked.
+  struct Searches {
+    int all = 0;     ///< through all
+    int marked = 0;  ///< around rows that did not keep to what was expected
+  };
+  /// Returns the searches since the last call.
+  Searches take_searches() { return std::exchange(searches_, {}); }
+
   /// Finds all pairs that could meet while rows move as expected. A list lasts until `until_s` where rows are
   /// slow enough: by then none should have gone further than `slow_m`.
   std::span<const NearPair> find(const ExpectedRows& rows, double until_s, float slow_m,
@@ -52,6 +61,7 @@ class LastingPairs {
   void keep_near(const MovingRows& rows, Index first_count, const ContactKernels& kernels);
 
   NearPairs near_;
+  Searches searches_;
   Float4Array begin_;           ///< where rows were when the list was made; empty if there is none
   Float4Array ways_;            ///< how they are expected to move in its time
   std::vector<float> reaches_;  ///< and how much more or less that may be

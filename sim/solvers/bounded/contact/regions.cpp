@@ -32,6 +32,14 @@ bool is_zero(const Float4& v) {
 
 }  // namespace
 
+float Regions::smallest_distance() const {
+  float smallest = infinity;
+  for (const Pair& pair : pairs_) {
+    smallest = std::min(smallest, pair.distance);
+  }
+  return smallest;
+}
+
 void Regions::add_pair(const ContactPair& contact, const RowMoves& rows) {
   const NearPair& near = contact.near;
   std::array<glm::vec3, 4> p{};

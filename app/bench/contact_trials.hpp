@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/models/garment_loading.hpp"
+#include "app/scene/scene.hpp"
+#include "sim/solvers/solver.hpp"
+
+namespace taut::app {
+
+/// One frame of a run of a scene about contact, judged by FrameVerifier.
+struct ContactFrame {
+  double cpu_ms = 0.0;         ///< processor time of all threads; 0 of the start
+  sim::ContactReport contact;  ///< what the solver says
+  std::size_t crossing_pairs = 0;
+  bool is_broken = false;  ///< it broke a promise, or the solver says that it could not make sure
+};
+
+/// A run of such a scene.
+struct ContactRun {
+  std::uint64_t seed = 0;            ///< of where it started; 0: where the scene has it
+  std::vector<ContactFrame> frames;  ///< those that were computed, after the start
+  ContactFrame start;
+  double stretch = 0.0;      ///< a fraction: of the worst spring, or triangle where those are held
+  std::string first_broken;  ///< what the first frame that broke a promise broke; empty: the run passed
+};
+
+/// All runs of a scene.
+struct ContactTrial {
+  std::string scene;
+  double bound = 0.0;  ///< the largest stretch that is promised, a fraction
+  std::size_t triangles = 0;
+  std::vector<ContactRun> runs;
+};
+
+/// What the runs of a trial have in common.
+struct ContactFacts {
+  std::size_t passed = 0;           ///< runs that broke no promise
+  std::size_t frames = 0;           ///< of all runs, the starts not counted
+  double median_ms = 0.0;           ///< processor time per frame; 0 without frames
+  double worst_ms = 0.0;            ///< of the slowest frame
+  double detections = 0.0;          ///< per frame: searches through all
+  double partial_detections = 0.0;  ///< per frame: searches around single vertices
+  int most_pairs = 0;               ///< near pairs at a time
+  double smallest_distance_m = std::numeric_limits<double>::infinity();  ///< as ContactReport has it
+  double stretch = 0.0;                                                  ///< the largest, a fraction
+  std::size_t crossing_pairs = 0;                                        ///< the sum of all frames
+  std::size_t broken_frames = 0;
+};
+
+/// How far a start is moved at random, as a part of the cloth's thickness, along each axis both ways.
+inline constexpr double jitter_part = 0.05;
+
+/// Returns where the cloth starts, every vertex that is not pinned moved at random by up to jitter_part of
+/// `thickness_m` along each axis. The same for the same seed on every machine.
+std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickness_m, std::uint64_t seed);
+
+/// Runs the scene for `frames` frames from a jittered start, or from its own with the seed 0, and never lets
+/// it sleep. A frame that breaks a promise does not end the run; one that diverges does. `after_frame` is
+/// called with the number of every frame. Bodies must have been loaded.
+ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int frames, std::uint64_t seed,
+                       const std::function<void(int)>& after_frame);
+
+ContactFacts facts_of(std::span<const ContactRun> runs);
+
+/// The names of the built-in scenes about contact.
+std::vector<std::string> contact_scene_names();
+
+}  // namespace taut::app

@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/bench/contact_output.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+/// A sheet of 5 by 5 that falls on a ball of which a part is `depth_m` above it.
+Scene falling_sheet(double depth_m, double max_stretch = 0.01) {
+  Scene scene;
+  scene.garment.grid = {.columns = 5, .rows = 5, .plane = sim::GridPlane::horizontal};
+  scene.pins.emplace();
+  scene.simulation.solver.kind = sim::SolverKind::bounded;
+  scene.simulation.solver.bounded = {.max_stretch = max_stretch, .contact = true, .threads = 1};
+  const sim::Vec3 middle_m = load_garment(scene).garment->mesh.positions[12];
+  scene.surroundings.bodies = {
+      {.name = "ball", .shape = sim::Sphere{middle_m - sim::Vec3(0.0, 0.2 - depth_m, 0.0), 0.2}}};
+  return scene;
+}
+
+ContactRun run_of(const Scene& scene, int frames, std::uint64_t seed = 0) {
+  return run_contact(scene, load_garment(scene), frames, seed, [](int) {});
+}
+
+TEST(ContactBench, StartsAreMovedAtRandomAndCanBeRepeated) {
+  Scene scene = falling_sheet(-0.01);
+  scene.pins = {{sim::Index{3}}};
+  const LoadedGarment cloth = load_garment(scene);
+  const std::vector<sim::Vec3>& rest_m = cloth.garment->mesh.positions;
+  const auto start_m = jittered_start(cloth, 0.002, 7);
+  EXPECT_EQ(start_m, jittered_start(cloth, 0.002, 7));
+  EXPECT_NE(start_m, jittered_start(cloth, 0.002, 8));
+  EXPECT_EQ(start_m[3], rest_m[3]) << "pinned";
+  // Of a generator whose numbers are the same everywhere.
+  EXPECT_NEAR(start_m[0].x - rest_m[0].x, 5.0877061e-05, 1e-12);
+  double furthest_m = 0.0;
+  for (std::size_t v = 0; v < rest_m.size(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      furthest_m = std::max(furthest_m, std::abs(start_m[v][axis] - rest_m[v][axis]));
+    }
+  }
+  EXPECT_LE(furthest_m, jitter_part * 0.002);
+  EXPECT_GT(furthest_m, 0.8 * jitter_part * 0.002);
+}
+
+TEST(ContactBench, ARunThatKeepsBothPromisesPasses) {
+  const Scene scene = falling_sheet(-0.001);
+  const ContactRun run = run_of(scene, 8);
+  EXPECT_EQ(run.first_broken, "");
+  EXPECT_EQ(run.frames.size(), 8U);
+  const ContactFacts facts = facts_of({&run, 1});
+  EXPECT_EQ(facts.passed, 1U);
+  EXPECT_EQ(facts.crossing_pairs + facts.broken_frames, 0U);
+  EXPECT_GE(facts.detections, 1.0);
+  EXPECT_GT(facts.most_pairs, 0);
+  EXPECT_GT(facts.smallest_distance_m, 0.0);
+  EXPECT_LE(facts.smallest_distance_m, 0.001 + 1e-6);
+  EXPECT_GT(facts.stretch, 0.0005);
+  EXPECT_LE(facts.stretch, 0.01 + 1e-9);
+  const ContactRun moved = run_of(scene, 8, 1), again = run_of(scene, 8, 1);
+  EXPECT_NE(moved.stretch, run.stretch);
+  EXPECT_EQ(moved.stretch, again.stretch);
+}
+
+TEST(ContactBench, ARunThatBreaksAPromiseIsNamedAndGoesOn) {
+  const Scene scene = falling_sheet(0.05);
+  ContactTrial trial = {"needles", 0.01, 32, {run_of(falling_sheet(-0.001), 3), run_of(scene, 3, 5)}};
+  EXPECT_CONTAINS(trial.runs[1].first_broken, "frame 0, 0.0000 s: ");
+  EXPECT_CONTAINS(trial.runs[1].first_broken, "the body 'ball', the first: triangle ");
+  EXPECT_EQ(trial.runs[1].frames.size(), 3U);
+  const ContactFacts facts = facts_of(trial.runs);
+  EXPECT_EQ(facts.passed, 1U);
+  EXPECT_EQ(facts.frames, 6U);
+  EXPECT_GE(facts.broken_frames, 1U);
+  EXPECT_GE(facts.crossing_pairs, trial.runs[1].start.crossing_pairs);
+  EXPECT_GT(trial.runs[1].start.crossing_pairs, 0U);
+  const std::string table = contact_table({&trial, 1});
+  EXPECT_CONTAINS(table, "  1 of 2\n");
+  EXPECT_CONTAINS(table, "\n  needles, start 5: frame 0, 0.0000 s: ");
+  const auto json = nlohmann::json::parse(contact_json({&trial, 1}, {}))["scenes"][0];
+  EXPECT_EQ(json["passed"], 1);
+  EXPECT_EQ(json["runs"][0]["passed"], true);
+  EXPECT_EQ(json["runs"][1]["passed"], false);
+  EXPECT_EQ(json["runs"][1]["seed"], 5);
+  EXPECT_EQ(json["runs"][1]["first_broken"], trial.runs[1].first_broken);
+}
+
+TEST(ContactBench, FactsAreThoseOfAllFrames) {
+  const sim::ContactReport near = {4, 2, 30, 1e-4}, far = {2, 0, 10, INFINITY};
+  std::vector<ContactRun> runs(2);
+  runs[0].frames = {{1.0, near, 0, false}, {9.0, far, 0, false}};
+  runs[1].frames = {{2.0, far, 5, true}};
+  runs[1].stretch = 0.02;
+  runs[1].first_broken = "frame 1";
+  const ContactFacts facts = facts_of(runs);
+  EXPECT_EQ(facts.median_ms, 2.0);
+  EXPECT_EQ(facts.worst_ms, 9.0);
+  EXPECT_NEAR(facts.detections, 8.0 / 3.0, 1e-15);
+  EXPECT_NEAR(facts.partial_detections, 2.0 / 3.0, 1e-15);
+  EXPECT_EQ(facts.most_pairs, 30);
+  EXPECT_EQ(facts.smallest_distance_m, 1e-4);
+  EXPECT_EQ(facts.stretch, 0.02);
+  EXPECT_EQ(facts.crossing_pairs, 5U);
+  EXPECT_EQ(facts.broken_frames, 1U);
+  EXPECT_EQ(facts_of({}).median_ms, 0.0);
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -68,9 +68,7 @@ Vec3 place_between(const Searched& searched, const NearPair& near) {
   return searched.origin_m + Vec3(place);
 }
 
-}  // namespace
-
-BlockedContact blocked_contact(const Searched& searched, const BlockedPair& pair) {
+BlockedContact of_pair(const Searched& searched, const BlockedPair& pair) {
   BlockedContact blocked;
   const std::array<Side, 2> sides = sides_of(pair.near);
   blocked.sides = {named(searched, sides[0]), named(searched, sides[1])};
@@ -80,6 +78,21 @@ BlockedContact blocked_contact(const Searched& searched, const BlockedPair& pair
   blocked.place_m = place_between(searched, pair.near);
   blocked.distance_m = pair.distance;
   return blocked;
+}
+
+}  // namespace
+
+BlockedContact blocked_contact(const Searched& searched, const Regions& regions) {
+  if (regions.blocked()) {
+    return of_pair(searched, *regions.blocked());
+  }
+  std::size_t furthest = searched.layout.pin_count;
+  for (std::size_t row = furthest; row < searched.layout.vertex_count(); ++row) {
+    if (regions.deviation(row) > regions.deviation(furthest)) {
+      furthest = row;
+    }
+  }
+  return blocked_contact(searched, furthest);
 }
 
 BlockedContact blocked_contact(const Searched& searched, std::size_t row) {

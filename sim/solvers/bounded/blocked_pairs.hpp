@@ -18,10 +18,11 @@ struct Searched {
   Vec3 origin_m;  ///< of the rows' positions
 };
 
-/// Returns the pair, which must be among the pairs of the search, by vertices and bodies instead of rows.
-BlockedContact blocked_contact(const Searched& searched, const BlockedPair& pair);
+/// Returns what is blocked in the regions that were made of the search, by vertices and bodies instead of
+/// rows: a pair, or else the row of the cloth that contact moved furthest from where it was expected.
+BlockedContact blocked_contact(const Searched& searched, const Regions& regions);
 
-/// Returns the same of a row of the cloth that goes further than was searched.
+/// Returns the same of a row of the cloth that is further away than can be searched.
 BlockedContact blocked_contact(const Searched& searched, std::size_t row);
 
 }  // namespace taut::sim::bounded

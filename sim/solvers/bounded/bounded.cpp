@@ -240,11 +240,18 @@ ProjectionResult BoundedSolver::try_frame(const Garment& garment, const Pins& pi
   return projected;
 }
 
-// To where the frame began.
-void BoundedSolver::go_back(State& state) const {
-  for (std::size_t row = 0; row < cloth_->layout.vertex_count(); ++row) {
-    state.current[cloth_->layout.vertex_of_row[row]] = cloth_->motion.start_m[row];
+// Otherwise the cloth goes back to where the frame began. Where it is lost, contact is not what went wrong.
+void BoundedSolver::require_a_way_on(const Pins& pins, const Surroundings& surroundings, double frame_time_s,
+                                     State& state) const {
+  const Cloth& cloth = *cloth_;
+  if (!cloth.contacts.is_blocked() || settings_.allow_crossing ||
+      first_lost(state.current) < state.current.size()) {
+    return;
   }
+  for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
+    state.current[cloth.layout.vertex_of_row[row]] = cloth.motion.start_m[row];
+  }
+  throw ContactBlocked(cloth.contacts.blocked(), pins, surroundings.bodies, state.time_s + frame_time_s);
 }
 
 FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pins,
@@ -269,11 +276,7 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
   } while ((!projected.kept || cloth.contacts.is_blocked() ||
             (shift > too_far && shift > further_than_before * cloth.shift)) &&
            control.try_more());
-  const bool is_lost = first_lost(state.current) < state.current.size();  // contact is not what went wrong
-  if (cloth.contacts.is_blocked() && !settings_.allow_crossing && !is_lost) {
-    go_back(state);
-    throw ContactBlocked(cloth.contacts.blocked(), pins, surroundings.bodies, state.time_s + frame_time_s);
-  }
+  require_a_way_on(pins, surroundings, frame_time_s, state);
   cloth.shift = shift;
   cloth.projection.end_frame();
   cloth.contacts.end_frame();

@@ -41,7 +41,8 @@ class BoundedSolver : public Solver {
                                       const Surroundings& surroundings, double frame_time_s,
                                       int earlier_attempts, State& state);
   void write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const;
-  void go_back(State& state) const;
+  void require_a_way_on(const Pins& pins, const Surroundings& surroundings, double frame_time_s,
+                        State& state) const;
   void end_frame(double frame_time_s, int substeps, State& state) const;
 
   BoundedSettings settings_;

@@ -334,21 +334,9 @@ void Contacts::note_blocked(const Layout& layout, const Vec3& origin_m, bool fit
     return;
   }
   is_blocked_ = true;
-  if (first_blocked_) {
-    return;
+  if (!first_blocked_) {
+    first_blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);
   }
-  const Searched searched = {layout, bodies_, rows_, pairs_, origin_m};
-  if (regions_.blocked()) {
-    first_blocked_ = blocked_contact(searched, *regions_.blocked());
-    return;
-  }
-  std::size_t furthest = layout.pin_count;
-  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    if (regions_.deviation(row) > regions_.deviation(furthest)) {
-      furthest = row;
-    }
-  }
-  first_blocked_ = blocked_contact(searched, furthest);
 }
 
 void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_s, Motion& motion) {

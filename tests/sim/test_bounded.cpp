@@ -84,6 +84,8 @@ TEST_P(Bounded, ReportsABrokenBoundIfPinsPullTheClothApart) {
   const Garment garment = make_garment(sheet(9, 0.9));
   SimulationSettings settings = bounded_by(0.01, GetParam());
   settings.solver.max_substeps = 40;
+  // Pulled so far it folds over itself in its own plane, where contact would end the run.
+  std::get<BoundedSettings>(settings.solver.method).allow_crossing = true;
   Simulation simulation(share(garment), {0, 8}, settings, {}, sheet(9, 1.0).positions);
   simulation.advance_frame();
   EXPECT_FALSE(simulation.frame_report().bound_kept);

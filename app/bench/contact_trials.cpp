@@ -46,6 +46,12 @@ class Judge {
   FrameVerifier verifier_;
 };
 
+void end_early(const std::exception& reason, ContactRun& run) {
+  if (run.first_broken.empty()) {
+    run.first_broken = fmt::format("frame {}: {}", run.frames.size() + 1, reason.what());
+  }
+}
+
 void add(const ContactFrame& frame, ContactFacts& facts) {
   facts.most_pairs = std::max(facts.most_pairs, frame.contact.most_pairs);
   facts.smallest_distance_m = std::min(facts.smallest_distance_m, frame.contact.smallest_distance_m);
@@ -92,9 +98,9 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
       after_frame(frame);
     }
   } catch (const sim::Diverged& diverged) {
-    if (run.first_broken.empty()) {
-      run.first_broken = diverged.what();
-    }
+    end_early(diverged, run);
+  } catch (const sim::ContactBlocked& blocked) {
+    end_early(blocked, run);
   }
   return run;
 }

@@ -60,12 +60,14 @@ struct ContactScene {
   std::vector<Index> pins = {};
   Surroundings surroundings = {};
   Material material = {};
+  int max_substeps = 2000;
   BoundedSettings bounded = {.max_stretch = 0.01, .contact = true, .threads = 1};
 };
 
 inline Simulation begin(ContactScene scene) {
   SimulationSettings settings;
   settings.solver.method = scene.bounded;
+  settings.solver.max_substeps = scene.max_substeps;
   return {share(make_garment(std::move(scene.mesh), {}, scene.material)), std::move(scene.pins), settings,
           std::move(scene.surroundings)};
 }

@@ -198,6 +198,7 @@ void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Floa
   const std::size_t count = layout.row_count();
   rows_.positions.resize(count);
   rows_.moves.assign(count, Float4{});
+  rows_.carried = {};
   rows_.radii.assign(count, 0.0F);
   rows_.inverse_masses_per_kg = layout.inverse_masses_per_kg;
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
@@ -213,6 +214,7 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
   const auto before_s = static_cast<float>(std::min(memory_.elapsed_s, time.to_s - time.from_s));
   for (std::size_t row = 0; row < layout.pin_count; ++row) {
     rows_.moves[row] = scaled_sum(float4_of(pins_moved_m[row]), since_[row], -1.0F);
+    add_scaled(rows_.carried, rows_.moves[row], 1.0F / static_cast<float>(layout.pin_count));
   }
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     Float4& move = rows_.moves[row] = times(memory_.velocities[row], lasts_s);

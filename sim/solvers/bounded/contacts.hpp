@@ -49,6 +49,9 @@ class Contacts {
   /// Returns until when regions that are made now should last: a time at which a time step ends.
   double suitable_end_s(double time_s, double time_step_s, double frame_end_s) const;
 
+  /// Returns where the vertices of bodies are that are meshes.
+  std::vector<Vec3> body_positions_m(double time_s) const { return bodies_.mesh_positions_m(time_s); }
+
   /// Makes regions for this time. `pins_moved_m` is how far pins are from the start of the frame at its end.
   void make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
                     const Float4* accelerations, std::span<const Vec3> pins_moved_m, const TimeSpan& time,

@@ -26,10 +26,6 @@ constexpr float smallest_told_apart_m = 1e-7F;
 constexpr float largest_deviation = 0.8F;
 constexpr float more_radius = 1.5F;
 
-bool is_zero(const Float4& v) {
-  return v.x == 0.0F && v.y == 0.0F && v.z == 0.0F;
-}
-
 }  // namespace
 
 float Regions::smallest_distance() const {
@@ -126,8 +122,10 @@ void Regions::resolve_moves(std::span<const float> inverse_masses) {
   }
 }
 
-// Nothing crosses where nothing moves. Each round stills rows for good, so that the rounds end.
-void Regions::keep_still_where_needed(std::span<const float> inverse_masses) {
+// Nothing crosses where all move alike, or nothing moves. Each round holds rows for good, so that the rounds
+// end.
+void Regions::hold_where_needed(const RowMoves& rows) {
+  held_.assign(rows.radii.size(), Held::no);
   bool has_changed = true;
   while (has_changed) {
     has_changed = false;
@@ -135,19 +133,26 @@ void Regions::keep_still_where_needed(std::span<const float> inverse_masses) {
       if (span_at_end(pair).apart() >= pair.needed) {
         continue;
       }
-      bool is_still = true;
-      for (const Index row : pair.contact.near.rows) {
-        if (inverse_masses[row] > 0.0F && !is_zero(moves_[row])) {
-          moves_[row] = {};
-          is_still = false;
-        }
-      }
-      has_changed = has_changed || !is_still;
-      if (is_still) {
+      if (hold(pair.contact.near, Held::carried, rows) || hold(pair.contact.near, Held::still, rows)) {
+        has_changed = true;
+      } else {
         note_blocked(pair.contact.near, pair.distance);
       }
     }
   }
+}
+
+// Returns whether any of them was free to be.
+bool Regions::hold(const NearPair& near, Held how, const RowMoves& rows) {
+  bool has_changed = false;
+  for (const Index row : near.rows) {
+    if (rows.inverse_masses_per_kg[row] > 0.0F && held_[row] < how) {
+      held_[row] = how;
+      moves_[row] = how == Held::carried ? rows.carried : Float4{};
+      has_changed = true;
+    }
+  }
+  return has_changed;
 }
 
 bool Regions::fit_radii(RowMoves& rows) {
@@ -221,7 +226,7 @@ bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows) {
   }
   moves_ = rows.moves;
   resolve_moves(rows.inverse_masses_per_kg);
-  keep_still_where_needed(rows.inverse_masses_per_kg);
+  hold_where_needed(rows);
   if (!fit_radii(rows)) {
     return false;
   }

@@ -30,6 +30,8 @@ struct RowMoves {
   std::vector<float> radii;  ///< how much further than its move, in any direction, a row may go
   /// In 1/kg. Rows of 0 move by exactly their moves.
   std::vector<float> inverse_masses_per_kg;
+  /// Where rows go whose pairs leave them no way of their own: with what leads the cloth.
+  Float4 carried = {};
 };
 
 /// A pair that cannot be kept apart, and the distance of its two things at the time 0, in m.
@@ -112,6 +114,7 @@ class Regions {
     float start;  ///< displacements along the normal are at least so much at the time 0
     float rate;   ///< and so much more at the time 1
   };
+  enum class Held : std::uint8_t { no, carried, still };
   /// A pair that may touch until the time 1.
   struct Touch {
     std::array<Index, 4> rows;
@@ -137,7 +140,8 @@ class Regions {
   Span span_at_end(const Pair& pair) const;
   void resolve(const Pair& pair, std::span<const float> inverse_masses);
   void resolve_moves(std::span<const float> inverse_masses);
-  void keep_still_where_needed(std::span<const float> inverse_masses);
+  void hold_where_needed(const RowMoves& rows);
+  bool hold(const NearPair& near, Held how, const RowMoves& rows);
   bool fit_radii(RowMoves& rows);
   void make_half_spaces(std::span<const float> inverse_masses);
   void add_half_spaces(const Pair& pair, std::span<const float> inverse_masses, std::span<Index> next);
@@ -160,6 +164,7 @@ class Regions {
   std::optional<BlockedPair> blocked_;
   Float4Array expected_;  ///< the centres of balls at the time 1
   Float4Array moves_;     ///< as contact lets them, within the balls
+  std::vector<Held> held_;
   std::vector<float> radii_;
   std::vector<float> deviations_;
   std::vector<float> free_;  ///< how far from its move a row is certainly within its region

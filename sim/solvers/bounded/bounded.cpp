@@ -269,13 +269,15 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
   double sweeps = 0.0;
   double shift = 0.0;
   int attempts = 0;
+  bool is_good = false;
   do {
     projected = try_frame(garment, pins, surroundings, frame_time_s, attempts++, state);
     sweeps += control.substeps() + projected.cost;
     shift = allowed_m > 0.0 ? projected.largest_shift_m / allowed_m : 0.0;
-  } while ((!projected.kept || cloth.contacts.is_blocked() ||
-            (shift > too_far && shift > further_than_before * cloth.shift)) &&
-           control.try_more());
+    is_good = projected.kept && !cloth.contacts.is_blocked() &&
+              (shift <= too_far || shift <= further_than_before * cloth.shift);
+    // Regions that hold cloth back are no reason for more steps: first with the same again, and more care.
+  } while (!is_good && ((cloth.contacts.is_on() && attempts == 1) || control.try_more()));
   require_a_way_on(pins, surroundings, frame_time_s, state);
   cloth.shift = shift;
   cloth.projection.end_frame();

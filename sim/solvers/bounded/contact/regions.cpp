@@ -21,6 +21,8 @@ constexpr float enough_part = 0.01F;
 constexpr int most_passes = 12;
 /// Nearer than this, in m, rounding decides which side a thing is on.
 constexpr float smallest_told_apart_m = 1e-7F;
+/// Where what the normal tells apart is less than this part of the smallest distance, it is uncertain.
+constexpr float told_apart_part = 0.9F;
 /// Of its ball, a row's move as contact lets it may be so far from the centre, so that there is room to
 /// deviate from it.
 constexpr float largest_deviation = 0.8F;
@@ -47,10 +49,14 @@ void Regions::add_pair(const ContactPair& contact, const RowMoves& rows) {
   pair.weights = closest_weights(near, p);
   const glm::vec3 between = between_closest(near, p, pair.weights);
   pair.normal = contact.normal.value_or(between / glm::length(between));
-  for (Index k = 0; k < 4; ++k) {
-    pair.heights[k] = glm::dot(pair.normal, p[k] - p[0]);
+  set_heights(p, pair);
+  // In things far longer than they are apart, rounding turns the line between their nearest points.
+  if (!contact.normal && !(pair.distance > told_apart_part * glm::length(between))) {
+    Pair across = pair;
+    across.normal = normal_across(near, p, between);
+    set_heights(p, across);
+    pair = across.distance > pair.distance ? across : pair;
   }
-  pair.distance = span_of(near, pair.heights).apart();
   // Also where the distance is not a number, as things touch. What begins within a body that knows its way
   // out is let out.
   const bool is_told_apart = pair.distance > smallest_told_apart_m;
@@ -61,6 +67,13 @@ void Regions::add_pair(const ContactPair& contact, const RowMoves& rows) {
   pair.needed = std::min(pair.distance, least_part * contact.thickness_m);
   pair.wanted = std::min(pair.distance, contact.thickness_m);
   pairs_.push_back(pair);
+}
+
+void Regions::set_heights(const std::array<glm::vec3, 4>& p, Pair& pair) {
+  for (Index k = 0; k < 4; ++k) {
+    pair.heights[k] = glm::dot(pair.normal, p[k] - p[0]);
+  }
+  pair.distance = span_of(pair.contact.near, pair.heights).apart();
 }
 
 void Regions::note_blocked(const NearPair& near, float distance) {

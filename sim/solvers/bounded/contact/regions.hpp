@@ -136,6 +136,7 @@ class Regions {
 
   void add_pair(const ContactPair& contact, const RowMoves& rows);
   void note_blocked(const NearPair& near, float distance);
+  static void set_heights(const std::array<glm::vec3, 4>& positions, Pair& pair);
   static Span span_of(const NearPair& near, const std::array<float, 4>& heights);
   Span span_at_end(const Pair& pair) const;
   void resolve(const Pair& pair, std::span<const float> inverse_masses);

@@ -130,11 +130,7 @@ void LastingPairs::keep_near(const MovingRows& rows, Index first_count, const Co
     kept_[k].resize(list[k].size() + list_padding);
     at[k] = kept_[k].data();
   }
-  const auto keep = first_count == 1 ? kernels.near_vertex_triangle : kernels.near_edges;
-  const std::size_t count = keep(rows, list[0].size(), at);
-  for (std::size_t i = 0; i < count; ++i) {
-    pairs_.push_back({{at[0][i] / 4, at[1][i] / 4, at[2][i] / 4, at[3][i] / 4}, first_count});
-  }
+  append_near(rows, first_count, list[0].size(), at, kernels, pairs_);
 }
 
 std::span<const NearPair> LastingPairs::find(const ExpectedRows& rows, double until_s, float slow_m,

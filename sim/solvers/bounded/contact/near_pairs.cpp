@@ -45,6 +45,15 @@ Float4 mean_of(const Float4Array& vectors) {
   return mean;
 }
 
+void append_near(const MovingRows& rows, Index first_count, std::size_t count, const PairLists& lists,
+                 const ContactKernels& kernels, std::vector<NearPair>& pairs) {
+  const auto keep = first_count == 1 ? kernels.near_vertex_triangle : kernels.near_edges;
+  const std::size_t near = keep(rows, count, lists);
+  for (std::size_t i = 0; i < near; ++i) {
+    pairs.push_back({{lists[0][i] / 4, lists[1][i] / 4, lists[2][i] / 4, lists[3][i] / 4}, first_count});
+  }
+}
+
 NearPairs::Hierarchies NearPairs::hierarchies_of(const Primitives& primitives,
                                                  std::span<const Vec3> positions, std::size_t height) {
   return {BoxHierarchy(primitives.vertices, positions, height),
@@ -99,18 +108,13 @@ void NearPairs::find_between(const Trees& trees, const MovingRows& rows, Paralle
   }
   find_blocks(trees, kernels.contact());
   const auto first_count = static_cast<Index>(trees.a.corner_count());
-  const auto keep_near =
-      first_count == 1 ? kernels.contact().near_vertex_triangle : kernels.contact().near_edges;
   const std::size_t count = blocks_[0].size();
   parts_.resize(std::max(parts_.size(), count / least_pairs + 1));
   kernels.split(0, count, least_pairs, [&](std::size_t begin, std::size_t end) {
     // No other part begins so near.
     std::vector<NearPair>& part = parts_[begin / least_pairs];
     for_found(trees, 0, begin, end, kernels.contact(), [&](const PairLists& found, std::size_t candidates) {
-      const std::size_t near = keep_near(rows, candidates, found);
-      for (std::size_t i = 0; i < near; ++i) {
-        part.push_back({{found[0][i] / 4, found[1][i] / 4, found[2][i] / 4, found[3][i] / 4}, first_count});
-      }
+      append_near(rows, first_count, candidates, found, kernels.contact(), part);
     });
   });
   for (std::vector<NearPair>& part : parts_) {

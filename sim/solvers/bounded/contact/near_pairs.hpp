@@ -12,6 +12,11 @@ namespace taut::sim::bounded {
 
 Float4 mean_of(const Float4Array& vectors);
 
+/// Appends those of the first `count` pairs of the lists that could meet, see ContactKernels. It changes the
+/// lists.
+void append_near(const MovingRows& rows, Index first_count, std::size_t count, const PairLists& lists,
+                 const ContactKernels& kernels, std::vector<NearPair>& pairs);
+
 /// Finds what is near in a mesh that moves.
 class NearPairs {
  public:

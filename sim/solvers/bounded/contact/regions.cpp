@@ -193,9 +193,9 @@ void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_m
   const bool is_first_fixed = std::isinf(masses_kg[0]);
   // Of the room between the two the first gets this share.
   const float share = is_first_fixed == is_second_fixed ? 0.5F : (is_first_fixed ? 0.0F : 1.0F);
-  // Where the plane of the one or the other thing is, so that `gap` is left between the two.
-  const auto plane = [&](const Span& span, float gap, bool is_first) {
-    const float room = std::max(span.apart() - gap, 0.0F);
+  // Where the plane of the one or the other thing is, so that what is needed is left between the two.
+  const auto plane = [&](const Span& span, bool is_first) {
+    const float room = std::max(span.apart() - pair.needed, 0.0F);
     return is_first ? span.low - share * room : span.high + (1.0F - share) * room;
   };
   const Span begin = span_of(near, pair.heights);
@@ -204,8 +204,8 @@ void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_m
     const Index row = near.rows[k];
     const bool is_first = k < near.first_count;
     const float sign = is_first ? 1.0F : -1.0F;
-    const float at_begin = sign * (plane(begin, pair.needed, is_first) - pair.heights[k]);
-    const float at_end = sign * (plane(end, pair.needed, is_first) - pair.heights[k]);
+    const float at_begin = sign * (plane(begin, is_first) - pair.heights[k]);
+    const float at_end = sign * (plane(end, is_first) - pair.heights[k]);
     const float moved_up = sign * glm::dot(pair.normal, vec(moves_[row]));
     half_spaces_[next[row]++] = {sign * pair.normal, at_begin, at_end - at_begin};
     free_[row] = std::min({free_[row], -at_begin, moved_up - at_end});

@@ -155,10 +155,10 @@ class Regions {
   glm::vec3 moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
   static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim,
                                    const glm::vec3& end);
-  template <typename Slide>
-  glm::vec3 projected(Index row, float time, const glm::vec3& start, const Slide& slide) const;
-  template <typename Slide>
-  std::optional<glm::vec3> bring_row_back(Index row, float time, const glm::vec3& since, const Slide& slide,
+  template <typename Met>
+  glm::vec3 projected(Index row, float time, const glm::vec3& start, const Met& met) const;
+  template <typename Met>
+  std::optional<glm::vec3> bring_row_back(Index row, float time, const glm::vec3& since, const Met& met,
                                           Float4& current) const;
 
   std::vector<Pair> pairs_;

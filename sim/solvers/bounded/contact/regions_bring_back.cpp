@@ -21,8 +21,8 @@ std::span<const Regions::HalfSpace> Regions::half_spaces_of(Index row) const {
   return {half_spaces_.data() + half_space_begin_[row], half_spaces_.data() + half_space_begin_[row + 1]};
 }
 
-template <typename Slide>
-glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, const Slide& slide) const {
+template <typename Met>
+glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, const Met& met) const {
   glm::vec3 e = start;
   bool is_out = true;
   for (int projection = 0; projection < most_projections && is_out; ++projection) {
@@ -32,7 +32,7 @@ glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, cons
       if (depth > (projection == 0 ? 0.0F : tolerance_m)) {
         e += (projection == 0 ? depth : over_projected * depth) * half_space.normal;
         if (projection == 0) {
-          slide(half_space, depth, e);
+          met(half_space, e);
         }
         is_out = true;
       }
@@ -68,15 +68,15 @@ glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const 
 }
 
 // Returns how far the row had gone out of its ball, if it had.
-template <typename Slide>
+template <typename Met>
 std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const glm::vec3& since,
-                                                 const Slide& slide, Float4& current) const {
+                                                 const Met& met, Float4& current) const {
   const glm::vec3 aim = time * vec(moves_[row]);
   const glm::vec3 before = vec(current) - since;
   if (glm::dot(before - aim, before - aim) <= free_[row] * free_[row]) {
     return std::nullopt;
   }
-  glm::vec3 e = moved_less(row, time, aim, projected(row, time, before, slide));
+  glm::vec3 e = moved_less(row, time, aim, projected(row, time, before, met));
   const glm::vec3 centre = time * vec(expected_[row]);
   std::optional<glm::vec3> out;
   if (glm::dot(e - centre, e - centre) > radii_[row] * radii_[row]) {
@@ -95,12 +95,12 @@ void Regions::bring_back(const RowRange& range, float time, float step, const Fl
                          std::vector<HeldBack>& held_back) const {
   for (auto row = static_cast<Index>(range.begin); row < range.end; ++row) {
     const glm::vec3 origin = vec(since[row]);
-    const auto slide = [&](const HalfSpace& half_space, float, glm::vec3& e) {
+    const auto stop = [&](const HalfSpace& half_space, const glm::vec3& e) {
       const float away =
           glm::dot(e - (vec(previous[row]) - origin), half_space.normal) - step * half_space.rate;
       add(previous[row], std::max(away, 0.0F) * half_space.normal);
     };
-    if (const std::optional<glm::vec3> out = bring_row_back(row, time, origin, slide, current[row])) {
+    if (const std::optional<glm::vec3> out = bring_row_back(row, time, origin, stop, current[row])) {
       held_back.push_back({row, *out});
     }
   }
@@ -108,9 +108,9 @@ void Regions::bring_back(const RowRange& range, float time, float step, const Fl
 
 std::size_t Regions::bring_back(const RowRange& range, const Float4Array& since, Float4Array& current) const {
   std::size_t far = 0;
-  const auto no_slide = [](const HalfSpace&, float, glm::vec3&) {};
+  const auto go_on = [](const HalfSpace&, const glm::vec3&) {};
   for (auto row = static_cast<Index>(range.begin); row < range.end; ++row) {
-    far += bring_row_back(row, 1.0F, vec(since[row]), no_slide, current[row]) ? 1 : 0;
+    far += bring_row_back(row, 1.0F, vec(since[row]), go_on, current[row]) ? 1 : 0;
   }
   return far;
 }

@@ -55,7 +55,7 @@ std::string meeting(const BlockedContact& blocked, const Pins& pins, std::span<c
   const auto& [first, second] = blocked.sides;
   const std::string one = name_of(first, pins, bodies);
   if (second == ContactSide{}) {
-    return "contact throws " + one + " further than what it meets could be looked for";
+    return one + " gets further away than what it meets could be looked for";
   }
   const std::string other = name_of(second, pins, bodies);
   const bool is_first_led = is_led(first, pins);

@@ -94,7 +94,7 @@ class BoundedSolver::ApartWhileCorrected : public Confinement {
       }
       cloth_.contacts.renew_regions(garment_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
     }
-    is_held_back_ = cloth_.contacts.keep_apart(cloth_.layout, displacements);
+    is_held_back_ = cloth_.contacts.keep_apart(kernels_, displacements);
     last_ = displacements;
   }
 

@@ -11,12 +11,15 @@ namespace taut::sim::bounded {
 namespace {
 
 /// How far rows may deviate from where they are expected: in m, or in parts of the mean edge where that is
-/// less, and this part of the way there. More finds more pairs, and where these are neighbours in the cloth
-/// their planes hold it stiff; less makes regions last less long. Corrections of a frame are known less well.
-constexpr float room_m = 7e-4F;
+/// less, and this part of the way there. More finds more pairs, and where these are neighbours in the
+/// cloth their planes hold it stiff; less makes regions last less long. Corrections of a frame are known less
+/// well.
+constexpr float room_m = 2e-3F;
 constexpr float room_per_edge = 0.04F;
 constexpr float correction_room_m = 5e-4F;
 constexpr float correction_room_per_edge = 0.03F;
+/// In parts of the mean of the edges that meet in a row: there are places that are much finer than all else.
+constexpr float room_per_edge_here = 0.1F;
 constexpr float room_per_move = 0.25F;
 constexpr float most_room_m = 5e-3F;
 /// A correction that goes on may go this many times as far as it came.
@@ -41,9 +44,9 @@ constexpr float deviation_kept = 0.9F;
 constexpr float deviation_room = 1.25F;
 
 /// Regions are made anew when more than this part of the rows is held back by its ball.
-constexpr double held_back_part = 0.05;
+constexpr double held_back_part = 0.03;
 /// The next ball of such a row is larger by so much.
-constexpr float held_back_room = 1.5F;
+constexpr float held_back_room = 1.2F;
 
 /// No cloth is thinner than this, in m: there has to be room for rounding.
 constexpr double least_thickness_m = 1e-4;
@@ -110,7 +113,7 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
     }
   }
   add_loose_vertices(layout);
-  measure_edges(garment.mesh);
+  measure_edges(garment.mesh, layout);
   rest_.resize(layout.row_count());
   std::transform(positions_m.begin(), positions_m.end(), rest_.begin(), float4_of);
   bodies_ = BodyContacts(bodies, garment.material.friction, static_cast<Index>(layout.row_count()));
@@ -136,20 +139,38 @@ void Contacts::add_loose_vertices(const Layout& layout) {
   }
 }
 
-void Contacts::measure_edges(const Mesh& mesh) {
+void Contacts::measure_edges(const Mesh& mesh, const Layout& layout) {
   double sum_m = 0.0;
   longest_edge_m_ = 0.0F;
+  std::vector<float> sums_m(layout.row_count(), 0.0F);
+  std::vector<float> counts(layout.row_count(), 0.0F);
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double length_m = glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]);
       sum_m += length_m / 3.0;
       longest_edge_m_ = std::max(longest_edge_m_, static_cast<float>(length_m));
+      for (const Index v : {t[k], t[(k + 1) % 3]}) {
+        sums_m[layout.row_of_vertex[v]] += static_cast<float>(length_m);
+        ++counts[layout.row_of_vertex[v]];
+      }
     }
   }
   mean_edge_m_ = sum_m / static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1));
-  const auto mean_edge_m = static_cast<float>(mean_edge_m_);
-  room_m_ = std::min(room_m, room_per_edge * mean_edge_m);
-  correction_room_m_ = std::min(correction_room_m, correction_room_per_edge * mean_edge_m);
+  edges_m_.resize(layout.row_count());
+  for (std::size_t row = 0; row < edges_m_.size(); ++row) {
+    edges_m_[row] = counts[row] > 0.0F ? sums_m[row] / counts[row] : static_cast<float>(mean_edge_m_);
+  }
+}
+
+float Contacts::room_of(std::size_t row) const {
+  const float of_all = std::min(room_m, room_per_edge * static_cast<float>(mean_edge_m_));
+  return std::min(of_all, room_per_edge_here * edges_m_[row]);
+}
+
+float Contacts::correction_room_of(std::size_t row) const {
+  const float of_all =
+      std::min(correction_room_m, correction_room_per_edge * static_cast<float>(mean_edge_m_));
+  return std::min(of_all, room_per_edge_here * edges_m_[row]);
 }
 
 void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts) {
@@ -222,8 +243,9 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
     add_scaled(move, memory_.accelerations[row], 0.5F * lasts_s * (lasts_s + before_s));
     // What presses layers together; most of it is undone by the cloth itself.
     const Float4 pressed = times(accelerations[row], 0.5F * lasts_s * lasts_s);
-    move = scaled_sum(move, no_longer_than(room_m_, pressed), 1.0F);
-    rows_.radii[row] = std::min(room_m_ + room_per_move * length_of(move), most_room_m);
+    const float room = room_of(row);
+    move = scaled_sum(move, no_longer_than(room, pressed), 1.0F);
+    rows_.radii[row] = std::min(room + room_per_move * length_of(move), most_room_m);
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
@@ -236,7 +258,7 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
   begin_rows(layout, motion, displacements);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     rows_.moves[row] = expected[row];
-    rows_.radii[row] = correction_room_m_ + room_per_move * length_of(expected[row]);
+    rows_.radii[row] = correction_room_of(row) + room_per_move * length_of(expected[row]);
   }
   find_regions(garment, layout, motion, {time_s, time_s}, kernels);
 }
@@ -246,7 +268,7 @@ void Contacts::renew_regions(const Garment& garment, const Layout& layout, const
                              ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    rows_.radii[row] = std::clamp(further * length_of(moved[row]), correction_room_m_, most_room_m);
+    rows_.radii[row] = std::clamp(further * length_of(moved[row]), correction_room_of(row), most_room_m);
   }
   find_regions(garment, layout, motion, {time_s, time_s}, kernels);
 }
@@ -341,36 +363,36 @@ void Contacts::note_blocked(const Layout& layout, const Vec3& origin_m, bool fit
   }
 }
 
-void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_s, Motion& motion) {
+void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_s, ParallelKernels& kernels,
+                          Motion& motion) {
   const double lasts_s = until_s_ - from_s_;
   const auto time = static_cast<float>((time_s - from_s_) / lasts_s);
   const auto step = static_cast<float>(time_step_s / lasts_s);
   regions_.collide(time, step, since_, motion.previous, motion.current);
-  held_back_.clear();
-  regions_.bring_back({layout.pin_count, layout.vertex_count()}, time, step, since_, motion.previous,
-                      motion.current, held_back_);
-  for (const HeldBack& held : held_back_) {
+  const std::span<const HeldBack> held_back =
+      regions_.bring_back(time, step, since_, motion.previous, motion.current, kernels);
+  for (const HeldBack& held : held_back) {
     memory_.deviations[held.row] =
         std::max(memory_.deviations[held.row], held_back_room * regions_.radius(held.row));
   }
   const double most_held_back = held_back_part / (caution_ * caution_);
-  if (static_cast<double>(held_back_.size()) > most_held_back * static_cast<double>(layout.vertex_count())) {
-    let_go(motion);
+  if (static_cast<double>(held_back.size()) > most_held_back * static_cast<double>(layout.vertex_count())) {
+    let_go(held_back, motion);
     until_s_ = time_s;
   }
 }
 
 // Of a few rows it is their trembling that balls hold back. Where there are many, something else was to be
 // expected, and a ball is nothing to bump into: they are late, and as fast as they were.
-void Contacts::let_go(Motion& motion) const {
-  for (const HeldBack& held : held_back_) {
+void Contacts::let_go(std::span<const HeldBack> held_back, Motion& motion) {
+  for (const HeldBack& held : held_back) {
     add(motion.previous[held.row], -held.out);
   }
 }
 
 // Here a single row that is held back keeps the bound from being reached.
-bool Contacts::keep_apart(const Layout& layout, Float4Array& displacements) const {
-  return regions_.bring_back({layout.pin_count, layout.vertex_count()}, since_, displacements) > 0;
+bool Contacts::keep_apart(ParallelKernels& kernels, Float4Array& displacements) {
+  return regions_.bring_back(since_, displacements, kernels) > 0;
 }
 
 void Contacts::save(const Layout& layout, ByteWriter& memory) const {

@@ -68,10 +68,11 @@ class Contacts {
                      ParallelKernels& kernels);
 
   /// Keeps things apart at the end of a time step, with friction.
-  void keep_apart(const Layout& layout, double time_s, double time_step_s, Motion& motion);
+  void keep_apart(const Layout& layout, double time_s, double time_step_s, ParallelKernels& kernels,
+                  Motion& motion);
 
   /// Keeps things apart in a correction. Returns whether regions should be made anew.
-  bool keep_apart(const Layout& layout, Float4Array& displacements) const;
+  bool keep_apart(ParallelKernels& kernels, Float4Array& displacements);
 
   /// Returns whether some pair could not be kept apart since the attempt began.
   bool is_blocked() const { return is_blocked_; }
@@ -87,14 +88,17 @@ class Contacts {
  private:
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
   void add_loose_vertices(const Layout& layout);
-  void measure_edges(const Mesh& mesh);
+  void measure_edges(const Mesh& mesh, const Layout& layout);
+  /// How far a row may deviate from where it is expected, and in the correction of a frame, in m.
+  float room_of(std::size_t row) const;
+  float correction_room_of(std::size_t row) const;
   void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
   void find_regions(const Garment& garment, const Layout& layout, const Motion& motion, const TimeSpan& time,
                     ParallelKernels& kernels);
   std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels);
   void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
                      const TimeSpan& time, const Vec3& origin_m);
-  void let_go(Motion& motion) const;
+  static void let_go(std::span<const HeldBack> held_back, Motion& motion);
   void note_blocked(const Layout& layout, const Vec3& origin_m, bool fits);
   float thickness_of(const NearPair& near, float thickness_m) const;
 
@@ -105,14 +109,12 @@ class Contacts {
   Float4Array rest_;                 ///< its positions at rest, by row, in m
   double mean_edge_m_ = 0.0;
   float longest_edge_m_ = 0.0F;
-  float room_m_ = 0.0F;             ///< how far rows may deviate from where they are expected
-  float correction_room_m_ = 0.0F;  ///< and in the correction of a frame
+  std::vector<float> edges_m_;  ///< mean length of the edges that meet in a row
   BodyContacts bodies_;
   std::optional<LastingPairs> near_;
   Crossings left_out_;
   std::vector<ContactPair> pairs_;
   RowMoves rows_;
-  std::vector<HeldBack> held_back_;
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
   Regions regions_;
   bool is_blocked_ = false;

@@ -119,7 +119,8 @@ void step(const Garment& garment, const Surroundings& surroundings, const TimeSt
   // Step 3: compensate the predicted displacements, eqs. (2)-(3).
   constrain(kernels, cloth);
   if (cloth.contacts.is_on()) {
-    cloth.contacts.keep_apart(cloth.layout, time.time_s + time.time_step_s, time.time_step_s, cloth.motion);
+    cloth.contacts.keep_apart(cloth.layout, time.time_s + time.time_step_s, time.time_step_s, kernels,
+                              cloth.motion);
   }
 }
 

@@ -101,10 +101,37 @@ void BoxHierarchy::build(std::span<const std::array<Index, corners>> primitives,
       primitives_.at[k][lane] = 4 * primitives[order[lane]][k];
     }
   }
-  levels_.emplace_back(blocks, empty_boxes());
+  add_levels(height);
+}
+
+void BoxHierarchy::add_levels(std::size_t height) {
+  levels_.emplace_back(primitives_.block_count(), empty_boxes());
   for (std::size_t level = 0; level < height; ++level) {
     levels_.emplace_back(std::max<std::size_t>(blocks_for(levels_.back().size()), 1), empty_boxes());
   }
+}
+
+// What lies side by side in the whole tree does so in this one.
+BoxHierarchy BoxHierarchy::of_marked(std::span<const std::uint8_t> marks) const {
+  BoxHierarchy some;
+  some.primitives_.corner_count = primitives_.corner_count;
+  for (std::size_t lane = 0; lane < primitives_.count; ++lane) {
+    bool is_marked = false;
+    for (std::size_t k = 0; k < primitives_.corner_count; ++k) {
+      is_marked |= marks[primitives_.at[k][lane] / 4] != 0;
+    }
+    if (is_marked) {
+      for (std::size_t k = 0; k < primitives_.corner_count; ++k) {
+        some.primitives_.at[k].push_back(primitives_.at[k][lane]);
+      }
+      ++some.primitives_.count;
+    }
+  }
+  for (std::size_t k = 0; k < primitives_.corner_count; ++k) {
+    some.primitives_.at[k].resize(some.primitives_.block_count() * block_size, 0);
+  }
+  some.add_levels(height());
+  return some;
 }
 
 void BoxHierarchy::fit(const MovingRows& rows, ParallelKernels& kernels) {

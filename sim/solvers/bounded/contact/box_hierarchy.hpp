@@ -20,6 +20,9 @@ class BoxHierarchy {
   BoxHierarchy(std::span<const Edge> edges, std::span<const Vec3> positions, std::size_t height);
   BoxHierarchy(std::span<const Triangle> triangles, std::span<const Vec3> positions, std::size_t height);
 
+  /// Returns a tree of the same height of those primitives of which a row is marked. One mark per row.
+  BoxHierarchy of_marked(std::span<const std::uint8_t> marks) const;
+
   /// Returns the height that a tree of so many primitives needs.
   static std::size_t height_for(std::size_t count);
 
@@ -38,9 +41,12 @@ class BoxHierarchy {
   }
 
  private:
+  BoxHierarchy() = default;
+
   template <std::size_t corners>
   void build(std::span<const std::array<Index, corners>> primitives, std::span<const Vec3> positions,
              std::size_t height);
+  void add_levels(std::size_t height);
 
   PrimitiveLanes primitives_;
   std::vector<Lanes<BoxBlock>> levels_;  ///< the last one has one box

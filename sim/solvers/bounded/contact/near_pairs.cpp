@@ -14,19 +14,6 @@ bool is_any_marked(std::span<const Index> rows, std::span<const std::uint8_t> ma
   return std::any_of(rows.begin(), rows.end(), [&](Index row) { return marks[row] != 0; });
 }
 
-template <typename Things>
-Things marked(const Things& things, std::span<const std::uint8_t> marks) {
-  Things some;
-  std::copy_if(things.begin(), things.end(), std::back_inserter(some),
-               [&](const auto& rows) { return is_any_marked(rows, marks); });
-  return some;
-}
-
-/// Returns those of which a row is marked.
-Primitives marked(const Primitives& all, std::span<const std::uint8_t> marks) {
-  return {marked(all.vertices, marks), marked(all.edges, marks), marked(all.triangles, marks)};
-}
-
 std::size_t height_for(const ContactMesh& mesh) {
   std::size_t most = 0;
   for (const Primitives* p : {&mesh.cloth, &mesh.bodies}) {
@@ -61,12 +48,14 @@ NearPairs::Hierarchies NearPairs::hierarchies_of(const Primitives& primitives,
           BoxHierarchy(primitives.triangles, positions, height)};
 }
 
+NearPairs::Hierarchies NearPairs::of_marked(const Hierarchies& all, std::span<const std::uint8_t> marks) {
+  return {all.vertices.of_marked(marks), all.edges.of_marked(marks), all.triangles.of_marked(marks)};
+}
+
 NearPairs::NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const Vec3> positions_m)
-    : mesh_(mesh),
-      within_cloth_(within_cloth),
-      height_(height_for(mesh)),
-      cloth_(hierarchies_of(mesh.cloth, positions_m, height_)),
-      bodies_(hierarchies_of(mesh.bodies, positions_m, height_)) {}
+    : within_cloth_(within_cloth),
+      cloth_(hierarchies_of(mesh.cloth, positions_m, height_for(mesh))),
+      bodies_(hierarchies_of(mesh.bodies, positions_m, height_for(mesh))) {}
 
 /// Calls take(lists, count) with what is found between pairs [begin, end) of blocks of a level, in turn.
 template <typename Take>
@@ -171,10 +160,8 @@ const std::vector<NearPair>& NearPairs::find_anew(std::span<const std::uint8_t> 
                                                   const Float4Array& positions, const Float4Array& moves,
                                                   std::span<const float> radii, ParallelKernels& kernels) {
   const MovingRows rows = moving_rows(positions, moves, radii);
-  std::vector<Vec3> places_m(positions.size());
-  std::transform(positions.begin(), positions.end(), places_m.begin(), vector_of);
-  Hierarchies cloth = hierarchies_of(marked(mesh_.cloth, marks), places_m, height_);
-  Hierarchies bodies = hierarchies_of(marked(mesh_.bodies, marks), places_m, height_);
+  Hierarchies cloth = of_marked(cloth_, marks);
+  Hierarchies bodies = of_marked(bodies_, marks);
   fit(rows, kernels, cloth);
   fit(rows, kernels, bodies);
   pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(),

@@ -25,9 +25,9 @@ class NearPairs {
   NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const Vec3> positions_m);
 
   /// Finds all pairs that could meet while every row moves by `moves`, or by up to `radii` more or less:
-  /// those whose boxes overlap, around all that their corners can reach beyond what all rows do together, and
-  /// that are nearer than ContactKernels says. Pairs within the bodies are left out. In m, one entry per row
-  /// each. The order depends on the mesh and on which pairs are found, and on nothing else.
+  /// those whose boxes, around all that their corners can reach, may overlap on their ways, and that are
+  /// nearer than ContactKernels says. Pairs within the bodies are left out. In m, one entry per row each. The
+  /// order depends on the mesh and on which pairs are found, and on nothing else.
   const std::vector<NearPair>& find(const Float4Array& positions, const Float4Array& moves,
                                     std::span<const float> radii, ParallelKernels& kernels);
 
@@ -49,6 +49,7 @@ class NearPairs {
 
   static Hierarchies hierarchies_of(const Primitives& primitives, std::span<const Vec3> positions,
                                     std::size_t least_height);
+  static Hierarchies of_marked(const Hierarchies& all, std::span<const std::uint8_t> marks);
   static void fit(const MovingRows& rows, ParallelKernels& kernels, Hierarchies& hierarchies);
   MovingRows moving_rows(const Float4Array& positions, const Float4Array& moves,
                          std::span<const float> radii);
@@ -61,9 +62,7 @@ class NearPairs {
   void for_found(const Trees& trees, std::size_t level, std::size_t begin, std::size_t end,
                  const ContactKernels& kernels, const Take& take) const;
 
-  ContactMesh mesh_;
   bool within_cloth_;
-  std::size_t height_;  ///< of all trees
   Hierarchies cloth_;
   Hierarchies bodies_;
   Float4 together_;   ///< what all rows move alike, which does not bring them nearer and makes boxes larger

@@ -168,17 +168,41 @@ bool Regions::hold(const NearPair& near, Held how, const RowMoves& rows) {
   return has_changed;
 }
 
+// Rows that contact moves out of their balls go as far as these let them, where that keeps all apart.
 bool Regions::fit_radii(RowMoves& rows) {
-  bool fits = true;
   deviations_.resize(rows.radii.size());
+  is_cut_short_.assign(rows.radii.size(), 0);
+  bool are_all_within = true;
   for (std::size_t row = 0; row < rows.radii.size(); ++row) {
-    const float deviation = deviations_[row] = glm::distance(vec(moves_[row]), vec(rows.moves[row]));
-    if (rows.inverse_masses_per_kg[row] > 0.0F && !(deviation <= largest_deviation * rows.radii[row])) {
-      rows.radii[row] = more_radius * deviation;
-      fits = false;
+    const glm::vec3 deviation = vec(moves_[row]) - vec(rows.moves[row]);
+    const float length = deviations_[row] = glm::length(deviation);
+    const float most = largest_deviation * rows.radii[row];
+    if (rows.inverse_masses_per_kg[row] > 0.0F && !(length <= most)) {
+      moves_[row] = rows.moves[row];
+      add(moves_[row], most / length * deviation);
+      is_cut_short_[row] = 1;
+      are_all_within = false;
     }
   }
-  return fits;
+  return are_all_within || !needs_larger_balls(rows);
+}
+
+bool Regions::needs_larger_balls(RowMoves& rows) const {
+  bool needs = false;
+  for (const Pair& pair : pairs_) {
+    const auto& r = pair.contact.near.rows;
+    const auto is_within = [&](Index row) { return is_cut_short_[row] == 0; };
+    if (std::all_of(r.begin(), r.end(), is_within) || span_at_end(pair).apart() >= pair.needed) {
+      continue;
+    }
+    for (const Index row : r) {
+      if (!is_within(row)) {
+        rows.radii[row] = std::max(rows.radii[row], more_radius * deviations_[row]);
+        needs = true;
+      }
+    }
+  }
+  return needs;
 }
 
 void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_masses,
@@ -208,7 +232,7 @@ void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_m
     const float at_end = sign * (plane(end, is_first) - pair.heights[k]);
     const float moved_up = sign * glm::dot(pair.normal, vec(moves_[row]));
     half_spaces_[next[row]++] = {sign * pair.normal, at_begin, at_end - at_begin};
-    free_[row] = std::min({free_[row], -at_begin, moved_up - at_end});
+    moves_[row].unused = std::min({moves_[row].unused, -at_begin, moved_up - at_end});
   }
 }
 
@@ -221,13 +245,17 @@ void Regions::make_half_spaces(std::span<const float> inverse_masses) {
   }
   std::partial_sum(half_space_begin_.begin(), half_space_begin_.end(), half_space_begin_.begin());
   half_spaces_.resize(half_space_begin_.back());
-  free_.resize(radii_.size());
   for (std::size_t row = 0; row < radii_.size(); ++row) {
-    free_[row] = radii_[row] - deviations_[row];
+    moves_[row].unused = radii_[row] - std::min(deviations_[row], largest_deviation * radii_[row]);
   }
   std::vector<Index> next(half_space_begin_.begin(), half_space_begin_.end() - 1);
   for (const Pair& pair : pairs_) {
     add_half_spaces(pair, inverse_masses, next);
+  }
+  for (std::size_t row = 0; row < radii_.size(); ++row) {
+    if (!(inverse_masses[row] > 0.0F)) {
+      moves_[row].unused = infinity;
+    }
   }
 }
 

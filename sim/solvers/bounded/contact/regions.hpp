@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/solvers/bounded/contact/near_pair.hpp"
-#include "sim/solvers/bounded/kernels/float4.hpp"
+#include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 
 namespace taut::sim::bounded {
 
@@ -38,12 +38,6 @@ struct RowMoves {
 struct BlockedPair {
   NearPair near;
   float distance;
-};
-
-/// Rows [begin, end).
-struct RowRange {
-  std::size_t begin;
-  std::size_t end;
 };
 
 /// A row that had gone out of its ball, and how far, in m.
@@ -79,13 +73,13 @@ class Regions {
                Float4Array& current) const;
 
   /// Brings rows back into their regions at a time from 0 to 1. `since` are their displacements at the time
-  /// 0, `previous` a time step ago, which are changed so that nothing rebounds. Appends to `held_back` what
-  /// had gone out of their balls.
-  void bring_back(const RowRange& range, float time, float step, const Float4Array& since,
-                  Float4Array& previous, Float4Array& current, std::vector<HeldBack>& held_back) const;
+  /// 0, `previous` a time step ago, which are changed so that nothing rebounds. Returns those that had gone
+  /// out of their balls, in their order, until the next call.
+  std::span<const HeldBack> bring_back(float time, float step, const Float4Array& since,
+                                       Float4Array& previous, Float4Array& current, ParallelKernels& kernels);
 
-  /// The same at the time 1 without friction. Returns how many rows had gone out of their balls.
-  std::size_t bring_back(const RowRange& range, const Float4Array& since, Float4Array& current) const;
+  /// The same at the time 1, where no time passes. Returns how many rows had gone out of their balls.
+  std::size_t bring_back(const Float4Array& since, Float4Array& current, ParallelKernels& kernels);
 
   std::size_t pair_count() const { return pairs_.size(); }
 
@@ -95,7 +89,7 @@ class Regions {
   /// Returns the radius of a row's ball, in m.
   float radius(std::size_t row) const { return radii_[row]; }
 
-  /// Returns how far contact moves a row from where it was expected, in m.
+  /// Returns how far contact would move a row from where it was expected, in m: out of its ball too.
   float deviation(std::size_t row) const { return deviations_[row]; }
 
  private:
@@ -144,6 +138,7 @@ class Regions {
   void hold_where_needed(const RowMoves& rows);
   bool hold(const NearPair& near, Held how, const RowMoves& rows);
   bool fit_radii(RowMoves& rows);
+  bool needs_larger_balls(RowMoves& rows) const;
   void make_half_spaces(std::span<const float> inverse_masses);
   void add_half_spaces(const Pair& pair, std::span<const float> inverse_masses, std::span<Index> next);
   void make_touches(std::span<const float> inverse_masses);
@@ -158,20 +153,32 @@ class Regions {
   template <typename Met>
   glm::vec3 projected(Index row, float time, const glm::vec3& start, const Met& met) const;
   template <typename Met>
+  void bring_all_back(float time, const Float4Array& since, Float4Array& current, const Met& met,
+                      ParallelKernels& kernels);
+  template <typename Met>
   std::optional<glm::vec3> bring_row_back(Index row, float time, const glm::vec3& since, const Met& met,
                                           Float4& current) const;
 
   std::vector<Pair> pairs_;
   std::optional<BlockedPair> blocked_;
   Float4Array expected_;  ///< the centres of balls at the time 1
-  Float4Array moves_;     ///< as contact lets them, within the balls
+  /// As contact lets them, within the balls; `unused` is how far from there a row is certainly within its
+  /// region, and infinite where it moves by exactly its moves.
+  Float4Array moves_;
   std::vector<Held> held_;
   std::vector<float> radii_;
   std::vector<float> deviations_;
-  std::vector<float> free_;  ///< how far from its move a row is certainly within its region
+  std::vector<std::uint8_t> is_cut_short_;  ///< which rows contact would move out of their balls
   std::vector<Index> half_space_begin_;
   std::vector<HalfSpace> half_spaces_;  ///< by row
   std::vector<Touch> touches_;
+  /// What is brought back by the threads that begin at some block.
+  struct Part {
+    Lanes<std::uint32_t> rows;
+    std::vector<HeldBack> held_back;
+  };
+  std::vector<Part> parts_;
+  std::vector<HeldBack> held_back_;
 };
 
 }  // namespace taut::sim::bounded

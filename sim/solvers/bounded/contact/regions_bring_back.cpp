@@ -14,6 +14,8 @@ constexpr int most_projections = 12;
 constexpr float over_projected = 1.4F;
 /// Rows further out than this, in m, are not within a half-space.
 constexpr float tolerance_m = 2e-8F;
+/// A thread takes at least so many blocks of rows.
+constexpr std::size_t least_blocks = 64;
 
 }  // namespace
 
@@ -73,9 +75,6 @@ std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const gl
                                                  const Met& met, Float4& current) const {
   const glm::vec3 aim = time * vec(moves_[row]);
   const glm::vec3 before = vec(current) - since;
-  if (glm::dot(before - aim, before - aim) <= free_[row] * free_[row]) {
-    return std::nullopt;
-  }
   glm::vec3 e = moved_less(row, time, aim, projected(row, time, before, met));
   const glm::vec3 centre = time * vec(expected_[row]);
   std::optional<glm::vec3> out;
@@ -90,29 +89,49 @@ std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const gl
   return out;
 }
 
-void Regions::bring_back(const RowRange& range, float time, float step, const Float4Array& since,
-                         Float4Array& previous, Float4Array& current,
-                         std::vector<HeldBack>& held_back) const {
-  for (auto row = static_cast<Index>(range.begin); row < range.end; ++row) {
-    const glm::vec3 origin = vec(since[row]);
-    const auto stop = [&](const HalfSpace& half_space, const glm::vec3& e) {
-      const float away =
-          glm::dot(e - (vec(previous[row]) - origin), half_space.normal) - step * half_space.rate;
-      add(previous[row], std::max(away, 0.0F) * half_space.normal);
-    };
-    if (const std::optional<glm::vec3> out = bring_row_back(row, time, origin, stop, current[row])) {
-      held_back.push_back({row, *out});
+template <typename Met>
+void Regions::bring_all_back(float time, const Float4Array& since, Float4Array& current, const Met& met,
+                             ParallelKernels& kernels) {
+  const std::size_t blocks = current.size() / block_size;
+  parts_.resize(std::max(parts_.size(), blocks / least_blocks + 1));
+  kernels.split(0, blocks, least_blocks, [&](std::size_t begin, std::size_t end) {
+    // No other part begins so near.
+    Part& part = parts_[begin / least_blocks];
+    part.rows.resize((end - begin) * block_size + 1);
+    const std::size_t off = kernels.contact().off_their_ways(since.data(), moves_.data(), time, begin, end,
+                                                             current.data(), part.rows.data());
+    for (const Index row : std::span(part.rows).first(off)) {
+      const auto met_by_row = [&](const HalfSpace& half_space, const glm::vec3& e) {
+        met(row, half_space, e);
+      };
+      if (const auto out = bring_row_back(row, time, vec(since[row]), met_by_row, current[row])) {
+        part.held_back.push_back({row, *out});
+      }
     }
+  });
+  held_back_.clear();
+  for (Part& part : parts_) {
+    held_back_.insert(held_back_.end(), part.held_back.begin(), part.held_back.end());
+    part.held_back.clear();
   }
 }
 
-std::size_t Regions::bring_back(const RowRange& range, const Float4Array& since, Float4Array& current) const {
-  std::size_t far = 0;
-  const auto go_on = [](const HalfSpace&, const glm::vec3&) {};
-  for (auto row = static_cast<Index>(range.begin); row < range.end; ++row) {
-    far += bring_row_back(row, 1.0F, vec(since[row]), go_on, current[row]) ? 1 : 0;
-  }
-  return far;
+std::span<const HeldBack> Regions::bring_back(float time, float step, const Float4Array& since,
+                                              Float4Array& previous, Float4Array& current,
+                                              ParallelKernels& kernels) {
+  const auto stop = [&](Index row, const HalfSpace& half_space, const glm::vec3& e) {
+    const float away =
+        glm::dot(e - (vec(previous[row]) - vec(since[row])), half_space.normal) - step * half_space.rate;
+    add(previous[row], std::max(away, 0.0F) * half_space.normal);
+  };
+  bring_all_back(time, since, current, stop, kernels);
+  return held_back_;
+}
+
+std::size_t Regions::bring_back(const Float4Array& since, Float4Array& current, ParallelKernels& kernels) {
+  bring_all_back(
+      1.0F, since, current, [](Index, const HalfSpace&, const glm::vec3&) {}, kernels);
+  return held_back_.size();
 }
 
 }  // namespace taut::sim::bounded

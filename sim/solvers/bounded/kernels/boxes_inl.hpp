@@ -59,11 +59,11 @@ HWY_INLINE std::uint32_t bits_of(Mask mask) {
   return bits & ((1U << lanes) - 1U);
 }
 
-/// Returns which boxes of a block overlap the one box that `box` repeats.
-HWY_INLINE std::uint32_t overlapping_bits(const Boxes& box, const BoxBlock& block) {
+/// Returns which boxes of a block may overlap the one box that `box` repeats.
+HWY_INLINE std::uint32_t overlapping_bits(const Boxes& box, const BoxBlock& boxes) {
   std::uint32_t bits = 0;
   for (std::size_t k = 0; k < block_size; k += lanes) {
-    bits |= bits_of(overlap(box, load_boxes(block, k))) << k;
+    bits |= bits_of(overlap(box, load_boxes(boxes, k))) << k;
   }
   return bits;
 }
@@ -86,6 +86,10 @@ HWY_INLINE Boxes reach_of(const MovingRows& rows, const std::uint32_t* at) {
   return {lesser(begin, end) - radius, greater(begin, end) + radius};
 }
 
+HWY_INLINE Boxes around(const Boxes& p, const Boxes& q) {
+  return {lesser(p.low, q.low), greater(p.high, q.high)};
+}
+
 HWY_INLINE void store_or_empty(Mask is_some, const Triple& v, float otherwise, std::size_t k,
                                std::array<std::array<float, block_size>, 3>& values) {
   const Floats f;
@@ -102,123 +106,121 @@ HWY_INLINE Mask lanes_below(std::size_t first, std::size_t count) {
                                          hn::Set(u, static_cast<std::uint32_t>(count))));
 }
 
+HWY_INLINE void store_or_empty(Mask is_some, const Boxes& boxes, std::size_t k, BoxBlock& block) {
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  store_or_empty(is_some, boxes.low, infinite, k, block.low);
+  store_or_empty(is_some, boxes.high, -infinite, k, block.high);
+}
+
 void enclose(const PrimitiveLanes& primitives, std::size_t begin, std::size_t end, const MovingRows& rows,
              BoxBlock* boxes) {
-  constexpr float infinite = std::numeric_limits<float>::infinity();
   for (std::size_t lane = begin * block_size; lane < end * block_size; lane += lanes) {
     Boxes reach = reach_of(rows, &primitives.at[0][lane]);
     for (std::size_t corner = 1; corner < primitives.corner_count; ++corner) {
-      const Boxes other = reach_of(rows, &primitives.at[corner][lane]);
-      reach = {lesser(reach.low, other.low), greater(reach.high, other.high)};
+      reach = around(reach, reach_of(rows, &primitives.at[corner][lane]));
     }
-    BoxBlock& block = boxes[lane / block_size];
     const Mask is_some = lanes_below(lane, primitives.count);
-    store_or_empty(is_some, reach.low, infinite, lane % block_size, block.low);
-    store_or_empty(is_some, reach.high, -infinite, lane % block_size, block.high);
+    store_or_empty(is_some, reach, lane % block_size, boxes[lane / block_size]);
   }
 }
 
-void enclose_blocks(const BoxBlock* boxes, std::size_t begin, std::size_t end, BoxBlock* around) {
+HWY_INLINE void enclose_block(const BoxBlock& block, std::size_t lane, BoxBlock& around_blocks) {
   const Floats f;
+  Boxes all = load_boxes(block, 0);
+  for (std::size_t k = lanes; k < block_size; k += lanes) {
+    all = around(all, load_boxes(block, k));
+  }
+  auto& [low, high] = around_blocks;
+  low[0][lane] = hn::GetLane(hn::MinOfLanes(f, all.low.x));
+  low[1][lane] = hn::GetLane(hn::MinOfLanes(f, all.low.y));
+  low[2][lane] = hn::GetLane(hn::MinOfLanes(f, all.low.z));
+  high[0][lane] = hn::GetLane(hn::MaxOfLanes(f, all.high.x));
+  high[1][lane] = hn::GetLane(hn::MaxOfLanes(f, all.high.y));
+  high[2][lane] = hn::GetLane(hn::MaxOfLanes(f, all.high.z));
+}
+
+void enclose_blocks(const BoxBlock* boxes, std::size_t begin, std::size_t end, BoxBlock* around_blocks) {
   for (std::size_t b = begin; b < end; ++b) {
-    Boxes all = load_boxes(boxes[b], 0);
-    for (std::size_t k = lanes; k < block_size; k += lanes) {
-      const Boxes others = load_boxes(boxes[b], k);
-      all = {lesser(all.low, others.low), greater(all.high, others.high)};
-    }
-    auto& [low, high] = around[b / block_size];
-    const std::size_t lane = b % block_size;
-    low[0][lane] = hn::GetLane(hn::MinOfLanes(f, all.low.x));
-    low[1][lane] = hn::GetLane(hn::MinOfLanes(f, all.low.y));
-    low[2][lane] = hn::GetLane(hn::MinOfLanes(f, all.low.z));
-    high[0][lane] = hn::GetLane(hn::MaxOfLanes(f, all.high.x));
-    high[1][lane] = hn::GetLane(hn::MaxOfLanes(f, all.high.y));
-    high[2][lane] = hn::GetLane(hn::MaxOfLanes(f, all.high.z));
+    enclose_block(boxes[b], b % block_size, around_blocks[b / block_size]);
   }
 }
 
-/// Calls found(i, j) for lanes of two blocks whose boxes overlap, unless bit j % block_size of excluded(i) is
-/// set. Bits are gone through for four lanes at a time, as the processor guesses wrong where they end.
-template <typename Excluded, typename Found>
-HWY_INLINE void for_overlapping(const BoxLevel& a, const BoxLevel& b, std::size_t block_a,
-                                std::size_t block_b, const Excluded& excluded, const Found& found) {
-  const BoxBlock& mine = a.boxes[block_a];
-  const BoxBlock& others = b.boxes[block_b];
-  const Boxes all_others = repeat_box(b.around[block_b / block_size], block_b % block_size);
-  std::uint32_t reaching = overlapping_bits(all_others, mine);
-  for (std::size_t first = 0; reaching != 0; first += 4, reaching >>= 4) {
-    std::uint64_t bits_of_four = 0;
-    for (std::uint32_t four = reaching & 15U; four != 0; four &= four - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(four));
-      const std::size_t i = first + lane;
-      std::uint32_t bits =
-          overlapping_bits(repeat_box(mine, i), others) & ~excluded(block_a * block_size + i);
-      if (&mine == &others) {
-        bits &= ~0U << i;
+/// Appends the lanes of the mask to a list that has room for a whole vector more.
+HWY_INLINE void append(hn::Vec<Integers> values, hn::Mask<Integers> mask, std::uint32_t* end) {
+  hn::StoreU(hn::Compress(values, mask), Integers(), end);
+}
+
+/// Calls found(i, j, mask) for lanes of two blocks whose boxes may overlap: of the one i, of the other those
+/// of the vector that begins at j. It does so also where there are none, as the processor would guess wrong.
+template <typename Found>
+HWY_INLINE void for_overlapping(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
+                                const Found& found) {
+  const Integers u;
+  for (std::size_t p = 0; p < pairs.count; ++p) {
+    const std::uint32_t block_a = pairs.first[p];
+    const std::uint32_t block_b = pairs.second[p];
+    const BoxBlock& mine = a.boxes[block_a];
+    const BoxBlock& others = b.boxes[block_b];
+    const Boxes all_others = repeat_box(b.around[block_b / block_size], block_b % block_size);
+    for (std::uint32_t reaching = overlapping_bits(all_others, mine); reaching != 0;
+         reaching &= reaching - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(reaching));
+      const Boxes box = repeat_box(mine, lane);
+      for (std::size_t k = 0; k < block_size; k += lanes) {
+        const Mask may = overlap(box, load_boxes(others, k));
+        auto mask = hn::RebindMask(u, may);
+        if (&mine == &others) {
+          mask = hn::AndNot(hn::Lt(hn::Iota(u, static_cast<std::uint32_t>(k)), hn::Set(u, lane)), mask);
+        }
+        found(block_a * block_size + lane, block_b * block_size + k, mask);
       }
-      bits_of_four |= std::uint64_t{bits} << (block_size * lane);
-    }
-    for (; bits_of_four != 0; bits_of_four &= bits_of_four - 1) {
-      const auto bit = static_cast<std::size_t>(std::countr_zero(bits_of_four));
-      found(block_a * block_size + first + bit / block_size, block_b * block_size + bit % block_size);
     }
   }
 }
 
 std::size_t overlapping_lanes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                               const PairLists& found) {
-  const auto none = [](std::size_t) HWY_ATTR { return 0U; };
+  const Integers u;
   std::size_t size = 0;
-  for (std::size_t p = 0; p < pairs.count; ++p) {
-    for_overlapping(a, b, pairs.first[p], pairs.second[p], none, [&](std::size_t i, std::size_t j) HWY_ATTR {
-      found[0][size] = static_cast<std::uint32_t>(i);
-      found[1][size] = static_cast<std::uint32_t>(j);
-      ++size;
-    });
-  }
+  for_overlapping(a, b, pairs, [&](std::size_t i, std::size_t j, hn::Mask<Integers> mask) HWY_ATTR {
+    hn::StoreU(hn::Set(u, static_cast<std::uint32_t>(i)), u, found[0] + size);
+    append(hn::Iota(u, static_cast<std::uint32_t>(j)), mask, found[1] + size);
+    size += hn::CountTrue(u, mask);
+  });
   return size;
 }
 
-/// Returns which primitives of a block share a row with that in lane i.
+/// Returns which primitives of the vector that begins at j share a row with the primitive in lane i.
 template <std::size_t corners_a, std::size_t corners_b>
-HWY_INLINE std::uint32_t sharing_bits(const PrimitiveLanes& a, std::size_t i, const PrimitiveLanes& b,
-                                      std::size_t block) {
+HWY_INLINE hn::Mask<Integers> sharing(const PrimitiveLanes& a, std::size_t i, const PrimitiveLanes& b,
+                                      std::size_t j) {
   const Integers u;
-  std::uint32_t bits = 0;
-  for (std::size_t k = 0; k < block_size; k += lanes) {
-    const std::size_t j = block * block_size + k;
-    auto shares = hn::Eq(hn::Set(u, a.at[0][i]), hn::Load(u, &b.at[0][j]));
-    for (std::size_t c = 0; c < corners_a; ++c) {
-      for (std::size_t d = c == 0 ? 1 : 0; d < corners_b; ++d) {
-        shares = hn::Or(shares, hn::Eq(hn::Set(u, a.at[c][i]), hn::Load(u, &b.at[d][j])));
-      }
+  auto shares = hn::Eq(hn::Set(u, a.at[0][i]), hn::Load(u, &b.at[0][j]));
+  for (std::size_t c = 0; c < corners_a; ++c) {
+    for (std::size_t d = c == 0 ? 1 : 0; d < corners_b; ++d) {
+      shares = hn::Or(shares, hn::Eq(hn::Set(u, a.at[c][i]), hn::Load(u, &b.at[d][j])));
     }
-    bits |= bits_of(hn::RebindMask(Floats(), shares)) << k;
   }
-  return bits;
+  return shares;
 }
 
 template <std::size_t corners_a, std::size_t corners_b>
 std::size_t overlapping_primitives(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                                    const PairLists& found) {
+  const Integers u;
   const PrimitiveLanes& mine = *a.primitives;
   const PrimitiveLanes& others = *b.primitives;
   std::size_t size = 0;
-  for (std::size_t p = 0; p < pairs.count; ++p) {
-    const auto sharing = [&](std::size_t i) HWY_ATTR {
-      return sharing_bits<corners_a, corners_b>(mine, i, others, pairs.second[p]);
-    };
-    for_overlapping(a, b, pairs.first[p], pairs.second[p], sharing,
-                    [&](std::size_t i, std::size_t j) HWY_ATTR {
-                      for (std::size_t c = 0; c < corners_a; ++c) {
-                        found[c][size] = mine.at[c][i];
-                      }
-                      for (std::size_t d = 0; d < corners_b; ++d) {
-                        found[corners_a + d][size] = others.at[d][j];
-                      }
-                      ++size;
-                    });
-  }
+  for_overlapping(a, b, pairs, [&](std::size_t i, std::size_t j, hn::Mask<Integers> may) HWY_ATTR {
+    const auto mask = hn::AndNot(sharing<corners_a, corners_b>(mine, i, others, j), may);
+    for (std::size_t c = 0; c < corners_a; ++c) {
+      hn::StoreU(hn::Set(u, mine.at[c][i]), u, found[c] + size);
+    }
+    for (std::size_t d = 0; d < corners_b; ++d) {
+      append(hn::Load(u, &others.at[d][j]), mask, found[corners_a + d] + size);
+    }
+    size += hn::CountTrue(u, mask);
+  });
   return size;
 }
 

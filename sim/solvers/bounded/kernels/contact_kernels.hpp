@@ -69,10 +69,11 @@ struct ContactKernels {
   void (*enclose_blocks)(const BoxBlock* boxes, std::size_t begin, std::size_t end, BoxBlock* around);
 
   /// For each pair of blocks, the one of `a` and the other of `b`, finds the pairs of lanes whose
-  /// boxes overlap; of a block with itself, each two lanes once, and each lane with itself.
-  /// If `a` and `b` are of primitives, those that share a row are left out, and `found` gets where the rows
-  /// of their corners begin: a list for each corner of the one and then of the other. Otherwise it gets the
-  /// lanes themselves in its first two lists. Returns the length of these lists.
+  /// boxes overlap; of a block with
+  /// itself, each two lanes once, and each lane with itself. If `a` and `b` are of primitives, those that
+  /// share a row are left out, and `found` gets where the rows of their corners begin: a list for each corner
+  /// of the one and then of the other. Otherwise it gets the lanes themselves in its first two lists. Returns
+  /// the length of these lists.
   std::size_t (*overlapping)(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                              const PairLists& found);
 
@@ -87,6 +88,12 @@ struct ContactKernels {
 
   /// The same for pairs of edges.
   std::size_t (*near_edges)(const MovingRows& rows, std::size_t count, const PairLists& pairs);
+
+  /// Lists the rows of blocks [begin, end) whose displacements are not where they are expected, and returns
+  /// how many these are: further from `since` + time `moves` than `unused` of the moves says, or not numbers.
+  /// In m, one entry per row each.
+  std::size_t (*off_their_ways)(const Float4* since, const Float4* moves, float time, std::size_t begin,
+                                std::size_t end, const Float4* displacements, std::uint32_t* rows);
 };
 
 }  // namespace taut::sim::bounded

@@ -40,11 +40,17 @@ HWY_INLINE V sums_of_coordinates(V rows) {
   return hn::Add(pairs, hn::Shuffle1032(pairs));
 }
 
+/// Keeps the coordinates of rows, and makes what is unused 0.
+HWY_INLINE V coordinates_alone(V rows) {
+  alignas(16) static constexpr std::uint32_t coordinates[4] = {~0U, ~0U, ~0U, 0U};
+  return hn::And(rows, hn::BitCast(Floats(), hn::LoadDup128(hn::RebindToUnsigned<Floats>(), coordinates)));
+}
+
 /// Brings rows that are farther from the pin than their tether is long back to its length.
-HWY_INLINE V tethered(V rows, const Tether* tethers, V pins_moved, V is_coordinate) {
+HWY_INLINE V tethered(V rows, const Tether* tethers, V pins_moved) {
   const Floats f;
   const V tether = hn::Load(f, &tethers->start_x);
-  const V from_pin = hn::And(hn::Add(hn::Sub(rows, pins_moved), tether), is_coordinate);
+  const V from_pin = coordinates_alone(hn::Add(hn::Sub(rows, pins_moved), tether));
   const V squared = sums_of_coordinates(hn::Mul(from_pin, from_pin));
   const V limit = hn::Broadcast<3>(tether);
   const V excess = hn::Sub(squared, limit);
@@ -62,14 +68,12 @@ void predict(std::size_t begin, std::size_t end, const Prediction& prediction, c
   const V decays = hn::Set(f, prediction.decay);
   const V dts_squared = hn::Set(f, prediction.dt_squared);
   const V pins_moved = hn::LoadDup128(f, &prediction.pins_moved.x);
-  alignas(16) static constexpr std::uint32_t coordinates[4] = {~0U, ~0U, ~0U, 0U};
-  const V is_coordinate = hn::BitCast(f, hn::LoadDup128(hn::RebindToUnsigned<Floats>(), coordinates));
   for (std::size_t r = begin; r < end; r += lanes / 4) {
     const V d = hn::Load(f, floats_of(current + r));
     const V moved = hn::Mul(hn::Sub(d, hn::Load(f, floats_of(previous + r))), decays);
     const V driven = hn::Mul(hn::Load(f, floats_of(accelerations + r)), dts_squared);
     const V predicted = hn::Add(d, hn::Add(moved, driven));
-    hn::Store(tethers == nullptr ? predicted : tethered(predicted, tethers + r, pins_moved, is_coordinate), f,
+    hn::Store(tethers == nullptr ? predicted : tethered(predicted, tethers + r, pins_moved), f,
               floats_of(previous + r));
   }
 }
@@ -231,9 +235,28 @@ void add_product(const SlicedMatrix& matrix, std::size_t begin, std::size_t end,
   }
 }
 
+std::size_t off_their_ways(const Float4* since, const Float4* moves, float time, std::size_t begin,
+                           std::size_t end, const Float4* displacements, std::uint32_t* rows) {
+  const Floats f;
+  const V times = hn::Set(f, time);
+  std::size_t size = 0;
+  for (std::size_t r = begin * block_size; r < end * block_size; r += lanes / 4) {
+    const V moved = hn::Sub(hn::Load(f, floats_of(displacements + r)), hn::Load(f, floats_of(since + r)));
+    const V way = hn::Load(f, floats_of(moves + r));
+    const V off = coordinates_alone(hn::Sub(moved, hn::Mul(way, times)));
+    const V free = hn::Broadcast<3>(way);
+    const Mask is_off = hn::Not(hn::Le(sums_of_coordinates(hn::Mul(off, off)), hn::Mul(free, free)));
+    for (std::size_t k = 0; k < lanes / 4 && !hn::AllFalse(f, is_off); ++k) {
+      rows[size] = static_cast<std::uint32_t>(r + k);
+      size += bits_of(is_off) >> (4 * k) & 1U;
+    }
+  }
+  return size;
+}
+
 const Kernels* table() {
-  static constexpr ContactKernels contact = {enclose, enclose_blocks, overlapping, keep_near<1>,
-                                             keep_near<2>};
+  static constexpr ContactKernels contact = {enclose,      enclose_blocks, overlapping,
+                                             keep_near<1>, keep_near<2>,   off_their_ways};
   static constexpr Kernels kernels = {predict,       start_springs,   sweep,
                                       shorten,       largest_ratios,  start_surface,
                                       sweep_surface, shorten_surface, largest_surface_ratios,

@@ -53,14 +53,6 @@ double largest_surface_excess_m(const Garment& garment, std::span<const Vec3> po
   return largest_m;
 }
 
-double largest_excess_m(const Garment& garment, const BoundedSettings& settings,
-                        std::span<const Vec3> positions) {
-  const double springs_m = largest_spring_excess_m(garment.springs, positions, settings.max_stretch);
-  return settings.bound == BoundKind::springs
-             ? springs_m
-             : std::max(springs_m, largest_surface_excess_m(garment, positions, settings.max_stretch));
-}
-
 /// Does one sweep of eqs. (2) and (3) over the springs that are too long.
 void shorten_springs(const Garment& garment, const Pins& pins, double max_stretch,
                      std::span<Vec3> positions) {
@@ -119,6 +111,22 @@ void shorten_surface(const Garment& garment, const Pins& pins, double max_stretc
 
 }  // namespace
 
+double largest_excess_m(const Garment& garment, const BoundedSettings& settings,
+                        std::span<const Vec3> positions) {
+  const double springs_m = largest_spring_excess_m(garment.springs, positions, settings.max_stretch);
+  return settings.bound == BoundKind::springs
+             ? springs_m
+             : std::max(springs_m, largest_surface_excess_m(garment, positions, settings.max_stretch));
+}
+
+void shorten_once(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
+                  std::span<Vec3> positions) {
+  shorten_springs(garment, pins, settings.max_stretch, positions);
+  if (settings.bound == BoundKind::surface) {
+    shorten_surface(garment, pins, settings.max_stretch, positions);
+  }
+}
+
 void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                        State& state) {
   if (largest_excess_m(garment, settings, state.current) == 0.0) {
@@ -144,10 +152,7 @@ bool keeps_bound_in_double(const Garment& garment, const Pins& pins, const Bound
                            std::span<Vec3> positions) {
   double excess_m = largest_excess_m(garment, settings, positions);
   for (int sweep = 0; sweep < most_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m; ++sweep) {
-    shorten_springs(garment, pins, settings.max_stretch, positions);
-    if (settings.bound == BoundKind::surface) {
-      shorten_surface(garment, pins, settings.max_stretch, positions);
-    }
+    shorten_once(garment, pins, settings, positions);
     excess_m = largest_excess_m(garment, settings, positions);
   }
   return excess_m == 0.0;

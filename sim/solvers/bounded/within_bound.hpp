@@ -22,4 +22,13 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
 bool keeps_bound_in_double(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                            std::span<Vec3> positions);
 
+/// Returns by how much, in m, the structural or shear spring, or the triangle if the settings hold the
+/// surface, that exceeds the bound the most is too long; 0 if none is.
+double largest_excess_m(const Garment& garment, const BoundedSettings& settings,
+                        std::span<const Vec3> positions);
+
+/// Does one sweep, in double precision, over all that exceeds the bound. What does not is not moved by it.
+void shorten_once(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
+                  std::span<Vec3> positions);
+
 }  // namespace taut::sim

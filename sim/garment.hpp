@@ -20,6 +20,10 @@ struct Garment {
   std::vector<TriangleAtRest> triangles_at_rest;  ///< per triangle
   std::vector<double> masses_kg;                  ///< per vertex, all above 0
   Material material;
+  /// Where a mesh that crosses itself at rest has been moved apart, in m, one entry per vertex; empty: it
+  /// does not cross itself, or has not. How near parts of the cloth lie to each other is measured there, and
+  /// nothing else.
+  std::vector<Vec3> parted_m = {};
 };
 
 /// Maps the mesh to springs and gives each vertex its mass. Each triangle spreads its mass evenly over its

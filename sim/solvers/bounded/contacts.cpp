@@ -101,9 +101,10 @@ void Contacts::begin_frame(const Garment& garment, const Layout& layout, const S
 
 // A triangle without a surface has nothing to cross, and faces any way.
 void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies) {
+  const std::vector<Vec3>& at_rest_m = garment.parted_m.empty() ? garment.mesh.positions : garment.parted_m;
   std::vector<Vec3> positions_m(layout.row_count(), Vec3(0.0));
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    positions_m[row] = garment.mesh.positions[layout.vertex_of_row[row]];
+    positions_m[row] = at_rest_m[layout.vertex_of_row[row]];
   }
   triangles_.clear();
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {

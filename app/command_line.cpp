@@ -56,6 +56,13 @@ void add_set(CLI::App& command, std::vector<Override>& overrides, const std::str
   command.add_option_function<std::vector<std::string>>("--set", set, meaning)->allow_extra_args(false);
 }
 
+void add_untangle(CLI::App& command, std::vector<Override>& overrides) {
+  add_key_flag(
+      command, overrides, "--untangle", "garment.untangle", "true",
+      "where the garment crosses itself at the start, move it apart first, such as a thick one whose "
+      "walls pierce each other; it keeps its rest shape");
+}
+
 void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) {
   const auto set_units = [&overrides](const std::string& text) {
     const auto* const unit =
@@ -69,6 +76,7 @@ void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) 
           ", or its unit in metres (default: what the file says, or a guess)");
   add_key(command, overrides, "--up", "garment.up",
           "the model's direction that is up: x, -x, y, -y, z or -z");
+  add_untangle(command, overrides);
   add_set(command, overrides, "KEY=VALUE, any key of the scene; can be repeated (taut help scene)");
 }
 
@@ -191,6 +199,7 @@ std::function<Command()> add_simulate(CLI::App& app) {
       "Examples:\n  taut simulate pinned-9x9-5\n"
       "  taut simulate tshirt-gravity --frames :60 --set solver.substeps=40 --stats run.csv\n"
       "  taut simulate my-dress.obj --quiet --export end.obj\n"
+      "  taut simulate my-jacket.obj --untangle --verify\n"
       "  taut simulate my-dress.obj --stats run.jsonl --checkpoint run.checkpoint\n"
       "  taut simulate my-dress.obj --stats run.jsonl --resume run.checkpoint\n");
   return [options] { return Command(*options); };
@@ -215,6 +224,7 @@ std::function<Command()> add_view(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
   command->add_option("SCENE", options->scene, scene_help_text);
+  add_untangle(*command, options->overrides);
   add_set(*command, options->overrides, "KEY=VALUE, any key of the scene; can be repeated");
   command->add_option_function<std::string>(
       "--size", [options](const std::string& text) { options->size = parse_size(text); },
@@ -246,7 +256,8 @@ std::function<Command()> add_inspect(CLI::App& app) {
       "PNG file: the garment with its springs by kind, what holds it, its borders and defects");
   add_backend(*command, options->backend);
   command->footer(
-      "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --picture shirt.png\n  taut inspect "
+      "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --picture shirt.png\n"
+      "  taut inspect my-jacket.obj --untangle\n  taut inspect "
       "shirt.stl --units mm --up z --json\n");
   return [options] { return Command(*options); };
 }

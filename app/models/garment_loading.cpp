@@ -177,6 +177,22 @@ std::vector<sim::Vec3> read_start(const std::filesystem::path& file, std::size_t
   return start_m;
 }
 
+void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
+  std::vector<sim::Vec3> start_m = loaded.start_m.value_or(loaded.garment->mesh.positions);
+  loaded.untangling =
+      untangle_start(scene, *loaded.garment, start_m, [&](const std::string& stage) { tell(begin, stage); });
+  if (!loaded.untangling) {
+    return;
+  }
+  const sim::Mesh& rest = loaded.garment->mesh;
+  if (!loaded.start_m || !crossing_pairs({rest.positions, rest.triangles}).empty()) {
+    sim::Garment garment = *loaded.garment;
+    garment.parted_m = start_m;
+    loaded.garment = sim::share(std::move(garment));
+  }
+  loaded.start_m = std::move(start_m);
+}
+
 }  // namespace
 
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
@@ -204,6 +220,9 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   }
   if (!scene.garment.start.empty()) {
     loaded.start_m = read_start(scene.garment.start, loaded.garment->mesh.positions.size());
+  }
+  if (scene.garment.untangle) {
+    untangle(scene, loaded, begin);
   }
   return loaded;
 }

@@ -11,6 +11,7 @@
 #include "app/models/hanging.hpp"
 #include "app/models/landmarks.hpp"
 #include "app/models/placement.hpp"
+#include "app/models/untangling.hpp"
 #include "app/scene/scene.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/garment.hpp"
@@ -24,6 +25,8 @@ struct GarmentInScene {
   std::optional<std::vector<sim::Vec3>> start_m;  ///< positions at the start, per vertex; empty: as modelled
   FileVertices file_vertices;  ///< For the mesh before subdivision. Of a grid: all its vertices.
   std::vector<sim::MovingPins> moving_pins = {};  ///< vertices of the mesh
+  /// Of what crossed at the start; empty if nothing did, or the scene does not ask for it.
+  std::optional<Untangling> untangling = {};
 };
 
 /// A scene's garment with all that was found out about it.

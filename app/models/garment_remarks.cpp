@@ -89,9 +89,14 @@ std::vector<std::string> remarks_on_start(const Scene& scene, const GarmentInSce
   const Surface start = surface_at_start(loaded);
   const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   std::vector<std::string> lines;
+  if (loaded.untangling) {
+    lines.push_back(describe(*loaded.untangling));
+  }
   for (const SceneCrossings& crossings : scene_crossings(start, bodies, 0.0)) {
     if (!crossings.pairs.empty()) {
-      lines.push_back("at the start " + describe(crossings, start, bodies));
+      const bool may_be_parted = !crossings.body && !scene.garment.untangle;
+      lines.push_back("at the start " + describe(crossings, start, bodies) +
+                      (may_be_parted ? "; --untangle parts what it can" : ""));
     }
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {

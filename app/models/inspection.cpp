@@ -64,6 +64,7 @@ void measure_surface(const LoadedGarment& loaded, Inspection& result) {
 }
 
 void find_crossings(const LoadedGarment& loaded, Inspection& result) {
+  result.untangling = loaded.untangling;
   const Surface start = surface_at_start(loaded);
   result.crossings = crossing_pairs(start);
   result.crossings_text = result.crossings.empty() ? "none" : describe(start, result.crossings);
@@ -192,6 +193,7 @@ std::string describe(const Inspection& i) {
   text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs,
                       i.shear_springs, i.flexural_springs);
   text += fmt::format("crossings   {}\n", i.crossings_text);
+  text += i.untangling ? "untangled   " + describe(*i.untangling) + '\n' : "";
   text += i.start ? describe_start(*i.start) : "";
   text += fmt::format("numbers     in pins.at count the {}\n", i.vertex_numbers);
   for (const std::string& line : i.hanging) {

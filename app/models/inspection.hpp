@@ -40,10 +40,11 @@ struct Inspection {
   double mean_edge_m = 0.0;
   double longest_edge_m = 0.0;
   double smallest_angle_rad = 0.0;
-  std::size_t without_surface = 0;      ///< triangles that sim::TriangleAtRest finds too thin to have one
-  std::optional<StretchAtStart> start;  ///< empty if the scene names no start: it begins at rest
-  std::vector<CrossingPair> crossings;  ///< in the shape it begins in
-  std::string crossings_text;           ///< the same for people
+  std::size_t without_surface = 0;       ///< triangles that sim::TriangleAtRest finds too thin to have one
+  std::optional<StretchAtStart> start;   ///< empty if the scene names no start: it begins at rest
+  std::vector<CrossingPair> crossings;   ///< in the shape it begins in
+  std::string crossings_text;            ///< the same for people
+  std::optional<Untangling> untangling;  ///< of what crossed before; empty if nothing was moved apart
   sim::Topology topology;
   std::size_t structural_springs = 0;
   std::size_t shear_springs = 0;

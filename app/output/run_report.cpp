@@ -178,6 +178,13 @@ Json crossings_json(const std::vector<CrossingPair>& pairs) {
   return json;
 }
 
+Json untangling_json(const std::optional<Untangling>& untangling) {
+  return untangling ? Json{{"pairs_before", untangling->pairs_before},
+                           {"pairs_left", untangling->pairs_left},
+                           {"largest_move_m", untangling->largest_move_m}}
+                    : Json();
+}
+
 // File names can hold bytes that are no UTF-8.
 std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -294,6 +301,7 @@ std::string inspection_json(const Inspection& i) {
        {"triangles_without_surface", i.without_surface},
        {"start", start_json(i.start)},
        {"crossings", crossings_json(i.crossings)},
+       {"untangling", untangling_json(i.untangling)},
        {"topology", topology},
        {"springs", spring_counts(i.structural_springs, i.shear_springs, i.flexural_springs)},
        {"landmarks", landmarks},

@@ -25,6 +25,7 @@ struct GarmentSource {
   /// Model file with the positions at the start: the garment's vertices, in metres with y up. Empty: the
   /// garment starts as it was modelled.
   std::filesystem::path start;
+  bool untangle = false;  ///< what crosses at the start is parted before the run
   sim::GridSettings grid;
 };
 

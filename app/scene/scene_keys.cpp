@@ -78,6 +78,10 @@ void add_garment(SceneKeys& keys) {
   keys.push_back(
       vector_key<Scene>("garment.grid.top", "m", MEMBER(garment.grid.top_centre_m), "the middle of row 0"));
   keys.push_back(start_key());
+  keys.push_back(
+      switch_key<Scene>("garment.untangle", MEMBER(garment.untangle),
+                        "true: where the cloth crosses itself at the start it is moved apart before "
+                        "the run; the rest shape stays"));
   keys.push_back(number("garment.areal_density", "kg/m2", positive, MEMBER(material.areal_density_kg_per_m2),
                         "heavier cloth answers wind less"));
   keys.push_back(choice_key<Scene, sim::FlexuralRule>(

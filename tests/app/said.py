@@ -174,7 +174,7 @@ def ends_where_a_frame_crosses():
 def names_what_crosses_at_the_start():
     model, keys = FALLS_THROUGH
     (folder / 'crosses.obj').write_text(model.replace('.05', '-.05'))
-    said = r'^crosses.obj: at the start %s$' % PAIR
+    said = r'^crosses.obj: at the start %s; --untangle parts what it can$' % PAIR
     for command in (['simulate'], ['render', '--resolution', '64,64', '--output', 'crosses.png']):
         done = run(command[0], 'crosses.obj', *keys, '--frames', '1', *command[1:])
         expect(re.search(said, done.stdout, re.M), '%s: %s' % (command, done.stdout))
@@ -183,6 +183,13 @@ def names_what_crosses_at_the_start():
     found = json.loads(run('inspect', 'crosses.obj', *keys, '--json').stdout)['crossings']
     expect(found['pairs'] == 1 and found['first']['triangles'] == [0, 1], 'as JSON: %s' % found)
     expect(abs(found['first']['place_m'][1]) < 1e-9, 'the place is not on the lower triangle: %s' % found)
+    inspected = run('inspect', 'crosses.obj', *keys, '--untangle').stdout
+    expect(re.search('^crossings   none$', inspected, re.M), 'still crosses: ' + inspected)
+    expect(re.search('^untangled   of 1 pair of triangles that crossed at the start 0 are left', inspected, re.M), inspected)
+    parted = json.loads(run('inspect', 'crosses.obj', *keys, '--untangle', '--json').stdout)
+    expect(parted['crossings']['pairs'] == 0 and parted['untangling']['pairs_before'] == 1, 'as JSON: %s' % parted['untangling'])
+    done = run('simulate', 'crosses.obj', *keys, '--untangle', '--frames', '1')
+    expect('crosses.obj: of 1 pair of triangles' in done.stdout and 'at the start 1 pair' not in done.stdout, done.stdout)
     done = subprocess.run([program, 'simulate', 'crosses.obj', *keys, '--verify'], cwd=folder, capture_output=True, text=True)
     expect(done.returncode == 0 and '0 crossing pairs but for 1 from the start, of which 0 still cross' in done.stdout,
            'the pair that crosses at the start counts: ' + done.stderr + done.stdout)

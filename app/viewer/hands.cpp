@@ -13,8 +13,9 @@ std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea
               state.shown->loaded->garment->mesh.triangles);
 }
 
-std::optional<sim::Index> Hands::held_vertex() const {
-  return hold_ ? std::optional(hold_->grip.vertices.front().vertex) : std::nullopt;
+std::optional<HeldCloth> Hands::held() const {
+  return hold_ ? std::optional(HeldCloth{hold_->grip.vertices.front().vertex, hold_->grip.target_m})
+               : std::nullopt;
 }
 
 void Hands::press(const Pointer& pointer, const ViewArea& area, const ViewerState& state,

@@ -36,8 +36,8 @@ class Hands {
 
   /// Whether the pointer turns or moves the view, or holds cloth.
   bool is_busy() const { return is_turning_ || is_moving_ || hold_.has_value(); }
-  /// The vertex that the pointer holds; empty if it holds none.
-  std::optional<sim::Index> held_vertex() const;
+  /// What the pointer holds; empty if it holds nothing.
+  std::optional<HeldCloth> held() const;
 
  private:
   struct Hold {

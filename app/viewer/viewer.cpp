@@ -54,6 +54,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
   interface_.begin_frame(layout().width_px, layout().height_px, frame.elapsed_s);
   lay_out(state_, layout());
   hands_.update(pointer_, !interface_.wants_pointer(), scene_area(layout()), state_, commands_);
+  state_.held = hands_.held();
   perform_asked();
   load_asked();
   collect_settings();

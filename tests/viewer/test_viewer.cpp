@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/panel/panel_hints.hpp"
+#include "app/viewer/picture/hand_thread.hpp"
 #include "person.hpp"
 #include "picture_reading.hpp"
 #include "temporary_folder.hpp"
@@ -115,6 +118,37 @@ TEST(Window, ADragBeginsWhereTheButtonGoesDown) {
       EXPECT_NEAR(camera.pixel_of(before.camera().target, area)->x, 0.5 * area.width_px + 60.0, 0.01);
     }
   }
+}
+
+TEST(Window, AThreadLeadsToAHandThatTheClothDoesNotFollow) {
+  const auto at = [](glm::vec2 px) { return renderer::WindowEvent(renderer::PointerMoved{px.x, px.y}); };
+  const auto left = [](bool down) {
+    return renderer::WindowEvent(renderer::ButtonChanged{PointerButton::left, down});
+  };
+  Person person("pinned-9x9-5");
+  person.press(keys::space);
+  const ViewerState& state = person.viewer.state();
+  const ViewArea area = scene_area(person.viewer.layout());
+  const glm::vec3 middle(state.shown->positions()[40]);
+  const glm::vec2 middle_px = *state.camera.pixel_of(middle, area);
+  const auto thread_to = [&](glm::vec2 place_px) {
+    person.act(at(place_px));
+    return hand_thread(state, area);
+  };
+  person.act({at(middle_px), left(true)});
+  EXPECT_FALSE(hand_thread(state, area)) << "the cloth is in the hand";
+  EXPECT_FALSE(thread_to(middle_px + glm::vec2(3.0F, 0.0F))) << "some pixels";
+  const glm::vec2 away_px = middle_px + glm::vec2(60.0F, 20.0F);
+  const auto thread = thread_to(away_px);
+  ASSERT_TRUE(thread);
+  EXPECT_EQ((*thread)[0], middle);
+  EXPECT_LT(glm::distance(*state.camera.pixel_of((*thread)[1], area), away_px), 0.1F);
+  thread_to(middle_px);
+  person.act(renderer::WindowEvent(renderer::WheelTurned{0.0, 30.0}));
+  EXPECT_FALSE(thread_to(middle_px + glm::vec2(20.0F, 0.0F))) << "some millimetres, seen from near";
+  EXPECT_TRUE(thread_to(away_px + glm::vec2(200.0F, 0.0F)));
+  person.act(left(false));
+  EXPECT_FALSE(hand_thread(state, area)) << "let go";
 }
 
 // Scenes of grids have a number of time steps for their own solver.

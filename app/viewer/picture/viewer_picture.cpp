@@ -95,6 +95,7 @@ ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const 
           picture.settings.shadows,
           state.show_springs,
           state.show_normals,
+          hand_thread(state, area),
           area.width_px,
           area.height_px};
 }
@@ -121,6 +122,10 @@ void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, c
   }
   if (state.show_normals) {
     add_normals(state, frame);
+  }
+  thread_ = hand_thread(state, area);
+  if (thread_) {
+    add_thread(*thread_, frame);
   }
   renderer::PictureSettings settings = state.scene.picture.settings;
   settings.samples = quality.samples;

@@ -5,6 +5,7 @@
 
 #include "app/drawing/garment_painter.hpp"
 #include "app/viewer/panel/panel.hpp"
+#include "app/viewer/picture/hand_thread.hpp"
 #include "app/viewer/picture/interface_picture.hpp"
 #include "app/viewer/picture/picture_quality.hpp"
 #include "app/viewer/state/viewer_state.hpp"
@@ -52,6 +53,7 @@ class ViewerPicture {
     bool shadows = true;
     bool springs = false;
     bool normals = false;
+    std::optional<HandThread> thread;
     int width_px = 0;
     int height_px = 0;
 
@@ -91,6 +93,7 @@ class ViewerPicture {
   std::optional<GarmentPainter> painter_;
   std::array<std::vector<glm::vec3>, sim::all_spring_kinds.size()> spring_points_;
   std::vector<glm::vec3> normal_points_;
+  std::optional<HandThread> thread_;
 };
 
 }  // namespace taut::app

@@ -65,6 +65,12 @@ struct Message {
   double left_s = 0.0;  ///< remaining time
 };
 
+/// Cloth in the hand of the user.
+struct HeldCloth {
+  sim::Index vertex = 0;
+  glm::dvec3 hand_m{0.0};  ///< where the hand wants the vertex, in metres
+};
+
 /// What a recording of the window becomes.
 enum class RecordingKind { video, pictures };
 
@@ -84,6 +90,7 @@ struct ViewerState {
   // To be shown.
   SnapshotPtr newest;
   SnapshotPtr shown;  ///< what is drawn: `newest` or an earlier one
+  std::optional<HeldCloth> held;
   Measurements measurements;
   std::vector<Choice> scenes;
   std::vector<Choice> garments;

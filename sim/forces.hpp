@@ -5,6 +5,7 @@
 
 #include "sim/garment.hpp"
 #include "sim/hand.hpp"
+#include "sim/rigid_motion.hpp"
 #include "sim/state.hpp"
 #include "sim/wind.hpp"
 
@@ -21,6 +22,7 @@ struct PointForce {
 /// The external forces of Step 2 of the paper.
 struct ExternalForces {
   Vec3 gravity_m_per_s2 = {0.0, -9.81, 0.0};
+  std::vector<PathPoint> gravity_path = {};  ///< what is added to gravity over time, in m/s^2
   Wind wind;
   /// The air slows every vertex by this rate, per second; at least 0. A larger rate brings the cloth to rest
   /// sooner and makes it swing less.
@@ -31,6 +33,11 @@ struct ExternalForces {
 
   bool operator==(const ExternalForces&) const = default;
 };
+
+/// Returns the gravity at this time, in m/s^2.
+Vec3 gravity_at(const ExternalForces& external, double time_s);
+/// Returns the largest that it is at any time, in m/s^2.
+double largest_gravity_m_per_s2(const ExternalForces& external);
 
 /// The three functions below add to `forces_n`, in newtons, one entry per vertex of the garment.
 void add_gravity(const Garment& garment, const Vec3& gravity_m_per_s2, std::span<Vec3> forces_n);

@@ -25,22 +25,29 @@ glm::dmat3 rotation(const Vec3& axis, double turns) {
           Vec3(k.z * axis.x + s.y, k.z * axis.y - s.x, c + k.z * axis.z)};
 }
 
-Vec3 offset_of(const std::vector<PathPoint>& path, double time_s) {
-  const auto next =
-      std::find_if(path.begin(), path.end(), [&](const PathPoint& p) { return p.time_s > time_s; });
-  if (next == path.begin() || next == path.end()) {
-    return path.empty() ? Vec3(0.0) : next == path.end() ? path.back().offset_m : next->offset_m;
-  }
-  const PathPoint& last = *(next - 1);
-  return glm::mix(last.offset_m, next->offset_m, (time_s - last.time_s) / (next->time_s - last.time_s));
-}
-
 template <typename Part>
 bool lasts_after(const Part& part, double time_s) {
   return part.until_s > std::max(time_s, part.from_s);
 }
 
 }  // namespace
+
+Vec3 offset_at(const std::vector<PathPoint>& path, double time_s) {
+  const auto next =
+      std::find_if(path.begin(), path.end(), [&](const PathPoint& p) { return p.time_s > time_s; });
+  if (next == path.begin() || next == path.end()) {
+    return path.empty() ? Vec3(0.0) : next == path.end() ? path.back().offset : next->offset;
+  }
+  const PathPoint& last = *(next - 1);
+  return glm::mix(last.offset, next->offset, (time_s - last.time_s) / (next->time_s - last.time_s));
+}
+
+bool changes_after(const std::vector<PathPoint>& path, double time_s) {
+  const auto begins_after = [&](const PathPoint& p, const PathPoint& next) {
+    return next.time_s > time_s && next.offset != p.offset;
+  };
+  return std::adjacent_find(path.begin(), path.end(), begins_after) != path.end();
+}
 
 Pose pose_at(const RigidMotion& motion, double time_s) {
   const Spin& spin = motion.spin;
@@ -51,7 +58,7 @@ Pose pose_at(const RigidMotion& motion, double time_s) {
     pose.offset_m = spin.about_m - pose.rotation * spin.about_m;
   }
   pose.offset_m += motion.shift.velocity_m_per_s * lasted_s(motion.shift, time_s);
-  pose.offset_m += offset_of(motion.path, time_s);
+  pose.offset_m += offset_at(motion.path, time_s);
   return pose;
 }
 
@@ -65,11 +72,7 @@ Vec3 RigidMove::displacement_m(const Vec3& point_m) const {
 bool is_moving_after(const RigidMotion& motion, double time_s) {
   const bool shifts = motion.shift.velocity_m_per_s != Vec3(0.0) && lasts_after(motion.shift, time_s);
   const bool spins = motion.spin.turns_per_s != 0.0 && lasts_after(motion.spin, time_s);
-  const auto begins_after = [&](const PathPoint& p, const PathPoint& next) {
-    return next.time_s > time_s && next.offset_m != p.offset_m;
-  };
-  return shifts || spins ||
-         std::adjacent_find(motion.path.begin(), motion.path.end(), begins_after) != motion.path.end();
+  return shifts || spins || changes_after(motion.path, time_s);
 }
 
 }  // namespace taut::sim

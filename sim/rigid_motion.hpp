@@ -34,9 +34,10 @@ struct Spin {
   bool operator==(const Spin&) const = default;
 };
 
+/// What something is off where it is else, at one time: in m, or in the unit of what has the path.
 struct PathPoint {
   double time_s = 0.0;
-  Vec3 offset_m = {0.0, 0.0, 0.0};
+  Vec3 offset = {0.0, 0.0, 0.0};
 
   bool operator==(const PathPoint&) const = default;
 };
@@ -50,6 +51,13 @@ struct RigidMotion {
 
   bool operator==(const RigidMotion&) const = default;
 };
+
+/// Returns the offset at this time: linear between points, held before the first and after the last; 0
+/// without points. Requires rising times.
+Vec3 offset_at(const std::vector<PathPoint>& path, double time_s);
+
+/// Returns whether the offset changes at any time after this one.
+bool changes_after(const std::vector<PathPoint>& path, double time_s);
 
 /// Where something rigid is: the point that was modelled at p is at rotation * p + offset_m.
 struct Pose {

@@ -74,7 +74,7 @@ bool is_steady(const Surroundings& s, double time_s) {
   const bool gusts = wind.speed_m_per_s != 0.0 && (wind.gust_amplitude != 0.0 || wind.gust_turn != 0.0);
   const auto moves = [&](const Body& body) { return is_moving_after(body, time_s); };
   const auto move = [&](const MovingPins& group) { return is_moving_after(group.motion, time_s); };
-  return !gusts && s.pin_motion.amplitude_m == Vec3(0.0) &&
+  return !gusts && !changes_after(s.forces.gravity_path, time_s) && s.pin_motion.amplitude_m == Vec3(0.0) &&
          std::none_of(s.bodies.begin(), s.bodies.end(), moves) &&
          std::none_of(s.moving_pins.begin(), s.moving_pins.end(), move);
 }

@@ -46,7 +46,8 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
   }
   const sim::ShapeChange change = simulation.change();
   record.rms_speed_m_per_s = sim::rms_speed(change);
-  record.energy = sim::measure_energy(garment, change, simulation.surroundings().forces.gravity_m_per_s2);
+  record.energy =
+      sim::measure_energy(garment, change, sim::gravity_at(simulation.surroundings().forces, state.time_s));
   record.convergence_m = sim::measure_convergence(change).max_m;
   record.state_hash = sim::hash(state);
   record.asleep = state.asleep;

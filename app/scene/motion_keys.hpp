@@ -27,22 +27,23 @@ Key<T> written_if(Key<T> key, IsUsed is_used) {
   return key;
 }
 
+/// A key for the path that `path_of` returns, of an entry that is const or not.
 template <class T, class Access>
-Key<T> path_key(Access motion) {
+Key<T> path_key(std::string name, std::string unit, Access path_of, std::string meaning) {
   auto read = [=](const toml::node& value, const Source&, T& entry) {
-    return store(path_in(value), motion(entry).path);
+    return store(path_in(value), path_of(entry));
   };
   auto write = [=](const T& entry) {
     Json list;
-    for (const sim::PathPoint& point : motion(entry).path) {
-      list.push_back({point.time_s, point.offset_m.x, point.offset_m.y, point.offset_m.z});
+    for (const sim::PathPoint& point : path_of(entry)) {
+      list.push_back({point.time_s, point.offset.x, point.offset.y, point.offset.z});
     }
     return list;
   };
-  return {"path",
-          "s, m",
+  return {std::move(name),
+          "s, " + unit,
           "a list of [time, x, y, z], the times rising",
-          "how far it is from where it was modelled; straight in between, held before and after",
+          meaning + "; straight in between, held before and after",
           read,
           write};
 }
@@ -88,7 +89,9 @@ void add_motion(std::vector<Key<T>>& keys, Access motion) {
           "counter-clockwise seen from where the axis points"),
       spins);
   add_times("spin", spin, spins);
-  keys.push_back(path_key<T>(motion));
+  keys.push_back(path_key<T>(
+      "path", "m", [=](auto& e) -> auto& { return motion(e).path; },
+      "how far it is from where it was modelled"));
 }
 
 }  // namespace taut::app

@@ -2,6 +2,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "app/scene/motion_keys.hpp"
 #include "app/scene/promise.hpp"
 #include "app/scene/scene_bodies.hpp"
 #include "app/scene/scene_format.hpp"
@@ -163,6 +164,8 @@ void add_run(SceneKeys& keys) {
 void add_forces(SceneKeys& keys) {
   keys.push_back(vector_key<Scene>("gravity.acceleration", "m/s2",
                                    MEMBER(surroundings.forces.gravity_m_per_s2), "y is up"));
+  keys.push_back(path_key<Scene>("gravity.path", "m/s2", MEMBER(surroundings.forces.gravity_path),
+                                 "what is added to gravity over time"));
   keys.push_back(number("air.drag", "1/s", not_negative, MEMBER(surroundings.forces.air_drag_per_s),
                         "how fast the air slows cloth down; more comes to rest sooner"));
   keys.push_back(number("wind.speed", "m/s", {0.0, 200.0}, MEMBER(surroundings.forces.wind.speed_m_per_s),

@@ -203,6 +203,29 @@ TEST(Simulation, WithoutAnyForceNothingMoves) {
   }
 }
 
+// Free cloth falls as a stone does, by s = 1/2 g t^2, and goes on as fast while its weight is taken away.
+TEST(Simulation, GravityChangesAlongItsPath) {
+  for (const SolverMethod& method : {SolverMethod(StrongSettings{}), SolverMethod(BoundedSettings{})}) {
+    SimulationSettings settings;
+    settings.solver.method = method;
+    Surroundings surroundings;
+    surroundings.forces.air_drag_per_s = 0.0;
+    surroundings.forces.wind.pressure_coefficient = surroundings.forces.wind.friction_coefficient = 0.0;
+    surroundings.forces.gravity_path = {{0.5, {0, 0, 0}}, {0.5001, {0, 9.81, 0}}};
+    Simulation simulation(share(pinned_cloth()), {}, settings, surroundings);
+    const Vec3 before = simulation.state().current[40];
+    run(simulation, 60);
+    EXPECT_NEAR(before.y - simulation.state().current[40].y, 9.81 * (0.125 + 0.25), 0.06);
+    EXPECT_NEAR(velocity(simulation.state(), 40).y, -0.5 * 9.81, 0.1);
+    EXPECT_TRUE(is_steady(surroundings, 0.6));
+    EXPECT_FALSE(is_steady(surroundings, 0.3));
+  }
+  ExternalForces external;
+  external.gravity_path = {{1.0, {0, 0, 0}}, {2.0, {0, 29.43, 0}}};
+  EXPECT_DOUBLE_EQ(gravity_at(external, 1.5).y, 0.5 * 9.81);
+  EXPECT_DOUBLE_EQ(largest_gravity_m_per_s2(external), 2.0 * 9.81);
+}
+
 TEST(Simulation, GustsAndMovingPinsKeepItAwake) {
   Surroundings gusty;
   gusty.forces.wind.speed_m_per_s = 1e-6;

@@ -54,7 +54,7 @@ std::array<Load, 3> loads_of(const Surroundings& surroundings, const Limits& lim
             forces.wind.speed_m_per_s * (1.0 + forces.wind.gust_amplitude), limits.wind_m_per_s,
             limits.wind_power},
            {"where gravity and the pins' motion amount to", "m/s2",
-            glm::length(forces.gravity_m_per_s2) + rate * rate * glm::length(motion.amplitude_m),
+            largest_gravity_m_per_s2(forces) + rate * rate * glm::length(motion.amplitude_m),
             limits.acceleration_m_per_s2, 2.0},
            {"where a vertex is pulled by", "N", pull_n, limits.pull_n, 2.0}}};
 }

@@ -60,8 +60,8 @@ int SlowForces::updates_per_frame(const ExternalForces& external, double frame_t
                   static_cast<int>(wanted < most_updates_per_frame ? wanted : most_updates_per_frame));
 }
 
-void SlowForces::add_gravity_and_artificial(const ExternalForces& external) {
-  const Float4 gravity = float4_of(external.gravity_m_per_s2);
+void SlowForces::add_gravity_and_artificial(const ExternalForces& external, double time_s) {
+  const Float4 gravity = float4_of(gravity_at(external, time_s));
   std::fill(accelerations_.begin(),
             accelerations_.begin() + static_cast<std::ptrdiff_t>(layout_.vertex_count()), gravity);
   for (const PointForce& f : external.artificial_forces) {
@@ -124,7 +124,7 @@ void SlowForces::add_bending(const Motion& motion, double ahead, ParallelKernels
 
 void SlowForces::update(const Garment& garment, const ExternalForces& external, const Motion& motion,
                         double time_s, double time_step_s, double interval_s, ParallelKernels& kernels) {
-  add_gravity_and_artificial(external);
+  add_gravity_and_artificial(external, time_s);
   add_hand(garment, external, motion, time_step_s, interval_s);
   add_wind(garment, external.wind, motion, time_s, time_step_s, interval_s, kernels);
   if (!bending_.empty()) {

@@ -31,7 +31,7 @@ class SlowForces {
   const Float4* accelerations() const { return accelerations_.data(); }
 
  private:
-  void add_gravity_and_artificial(const ExternalForces& external);
+  void add_gravity_and_artificial(const ExternalForces& external, double time_s);
   void add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion,
                 double time_step_s, double interval_s);
   void add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,

@@ -49,7 +49,7 @@ double acceleration(const Garment& garment, const Surroundings& surroundings) {
   const double rate = 6.283185307179586 * motion.frequency_hz;
   const double speed = surroundings.forces.wind.speed_m_per_s;
   const double pressure = 0.5 * air_density_kg_per_m3 * speed * speed;
-  return glm::length(surroundings.forces.gravity_m_per_s2) + rate * rate * glm::length(motion.amplitude_m) +
+  return largest_gravity_m_per_s2(surroundings.forces) + rate * rate * glm::length(motion.amplitude_m) +
          caught_wind * pressure / garment.material.areal_density_kg_per_m2;
 }
 

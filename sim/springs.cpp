@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "sim/mesh/elementary.hpp"
 
@@ -137,6 +138,13 @@ void append(Springs& springs, const std::vector<Edge>& ends, const std::vector<V
 const char* name_of(SpringKind kind) {
   constexpr std::array names = {"structural", "shear", "flexural"};
   return names[static_cast<std::size_t>(kind)];
+}
+
+double mean_edge_m(const Springs& springs) {
+  const auto begin = springs.rest_lengths_m.begin();
+  const double sum_m =
+      std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(springs.structural_count), 0.0);
+  return sum_m / static_cast<double>(std::max<std::size_t>(springs.structural_count, 1));
 }
 
 std::size_t Springs::begin_of(SpringKind kind) const {

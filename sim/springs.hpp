@@ -35,6 +35,9 @@ struct Springs {
   std::size_t count(SpringKind kind) const { return end_of(kind) - begin_of(kind); }
 };
 
+/// Returns the mean rest length of the structural springs, in m; 0 without any.
+double mean_edge_m(const Springs& springs);
+
 /// How triangle models get their flexural springs.
 enum class FlexuralRule {
   /// Around each vertex v, a neighbour a is joined to the neighbour b whose direction from v is closest to

@@ -15,18 +15,10 @@ constexpr float dot_px = 13.0F;
 /// From near by, so many mean edges can be seen to each side of the place.
 constexpr double edges_around = 3.0;
 
-double mean_edge_m(const sim::Springs& springs) {
-  double sum_m = 0.0;
-  for (std::size_t s = 0; s < springs.structural_count; ++s) {
-    sum_m += springs.rest_lengths_m[s];
-  }
-  return sum_m / static_cast<double>(std::max<std::size_t>(springs.structural_count, 1));
-}
-
 DrawnScene from_near(const DrawnScene& asked, const sim::Simulation& simulation, const sim::Vec3& place_m) {
   DrawnScene scene = asked;
   const glm::vec3 centre(place_m);
-  const glm::vec3 around(static_cast<float>(edges_around * mean_edge_m(simulation.garment().springs)));
+  const glm::vec3 around(static_cast<float>(edges_around * sim::mean_edge_m(simulation.garment().springs)));
   scene.camera.eye.reset();
   scene.camera.target.reset();
   scene.camera.box = renderer::Box{centre - around, centre + around};

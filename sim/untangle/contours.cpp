@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <tuple>
+
+#include "sim/mesh/groups.hpp"
 
 namespace taut::sim {
 namespace {
@@ -14,26 +15,6 @@ namespace {
 constexpr double opposed = -0.7;
 /// The least length of the mean of the ways out of a part, each of length 1.
 constexpr double agreement = 0.5;
-
-/// Sets that are joined by and by.
-class Unions {
- public:
-  explicit Unions(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  Index root_of(Index i) {
-    while (parent_[i] != i) {
-      i = parent_[i] = parent_[parent_[i]];
-    }
-    return i;
-  }
-  void join(Index i, Index j) {
-    const Index a = root_of(i), b = root_of(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 bool has_corner(const Triangle& t, Index v) {
   return t[0] == v || t[1] == v || t[2] == v;
@@ -206,7 +187,7 @@ void join_contours(std::size_t pairs, std::vector<Piercing>& all) {
   const auto are_same = [](const Piercing& a, const Piercing& b) {
     return a.edge == b.edge && a.triangle == b.triangle;
   };
-  Unions contours(pairs);
+  Groups contours(pairs);
   for (std::size_t i = 1; i < all.size(); ++i) {
     if (are_same(all[i - 1], all[i])) {
       contours.join(all[i - 1].contour, all[i].contour);
@@ -214,7 +195,7 @@ void join_contours(std::size_t pairs, std::vector<Piercing>& all) {
   }
   all.erase(std::unique(all.begin(), all.end(), are_same), all.end());
   for (Piercing& p : all) {
-    p.contour = contours.root_of(p.contour);
+    p.contour = contours.find(p.contour);
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Piercing& a, const Piercing& b) { return a.contour < b.contour; });

@@ -33,15 +33,6 @@ constexpr double wider_gap = 1.0;
 /// Rounds without fewer pairs, after which there will not be.
 constexpr int most_rounds_in_vain = 60;
 
-double mean_edge_m(const Garment& garment) {
-  double sum_m = 0.0;
-  for (const double length_m :
-       std::span(garment.springs.rest_lengths_m).first(garment.springs.structural_count)) {
-    sum_m += length_m;
-  }
-  return sum_m / static_cast<double>(garment.springs.structural_count);
-}
-
 /// Where vertices are to be moved, each to the mean of what is asked of it.
 struct Moves {
   explicit Moves(std::size_t count) : sums_m(count, Vec3(0.0)), weights(count, 0.0) {}
@@ -104,7 +95,7 @@ class Attempt {
         free_(make_pins(garment, {})),
         start_m_(start_m),
         positions_m_(start_m.begin(), start_m.end()),
-        edge_m_(mean_edge_m(garment)) {}
+        edge_m_(mean_edge_m(garment.springs)) {}
 
   /// Ends in `best`, if it comes to fewer pairs.
   void run(const FindCrossings& find_crossings, bool by_walls, Untangled& best) {

@@ -163,14 +163,8 @@ void Contacts::measure_edges(const Mesh& mesh, const Layout& layout) {
   }
 }
 
-float Contacts::room_of(std::size_t row) const {
-  const float of_all = std::min(room_m, room_per_edge * static_cast<float>(mean_edge_m_));
-  return std::min(of_all, room_per_edge_here * edges_m_[row]);
-}
-
-float Contacts::correction_room_of(std::size_t row) const {
-  const float of_all =
-      std::min(correction_room_m, correction_room_per_edge * static_cast<float>(mean_edge_m_));
+float Contacts::room_of(std::size_t row, float most_m, float per_edge) const {
+  const float of_all = std::min(most_m, per_edge * static_cast<float>(mean_edge_m_));
   return std::min(of_all, room_per_edge_here * edges_m_[row]);
 }
 
@@ -244,7 +238,7 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
     add_scaled(move, memory_.accelerations[row], 0.5F * lasts_s * (lasts_s + before_s));
     // What presses layers together; most of it is undone by the cloth itself.
     const Float4 pressed = times(accelerations[row], 0.5F * lasts_s * lasts_s);
-    const float room = room_of(row);
+    const float room = room_of(row, room_m, room_per_edge);
     move = scaled_sum(move, no_longer_than(room, pressed), 1.0F);
     rows_.radii[row] = std::min(room + room_per_move * length_of(move), most_room_m);
   }
@@ -259,7 +253,8 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
   begin_rows(layout, motion, displacements);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     rows_.moves[row] = expected[row];
-    rows_.radii[row] = correction_room_of(row) + room_per_move * length_of(expected[row]);
+    rows_.radii[row] =
+        room_of(row, correction_room_m, correction_room_per_edge) + room_per_move * length_of(expected[row]);
   }
   find_regions(garment, layout, motion, {time_s, time_s}, kernels);
 }
@@ -269,7 +264,8 @@ void Contacts::renew_regions(const Garment& garment, const Layout& layout, const
                              ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    rows_.radii[row] = std::clamp(further * length_of(moved[row]), correction_room_of(row), most_room_m);
+    rows_.radii[row] = std::clamp(further * length_of(moved[row]),
+                                  room_of(row, correction_room_m, correction_room_per_edge), most_room_m);
   }
   find_regions(garment, layout, motion, {time_s, time_s}, kernels);
 }

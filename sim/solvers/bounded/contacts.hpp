@@ -89,9 +89,9 @@ class Contacts {
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
   void add_loose_vertices(const Layout& layout);
   void measure_edges(const Mesh& mesh, const Layout& layout);
-  /// How far a row may deviate from where it is expected, and in the correction of a frame, in m.
-  float room_of(std::size_t row) const;
-  float correction_room_of(std::size_t row) const;
+  /// How far a row may deviate from where it is expected, in m: at most so much, and this part of the mean
+  /// edge.
+  float room_of(std::size_t row, float most_m, float per_edge) const;
   void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
   void find_regions(const Garment& garment, const Layout& layout, const Motion& motion, const TimeSpan& time,
                     ParallelKernels& kernels);

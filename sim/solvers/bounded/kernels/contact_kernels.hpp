@@ -50,7 +50,8 @@ struct BlockPairs {
 /// Four lists of the same length.
 using PairLists = std::array<std::uint32_t*, 4>;
 
-/// Vectors are loaded whole at the end of a list: this many entries more than it has must be there.
+/// Vectors are loaded and stored whole at the end of a list: this many entries more than it has must be
+/// there.
 inline constexpr std::size_t list_padding = block_size;
 /// How many entries one pair of blocks can give.
 inline constexpr std::size_t most_per_block_pair = block_size * block_size;
@@ -69,11 +70,10 @@ struct ContactKernels {
   void (*enclose_blocks)(const BoxBlock* boxes, std::size_t begin, std::size_t end, BoxBlock* around);
 
   /// For each pair of blocks, the one of `a` and the other of `b`, finds the pairs of lanes whose
-  /// boxes overlap; of a block with
-  /// itself, each two lanes once, and each lane with itself. If `a` and `b` are of primitives, those that
-  /// share a row are left out, and `found` gets where the rows of their corners begin: a list for each corner
-  /// of the one and then of the other. Otherwise it gets the lanes themselves in its first two lists. Returns
-  /// the length of these lists.
+  /// boxes overlap; of a block with itself, each two lanes once, and each lane with itself.
+  /// If `a` and `b` are of primitives, those that share a row are left out, and `found` gets where the rows
+  /// of their corners begin: a list for each corner of the one and then of the other. Otherwise it gets the
+  /// lanes themselves in its first two lists. Returns the length of these lists.
   std::size_t (*overlapping)(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                              const PairLists& found);
 

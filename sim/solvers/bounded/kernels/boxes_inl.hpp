@@ -145,82 +145,125 @@ void enclose_blocks(const BoxBlock* boxes, std::size_t begin, std::size_t end, B
   }
 }
 
-/// Appends the lanes of the mask to a list that has room for a whole vector more.
-HWY_INLINE void append(hn::Vec<Integers> values, hn::Mask<Integers> mask, std::uint32_t* end) {
-  hn::StoreU(hn::Compress(values, mask), Integers(), end);
-}
+using Rows = hn::Vec<Integers>;
 
-/// Calls found(i, j, mask) for lanes of two blocks whose boxes may overlap: of the one i, of the other those
-/// of the vector that begins at j. It does so also where there are none, as the processor would guess wrong.
-template <typename Found>
-HWY_INLINE void for_overlapping(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
-                                const Found& found) {
-  const Integers u;
-  for (std::size_t p = 0; p < pairs.count; ++p) {
-    const std::uint32_t block_a = pairs.first[p];
-    const std::uint32_t block_b = pairs.second[p];
-    const BoxBlock& mine = a.boxes[block_a];
-    const BoxBlock& others = b.boxes[block_b];
-    const Boxes all_others = repeat_box(b.around[block_b / block_size], block_b % block_size);
-    for (std::uint32_t reaching = overlapping_bits(all_others, mine); reaching != 0;
-         reaching &= reaching - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(reaching));
-      const Boxes box = repeat_box(mine, lane);
-      for (std::size_t k = 0; k < block_size; k += lanes) {
-        const Mask may = overlap(box, load_boxes(others, k));
-        auto mask = hn::RebindMask(u, may);
-        if (&mine == &others) {
-          mask = hn::AndNot(hn::Lt(hn::Iota(u, static_cast<std::uint32_t>(k)), hn::Set(u, lane)), mask);
-        }
-        found(block_a * block_size + lane, block_b * block_size + k, mask);
-      }
+constexpr std::size_t vectors_per_block = block_size / lanes;
+
+/// The primitives of a block and their boxes, in registers where there are enough.
+template <std::size_t corners>
+struct LoadedBlock {
+  Boxes boxes[vectors_per_block];
+  Rows rows[vectors_per_block][corners + 1];
+};
+
+template <std::size_t corners>
+HWY_INLINE LoadedBlock<corners> load_block(const BoxLevel& level, std::size_t block) {
+  LoadedBlock<corners> loaded;
+  for (std::size_t v = 0; v < vectors_per_block; ++v) {
+    loaded.boxes[v] = load_boxes(level.boxes[block], v * lanes);
+    for (std::size_t c = 0; c < corners; ++c) {
+      loaded.rows[v][c] = hn::Load(Integers(), &level.primitives->at[c][block * block_size + v * lanes]);
     }
   }
+  return loaded;
 }
 
-std::size_t overlapping_lanes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
-                              const PairLists& found) {
-  const Integers u;
-  std::size_t size = 0;
-  for_overlapping(a, b, pairs, [&](std::size_t i, std::size_t j, hn::Mask<Integers> mask) HWY_ATTR {
-    hn::StoreU(hn::Set(u, static_cast<std::uint32_t>(i)), u, found[0] + size);
-    append(hn::Iota(u, static_cast<std::uint32_t>(j)), mask, found[1] + size);
-    size += hn::CountTrue(u, mask);
-  });
-  return size;
-}
-
-/// Returns which primitives of the vector that begins at j share a row with the primitive in lane i.
+/// Returns which primitives share a row with the primitive in lane i of the level. Boxes of boxes share none.
 template <std::size_t corners_a, std::size_t corners_b>
-HWY_INLINE hn::Mask<Integers> sharing(const PrimitiveLanes& a, std::size_t i, const PrimitiveLanes& b,
-                                      std::size_t j) {
+HWY_INLINE hn::Mask<Integers> sharing(const BoxLevel& a, std::size_t i, const Rows (&others)[corners_b + 1]) {
   const Integers u;
-  auto shares = hn::Eq(hn::Set(u, a.at[0][i]), hn::Load(u, &b.at[0][j]));
+  auto shares = hn::Lt(hn::Zero(u), hn::Zero(u));
   for (std::size_t c = 0; c < corners_a; ++c) {
-    for (std::size_t d = c == 0 ? 1 : 0; d < corners_b; ++d) {
-      shares = hn::Or(shares, hn::Eq(hn::Set(u, a.at[c][i]), hn::Load(u, &b.at[d][j])));
+    const Rows mine = hn::Set(u, a.primitives->at[c][i]);
+    for (std::size_t d = 0; d < corners_b; ++d) {
+      shares = hn::Or(shares, hn::Eq(mine, others[d]));
     }
   }
   return shares;
 }
 
+/// A pair of lanes of a pair of blocks as one number: stores are what this search waits for.
+struct Code {
+  static HWY_INLINE std::uint32_t first(std::size_t pair, std::uint32_t lane) {
+    return static_cast<std::uint32_t>((pair * block_size + lane) * block_size);
+  }
+  static HWY_INLINE std::size_t pair_of(std::uint32_t code) { return code / (block_size * block_size); }
+  static HWY_INLINE std::size_t lane_of_first(std::uint32_t code) { return code / block_size % block_size; }
+  static HWY_INLINE std::size_t lane_of_second(std::uint32_t code) { return code % block_size; }
+};
+
+/// Lists pairs of lanes whose boxes overlap and that share no row. It stores a whole vector also where there
+/// are none, as the processor would guess wrong.
+template <std::size_t corners_a, std::size_t corners_b>
+std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
+                              std::uint32_t* codes) {
+  const Integers u;
+  std::size_t size = 0;
+  for (std::size_t p = 0; p < pairs.count; ++p) {
+    const std::uint32_t block_a = pairs.first[p];
+    const std::uint32_t block_b = pairs.second[p];
+    const BoxBlock& mine = a.boxes[block_a];
+    const bool is_same = &mine == &b.boxes[block_b];
+    const LoadedBlock<corners_b> others = load_block<corners_b>(b, block_b);
+    const Boxes all_others = repeat_box(b.around[block_b / block_size], block_b % block_size);
+    for (std::uint32_t reaching = overlapping_bits(all_others, mine); reaching != 0;
+         reaching &= reaching - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(reaching));
+      const Boxes box = repeat_box(mine, lane);
+      const Rows first_code = hn::Set(u, Code::first(p, lane));
+      for (std::size_t v = 0; v < vectors_per_block; ++v) {
+        const Rows lane_of_other = hn::Iota(u, static_cast<std::uint32_t>(v * lanes));
+        auto mask = hn::RebindMask(u, overlap(box, others.boxes[v]));
+        mask = hn::AndNot(
+            sharing<corners_a, corners_b>(a, std::size_t{block_a} * block_size + lane, others.rows[v]), mask);
+        if (is_same) {
+          mask = hn::AndNot(hn::Lt(lane_of_other, hn::Set(u, lane)), mask);
+        }
+        hn::StoreU(hn::Compress(hn::Add(first_code, lane_of_other), mask), u, codes + size);
+        size += hn::CountTrue(u, mask);
+      }
+    }
+  }
+  return size;
+}
+
+std::size_t overlapping_lanes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
+                              const PairLists& found) {
+  const std::size_t size = overlapping_codes<0, 0>(a, b, pairs, found[0]);
+  for (std::size_t n = 0; n < size; ++n) {
+    const std::uint32_t code = found[0][n];
+    const std::size_t p = Code::pair_of(code);
+    found[1][n] = static_cast<std::uint32_t>(pairs.second[p] * block_size + Code::lane_of_second(code));
+    found[0][n] = static_cast<std::uint32_t>(pairs.first[p] * block_size + Code::lane_of_first(code));
+  }
+  return size;
+}
+
 template <std::size_t corners_a, std::size_t corners_b>
 std::size_t overlapping_primitives(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                                    const PairLists& found) {
-  const Integers u;
-  const PrimitiveLanes& mine = *a.primitives;
-  const PrimitiveLanes& others = *b.primitives;
-  std::size_t size = 0;
-  for_overlapping(a, b, pairs, [&](std::size_t i, std::size_t j, hn::Mask<Integers> may) HWY_ATTR {
-    const auto mask = hn::AndNot(sharing<corners_a, corners_b>(mine, i, others, j), may);
+  const std::uint32_t* mine[corners_a];
+  for (std::size_t c = 0; c < corners_a; ++c) {
+    mine[c] = a.primitives->at[c].data();
+  }
+  const std::uint32_t* others[corners_b];
+  for (std::size_t d = 0; d < corners_b; ++d) {
+    others[d] = b.primitives->at[d].data();
+  }
+  const PairLists lists = found;
+  const std::size_t size = overlapping_codes<corners_a, corners_b>(a, b, pairs, lists[0]);
+  for (std::size_t n = 0; n < size; ++n) {
+    const std::uint32_t code = lists[0][n];
+    const std::size_t p = Code::pair_of(code);
+    const std::size_t i = pairs.first[p] * block_size + Code::lane_of_first(code);
+    const std::size_t j = pairs.second[p] * block_size + Code::lane_of_second(code);
     for (std::size_t c = 0; c < corners_a; ++c) {
-      hn::StoreU(hn::Set(u, mine.at[c][i]), u, found[c] + size);
+      lists[c][n] = mine[c][i];
     }
     for (std::size_t d = 0; d < corners_b; ++d) {
-      append(hn::Load(u, &others.at[d][j]), mask, found[corners_a + d] + size);
+      lists[corners_a + d][n] = others[d][j];
     }
-    size += hn::CountTrue(u, mask);
-  });
+  }
   return size;
 }
 

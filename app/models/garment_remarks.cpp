@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <variant>
 
 #include "app/base/counted.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/verify/solid_bodies.hpp"
+#include "sim/mesh/groups.hpp"
 
 namespace taut::app {
 namespace {
@@ -33,23 +35,69 @@ bool has_numbers(const std::optional<std::vector<PinSelector>>& pins) {
   return pins && std::any_of(pins->begin(), pins->end(), is_number);
 }
 
+/// How deep a point is in the body, in m, or that it is in it if that is a mesh. Empty: it is outside.
+std::optional<std::string> depth_in(const sim::Body& body, const sim::Vec3& place_m) {
+  if (const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape)) {
+    const bool is_in = winding_number(place_m, {mesh_positions_m(body, 0.0), mesh->data->triangles}) > 0.5;
+    return is_in ? std::optional<std::string>("in it") : std::nullopt;
+  }
+  const double depth_m = -sim::nearest_surface(sim::shape_at(body, 0.0), place_m).distance_m;
+  return depth_m > most_depth_m ? std::optional(fmt::format("{:.3g} mm deep", 1e3 * depth_m)) : std::nullopt;
+}
+
 /// Of pins within a body; empty: none are.
 std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, const Surface& start,
                            std::span<const sim::Index> pins) {
-  const sim::Shape shape = sim::shape_at(bodies[body], 0.0);
   std::string first;
   std::size_t count = 0;
   for (const sim::Index pin : pins) {
     const sim::Vec3& place_m = start.positions_m[pin];
-    const double depth_m = -sim::nearest_surface(shape, place_m).distance_m;
-    if (depth_m > most_depth_m && ++count == 1) {
-      first = fmt::format("vertex {}, {:.3g} mm deep at {}", pin, 1e3 * depth_m, describe_place(place_m));
+    const std::optional<std::string> depth = depth_in(bodies[body], place_m);
+    if (depth && ++count == 1) {
+      first = fmt::format("vertex {}, {} at {}", pin, *depth, describe_place(place_m));
     }
   }
   return count == 0 ? ""
                     : fmt::format("{} within {}, the first: {}; a body does not push pins out",
                                   counted(count, "pinned vertex begins", "pinned vertices begin"),
                                   describe_body(bodies, body), first);
+}
+
+/// One vertex of each connected part of the cloth.
+std::vector<sim::Index> vertices_of_parts(const Surface& cloth) {
+  sim::Groups parts(cloth.positions_m.size());
+  std::vector<bool> is_corner(cloth.positions_m.size(), false);
+  for (const sim::Triangle& t : cloth.triangles) {
+    parts.join(t[0], t[1]);
+    parts.join(t[0], t[2]);
+    is_corner[t[0]] = is_corner[t[1]] = is_corner[t[2]] = true;
+  }
+  std::vector<sim::Index> first;
+  for (sim::Index v = 0; v < cloth.positions_m.size(); ++v) {
+    if (is_corner[v] && parts.find(v) == v) {
+      first.push_back(v);
+    }
+  }
+  return first;
+}
+
+/// Of cloth that begins wholly within a body that is a mesh, where it crosses nothing; empty: none does.
+std::string remark_on_parts_within(std::span<const sim::Body> bodies, const SceneCrossings& crossings,
+                                   const Surface& start) {
+  if (!crossings.body || !crossings.pairs.empty() ||
+      !std::holds_alternative<sim::BodyMesh>(bodies[*crossings.body].shape)) {
+    return "";
+  }
+  std::vector<sim::Index> within = vertices_of_parts(start);
+  std::erase_if(within,
+                [&](sim::Index v) { return !depth_in(bodies[*crossings.body], start.positions_m[v]); });
+  return within.empty() ? ""
+                        : fmt::format(
+                              "at the start {} wholly within {}, the first: that of vertex {} at {}; "
+                              "nothing lets it out",
+                              counted(within.size(), "part of the cloth is", "parts of the cloth are"),
+                              describe_body(bodies, *crossings.body), within.front(),
+                              describe_place(start.positions_m[within.front()]));
 }
 
 /// Of a mesh that crosses itself; empty: it does not.
@@ -98,6 +146,7 @@ std::vector<std::string> remarks_on_start(const Scene& scene, const GarmentInSce
       lines.push_back("at the start " + describe(crossings, start, bodies) +
                       (may_be_parted ? "; --untangle parts what it can" : ""));
     }
+    lines.push_back(remark_on_parts_within(bodies, crossings, start));
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     lines.push_back(remark_on_pins(bodies, b, start, loaded.pins));

@@ -1,7 +1,9 @@
 #include "app/verify/solid_bodies.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace taut::app {
 namespace {
@@ -82,6 +84,19 @@ bool enters_limb(const Corners& triangle, const Limb& limb) {
   return limb.start_m != limb.end_m &&
          (enters(triangle, [&](const Vec3& p) { return outside_ball(p, limb.end_m, limb.end_radius_m); }) ||
           enters(triangle, [&](const Vec3& p) { return outside_cone(p, limb); }));
+}
+
+double winding_number(const Vec3& point_m, const Surface& surface) {
+  double half_angles = 0.0;
+  for (const sim::Triangle& t : surface.triangles) {
+    const Vec3 a = surface.positions_m[t[0]] - point_m;
+    const Vec3 b = surface.positions_m[t[1]] - point_m;
+    const Vec3 c = surface.positions_m[t[2]] - point_m;
+    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+    half_angles += std::atan2(glm::dot(a, glm::cross(b, c)),
+                              la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+  }
+  return half_angles / (2.0 * std::numbers::pi);
 }
 
 }  // namespace taut::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/verify/crossing_pairs.hpp"
 #include "app/verify/triangle_crossing.hpp"
 
 namespace taut::app {
@@ -22,5 +23,10 @@ struct Limb {
 
 /// Returns whether a point of the triangle is in the limb.
 bool enters_limb(const Corners& triangle, const Limb& limb);
+
+/// Returns how often a closed surface that faces outwards goes around the point: 1 within it, 0 outside, to
+/// rounding. It adds up the solid angles of its triangles (Van Oosterom and Strackee 1983), and so takes time
+/// in proportion to these. Requires a point that is not on the surface.
+double winding_number(const sim::Vec3& point_m, const Surface& surface);
 
 }  // namespace taut::app

@@ -92,6 +92,18 @@ TEST_F(Start, TellsOfClothAndPinsInBodiesAndOfBodiesThatCrossThemselves) {
   EXPECT_CONTAINS(said[0], " the body 'ball', the first: triangle ");
   EXPECT_CONTAINS(said[1],
                   "1 pinned vertex begins within the body 'ball', the first: vertex 0, 10 mm deep at [");
+  // A tetrahedron around all of it.
+  const double far_m = 10.0;
+  sim::BodyMeshData around;
+  around.positions_m = {
+      {far_m, far_m, far_m}, {far_m, -far_m, -far_m}, {-far_m, far_m, -far_m}, {-far_m, -far_m, far_m}};
+  around.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  scene.surroundings.bodies = {{.shape = sim::BodyMesh{std::make_shared<sim::BodyMeshData>(around)}}};
+  said = remarks();
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_CONTAINS(
+      said[0], "at the start 1 part of the cloth is wholly within body 0, the first: that of vertex 0 at [");
+  EXPECT_CONTAINS(said[1], "2 pinned vertices begin within body 0, the first: vertex 0, in it at [");
   // Two spikes that go through each other, beside the cloth.
   const auto spike = [](std::vector<sim::Vec3>& positions_m, const sim::Vec3& base, const sim::Vec3& tip) {
     for (const sim::Vec3& p : {base, base + sim::Vec3(0.1, 0.0, 0.0), base + sim::Vec3(0.0, 0.1, 0.1), tip}) {

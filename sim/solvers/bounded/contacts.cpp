@@ -215,6 +215,7 @@ void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Floa
   rows_.positions.resize(count);
   rows_.moves.assign(count, Float4{});
   rows_.carried = {};
+  rows_.cloth_count = count;
   rows_.radii.assign(count, 0.0F);
   rows_.inverse_masses_per_kg = layout.inverse_masses_per_kg;
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {

@@ -274,7 +274,7 @@ bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows) {
   expected_ = rows.moves;
   radii_ = rows.radii;
   make_half_spaces(rows.inverse_masses_per_kg);
-  make_touches(rows.inverse_masses_per_kg);
+  make_touches(rows);
   return true;
 }
 

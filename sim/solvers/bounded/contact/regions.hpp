@@ -32,6 +32,7 @@ struct RowMoves {
   std::vector<float> inverse_masses_per_kg;
   /// Where rows go whose pairs leave them no way of their own: with what leads the cloth.
   Float4 carried = {};
+  std::size_t cloth_count = 0;  ///< rows from here on are of bodies, and have no displacements
 };
 
 /// A pair that cannot be kept apart, and the distance of its two things at the time 0, in m.
@@ -109,17 +110,20 @@ class Regions {
     float rate;   ///< and so much more at the time 1
   };
   enum class Held : std::uint8_t { no, carried, still };
-  /// A pair that may touch until the time 1.
+  /// A pair that may touch until the time 1. Of the corners only those are kept that are rows of the cloth.
   struct Touch {
     std::array<Index, 4> rows;
     std::array<float, 4> weights;     ///< where the two things are nearest; those of the second are negative
     std::array<float, 4> mobilities;  ///< how far a row goes for each m that parts the two
-    glm::vec3 normal;
+    Float4 normal;
+    /// How far bodies move the first thing against the second until the time 1, and along their surfaces
+    /// (ContactPair).
+    Float4 carried;
     float distance;  ///< at the time 0
     float wanted;    ///< the least distance at the time 0
-    float rate;      ///< and so much more at the time 1
+    float rate;      ///< and how far the cloth has to part the two besides until the time 1
     float friction;
-    glm::vec3 slides;  ///< see ContactPair
+    std::uint32_t count;  ///< of rows
   };
   /// Lowest of the first thing and highest of the second, along a pair's normal.
   struct Span {
@@ -141,11 +145,10 @@ class Regions {
   bool needs_larger_balls(RowMoves& rows) const;
   void make_half_spaces(std::span<const float> inverse_masses);
   void add_half_spaces(const Pair& pair, std::span<const float> inverse_masses, std::span<Index> next);
-  void make_touches(std::span<const float> inverse_masses);
-  void add_touch(const Pair& pair, const std::array<float, 4>& weights,
-                 std::span<const float> inverse_masses);
-  void collide(const Touch& touch, float time, float step, const Float4Array& since, Float4Array& previous,
-               Float4Array& current) const;
+  void make_touches(const RowMoves& rows);
+  void add_touch(const Pair& pair, const std::array<float, 4>& weights, const RowMoves& rows);
+  static void collide(const Touch& touch, float time, float step, const Float4* since, Float4* previous,
+                      Float4* current);
   std::span<const HalfSpace> half_spaces_of(Index row) const;
   glm::vec3 moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
   static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim,

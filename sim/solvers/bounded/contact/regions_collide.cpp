@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "sim/solvers/bounded/contact/regions.hpp"
@@ -15,91 +16,98 @@ constexpr float may_touch_within_m = 2e-4F;
 
 }  // namespace
 
-void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights,
-                        std::span<const float> inverse_masses) {
+void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, const RowMoves& rows) {
   const ContactPair& contact = pair.contact;
+  const auto sign = [&](Index k) { return k < contact.near.first_count ? 1.0F : -1.0F; };
   float mobility = 0.0F;
   float distance = 0.0F;
-  std::array<float, 4> signed_weights{};
   for (Index k = 0; k < 4; ++k) {
-    signed_weights[k] = k < contact.near.first_count ? weights[k] : -weights[k];
-    mobility += weights[k] * weights[k] * inverse_masses[contact.near.rows[k]];
-    distance += signed_weights[k] * pair.heights[k];
+    mobility += weights[k] * weights[k] * rows.inverse_masses_per_kg[contact.near.rows[k]];
+    distance += sign(k) * weights[k] * pair.heights[k];
   }
   if (!(mobility > 0.0F)) {
     return;
   }
-  std::array<float, 4> mobilities{};
+  Touch touch{};
+  glm::vec3 carried(0.0F);
   for (Index k = 0; k < 4; ++k) {
-    mobilities[k] = signed_weights[k] * inverse_masses[contact.near.rows[k]] / mobility;
+    const Index row = contact.near.rows[k];
+    const float weight = sign(k) * weights[k];
+    if (row < rows.cloth_count) {
+      touch.rows[touch.count] = row;
+      touch.weights[touch.count] = weight;
+      touch.mobilities[touch.count] = weight * rows.inverse_masses_per_kg[row] / mobility;
+      ++touch.count;
+    } else {
+      carried += weight * vec(moves_[row]);
+    }
   }
   const float wanted = std::min(contact.thickness_m, std::max(distance, 0.0F));
   const float lacking = contact.thickness_m - wanted;
   const float parted = std::min(lacking, std::max(parted_at_once * lacking, least_parted_m));
-  touches_.push_back({contact.near.rows, signed_weights, mobilities, pair.normal, distance, wanted, parted,
-                      contact.friction, contact.surface_slides});
+  add(touch.normal, pair.normal);
+  add(touch.carried, carried - contact.surface_slides);
+  touch.distance = distance;
+  touch.wanted = wanted;
+  touch.rate = parted - glm::dot(pair.normal, carried);
+  touch.friction = contact.friction;
+  touches_.push_back(touch);
 }
 
-void Regions::make_touches(std::span<const float> inverse_masses) {
+void Regions::make_touches(const RowMoves& rows) {
   touches_.clear();
   for (const Pair& pair : pairs_) {
     if (std::min(pair.distance, span_at_end(pair).apart()) > pair.contact.thickness_m + may_touch_within_m) {
       continue;
     }
     if (pair.contact.near.first_count < 3) {
-      add_touch(pair, pair.weights, inverse_masses);
+      add_touch(pair, pair.weights, rows);
     } else {
       for (Index k = 0; k < 3; ++k) {
         std::array<float, 4> weights = {0.0F, 0.0F, 0.0F, 1.0F};
         weights[k] = 1.0F;
-        add_touch(pair, weights, inverse_masses);
+        add_touch(pair, weights, rows);
       }
     }
   }
 }
 
-void Regions::collide(const Touch& touch, float time, float step, const Float4Array& since,
-                      Float4Array& previous, Float4Array& current) const {
-  // Rows of bodies are not among the displacements.
-  const auto is_cloth = [&](Index row) { return row < since.size(); };
-  glm::vec3 moved(0.0F);
-  for (std::size_t k = 0; k < 4; ++k) {
+void Regions::collide(const Touch& touch, float time, float step, const Float4* since, Float4* previous,
+                      Float4* current) {
+  Float4 moved{};
+  for (std::size_t k = 0; k < touch.count; ++k) {
     const Index row = touch.rows[k];
-    moved +=
-        touch.weights[k] * (is_cloth(row) ? vec(current[row]) - vec(since[row]) : time * vec(moves_[row]));
+    add_scaled(moved, scaled_sum(current[row], since[row], -1.0F), touch.weights[k]);
   }
-  const float lacking = touch.wanted + time * touch.rate - touch.distance - glm::dot(touch.normal, moved);
+  const float lacking = touch.wanted + time * touch.rate - touch.distance - dot(touch.normal, moved);
   if (!(lacking > 0.0F)) {
     return;
   }
-  glm::vec3 slid = lacking * touch.normal - step * touch.slides;
-  for (std::size_t k = 0; k < 4; ++k) {
+  const Float4 parted = times(touch.normal, lacking);
+  Float4 slid = scaled_sum(parted, touch.carried, step);
+  for (std::size_t k = 0; k < touch.count; ++k) {
     const Index row = touch.rows[k];
-    slid +=
-        touch.weights[k] * (is_cloth(row) ? vec(current[row]) - vec(previous[row]) : step * vec(moves_[row]));
+    add_scaled(slid, scaled_sum(current[row], previous[row], -1.0F), touch.weights[k]);
   }
-  const float away = glm::dot(slid, touch.normal);
-  slid -= away * touch.normal;
-  const float length = glm::length(slid);
+  const float away = dot(slid, touch.normal);
+  slid = scaled_sum(slid, touch.normal, -away);
+  const float length = std::sqrt(dot(slid, slid));
   const float stopped = length > 0.0F ? std::min(1.0F, touch.friction * lacking / length) : 0.0F;
-  const glm::vec3 moves = lacking * touch.normal - stopped * slid;
-  const glm::vec3 unspent = std::clamp(away, 0.0F, lacking) * touch.normal;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Index row = touch.rows[k];
-    if (is_cloth(row)) {
-      add(current[row], touch.mobilities[k] * moves);
-      add(previous[row], touch.mobilities[k] * unspent);
-    }
+  const Float4 moves = scaled_sum(parted, slid, -stopped);
+  const Float4 unspent = times(touch.normal, std::clamp(away, 0.0F, lacking));
+  for (std::size_t k = 0; k < touch.count; ++k) {
+    add_scaled(current[touch.rows[k]], moves, touch.mobilities[k]);
+    add_scaled(previous[touch.rows[k]], unspent, touch.mobilities[k]);
   }
 }
 
 void Regions::collide(float time, float step, const Float4Array& since, Float4Array& previous,
                       Float4Array& current) const {
   for (const Touch& touch : touches_) {
-    collide(touch, time, step, since, previous, current);
+    collide(touch, time, step, since.data(), previous.data(), current.data());
   }
   for (auto touch = touches_.rbegin(); touch != touches_.rend(); ++touch) {
-    collide(*touch, time, step, since, previous, current);
+    collide(*touch, time, step, since.data(), previous.data(), current.data());
   }
 }
 

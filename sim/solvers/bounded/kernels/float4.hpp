@@ -65,6 +65,10 @@ inline Float4 no_longer_than(float most, const Float4& v) {
   return times(v, std::min(1.0F, most / std::max(length_of(v), 1e-12F)));
 }
 
+inline float dot(const Float4& a, const Float4& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 /// The same three numbers.
 inline glm::vec3 vec(const Float4& v) {
   return {v.x, v.y, v.z};

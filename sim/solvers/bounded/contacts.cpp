@@ -57,6 +57,8 @@ constexpr float rest_part = 0.5F;
 constexpr float smallest_kept_m = 1e-6F;
 /// Searches for pairs, each with larger radii. It was never more than seven.
 constexpr int most_searches = 16;
+/// A thread takes at least so many pairs.
+constexpr std::size_t least_pairs = 512;
 
 /// Returns the first row that is where nothing can be found, if one is: in a frame that flies apart.
 std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
@@ -292,24 +294,29 @@ std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickn
                      slow_part_of_edge * static_cast<float>(mean_edge_m_), kernels);
 }
 
-void Contacts::collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
-                             const TimeSpan& time, const Vec3& origin_m) {
-  pairs_.clear();
-  for (const NearPair& near : found) {
-    if (left_out_.has(near)) {
-      continue;
-    }
-    const Index first = near.rows.front();
-    const Index second = near.rows.back();
-    if (bodies_.has(first) || bodies_.has(second)) {
-      pairs_.push_back({near, thickness_m, bodies_.friction_of(bodies_.has(first) ? first : second)});
-    } else {
-      const float kept_m = thickness_of(near, thickness_m);
-      if (kept_m > smallest_kept_m) {
-        pairs_.push_back({near, kept_m, static_cast<float>(material.friction)});
-      }
-    }
+// Of pairs that are not kept apart the thickness is 0.
+ContactPair Contacts::contact_of(const NearPair& near, const Material& material, float thickness_m) const {
+  if (left_out_.has(near)) {
+    return {near};
   }
+  const Index first = near.rows.front();
+  const Index second = near.rows.back();
+  if (bodies_.has(first) || bodies_.has(second)) {
+    return {near, thickness_m, bodies_.friction_of(bodies_.has(first) ? first : second)};
+  }
+  const float kept_m = thickness_of(near, thickness_m);
+  return {near, kept_m > smallest_kept_m ? kept_m : 0.0F, static_cast<float>(material.friction)};
+}
+
+void Contacts::collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
+                             const TimeSpan& time, const Vec3& origin_m, ParallelKernels& kernels) {
+  pairs_.resize(found.size());
+  kernels.split(0, found.size(), least_pairs, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      pairs_[i] = contact_of(found[i], material, thickness_m);
+    }
+  });
+  std::erase_if(pairs_, [](const ContactPair& pair) { return pair.thickness_m == 0.0F; });
   bodies_.add_near(solid_, thickness_m, time, origin_m, rows_, pairs_);
 }
 
@@ -323,7 +330,7 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
   }
   if (const std::optional<std::size_t> row = first_not_findable(rows_)) {
     std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
-    regions_.make({}, rows_);
+    regions_.make({}, rows_, kernels);
     is_blocked_ = true;
     first_blocked_ = first_blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
@@ -335,8 +342,9 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
     rows_.moves.resize(lasting_rows);
     rows_.radii.resize(lasting_rows);
     rows_.inverse_masses_per_kg.resize(lasting_rows);
-    collect_pairs(garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m);
-    fits = regions_.make(pairs_, rows_);
+    collect_pairs(garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
+                  kernels);
+    fits = regions_.make(pairs_, rows_, kernels);
   }
   memory_.is_touching = regions_.pair_count() > 0;
   report_.most_pairs = std::max(report_.most_pairs, static_cast<int>(regions_.pair_count()));

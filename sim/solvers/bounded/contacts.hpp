@@ -97,7 +97,8 @@ class Contacts {
                     ParallelKernels& kernels);
   std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels);
   void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
-                     const TimeSpan& time, const Vec3& origin_m);
+                     const TimeSpan& time, const Vec3& origin_m, ParallelKernels& kernels);
+  ContactPair contact_of(const NearPair& near, const Material& material, float thickness_m) const;
   static void let_go(std::span<const HeldBack> held_back, Motion& motion);
   void note_blocked(const Layout& layout, const Vec3& origin_m, bool fits);
   float thickness_of(const NearPair& near, float thickness_m) const;

@@ -27,6 +27,8 @@ constexpr float told_apart_part = 0.9F;
 /// deviate from it.
 constexpr float largest_deviation = 0.8F;
 constexpr float more_radius = 1.5F;
+/// A thread takes at least so many pairs.
+constexpr std::size_t least_pairs = 256;
 
 }  // namespace
 
@@ -38,13 +40,13 @@ float Regions::smallest_distance() const {
   return smallest;
 }
 
-void Regions::add_pair(const ContactPair& contact, const RowMoves& rows) {
+Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows) {
   const NearPair& near = contact.near;
   std::array<glm::vec3, 4> p{};
   for (Index k = 0; k < 4; ++k) {
     p[k] = vec(rows.positions[near.rows[k]]);
   }
-  Pair pair;
+  Pair pair{};
   pair.contact = contact;
   pair.weights = closest_weights(near, p);
   const glm::vec3 between = between_closest(near, p, pair.weights);
@@ -57,16 +59,28 @@ void Regions::add_pair(const ContactPair& contact, const RowMoves& rows) {
     set_heights(p, across);
     pair = across.distance > pair.distance ? across : pair;
   }
-  // Also where the distance is not a number, as things touch. What begins within a body that knows its way
+  // Not so where the distance is not a number, as things touch. What begins within a body that knows its way
   // out is let out.
-  const bool is_told_apart = pair.distance > smallest_told_apart_m;
-  if (!is_told_apart && !contact.normal) {
-    note_blocked(near, 0.0F);
-    return;
-  }
+  pair.is_told_apart = contact.normal || pair.distance > smallest_told_apart_m;
   pair.needed = std::min(pair.distance, least_part * contact.thickness_m);
   pair.wanted = std::min(pair.distance, contact.thickness_m);
-  pairs_.push_back(pair);
+  return pair;
+}
+
+void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, ParallelKernels& kernels) {
+  blocked_.reset();
+  pairs_.resize(pairs.size());
+  kernels.split(0, pairs.size(), least_pairs, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      pairs_[i] = pair_of(pairs[i], rows);
+    }
+  });
+  std::erase_if(pairs_, [&](const Pair& pair) {
+    if (!pair.is_told_apart) {
+      note_blocked(pair.contact.near, 0.0F);
+    }
+    return !pair.is_told_apart;
+  });
 }
 
 void Regions::set_heights(const std::array<glm::vec3, 4>& p, Pair& pair) {
@@ -205,8 +219,24 @@ bool Regions::needs_larger_balls(RowMoves& rows) const {
   return needs;
 }
 
-void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_masses,
-                              std::span<Index> next) {
+void Regions::place_half_spaces() {
+  half_space_begin_.assign(radii_.size() + 1, 0);
+  for (const Pair& pair : pairs_) {
+    for (const Index row : pair.contact.near.rows) {
+      ++half_space_begin_[row + 1];
+    }
+  }
+  std::partial_sum(half_space_begin_.begin(), half_space_begin_.end(), half_space_begin_.begin());
+  half_spaces_.resize(half_space_begin_.back());
+  std::vector<Index> next(half_space_begin_.begin(), half_space_begin_.end() - 1);
+  for (Pair& pair : pairs_) {
+    for (Index k = 0; k < 4; ++k) {
+      pair.half_spaces[k] = next[pair.contact.near.rows[k]]++;
+    }
+  }
+}
+
+void Regions::set_half_spaces(const Pair& pair, std::span<const float> inverse_masses) {
   const NearPair& near = pair.contact.near;
   std::array<float, 2> masses_kg = {0.0F, 0.0F};
   for (Index k = 0; k < 4; ++k) {
@@ -225,46 +255,38 @@ void Regions::add_half_spaces(const Pair& pair, std::span<const float> inverse_m
   const Span begin = span_of(near, pair.heights);
   const Span end = span_at_end(pair);
   for (Index k = 0; k < 4; ++k) {
-    const Index row = near.rows[k];
     const bool is_first = k < near.first_count;
     const float sign = is_first ? 1.0F : -1.0F;
     const float at_begin = sign * (plane(begin, is_first) - pair.heights[k]);
     const float at_end = sign * (plane(end, is_first) - pair.heights[k]);
-    const float moved_up = sign * glm::dot(pair.normal, vec(moves_[row]));
-    half_spaces_[next[row]++] = {sign * pair.normal, at_begin, at_end - at_begin};
-    moves_[row].unused = std::min({moves_[row].unused, -at_begin, moved_up - at_end});
+    const float moved_up = sign * glm::dot(pair.normal, vec(moves_[near.rows[k]]));
+    half_spaces_[pair.half_spaces[k]] = {sign * pair.normal, at_begin, at_end - at_begin,
+                                         std::min(-at_begin, moved_up - at_end)};
   }
 }
 
-void Regions::make_half_spaces(std::span<const float> inverse_masses) {
-  half_space_begin_.assign(radii_.size() + 1, 0);
-  for (const Pair& pair : pairs_) {
-    for (const Index row : pair.contact.near.rows) {
-      ++half_space_begin_[row + 1];
+float Regions::room_of(Index row) const {
+  float room = radii_[row] - std::min(deviations_[row], largest_deviation * radii_[row]);
+  for (const HalfSpace& half_space : half_spaces_of(row)) {
+    room = std::min(room, half_space.room);
+  }
+  return room;
+}
+
+void Regions::make_half_spaces(std::span<const float> inverse_masses, ParallelKernels& kernels) {
+  place_half_spaces();
+  kernels.split(0, pairs_.size(), least_pairs, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      set_half_spaces(pairs_[i], inverse_masses);
     }
-  }
-  std::partial_sum(half_space_begin_.begin(), half_space_begin_.end(), half_space_begin_.begin());
-  half_spaces_.resize(half_space_begin_.back());
-  for (std::size_t row = 0; row < radii_.size(); ++row) {
-    moves_[row].unused = radii_[row] - std::min(deviations_[row], largest_deviation * radii_[row]);
-  }
-  std::vector<Index> next(half_space_begin_.begin(), half_space_begin_.end() - 1);
-  for (const Pair& pair : pairs_) {
-    add_half_spaces(pair, inverse_masses, next);
-  }
-  for (std::size_t row = 0; row < radii_.size(); ++row) {
-    if (!(inverse_masses[row] > 0.0F)) {
-      moves_[row].unused = infinity;
-    }
+  });
+  for (Index row = 0; row < radii_.size(); ++row) {
+    moves_[row].unused = inverse_masses[row] > 0.0F ? room_of(row) : infinity;
   }
 }
 
-bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows) {
-  pairs_.clear();
-  blocked_.reset();
-  for (const ContactPair& pair : pairs) {
-    add_pair(pair, rows);
-  }
+bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels) {
+  make_pairs(pairs, rows, kernels);
   moves_ = rows.moves;
   resolve_moves(rows.inverse_masses_per_kg);
   hold_where_needed(rows);
@@ -273,7 +295,7 @@ bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows) {
   }
   expected_ = rows.moves;
   radii_ = rows.radii;
-  make_half_spaces(rows.inverse_masses_per_kg);
+  make_half_spaces(rows.inverse_masses_per_kg, kernels);
   make_touches(rows);
   return true;
 }

@@ -61,7 +61,7 @@ class Regions {
   /// Makes the regions for the time 0 to 1. Every pair that could meet has to be among `pairs`. Returns false
   /// where contact moves rows further from where they are expected than their radii; then `rows` has larger
   /// radii, for pairs to be found anew.
-  bool make(std::span<const ContactPair> pairs, RowMoves& rows);
+  bool make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels);
 
   /// Returns the first pair that cannot be kept apart, as rows that move by exactly their moves close in on
   /// it or as it touched from the beginning.
@@ -97,17 +97,20 @@ class Regions {
   /// A pair with its geometry at the time 0.
   struct Pair {
     ContactPair contact;
-    glm::vec3 normal;              ///< towards the first thing, of length 1
-    std::array<float, 4> heights;  ///< of the corners along it
-    std::array<float, 4> weights;  ///< of the corners, where the two things are nearest
-    float distance;                ///< of the two things along it, in m
-    float needed;                  ///< the least distance that has to be left
-    float wanted;                  ///< the distance that expected moves leave
+    glm::vec3 normal;                  ///< towards the first thing, of length 1
+    std::array<float, 4> heights;      ///< of the corners along it
+    std::array<float, 4> weights;      ///< of the corners, where the two things are nearest
+    float distance;                    ///< of the two things along it, in m
+    float needed;                      ///< the least distance that has to be left
+    float wanted;                      ///< the distance that expected moves leave
+    bool is_told_apart;                ///< it is certain which side each thing is on
+    std::array<Index, 4> half_spaces;  ///< of its corners, among those of all rows
   };
   struct HalfSpace {
     glm::vec3 normal;
     float start;  ///< displacements along the normal are at least so much at the time 0
     float rate;   ///< and so much more at the time 1
+    float room;   ///< how far the row's expected move stays within it, at both times
   };
   enum class Held : std::uint8_t { no, carried, still };
   /// A pair that may touch until the time 1. Of the corners only those are kept that are rows of the cloth.
@@ -132,7 +135,8 @@ class Regions {
     float apart() const { return low - high; }
   };
 
-  void add_pair(const ContactPair& contact, const RowMoves& rows);
+  static Pair pair_of(const ContactPair& contact, const RowMoves& rows);
+  void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, ParallelKernels& kernels);
   void note_blocked(const NearPair& near, float distance);
   static void set_heights(const std::array<glm::vec3, 4>& positions, Pair& pair);
   static Span span_of(const NearPair& near, const std::array<float, 4>& heights);
@@ -143,8 +147,10 @@ class Regions {
   bool hold(const NearPair& near, Held how, const RowMoves& rows);
   bool fit_radii(RowMoves& rows);
   bool needs_larger_balls(RowMoves& rows) const;
-  void make_half_spaces(std::span<const float> inverse_masses);
-  void add_half_spaces(const Pair& pair, std::span<const float> inverse_masses, std::span<Index> next);
+  void place_half_spaces();
+  void make_half_spaces(std::span<const float> inverse_masses, ParallelKernels& kernels);
+  void set_half_spaces(const Pair& pair, std::span<const float> inverse_masses);
+  float room_of(Index row) const;
   void make_touches(const RowMoves& rows);
   void add_touch(const Pair& pair, const std::array<float, 4>& weights, const RowMoves& rows);
   static void collide(const Touch& touch, float time, float step, const Float4* since, Float4* previous,

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "sim/mesh/mesh.hpp"
+#include "tailor/mannequin/shape.hpp"
+
+namespace taut::tailor {
+
+/// Returns the left half of the body's surface, x >= 0, as triangles seen from outside counter-clockwise:
+/// marching tetrahedra, six in a cell (Bloomenthal 1994). Its border is on x = 0. Cells are `cell_m` wide.
+sim::Mesh polygonise_left_half(const Shape& shape, const Vec3& low_m, const Vec3& high_m, double cell_m);
+
+/// Returns the left half with triangles as even as can be, with edges as long as `edge_length_m` asks for:
+/// splits, collapses, flips and tangential relaxation (Botsch, Kobbelt 2004).
+sim::Mesh evened_out(const Shape& shape, const sim::Mesh& half, int rounds);
+
+/// Moves vertices along the surface, each towards the middle of its neighbours, and onto the surface. The
+/// border stays on x = 0.
+void relax(const Shape& shape, sim::Mesh& half);
+
+/// Returns the whole: the half and its mirror image, joined along x = 0. Vertex i of the half stays vertex i.
+sim::Mesh with_mirror_image(const sim::Mesh& half);
+
+}  // namespace taut::tailor

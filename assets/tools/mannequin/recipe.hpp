@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tailor/mannequin/shape.hpp"
+
+namespace taut::tailor {
+
+/// Published measurements by name, in metres.
+using Measurements = std::map<std::string, double>;
+
+/// Where a skeleton turns, on the reference body.
+struct JointRecipe {
+  std::string name;    ///< of the left or middle joint; right ones are mirror images
+  std::string parent;  ///< empty for the root
+  std::string chain;
+  Vec3 place_m;         ///< along the chain's axis, to its side, to its front
+  Vec3 hinge;           ///< of unit length: what lies there from the joint follows it
+  double width_m = 0.0;  ///< half the width over which what is before passes into what follows
+};
+
+/// A part as the file describes it: places are along, to the side and to the front of its chain's axis.
+struct PartRecipe {
+  std::string chain;
+  Part part;
+};
+
+/// How a body is drawn: for one size, the reference.
+struct ShapeRecipe {
+  std::string reference;  ///< the size that it is drawn for
+  std::vector<PartRecipe> parts;
+  std::vector<JointRecipe> joints;
+};
+
+/// Returns the measurements of a size, in metres. Throws std::runtime_error that names file and field.
+Measurements read_measurements(const std::filesystem::path& file, const std::string& size);
+/// Returns a shape's recipe. Throws std::runtime_error that names file and field.
+ShapeRecipe read_shape(const std::filesystem::path& file);
+
+}  // namespace taut::tailor

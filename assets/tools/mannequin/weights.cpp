@@ -1,0 +1,141 @@
+#include "tailor/mannequin/weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace taut::tailor {
+namespace {
+
+using Row = std::vector<double>;  // a weight for every joint
+
+constexpr double midline_m = 0.03;     // over twice this, what follows the left passes into what follows the right
+constexpr double reach_m = 0.04;       // what is farther than this from a limb does not follow it
+constexpr int smoothing_rounds = 6;
+
+double smooth_step(double from_minus_1_to_1) {
+  const double s = std::clamp(0.5 * from_minus_1_to_1 + 0.5, 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s);
+}
+
+/// How much of what follows the parent follows the joint, if only the joint is asked.
+double share(const Body& body, const Joint& joint, Vec3 p) {
+  const double side = joint.is_right ? -1.0 : 1.0;
+  p.x *= side;
+  const Vec3 from = p - Vec3(side * joint.place_m.x, joint.place_m.y, joint.place_m.z);
+  double result = smooth_step(glm::dot(from, joint.recipe.hinge) / joint.recipe.width_m);
+  if (joint.recipe.name.starts_with("Left")) {
+    const double off_m = chain_distance_m(body.shape, joint.chain, p) - reach_m;
+    result *= smooth_step(p.x / midline_m) * (1.0 - smooth_step(2.0 * off_m / reach_m));
+  }
+  return result;
+}
+
+Row weights_at(const Body& body, const Vec3& p) {
+  const std::size_t count = body.joints.size();
+  Row shares(count, 1.0);
+  Row taken(count, 0.0);
+  for (std::size_t j = 1; j < count; ++j) {
+    shares[j] = share(body, body.joints[j], p);
+    taken[static_cast<std::size_t>(body.joints[j].parent)] += shares[j];
+  }
+  Row own(count, 1.0);
+  for (std::size_t j = 1; j < count; ++j) {
+    const auto parent = static_cast<std::size_t>(body.joints[j].parent);
+    shares[j] *= shares[parent] / std::max(taken[parent], 1.0);
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    own[j] = shares[j] * (1.0 - std::min(taken[j], 1.0));
+  }
+  return own;
+}
+
+void smooth(std::vector<Row>& rows, const sim::Mesh& mesh) {
+  std::vector<Row> sums(rows.size(), Row(rows.front().size(), 0.0));
+  std::vector<double> counts(rows.size(), 0.0);
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Row& next = rows[t[(k + 1) % 3]];
+      std::transform(next.begin(), next.end(), sums[t[k]].begin(), sums[t[k]].begin(), std::plus<>());
+      counts[t[k]] += 1.0;
+    }
+  }
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    for (std::size_t j = 0; j < rows[v].size(); ++j) {
+      rows[v][j] = 0.5 * rows[v][j] + 0.5 * sums[v][j] / counts[v];
+    }
+  }
+}
+
+VertexWeights strongest(const Row& row) {
+  std::vector<std::uint8_t> order(row.size());
+  std::iota(order.begin(), order.end(), std::uint8_t{0});
+  std::stable_sort(order.begin(), order.end(), [&row](auto a, auto b) { return row[a] > row[b]; });
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    sum += row[order[i]];
+  }
+  VertexWeights result;
+  float others = 0.0F;
+  for (std::size_t i = 3; i > 0; --i) {
+    const double weight = row[order[i]] / sum;
+    if (weight > 1e-3) {
+      result.joints[i] = order[i];
+      result.weights[i] = static_cast<float>(weight);
+      others += result.weights[i];
+    }
+  }
+  result.joints[0] = order[0];
+  result.weights[0] = 1.0F - others;
+  return result;
+}
+
+std::vector<std::size_t> images(const Body& body) {
+  std::vector<std::size_t> result(body.joints.size());
+  for (std::size_t j = 0; j < result.size(); ++j) {
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const bool sided = body.joints[j].recipe.name.starts_with("Left");
+      if (body.joints[i].recipe.name == body.joints[j].recipe.name &&
+          (body.joints[i].is_right != body.joints[j].is_right) == sided) {
+        result[j] = i;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<VertexWeights> make_weights(const Body& body, const FittedBody& fitted) {
+  std::vector<Row> rows;
+  for (const Vec3& p : fitted.whole.positions) {
+    rows.push_back(weights_at(body, p));
+  }
+  for (int i = 0; i < smoothing_rounds; ++i) {
+    smooth(rows, fitted.whole);
+  }
+  const std::vector<std::size_t> image = images(body);
+  std::vector<VertexWeights> result;
+  for (std::size_t v = 0; v < fitted.half.positions.size(); ++v) {
+    Row& row = rows[v];
+    if (fitted.half.positions[v].x == 0.0) {
+      const Row before = row;
+      for (std::size_t j = 0; j < row.size(); ++j) {
+        row[j] = 0.5 * (std::min(before[j], before[image[j]]) + std::max(before[j], before[image[j]]));
+      }
+    }
+    result.push_back(strongest(row));
+  }
+  for (std::size_t v = 0; v < fitted.half.positions.size(); ++v) {
+    if (fitted.half.positions[v].x != 0.0) {
+      result.push_back(result[v]);
+      for (std::size_t i = 0; i < 4; ++i) {
+        result.back().joints[i] = static_cast<std::uint8_t>(image[result[v].joints[i]]);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace taut::tailor

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tailor/mannequin/body.hpp"
+
+namespace taut::tailor {
+
+/// Which joints a vertex follows, the strongest first, and how much: float numbers whose sum is 1. Unused ones
+/// are joint 0 with weight 0.
+struct VertexWeights {
+  std::array<std::uint8_t, 4> joints{};
+  std::array<float, 4> weights{};
+};
+
+/// Returns the weights of every vertex of the whole. Mirror images have mirrored weights.
+std::vector<VertexWeights> make_weights(const Body& body, const FittedBody& fitted);
+
+}  // namespace taut::tailor

@@ -32,16 +32,14 @@ double get(const Measurements& m, const std::string& name) {
   return found->second;
 }
 
-/// Lengths that a tape takes along the curved back and front are a little longer than the heights between
-/// their ends.
+/// The length that a tape takes along the curved back is a little longer than the height between its ends.
 Landmarks landmarks(const Measurements& m) {
   constexpr double height_of_back = 0.959;
-  constexpr double height_of_bust = 0.95;
   constexpr double slope_of_shoulder = 0.2308682;  // tan 13 degrees, all sizes
   Landmarks l{};
   l.waist = get(m, "waistToFloor");
   l.neck_point = l.waist + height_of_back * get(m, "hpsToWaistBack");
-  l.chest = l.neck_point - height_of_bust * get(m, "hpsToBust");
+  l.chest = l.waist + get(m, "hpsToWaistFront") - get(m, "hpsToBust");
   l.underbust = m.contains("underbust") ? l.waist + get(m, "waistToUnderbust") : l.waist;
   l.hips = l.waist - get(m, "waistToHips");
   l.seat = l.waist - get(m, "waistToSeat");
@@ -60,7 +58,8 @@ Landmarks landmarks(const Measurements& m) {
   l.wrist = get(m, "shoulderToWrist");
   l.biceps = 0.5 * l.elbow;
   l.fingertip = l.wrist * 1.31;
-  l.hip_half_width = 0.012 + 0.13 * get(m, "upperLeg");
+  // So that thighs of this girth end where hips of this girth do, and do not touch.
+  l.hip_half_width = 0.180 * get(m, "seat") - 0.145 * get(m, "upperLeg") - 0.0035;
   return l;
 }
 

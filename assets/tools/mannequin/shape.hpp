@@ -44,7 +44,7 @@ struct Part {
   std::string name;
   std::size_t chain = 0;
   double blend_m = 0.03;  ///< the width over which it flows into the parts before it
-  double edge_m = 0.025;  ///< of the triangles there
+  double edge_m = 0.026;  ///< of the triangles there
   bool on_midline = false;  ///< goes through x = 0, and is there once and not twice
   Frame frame;              ///< on the reference body
   /// Of the place along the axis, in metres: centre to the side, centre to the front, the squares of half the

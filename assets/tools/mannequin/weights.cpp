@@ -19,6 +19,17 @@ double smooth_step(double from_minus_1_to_1) {
   return s * s * (3.0 - 2.0 * s);
 }
 
+/// How far from what follows the joint a point of the left is, in metres.
+double limb_distance_m(const Body& body, const Joint& joint, const Vec3& left) {
+  double distance = chain_distance_m(body.shape, joint.chain, left);
+  for (const Joint& child : body.joints) {
+    if (child.recipe.parent == joint.recipe.name && child.chain != joint.chain) {
+      distance = std::min(distance, limb_distance_m(body, child, left));
+    }
+  }
+  return distance;
+}
+
 /// How much of what follows the parent follows the joint, if only the joint is asked.
 double share(const Body& body, const Joint& joint, Vec3 p) {
   const double side = joint.is_right ? -1.0 : 1.0;
@@ -26,29 +37,40 @@ double share(const Body& body, const Joint& joint, Vec3 p) {
   const Vec3 from = p - Vec3(side * joint.place_m.x, joint.place_m.y, joint.place_m.z);
   double result = smooth_step(glm::dot(from, joint.recipe.hinge) / joint.recipe.width_m);
   if (joint.recipe.name.starts_with("Left")) {
-    const double off_m = chain_distance_m(body.shape, joint.chain, p) - reach_m;
+    const double off_m = limb_distance_m(body, joint, p) - reach_m;
     result *= smooth_step(p.x / midline_m) * (1.0 - smooth_step(2.0 * off_m / reach_m));
   }
   return result;
 }
 
+/// A hand hangs below the hinges of the spine that it follows: who follows a child follows its parent.
+Row shares_at(const Body& body, const Vec3& p) {
+  Row shares(body.joints.size(), 1.0);
+  for (std::size_t j = shares.size() - 1; j > 0; --j) {
+    shares[j] = share(body, body.joints[j], p);
+  }
+  for (std::size_t j = shares.size() - 1; j > 0; --j) {
+    double& of_parent = shares[static_cast<std::size_t>(body.joints[j].parent)];
+    of_parent = std::max(of_parent, shares[j]);
+  }
+  return shares;
+}
+
 Row weights_at(const Body& body, const Vec3& p) {
   const std::size_t count = body.joints.size();
-  Row shares(count, 1.0);
+  Row shares = shares_at(body, p);
   Row taken(count, 0.0);
   for (std::size_t j = 1; j < count; ++j) {
-    shares[j] = share(body, body.joints[j], p);
     taken[static_cast<std::size_t>(body.joints[j].parent)] += shares[j];
   }
-  Row own(count, 1.0);
   for (std::size_t j = 1; j < count; ++j) {
     const auto parent = static_cast<std::size_t>(body.joints[j].parent);
     shares[j] *= shares[parent] / std::max(taken[parent], 1.0);
   }
   for (std::size_t j = 0; j < count; ++j) {
-    own[j] = shares[j] * (1.0 - std::min(taken[j], 1.0));
+    shares[j] *= 1.0 - std::min(taken[j], 1.0);
   }
-  return own;
+  return shares;
 }
 
 void smooth(std::vector<Row>& rows, const sim::Mesh& mesh) {

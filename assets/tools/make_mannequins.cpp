@@ -38,7 +38,7 @@ void make_mannequin(const std::filesystem::path& recipes, const std::filesystem:
   const auto bytes = make_glb(name, origin, body, fitted.whole, make_weights(body, fitted));
   taut::app::write_file(folder / (name + ".glb"), bytes);
   std::printf("%s.glb: %zu triangles, %zu kB, girths to %.2f mm\n", name.c_str(), fitted.whole.triangles.size(),
-              bytes.size() / 1000, 1e3 * fitted.worst_girth_error_m);
+              bytes.size() / 1000, 1e3 * fitted.worst_error_m);
 }
 
 }  // namespace

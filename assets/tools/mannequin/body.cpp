@@ -211,6 +211,7 @@ Body make_body(const ShapeRecipe& recipe, const Measurements& reference, const M
   for (const PartRecipe& part : recipe.parts) {
     add_part(body.shape, part);
   }
+  body.shoulder_tip_m = {l.shoulder_half_width, l.shoulder, 0.0};
   body.tapes = make_tapes(body.shape, l, sized, with_underbust);
   for (const bool right : {false, true}) {
     for (const JointRecipe& joint : recipe.joints) {
@@ -227,9 +228,27 @@ namespace {
 constexpr double cell_m = 0.0125;
 constexpr double accepted_m = 1e-4;
 
-/// Scales every section by what is wanted over what was found; returns the worst error, in metres.
+/// The height of the uppermost point of the surface at this x, in metres.
+double top_m(const sim::Mesh& mesh, double x) {
+  double top = 0.0;
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& a = mesh.positions[t[k]];
+      const Vec3& b = mesh.positions[t[(k + 1) % 3]];
+      if ((a.x < x) != (b.x < x)) {
+        top = std::max(top, a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y));
+      }
+    }
+  }
+  return top;
+}
+
+/// Scales every section by what is wanted over what was found, and lifts the shoulders; returns the worst
+/// error, in metres.
 double correct(Body& body, std::vector<std::vector<double>>& factors, const sim::Mesh& whole) {
-  double worst = 0.0;
+  const double lift = body.shoulder_tip_m.y - top_m(whole, body.shoulder_tip_m.x);
+  body.shape.chains[1].frame.origin_m.y += lift;
+  double worst = std::abs(lift);
   std::vector<std::size_t> knots(factors.size(), 0);
   for (const Tape& tape : body.tapes) {
     const double found_m = girth_m(whole, tape);
@@ -271,13 +290,13 @@ FittedBody fit(Body& body) {
     put_on_surface(body.shape, fitted.half);
     fitted.whole = with_mirror_image(fitted.half);
     const std::vector<Chain> measured = body.shape.chains;
-    fitted.worst_girth_error_m = correct(body, factors, fitted.whole);
-    if (fitted.worst_girth_error_m < accepted_m) {
+    fitted.worst_error_m = correct(body, factors, fitted.whole);
+    if (fitted.worst_error_m < accepted_m) {
       body.shape.chains = measured;
       return fitted;
     }
   }
-  throw std::runtime_error("girths are off by up to " + std::to_string(1e3 * fitted.worst_girth_error_m) + " mm");
+  throw std::runtime_error("girths or shoulders are off by up to " + std::to_string(1e3 * fitted.worst_error_m) + " mm");
 }
 
 }  // namespace taut::tailor

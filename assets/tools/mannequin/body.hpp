@@ -19,6 +19,7 @@ struct Joint {
 struct Body {
   Shape shape;
   std::vector<Tape> tapes;
+  Vec3 shoulder_tip_m = Vec3(0.0);  ///< the surface's highest point at this x shall be at this y
   std::vector<Joint> joints;
 };
 
@@ -30,11 +31,11 @@ Body make_body(const ShapeRecipe& recipe, const Measurements& reference, const M
 struct FittedBody {
   sim::Mesh half;   ///< the left half of the surface
   sim::Mesh whole;  ///< its first vertices are those of the half
-  double worst_girth_error_m = 0.0;
+  double worst_error_m = 0.0;
 };
 
-/// Meshes the body and scales its sections until every tape finds its girth to 0.1 mm on the mesh. Throws
-/// std::runtime_error that names the tape if that fails.
+/// Meshes the body and scales its sections until every tape finds its girth on the mesh and the shoulders are at
+/// their height, to 0.1 mm. Throws std::runtime_error if that fails.
 FittedBody fit(Body& body);
 
 }  // namespace taut::tailor

@@ -30,6 +30,13 @@ std::string unit_symbols() {
   return text;
 }
 
+/// The value of a key that is the unit of a model, in m: that of a symbol, or else the text itself.
+std::string unit_value(const std::string& text) {
+  const auto* const unit =
+      std::find_if(units.begin(), units.end(), [&](const Unit& known) { return text == known.symbol; });
+  return unit != units.end() ? std::to_string(unit->metres) : text;
+}
+
 // Options that stand for keys of the scene say so in the order in which they are added here.
 void add_key(CLI::App& command, std::vector<Override>& overrides, const std::string& option,
              const std::string& key, const std::string& meaning) {
@@ -63,12 +70,29 @@ void add_untangle(CLI::App& command, std::vector<Override>& overrides) {
       "walls pierce each other; it keeps its rest shape");
 }
 
+void add_body(CLI::App& command, std::vector<Override>& overrides) {
+  add_key(command, overrides, "--body", "body.file",
+          "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada may "
+          "bring joints and animations");
+  add_key(command, overrides, "--body-motion", "body.motion",
+          "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
+          "body-%04d.obj");
+  add_key(command, overrides, "--body-clip", "body.clip",
+          "which of its animations is played, or none (default: the first)");
+  add_key(command, overrides, "--body-fps", "body.frame_rate",
+          "frames a second of its motion (default: what the file says, or else 60)");
+  command.add_option_function<std::string>(
+      "--body-units",
+      [&overrides](const std::string& text) {
+        overrides.push_back({"body.scale", unit_value(text), "--body-units " + text});
+      },
+      "of the body, as --units");
+  add_key(command, overrides, "--body-up", "body.up", "the body's direction that is up, as --up");
+}
+
 void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) {
   const auto set_units = [&overrides](const std::string& text) {
-    const auto* const unit =
-        std::find_if(units.begin(), units.end(), [&](const Unit& known) { return text == known.symbol; });
-    overrides.push_back(
-        {"garment.scale", unit != units.end() ? std::to_string(unit->metres) : text, "--units " + text});
+    overrides.push_back({"garment.scale", unit_value(text), "--units " + text});
   };
   command.add_option_function<std::string>(
       "--units", set_units,
@@ -77,6 +101,7 @@ void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) 
   add_key(command, overrides, "--up", "garment.up",
           "the model's direction that is up: x, -x, y, -y, z or -z");
   add_untangle(command, overrides);
+  add_body(command, overrides);
   add_set(command, overrides, "KEY=VALUE, any key of the scene; can be repeated (taut help scene)");
 }
 
@@ -225,6 +250,7 @@ std::function<Command()> add_view(CLI::App& app) {
       app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
   command->add_option("SCENE", options->scene, scene_help_text);
   add_untangle(*command, options->overrides);
+  add_body(*command, options->overrides);
   add_set(*command, options->overrides, "KEY=VALUE, any key of the scene; can be repeated");
   command->add_option_function<std::string>(
       "--size", [options](const std::string& text) { options->size = parse_size(text); },
@@ -247,8 +273,9 @@ std::function<Command()> add_view(CLI::App& app) {
 std::function<Command()> add_inspect(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a 3D model and how it maps to springs");
-  command->add_option("GARMENT", options->garment, "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, 3MF, ...")
-      ->required();
+  command->add_option("GARMENT", options->garment,
+                      "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, 3MF, ...; without one, the "
+                      "body is inspected");
   add_garment_arguments(*command, options->overrides);
   command->add_flag("--json", options->json, "for programs");
   command->add_option(
@@ -258,7 +285,7 @@ std::function<Command()> add_inspect(CLI::App& app) {
   command->footer(
       "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --picture shirt.png\n"
       "  taut inspect my-jacket.obj --untangle\n  taut inspect "
-      "shirt.stl --units mm --up z --json\n");
+      "shirt.stl --units mm --up z --json\n  taut inspect --body mannequin.glb --body-motion walk.bvh\n");
   return [options] { return Command(*options); };
 }
 

@@ -7,9 +7,9 @@
 #include "app/base/progress.hpp"
 #include "app/base/suggest.hpp"
 #include "app/bench/contact_output.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/models/body_loading.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/scene/promise.hpp"
 

@@ -3,21 +3,47 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
+#include "app/bodies/body_inspection.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/models/body_loading.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
 
+namespace {
+
+/// Of the bodies that --body names.
+int inspect_bodies(const InspectOptions& options, const Scene& scene) {
+  if (scene.body_sources.empty()) {
+    throw UsageError("GARMENT is required, or --body FILE; taut inspect --help says what there is");
+  }
+  if (!options.picture.empty()) {
+    throw UsageError("--picture " + options.picture.string() + ": expected a GARMENT to draw");
+  }
+  Json bodies = Json::array();
+  for (const BodySource& source : scene.body_sources) {
+    const BodyInspection body = inspect_body(source);
+    bodies.push_back(json_of(body));
+    fmt::print("{}", options.json ? "" : describe(body));
+  }
+  fmt::print("{}", options.json ? Json({{"bodies", bodies}}).dump(2) + '\n' : "");
+  return 0;
+}
+
+}  // namespace
+
 int run(const InspectOptions& options) {
   DrawnScene scene;
   scene.garment.file = options.garment;
   apply_overrides(options.overrides, scene);
-  load_bodies(scene);
+  if (options.garment.empty()) {
+    return inspect_bodies(options, scene);
+  }
+  print_body_remarks(scene, load_bodies(scene), options.json ? stderr : stdout);
   if (!options.picture.empty()) {
     if (options.picture.extension() != ".png") {
       throw UsageError("--picture " + options.picture.string() + ": expected a name that ends in .png");

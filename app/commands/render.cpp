@@ -11,13 +11,13 @@
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/base/version.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/commands/blocked_run.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/offscreen_renderer.hpp"
 #include "app/frame_loop.hpp"
-#include "app/models/body_loading.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/output/bound_verdict.hpp"
@@ -59,7 +59,7 @@ RenderJob render_job_of(const RenderOptions& options) {
   } else {
     job.scene = find_scene(options.scene, options.overrides);
   }
-  load_bodies(job.scene);
+  print_body_remarks(job.scene, load_bodies(job.scene), stdout);
   // Made again, a picture never takes the place of the one it is made from unasked.
   const std::string name = job.scene.name + (job.again ? "-again.png" : ".png");
   job.output = options.output.empty() ? name : options.output;

@@ -9,11 +9,11 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/commands/blocked_run.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/frame_loop.hpp"
-#include "app/models/body_loading.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/obj_writing.hpp"
@@ -220,7 +220,8 @@ struct Running {
 
 int run(const SimulateOptions& options) {
   DrawnScene scene = find_scene(options.scene, options.overrides);
-  load_bodies(scene);
+  std::FILE* const remarks = options.quiet ? nullptr : options.json ? stderr : stdout;
+  print_body_remarks(scene, load_bodies(scene), remarks);
   const FrameRange range =
       options.frames.empty() ? FrameRange{1, scene.frames} : frame_range(options.frames, scene.frames);
   std::optional<ShapeOutput> shapes;
@@ -233,10 +234,7 @@ int run(const SimulateOptions& options) {
   try_outputs(options);
 
   Progress progress(scene.name);
-  sim::Simulation simulation = prepare(scene, progress,
-                                       options.quiet  ? nullptr
-                                       : options.json ? stderr
-                                                      : stdout);
+  sim::Simulation simulation = prepare(scene, progress, remarks);
   FrameVerifier verifier;
   RunCheckpoint begun = begin(options, scene, verifier, simulation);
   require_begun(begun.frame, range.last);

@@ -2,9 +2,9 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/models/body_loading.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/window_viewer.hpp"
 #include "renderer/page/png.hpp"
@@ -97,7 +97,7 @@ int run(const ViewOptions& options) {
   }
   const Session session = session_of(options);
   DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
-  load_bodies(scene);
+  print_body_remarks(scene, load_bodies(scene), stdout);
   if (options.headless) {
     view_headless(options, session, scene);
   } else {

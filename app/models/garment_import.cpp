@@ -57,6 +57,7 @@ ImportedModel import_garment(const std::filesystem::path& path, const ImportLimi
     model.ignored_points = arrays.ignored_points;
     model.metres_per_unit = arrays.metres_per_unit;
     model.up = arrays.up;
+    model.rig = std::move(arrays.rig);
     return model;
   } catch (const Interrupted&) {
     throw;

@@ -27,6 +27,7 @@ struct ImportedModel {
   std::size_t ignored_points = 0;
   std::optional<double> metres_per_unit;  ///< empty if neither the file nor its format says
   std::optional<ModelAxis> up;            ///< empty if neither the file nor its format says
+  Rig rig;                                ///< as in ModelArrays
 };
 
 /// Limit on the triangles of a model. More would not fit into memory with their springs.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/models/rig.hpp"
 #include "app/scene/model_units.hpp"
 #include "sim/mesh/types.hpp"
 
@@ -24,6 +25,7 @@ struct ModelArrays {
   std::size_t ignored_points = 0;
   std::optional<double> metres_per_unit;  ///< empty if neither the file nor its format says
   std::optional<ModelAxis> up;            ///< empty if neither the file nor its format says
+  Rig rig;                                ///< of the same vertices as `positions`
 };
 
 /// The model as bytes, for another process of this program.

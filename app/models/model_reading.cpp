@@ -10,6 +10,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/models/obj_reading.hpp"
+#include "app/models/rig_reading.hpp"
 #include "app/models/unit_of_3mf.hpp"
 
 namespace taut::app {
@@ -143,6 +144,7 @@ ModelArrays read_with_assimp(const std::filesystem::path& path) {
   model.meshes = scene->mNumMeshes;
   read_units(*scene, path, model);
   append_node(*scene, *scene->mRootNode, aiMatrix4x4(), model);
+  model.rig = read_rig(*scene);
   return model;
 }
 

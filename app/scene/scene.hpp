@@ -44,13 +44,16 @@ struct MovingPinsInScene {
   sim::RigidMotion motion;
 };
 
-/// Where the mesh of a body comes from.
+/// Where the mesh of a body and its motion come from.
 struct BodySource {
   std::filesystem::path file;
-  std::optional<double> scale;   ///< metres per unit of the file; empty: the file's own unit, or else metres
-  std::optional<ModelAxis> up;   ///< in the file's coordinates; empty: the file's own, or else y
-  std::filesystem::path frames;  ///< PC2; empty: the mesh keeps its shape
-  double frame_rate_hz = sim::BodyFrames{}.frame_rate_hz;
+  std::optional<double> scale;  ///< metres per unit of the file; empty: the file's own unit, or else metres
+  std::optional<ModelAxis> up;  ///< in the file's coordinates; empty: the file's own, or else y
+  /// PC2, MDD, BVH, or a folder or pattern of OBJ files. Empty: a clip of the file, or none.
+  std::filesystem::path motion;
+  std::string clip;  ///< the name of an animation of the file; empty: its first; "none": it keeps its pose
+  std::optional<double> frame_rate_hz;  ///< empty: what the motion says, or else 60
+  double start_s = 0.0;                 ///< the time of the motion with which the run begins
 };
 
 /// All that the simulation needs to know about a scene. How it is drawn is in DrawnScene.

@@ -1,5 +1,6 @@
 #include "app/scene/scene_bodies.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "app/scene/motion_keys.hpp"
@@ -61,6 +62,25 @@ Key<BodyInScene> file_key(std::string name, std::filesystem::path BodySource::*m
   return {std::move(name), "", "a file name", std::move(meaning), read, write};
 }
 
+// What `motion` was called when it was PC2 alone.
+Key<BodyInScene> former_frames_key() {
+  Key<BodyInScene> key = file_key("frames", &BodySource::motion, "another name of motion");
+  key.write = [](const BodyInScene&) { return Json(); };
+  return key;
+}
+
+Key<BodyInScene> clip_key() {
+  auto read = [](const toml::node& value, const Source&, BodyInScene& entry) {
+    return store(text_in(value), entry.source.clip);
+  };
+  auto write = [](const BodyInScene& entry) {
+    return entry.source.clip.empty() ? Json() : Json(entry.source.clip);
+  };
+  return {"clip",   "",
+          "a name", "which animation of the model is played; not set: the first; \"none\": none",
+          read,     write};
+}
+
 std::vector<Key<BodyInScene>> common_keys() {
   using B = BodyInScene;
   std::vector<Key<B>> keys = {
@@ -94,10 +114,16 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
                         "the model's unit of length; 0: what the file says, or else metres"),
           up_key<B>("up", MEMBER(source.up),
                     "the model's direction that is up; auto: what the file says, or else y"),
-          file_key("frames", &BodySource::frames,
-                   "a PC2 file: where the model's vertices are in each frame, in its own unit and axes"),
-          number_key<B>("frame_rate", "Hz", {.lowest = 0.0, .highest = 1e5, .above_lowest = true},
-                        MEMBER(source.frame_rate_hz), "of frames; in between vertices go straight")};
+          file_key("motion", &BodySource::motion,
+                   "where its vertices or joints are over time: a PC2, MDD or BVH file, or OBJ files, as a "
+                   "folder or a pattern such as body-%04d.obj"),
+          former_frames_key(),
+          clip_key(),
+          number_key<B>("frame_rate", "Hz", {.lowest = 0.0, .highest = 1e5}, MEMBER(source.frame_rate_hz),
+                        "of the motion, and how often a clip is looked at; in between vertices go straight; "
+                        "0: what the file says, or else 60"),
+          number_key<B>("start", "s", not_negative, MEMBER(source.start_s),
+                        "the time of the motion with which the run begins, rounded to a frame")};
 }
 
 std::vector<Key<BodyInScene>> body_keys(const sim::Shape& shape) {
@@ -200,6 +226,33 @@ Json write_moving_pins(const Scene& scene) {
 
 }  // namespace
 
+bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene) {
+  constexpr std::string_view section = "body.";
+  if (!name.starts_with(section)) {
+    return false;
+  }
+  std::vector<sim::Body>& bodies = scene.surroundings.bodies;
+  scene.body_sources.resize(bodies.size());
+  if (name == "body.file") {
+    bodies.push_back({.shape = sim::BodyMesh{}});
+    scene.body_sources.emplace_back();
+  }
+  const auto is_model = [](const sim::Body& body) {
+    return std::holds_alternative<sim::BodyMesh>(body.shape);
+  };
+  const auto last = std::find_if(bodies.rbegin(), bodies.rend(), is_model);
+  if (last == bodies.rend()) {
+    fail(source, 0, name + ": the scene has no body that is a model; expected one, as --body FILE adds");
+  }
+  const auto k = static_cast<std::size_t>(bodies.rend() - last - 1);
+  BodyInScene entry{bodies[k], scene.body_sources[k]};
+  const std::vector<Key<BodyInScene>> keys = body_keys(entry.body.shape);
+  KeyReader(keys, source, entry).read_value(name.substr(section.size()), value);
+  bodies[k] = std::move(entry.body);
+  scene.body_sources[k] = std::move(entry.source);
+  return true;
+}
+
 Key<Scene> bodies_key() {
   return {"bodies", "", "a list of tables [[bodies]]", "what cloth cannot enter", read_bodies, write_bodies};
 }
@@ -228,7 +281,10 @@ std::string moving_entries_help() {
       text += describe_key(key, BodyInScene{.body = {.shape = shape}, .source = {}});
     }
   }
-  return text;
+  return text +
+         "\nOn the command line, --set body.file=FILE adds a body with shape = \"mesh\", and --set "
+         "body.KEY=VALUE "
+         "sets\nany key of the last one; --body, --body-motion and others stand for them.\n";
 }
 
 }  // namespace taut::app

@@ -24,6 +24,6 @@ inline constexpr std::array garment_files = {std::pair("file", &GarmentSource::f
                                              std::pair("start", &GarmentSource::start)};
 /// The same of the keys of [[bodies]].
 inline constexpr std::array body_files = {std::pair("file", &BodySource::file),
-                                          std::pair("frames", &BodySource::frames)};
+                                          std::pair("motion", &BodySource::motion)};
 
 }  // namespace taut::app

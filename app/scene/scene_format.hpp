@@ -26,6 +26,12 @@ struct SceneFormat {
 /// The keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
 SceneFormat<Scene> simulation_format();
 
+/// Sets a key of one body: "body.file" adds a body that is a model, and every other "body.KEY" sets the key
+/// of
+/// [[bodies]] for the last body that is one. Returns false if the name does not begin with "body.". Throws by
+/// `fail`.
+bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene);
+
 /// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_value.hpp).
 void require_one_garment(const toml::table& file, const Source& source);
 
@@ -45,7 +51,9 @@ void apply_overrides(const SceneFormat<S>& format, std::span<const Override> ove
   for (const Override& changed : overrides) {
     const Source source{changed.option, true};
     const toml::table value = read_toml_value(changed.value);
-    KeyReader(format.keys, source, scene).read_value(changed.key, *value.get("value"));
+    if (!set_body_key(changed.key, *value.get("value"), source, scene)) {
+      KeyReader(format.keys, source, scene).read_value(changed.key, *value.get("value"));
+    }
     for (const auto& [name, member] : garment_files) {
       if (changed.key == std::string("garment.") + name) {
         require_named(name, scene.garment.*member, source, 0);

@@ -7,9 +7,9 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/models/body_loading.hpp"
 #include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
 
@@ -210,7 +210,9 @@ void Viewer::load_asked() {
   try {
     if (name) {
       DrawnScene scene = find_scene(*name, {});
-      load_bodies(scene);
+      for (const std::string& remark : load_bodies(scene)) {
+        tell(remark, false);
+      }
       load(std::move(scene));
     } else if (garment) {
       DrawnScene scene = state_.scene;

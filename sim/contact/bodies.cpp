@@ -54,13 +54,14 @@ struct Mover {
 };
 
 void shape_of_frames(const BodyFrames& frames, double time_s, std::span<Vec3> positions_m) {
-  const auto last = static_cast<double>(frames.positions_m.size() - 1);
-  const double at = std::clamp(time_s * frames.frame_rate_hz, 0.0, last);
+  const auto last = static_cast<double>(frames.count() - 1);
+  const double at = std::clamp(time_s * frames.rate_hz(), 0.0, last);
   const double before = std::floor(at);
-  const std::vector<Vec3>& from = frames.positions_m[static_cast<std::size_t>(before)];
-  const std::vector<Vec3>& to = frames.positions_m[static_cast<std::size_t>(std::min(before + 1.0, last))];
+  frames.positions_in(static_cast<std::size_t>(before), positions_m);
+  std::vector<Vec3> to(positions_m.size());
+  frames.positions_in(static_cast<std::size_t>(std::min(before + 1.0, last)), to);
   for (std::size_t v = 0; v < positions_m.size(); ++v) {
-    positions_m[v] = glm::mix(from[v], to[v], at - before);
+    positions_m[v] = glm::mix(positions_m[v], to[v], at - before);
   }
 }
 
@@ -105,9 +106,8 @@ Vec3 point_moved(const Body& body, const Vec3& point_m, const TimeSpan& time) {
 
 bool is_moving_after(const Body& body, double time_s) {
   const auto* mesh = std::get_if<BodyMesh>(&body.shape);
-  const bool changes =
-      mesh != nullptr && mesh->frames &&
-      static_cast<double>(mesh->frames->positions_m.size() - 1) > time_s * mesh->frames->frame_rate_hz;
+  const bool changes = mesh != nullptr && mesh->frames &&
+                       static_cast<double>(mesh->frames->count() - 1) > time_s * mesh->frames->rate_hz();
   return changes || is_moving_after(body.motion, time_s);
 }
 

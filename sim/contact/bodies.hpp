@@ -45,13 +45,21 @@ struct BodyMeshData {
 };
 
 /// A surface that changes its shape: where each vertex is in each frame, the first at 0 s, linear in between
-/// and held after the last.
-struct BodyFrames {
-  double frame_rate_hz = 60.0;
-  std::vector<std::vector<Vec3>> positions_m;  ///< by frame, then by vertex; at least one frame
+/// and held after the last. Several threads may ask at once, and the same question has the same answer.
+class BodyFrames {
+ public:
+  virtual ~BodyFrames() = default;
+
+  /// Returns how many frames there are, at least 1.
+  virtual std::size_t count() const = 0;
+  /// Returns how many frames there are in a second, above 0.
+  virtual double rate_hz() const = 0;
+  /// Fills `positions_m` with where the vertices of the mesh are in the frame, in m. Requires a frame below
+  /// count() and a span with an entry for each vertex. Throws what it reads from throws.
+  virtual void positions_in(std::size_t frame, std::span<Vec3> positions_m) const = 0;
 };
 
-/// A body of any shape. Two are equal if they share their arrays.
+/// A body of any shape. Two are equal if they share their arrays and frames.
 struct BodyMesh {
   std::shared_ptr<const BodyMeshData> data;       ///< never null
   std::shared_ptr<const BodyFrames> frames = {};  ///< null: the shape stays as it is

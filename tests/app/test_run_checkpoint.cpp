@@ -2,8 +2,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/models/body_loading.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "temporary_folder.hpp"

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/base/errors.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/models/body_loading.hpp"
 #include "app/models/garment_loading.hpp"
 #include "temporary_folder.hpp"
 

@@ -138,16 +138,16 @@ TEST(PictureRecord, ABodyIsFoundInTheAssetsOrBesideThePicture) {
   EXPECT_CONTAINS(scene_text(scene), "file = \"bodies/needles.obj\"");
   const BodySource found = read_picture_record(write_record(folder, scene), {}).scene.body_sources.at(0);
   EXPECT_EQ(found.file, assets_folder() / "bodies/needles.obj");
-  EXPECT_TRUE(found.frames.empty());
+  EXPECT_TRUE(found.motion.empty());
   EXPECT_CONTAINS(scene_text(scene, GarmentNaming::full_path), assets_folder().string() + "/bodies/needles");
 
   scene.body_sources[0].file = "/nowhere/any.obj";
-  scene.body_sources[0].frames = "/nowhere/any.pc2";
+  scene.body_sources[0].motion = "/nowhere/any.pc2";
   const auto picture = write_record(folder, scene);
   EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).file, "/nowhere/any.obj");
   const auto beside = folder.write("any.obj", "v 0 0 0\n"), frames = folder.write("any.pc2", "");
   EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).file, beside);
-  EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).frames, frames);
+  EXPECT_EQ(read_picture_record(picture, {}).scene.body_sources.at(0).motion, frames);
 }
 
 // File names can hold any bytes; a scene that is TOML no more could not be read back at all.

@@ -39,7 +39,7 @@ shape = "mesh"
 file = "avatar.obj"
 scale = 0.01
 up = "z"
-frames = "walk.pc2"
+motion = "walk.pc2"
 frame_rate = 25
 friction = 0
 shift = { velocity = [0, 1, 0], until = 3 }
@@ -63,7 +63,7 @@ TEST(MovingKeys, AreReadForBodiesAndPinsAlike) {
   EXPECT_EQ(source.file, "avatar.obj");
   EXPECT_EQ(source.scale, 0.01);
   EXPECT_EQ(source.up, ModelAxis::z);
-  EXPECT_EQ(source.frames, "walk.pc2");
+  EXPECT_EQ(source.motion, "walk.pc2");
   EXPECT_EQ(source.frame_rate_hz, 25.0);
 }
 

@@ -53,13 +53,28 @@ TEST(MovingBodies, AMeshIsTurnedAndMovedAsAWhole) {
   EXPECT_TRUE(is_moving_after(body, 0.9));
 }
 
+class ListedFrames : public BodyFrames {
+ public:
+  ListedFrames(double rate_hz, std::vector<std::vector<Vec3>> frames)
+      : rate_hz_(rate_hz), frames_(std::move(frames)) {}
+  std::size_t count() const override { return frames_.size(); }
+  double rate_hz() const override { return rate_hz_; }
+  void positions_in(std::size_t frame, std::span<Vec3> positions_m) const override {
+    std::copy(frames_.at(frame).begin(), frames_.at(frame).end(), positions_m.begin());
+  }
+
+ private:
+  double rate_hz_;
+  std::vector<std::vector<Vec3>> frames_;
+};
+
 TEST(MovingBodies, AMeshGoesThroughItsFramesAndIsHeldInTheLast) {
   std::vector<Vec3> grown = corner()->positions_m;
   for (Vec3& position_m : grown) {
     position_m *= 3.0;
   }
-  const auto frames = std::make_shared<const BodyFrames>(
-      BodyFrames{2.0, {corner()->positions_m, grown, corner()->positions_m}});
+  const auto frames = std::make_shared<const ListedFrames>(
+      2.0, std::vector{corner()->positions_m, grown, corner()->positions_m});
   const Body body = {.shape = BodyMesh{corner(), frames}};
   EXPECT_EQ(positions_of(body, 0.0), corner()->positions_m);
   EXPECT_EQ(positions_of(body, 0.25)[1], Vec3(2, 0, 0));

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/models/body_loading.hpp"
+#include "app/bodies/body_loading.hpp"
 #include "app/models/garment_loading.hpp"
 #include "sim/bytes.hpp"
 #include "temporary_folder.hpp"
@@ -40,17 +40,36 @@ std::string pc2(const std::vector<Frame>& frames) {
   return out.bytes();
 }
 
+BodySource sized(double scale, ModelAxis up) {
+  BodySource source;
+  source.scale = scale;
+  source.up = up;
+  return source;
+}
+
+BodySource file_source(const std::filesystem::path& file) {
+  BodySource source;
+  source.file = file;
+  return source;
+}
+
+std::vector<sim::Vec3> frame_of(const sim::BodyMesh& body, std::size_t frame) {
+  std::vector<sim::Vec3> positions_m(body.data->positions_m.size());
+  body.frames->positions_in(frame, positions_m);
+  return positions_m;
+}
+
 struct BodyLoading : testing::Test {
   sim::BodyMesh load(const std::string& obj, const std::string& frames = "", BodySource source = {}) {
     source.file = folder.write("body.obj", obj);
-    if (!frames.empty()) {
-      source.frames = folder / "body.pc2";
-      std::ofstream(source.frames, std::ios::binary) << frames;
+    if (source.motion.empty() && !frames.empty()) {
+      source.motion = folder / "body.pc2";
+      std::ofstream(source.motion, std::ios::binary) << frames;
     }
     Scene scene;
     scene.surroundings.bodies = {{.shape = sim::Plane{}}, {.name = "avatar", .shape = sim::BodyMesh{}}};
     scene.body_sources = {{}, source};
-    load_bodies(scene);
+    remarks = load_bodies(scene);
     return std::get<sim::BodyMesh>(scene.surroundings.bodies[1].shape);
   }
   std::string error_of(const std::string& obj, const std::string& frames = "") {
@@ -58,6 +77,7 @@ struct BodyLoading : testing::Test {
   }
 
   test::TemporaryFolder folder;
+  std::vector<std::string> remarks;  ///< of the body that was loaded last
 };
 
 double volume_m3(const sim::BodyMeshData& mesh) {
@@ -72,9 +92,8 @@ TEST_F(BodyLoading, ReadsAMeshInItsUnitAndAxes) {
   EXPECT_EQ(load(tetrahedron).data->positions_m.size(), 4U);
   EXPECT_NEAR(volume_m3(*load(tetrahedron).data), 1.0 / 6.0, 1e-15)
       << "in metres where nobody says otherwise";
-  const auto data = load("v 9 9 9\n" + corners + "f 2 4 3\nf 2 3 5\nf 2 5 4\nf 3 4 5\n", "",
-                         {.file = {}, .scale = 0.1, .up = ModelAxis::z, .frames = {}})
-                        .data;
+  const auto data =
+      load("v 9 9 9\n" + corners + "f 2 4 3\nf 2 3 5\nf 2 5 4\nf 3 4 5\n", "", sized(0.1, ModelAxis::z)).data;
   EXPECT_NEAR(volume_m3(*data), 1e-3 / 6.0, 1e-15);
   EXPECT_EQ(data->positions_m.size(), 4U) << "no face uses the first";
   EXPECT_NE(std::find(data->positions_m.begin(), data->positions_m.end(), sim::Vec3(0, 0.1, 0)),
@@ -94,7 +113,7 @@ TEST_F(BodyLoading, FacesOutwardsHoweverItsTrianglesWereTurned) {
 TEST_F(BodyLoading, LeavesWhatWasReadAlone) {
   Scene scene;
   scene.surroundings.bodies = {{.shape = sim::BodyMesh{std::make_shared<const sim::BodyMeshData>()}}};
-  scene.body_sources = {{.file = "none.obj", .scale = {}, .up = {}, .frames = {}}};
+  scene.body_sources = {file_source("none.obj")};
   load_bodies(scene);
   EXPECT_TRUE(std::get<sim::BodyMesh>(scene.surroundings.bodies[0].shape).data->positions_m.empty());
 }
@@ -106,6 +125,54 @@ TEST_F(BodyLoading, NamesWhatIsNotClosed) {
   EXPECT_CONTAINS(hole, "with 1 triangle, expected two at every edge: a body has no holes");
   const std::string fin = error_of(tetrahedron + "v 2 2 2\nf 1 2 5\n");
   EXPECT_CONTAINS(fin, "with 3 triangles, expected two at every edge");
+}
+
+/// A cube of this size. Its top is open if `top` is empty.
+std::string cube(double size, const std::string& top) {
+  std::string obj;
+  for (int k = 0; k < 8; ++k) {
+    obj += "v " + std::to_string(k % 2 * size) + ' ' + std::to_string(k / 4 * size) + ' ' +
+           std::to_string(k / 2 % 2 * size) + '\n';
+  }
+  return obj + "f 1 2 4 3\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n" + top;
+}
+
+TEST_F(BodyLoading, ClosesSmallHolesAndSaysWhere) {
+  const sim::BodyMesh body = load(cube(0.1, ""));
+  EXPECT_EQ(body.data->triangles.size(), 12U);
+  EXPECT_NEAR(volume_m3(*body.data), 1e-3, 1e-12) << "closed by triangles that face outwards";
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_CONTAINS(remarks[0], "body 'avatar': 1 hole was closed, it is 0.4 m around at [");
+  load(cube(0.1, "f 5 7 8 6\n"));
+  EXPECT_TRUE(remarks.empty());
+  EXPECT_CONTAINS(error_of(cube(0.2, "")),
+                  "with 1 triangle, expected two at every edge: a body has no holes");
+}
+
+TEST_F(BodyLoading, LeavesHolesOpenThatAFanCannotClose) {
+  const std::string line = "v 0 0 0\nv 0.1 0 0\nv 0.05 0 0\nv 0.05 0.1 0\nv 0.05 0.05 0.1\n";
+  // The hole runs along a straight edge, there and back.
+  EXPECT_CONTAINS(error_of(line + "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 1 2 4\n"), "a body has no holes");
+  EXPECT_CONTAINS(error_of("v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n"), "a body has no holes")
+      << "a triangle";
+}
+
+TEST_F(BodyLoading, TakesSeveralShells) {
+  const sim::BodyMesh body =
+      load(tetrahedron + "v 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\n" + "f 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7\n");
+  EXPECT_EQ(body.data->positions_m.size(), 8U);
+  EXPECT_NEAR(volume_m3(*body.data), 1.0 / 3.0, 1e-12) << "the second was inside out";
+}
+
+TEST_F(BodyLoading, GuessesTheUnitOfAPersonAloneAndSaysIt) {
+  EXPECT_NEAR(volume_m3(*load(cube(170.0, "f 5 7 8 6\n")).data), 1.7 * 1.7 * 1.7, 1e-9);
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_CONTAINS(remarks[0], "its unit is the centimetre, guessed: in metres it would be 170 m large");
+  EXPECT_NEAR(volume_m3(*load(cube(15.0, "f 5 7 8 6\n")).data), 15.0 * 15.0 * 15.0, 1e-6) << "a floor";
+  EXPECT_TRUE(remarks.empty());
+  load("v 0 0 0\nv 0.3 0 0\nv 0 0.3 0\nv 0 0 1.7\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_CONTAINS(remarks[0], "it is 1.7 m along z and 0.3 m along y, which is taken as up (up, --body-up)");
 }
 
 TEST_F(BodyLoading, NamesFacesWithoutAreaAndThoseThatAreThereTwice) {
@@ -143,7 +210,7 @@ TEST_F(BodyLoading, NamesWhatIsNoModel) {
   EXPECT_CONTAINS(error_of("v 0 0 0\nv 1 0 0\n"), "it has no faces");
   Scene scene;
   scene.surroundings.bodies = {{.shape = sim::BodyMesh{}}};
-  scene.body_sources = {{.file = folder / "none.obj", .scale = {}, .up = {}, .frames = {}}};
+  scene.body_sources = {file_source(folder / "none.obj")};
   EXPECT_CONTAINS(test::message_of<InputError>([&] { load_bodies(scene); }), "body 1: there is no file '");
 }
 
@@ -161,11 +228,11 @@ TEST_F(BodyLoading, ReadsFramesInTheOrderOfTheFile) {
   source.scale = 0.5;
   const sim::BodyMesh body =
       load(corners + "v 0 0 0\nf 4 2 3\nf 5 3 2\nf 1 2 4\nf 1 4 3\n", pc2({first, grown}), source);
-  ASSERT_EQ(body.frames->positions_m.size(), 2U);
-  EXPECT_EQ(body.frames->frame_rate_hz, 24.0);
-  EXPECT_EQ(body.frames->positions_m[0], body.data->positions_m);
+  ASSERT_EQ(body.frames->count(), 2U);
+  EXPECT_EQ(body.frames->rate_hz(), 24.0);
+  EXPECT_EQ(frame_of(body, 0), body.data->positions_m);
   for (std::size_t v = 0; v < 4; ++v) {
-    EXPECT_EQ(body.frames->positions_m[1][v], 1.5 * body.data->positions_m[v]);
+    EXPECT_EQ(frame_of(body, 1)[v], 1.5 * body.data->positions_m[v]);
   }
 }
 
@@ -186,7 +253,7 @@ TEST_F(BodyLoading, NamesWhatIsWrongWithFrames) {
                   "frame 2, vertex 2: found at [0, 2.5, 0] m, 1.5 m from where it is in the frame before");
   jumped[2].x = NAN;
   EXPECT_CONTAINS(error_of(tetrahedron, pc2({modelled, jumped})),
-                  "frame 1, vertex 2: byte 104, a coordinate: found nan");
+                  "body.pc2': frame 1, vertex 2: found at [nan, 2.5, 0], expected numbers");
 }
 
 }  // namespace

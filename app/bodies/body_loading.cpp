@@ -1,0 +1,150 @@
+#include "app/bodies/body_loading.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
+#include "app/bodies/body_mesh.hpp"
+#include "app/bodies/motion_opening.hpp"
+#include "app/bodies/rig_pose.hpp"
+#include "sim/mesh/extent.hpp"
+
+namespace taut::app {
+namespace {
+
+// What is lower or higher than these is no person.
+constexpr double lowest_person_m = 0.5;
+constexpr double highest_person_m = 2.5;
+
+std::shared_ptr<const Rig> take_rig(const std::filesystem::path& file, ImportedModel& model) {
+  auto rig = std::make_shared<Rig>(std::move(model.rig));
+  if (!rig->empty()) {
+    try {
+      require_weights(*rig);
+    } catch (const std::invalid_argument& error) {
+      throw InputError("'" + file.string() + "': " + error.what());
+    }
+    pose_vertices(*rig, stored_pose(*rig), model.positions);
+  }
+  return rig;
+}
+
+void remark_on_height(const sim::Mesh& mesh, std::vector<std::string>& remarks) {
+  const double height_m = sim::extent_of(mesh.positions).size().y;
+  if (height_m < lowest_person_m || height_m > highest_person_m) {
+    remarks.push_back(fmt::format("it is {:.3g} m high (scale, --body-units)", height_m));
+  }
+}
+
+double rate_of(const BodySource& source, const FrameSource& motion, std::vector<std::string>& remarks) {
+  const std::optional<double> own_hz = motion.rate_hz();
+  if (!source.frame_rate_hz && !own_hz) {
+    remarks.push_back(
+        fmt::format("its motion does not say how fast it is: {:g} frames a second are taken "
+                    "(frame_rate, --body-fps)",
+                    usual_frame_rate_hz));
+  }
+  return source.frame_rate_hz.value_or(own_hz.value_or(usual_frame_rate_hz));
+}
+
+std::size_t first_frame(const BodySource& source, const std::filesystem::path& file,
+                        const FrameSource& motion, double rate_hz) {
+  const double first = std::round(source.start_s * rate_hz);
+  const std::size_t frames = motion.frames();
+  if (first >= static_cast<double>(frames)) {
+    throw InputError(
+        fmt::format("'{}': found start = {:g} s, expected a time of the motion, which ends at {:g} s",
+                    file.string(), source.start_s, static_cast<double>(frames - 1) / rate_hz));
+  }
+  return static_cast<std::size_t>(first);
+}
+
+/// So that what is wrong with them is said before the run.
+void look_at_frames(const sim::BodyFrames& frames, std::size_t vertices, double duration_s) {
+  const double last =
+      std::min(std::ceil(duration_s * frames.rate_hz()) + 1.0, static_cast<double>(frames.count() - 1));
+  std::vector<sim::Vec3> positions_m(vertices);
+  for (std::size_t frame = 0; frame <= static_cast<std::size_t>(last); ++frame) {
+    throw_if_interrupted();
+    frames.positions_in(frame, positions_m);
+  }
+}
+
+std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const LoadedMesh& loaded,
+                                                 OpenedMotion motion, double duration_s,
+                                                 std::vector<std::string>& remarks) {
+  if (motion.frames->vertices() != loaded.file_vertices) {
+    throw InputError(fmt::format("'{}': found {}, expected the {} of '{}', in their order",
+                                 motion.file.string(),
+                                 counted(motion.frames->vertices(), "vertex", "vertices"),
+                                 loaded.file_vertices, source.file.string()));
+  }
+  if (motion.frames->frames() == 1) {
+    remarks.emplace_back("its motion has 1 frame, in which it stays");
+  }
+  const double rate_hz = rate_of(source, *motion.frames, remarks);
+  const std::size_t first = first_frame(source, motion.file, *motion.frames, rate_hz);
+  auto frames = std::make_shared<const PlacedFrames>(motion.file, std::move(motion.frames), loaded.places,
+                                                     rate_hz, first);
+  look_at_frames(*frames, loaded.mesh.positions.size(), duration_s);
+  return frames;
+}
+
+}  // namespace
+
+ReadBody read_body(const BodySource& source, double duration_s) {
+  ImportedModel model = import_garment(source.file);
+  ReadBody body{{}, take_rig(source.file, model), model.format};
+  LoadedMesh loaded = make_body_mesh(source, model);
+  body.remarks = loaded.remarks;
+  OpenedMotion motion = open_motion(source, body.rig, loaded.places.placement.up);
+  body.remarks.insert(body.remarks.end(), motion.remarks.begin(), motion.remarks.end());
+  if (motion.frames || !body.rig->influences.empty()) {
+    remark_on_height(loaded.mesh, body.remarks);
+  }
+  if (motion.frames) {
+    body.mesh.frames = frames_of(source, loaded, std::move(motion), duration_s, body.remarks);
+  }
+  body.mesh.data = std::make_shared<const sim::BodyMeshData>(
+      sim::BodyMeshData{std::move(loaded.mesh.positions), std::move(loaded.mesh.triangles)});
+  return body;
+}
+
+std::vector<std::string> load_bodies(Scene& scene) {
+  const double duration_s = scene.frames / scene.simulation.frame_rate_hz;
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < scene.surroundings.bodies.size(); ++k) {
+    sim::Body& body = scene.surroundings.bodies[k];
+    auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
+    if (mesh == nullptr || mesh->data) {
+      continue;
+    }
+    const std::string name =
+        "body " + (body.name.empty() ? fmt::format("{}", k + 1) : '\'' + body.name + '\'');
+    std::vector<std::string> remarks;
+    try {
+      ReadBody read = read_body(scene.body_sources.at(k), duration_s);
+      *mesh = std::move(read.mesh);
+      remarks = std::move(read.remarks);
+    } catch (const InputError& error) {
+      throw InputError(name + ": " + error.what());
+    }
+    std::transform(remarks.begin(), remarks.end(), std::back_inserter(all),
+                   [&](const std::string& remark) { return name + ": " + remark; });
+  }
+  return all;
+}
+
+void print_body_remarks(const Scene& scene, const std::vector<std::string>& remarks, std::FILE* output) {
+  for (const std::string& remark : output == nullptr ? std::vector<std::string>{} : remarks) {
+    fmt::print(output, "{}: {}\n", scene.name, remark);
+  }
+}
+
+}  // namespace taut::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/models/rig.hpp"
+#include "app/scene/scene.hpp"
+
+namespace taut::app {
+
+/// Reads the meshes of the scene's bodies and opens their motions; bodies that were read already are left
+/// alone. Returns what was guessed, chosen and repaired, a line each, for people. Throws InputError that
+/// names the body, the file and the place:
+/// - as make_body_mesh() does for a mesh that is not closed (body_mesh.hpp);
+/// - on a motion of another number of vertices, or in which a vertex jumps by more than a metre in a frame
+/// that the run shows; of later frames PlacedFrames throws it when they are asked for.
+std::vector<std::string> load_bodies(Scene& scene);
+
+/// A body with what its file has besides.
+struct ReadBody {
+  sim::BodyMesh mesh;
+  std::shared_ptr<const Rig> rig;         ///< never null; empty if nothing in the file moves it
+  std::string format;                     ///< name of the file's format
+  std::vector<std::string> remarks = {};  ///< as load_bodies() returns them
+};
+
+/// Reads one body. `duration_s` is how long it is shown, from its first frame. Throws as load_bodies() does.
+ReadBody read_body(const BodySource& source, double duration_s);
+
+/// Prints the lines that load_bodies() returned, with the scene's name in front. Null: prints nothing.
+void print_body_remarks(const Scene& scene, const std::vector<std::string>& remarks, std::FILE* output);
+
+}  // namespace taut::app

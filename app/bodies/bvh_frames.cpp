@@ -1,0 +1,257 @@
+#include "app/bodies/bvh_frames.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <map>
+#include <utility>
+
+#include "app/base/errors.hpp"
+#include "app/base/suggest.hpp"
+#include "app/bodies/joint_names.hpp"
+#include "app/bodies/rig_pose.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr std::size_t unmatched = static_cast<std::size_t>(-1);
+constexpr std::size_t most_named = 12;
+
+/// Nodes that assimp puts in for the pivots of FBX have the name of the joint and this in it.
+constexpr std::string_view pivot_mark = "_$AssimpFbx$_";
+
+/// Turns directions of a model whose `up` is up into those of the scene.
+glm::dmat3 into_scene(ModelAxis up) {
+  Placement placement;
+  placement.up = up;
+  return {placement({1, 0, 0}), placement({0, 1, 0}), placement({0, 0, 1})};
+}
+
+std::string some_of(std::vector<std::string> names) {
+  const std::size_t count = names.size();
+  names.resize(std::min(count, most_named));
+  return joined(names) + (count > most_named ? fmt::format(" and {} more", count - most_named) : "");
+}
+
+struct Skeletons {
+  std::vector<std::string> node_parts;
+  std::vector<std::string> joint_parts;
+};
+
+Skeletons skeletons_of(const Rig& rig, const BvhMotion& motion) {
+  std::vector<std::string> nodes;
+  std::vector<std::string> joints;
+  for (const RigNode& node : rig.nodes) {
+    nodes.push_back(node.name.find(pivot_mark) == std::string::npos ? node.name : "");
+  }
+  for (const BvhJoint& joint : motion.joints) {
+    joints.push_back(joint.name);
+  }
+  return {parts_of_joints(nodes), parts_of_joints(joints)};
+}
+
+/// Per node of the rig, the joint of the motion, or `unmatched`. Each joint moves the first node of its part.
+std::vector<std::size_t> matched_joints(const Skeletons& skeletons) {
+  std::map<std::string, std::size_t> joint_of;
+  for (std::size_t j = 0; j < skeletons.joint_parts.size(); ++j) {
+    joint_of.emplace(skeletons.joint_parts[j], j);
+  }
+  joint_of.erase("");
+  std::vector<std::size_t> matched;
+  for (const std::string& part : skeletons.node_parts) {
+    const auto found = joint_of.find(part);
+    matched.push_back(found == joint_of.end() ? unmatched : found->second);
+    if (found != joint_of.end()) {
+      joint_of.erase(found);
+    }
+  }
+  return matched;
+}
+
+/// What a motion does to the hips.
+struct HipsMotion {
+  sim::Index node = no_node;  ///< no_node: nothing
+  std::size_t joint = 0;
+  sim::Vec3 zero =
+      sim::Vec3(0.0);  ///< where the motion's hips are when the body's are where they were stored
+  double ratio = 1.0;  ///< units of the body per unit of the motion
+};
+
+class BvhFrames final : public FrameSource {
+ public:
+  BvhFrames(std::shared_ptr<const Rig> rig, ModelAxis up, BvhMotion motion, std::vector<std::size_t> joint_of,
+            const HipsMotion& hips, const glm::dmat3& motion_into_scene)
+      : rig_(std::move(rig)),
+        motion_(std::move(motion)),
+        joint_of_(std::move(joint_of)),
+        hips_(hips),
+        into_body_(glm::transpose(into_scene(up)) * motion_into_scene),
+        stored_(stored_pose(*rig_)) {}
+
+  std::size_t frames() const override { return motion_.frames; }
+  std::size_t vertices() const override { return rig_->in_part.size(); }
+  std::optional<double> rate_hz() const override { return 1.0 / motion_.frame_time_s; }
+  void read(std::size_t frame, std::span<sim::Vec3> positions) const override {
+    pose_vertices(*rig_, pose_of(pose_in(motion_, frame)), positions);
+  }
+
+ private:
+  /// How a node has moved since the stored pose: a point that was at x is at to + rotation * (x - from).
+  struct Moved {
+    glm::dmat3 rotation = glm::dmat3(1.0);
+    sim::Vec3 from = sim::Vec3(0.0);
+    sim::Vec3 to = sim::Vec3(0.0);
+  };
+
+  RigPose pose_of(const BvhPose& joints) const {
+    RigPose pose = stored_;
+    std::vector<Moved> moved(rig_->nodes.size());
+    for (sim::Index n = 0; n < moved.size(); ++n) {
+      const sim::Index parent = rig_->nodes[n].parent;
+      Moved& here = moved[n];
+      here.from = here.to = sim::Vec3(stored_.to_model[n][3]);
+      if (parent != no_node) {
+        here.rotation = moved[parent].rotation;
+        here.to = moved[parent].to + here.rotation * (here.from - moved[parent].from);
+      }
+      if (joint_of_[n] != unmatched) {
+        here.rotation = into_body_ * joints.rotations[joint_of_[n]] * glm::transpose(into_body_);
+      }
+      if (n == hips_.node) {
+        here.to = here.from + into_body_ * ((joints.positions[hips_.joint] - hips_.zero) * hips_.ratio);
+      }
+      glm::dmat4 transform(here.rotation);
+      transform[3] = glm::dvec4(here.to - here.rotation * here.from, 1.0);
+      pose.to_model[n] = transform * stored_.to_model[n];
+    }
+    return pose;
+  }
+
+  std::shared_ptr<const Rig> rig_;
+  BvhMotion motion_;
+  std::vector<std::size_t> joint_of_;
+  HipsMotion hips_;
+  glm::dmat3 into_body_;
+  RigPose stored_;
+};
+
+/// Which way is up in the motion: from its hips to its head.
+ModelAxis up_of(const BvhMotion& motion, const Skeletons& skeletons) {
+  const BvhPose zero = zero_pose(motion);
+  const auto place_of = [&](const char* part) {
+    const auto found = std::find(skeletons.joint_parts.begin(), skeletons.joint_parts.end(), part);
+    return found == skeletons.joint_parts.end()
+               ? zero.positions.front()
+               : zero.positions[static_cast<std::size_t>(found - skeletons.joint_parts.begin())];
+  };
+  const sim::Vec3 upwards = place_of("head") - place_of("hips");
+  return upwards.z > std::abs(upwards.y) && upwards.z > std::abs(upwards.x) ? ModelAxis::z : ModelAxis::y;
+}
+
+HipsMotion hips_motion(const Rig& rig, ModelAxis up, const BvhMotion& motion, const Skeletons& skeletons,
+                       const std::vector<std::size_t>& joint_of, const glm::dmat3& motion_into_scene,
+                       std::size_t first) {
+  const auto found = std::find(skeletons.node_parts.begin(), skeletons.node_parts.end(), "hips");
+  const auto node = static_cast<std::size_t>(found - skeletons.node_parts.begin());
+  if (found == skeletons.node_parts.end() || joint_of[node] == unmatched) {
+    return {};
+  }
+  HipsMotion hips{static_cast<sim::Index>(node), joint_of[node]};
+  const RigPose stored = stored_pose(rig);
+  const BvhPose zero = zero_pose(motion);
+  const glm::dmat3 body_into_scene = into_scene(up);
+  const auto body_height = [&](std::size_t n) {
+    return (body_into_scene * sim::Vec3(stored.to_model[n][3])).y;
+  };
+  const auto height = [&](std::size_t j) { return (motion_into_scene * zero.positions[j]).y; };
+  double body_hips = 0.0;
+  double motion_hips = 0.0;
+  for (std::size_t n = 0; n < joint_of.size(); ++n) {
+    if (joint_of[n] != unmatched) {
+      body_hips = std::max(body_hips, body_height(node) - body_height(n));
+      motion_hips = std::max(motion_hips, height(hips.joint) - height(joint_of[n]));
+    }
+  }
+  if (!(body_hips > 0.0 && motion_hips > 0.0)) {
+    return {};
+  }
+  hips.ratio = body_hips / motion_hips;
+  // Many files have the root's zero pose at the origin and its frames over a floor there.
+  sim::Vec3 zero_in_scene = motion_into_scene * pose_in(motion, first).positions[hips.joint];
+  zero_in_scene.y = height(hips.joint) > 0.5 * motion_hips ? height(hips.joint) : motion_hips;
+  hips.zero = glm::transpose(motion_into_scene) * zero_in_scene;
+  return hips;
+}
+
+void require_match(const Rig& rig, const BvhMotion& motion, const std::vector<std::size_t>& joint_of) {
+  if (std::any_of(joint_of.begin(), joint_of.end(), [](std::size_t joint) { return joint != unmatched; })) {
+    return;
+  }
+  std::vector<std::string> joints;
+  std::vector<std::string> nodes;
+  for (const BvhJoint& joint : motion.joints) {
+    joints.push_back(joint.name);
+  }
+  for (const RigBone& bone : rig.bones) {
+    nodes.push_back(rig.nodes[bone.node].name);
+  }
+  std::erase(joints, "");
+  throw InputError("found the joints " + some_of(joints) + ", none of which is one of the body's; expected " +
+                   some_of(nodes));
+}
+
+std::vector<std::string> remarks_on(const Rig& rig, const BvhMotion& motion, const Skeletons& skeletons,
+                                    const std::vector<std::size_t>& joint_of, const HipsMotion& hips) {
+  std::vector<std::string> still;
+  std::vector<std::string> without;
+  for (std::size_t n = 0; n < joint_of.size(); ++n) {
+    if (joint_of[n] == unmatched && is_main_part(skeletons.node_parts[n])) {
+      still.push_back(rig.nodes[n].name);
+    }
+  }
+  for (std::size_t j = 0; j < motion.joints.size(); ++j) {
+    if (is_main_part(skeletons.joint_parts[j]) &&
+        std::find(joint_of.begin(), joint_of.end(), j) == joint_of.end()) {
+      without.push_back(motion.joints[j].name);
+    }
+  }
+  std::vector<std::string> remarks;
+  if (!still.empty()) {
+    remarks.push_back("joints that its motion does not turn: " + some_of(still));
+  }
+  if (!without.empty()) {
+    remarks.push_back("joints of its motion that it does not have: " + some_of(without));
+  }
+  if (hips.node == no_node) {
+    remarks.emplace_back("it stays where it is, as its motion and it have no hips in common");
+  }
+  return remarks;
+}
+
+}  // namespace
+
+RetargetedMotion retarget(std::shared_ptr<const Rig> rig, ModelAxis up, BvhMotion motion, std::size_t first) {
+  if (rig->influences.empty()) {
+    throw InputError(
+        "found a motion of joints, and a body whose vertices follow no joints; expected one with "
+        "a skin, such as glTF, FBX or Collada may have");
+  }
+  const Skeletons skeletons = skeletons_of(*rig, motion);
+  std::vector<std::size_t> joint_of = matched_joints(skeletons);
+  require_match(*rig, motion, joint_of);
+  const ModelAxis motion_up = up_of(motion, skeletons);
+  const glm::dmat3 motion_into_scene = into_scene(motion_up);
+  const HipsMotion hips = hips_motion(*rig, up, motion, skeletons, joint_of, motion_into_scene,
+                                      std::min(first, motion.frames - 1));
+  RetargetedMotion retargeted{nullptr, remarks_on(*rig, motion, skeletons, joint_of, hips)};
+  if (motion_up == ModelAxis::z) {
+    retargeted.remarks.emplace_back("up in its motion is z, as its head is there");
+  }
+  retargeted.frames = std::make_unique<BvhFrames>(std::move(rig), up, std::move(motion), std::move(joint_of),
+                                                  hips, motion_into_scene);
+  return retargeted;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,218 @@
+#include "app/bodies/rig_pose.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <stdexcept>
+
+namespace taut::app {
+namespace {
+
+/// Translation, rotation (x, y, z, w) and scale of a node, of which its transform is the product.
+struct NodeMotion {
+  sim::Vec3 translation;
+  glm::dvec4 rotation;
+  sim::Vec3 scale;
+};
+
+glm::dmat3 matrix_of(const glm::dvec4& rotation) {
+  return glm::mat3_cast(glm::dquat(rotation.w, rotation.x, rotation.y, rotation.z));
+}
+
+NodeMotion motion_of(const glm::dmat4& transform) {
+  glm::dmat3 axes(transform);
+  sim::Vec3 scale(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
+  if (glm::determinant(axes) < 0.0) {
+    scale.x = -scale.x;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    axes[axis] = scale[axis] != 0.0 ? axes[axis] / scale[axis] : axes[axis];
+  }
+  const glm::dquat q = glm::quat_cast(axes);
+  return {sim::Vec3(transform[3]), {q.x, q.y, q.z, q.w}, scale};
+}
+
+glm::dmat4 transform_of(const NodeMotion& motion) {
+  glm::dmat3 axes = matrix_of(motion.rotation);
+  for (int axis = 0; axis < 3; ++axis) {
+    axes[axis] *= motion.scale[axis];
+  }
+  glm::dmat4 transform(axes);
+  transform[3] = glm::dvec4(motion.translation, 1.0);
+  return transform;
+}
+
+/// The keys around a time, and how far it is from the first of them to the second, 0 to 1.
+struct BetweenKeys {
+  std::size_t before = 0;
+  std::size_t after = 0;
+  double share = 0.0;
+};
+
+BetweenKeys keys_around(const std::vector<double>& times_s, double time_s) {
+  const auto next = std::upper_bound(times_s.begin(), times_s.end(), time_s);
+  const auto after = static_cast<std::size_t>(next - times_s.begin());
+  if (after == 0) {
+    return {};
+  }
+  if (after == times_s.size()) {
+    return {after - 1, after - 1, 0.0};
+  }
+  return {after - 1, after, (time_s - times_s[after - 1]) / (times_s[after] - times_s[after - 1])};
+}
+
+glm::dvec4 straight_at(const RigKeys& keys, double time_s) {
+  const BetweenKeys at = keys_around(keys.times_s, time_s);
+  return glm::mix(keys.values[at.before], keys.values[at.after], at.share);
+}
+
+glm::dvec4 rotation_at(const RigKeys& keys, double time_s) {
+  const BetweenKeys at = keys_around(keys.times_s, time_s);
+  return rotation_between(glm::normalize(keys.values[at.before]), glm::normalize(keys.values[at.after]),
+                          at.share);
+}
+
+glm::dmat4 transform_at(const RigNode& node, const RigChannel& channel, double time_s) {
+  NodeMotion motion = motion_of(node.to_parent);
+  if (!channel.positions.times_s.empty()) {
+    motion.translation = sim::Vec3(straight_at(channel.positions, time_s));
+  }
+  if (!channel.rotations.times_s.empty()) {
+    motion.rotation = rotation_at(channel.rotations, time_s);
+  }
+  if (!channel.scales.times_s.empty()) {
+    motion.scale = sim::Vec3(straight_at(channel.scales, time_s));
+  }
+  return transform_of(motion);
+}
+
+std::vector<glm::dmat4> stored_transforms(const Rig& rig) {
+  std::vector<glm::dmat4> transforms;
+  for (const RigNode& node : rig.nodes) {
+    transforms.push_back(node.to_parent);
+  }
+  return transforms;
+}
+
+std::vector<double> stored_weights(const Rig& rig) {
+  std::vector<double> weights;
+  for (const RigTarget& target : rig.targets) {
+    weights.push_back(target.weight);
+  }
+  return weights;
+}
+
+// Nodes come after those above them.
+void multiply_down(const Rig& rig, std::vector<glm::dmat4>& transforms) {
+  for (std::size_t n = 0; n < rig.nodes.size(); ++n) {
+    if (rig.nodes[n].parent != no_node) {
+      transforms[n] = transforms[rig.nodes[n].parent] * transforms[n];
+    }
+  }
+}
+
+std::vector<sim::Vec3> mixed_in_part(const Rig& rig, const std::vector<double>& weights) {
+  std::vector<sim::Vec3> mixed = rig.in_part;
+  for (std::size_t t = 0; t < rig.targets.size(); ++t) {
+    const RigTarget& target = rig.targets[t];
+    const std::size_t first = rig.parts[target.part].first_vertex;
+    for (std::size_t v = 0; weights[t] != 0.0 && v < target.offsets.size(); ++v) {
+      mixed[first + v] += weights[t] * target.offsets[v];
+    }
+  }
+  return mixed;
+}
+
+sim::Vec3 applied(const glm::dmat4& transform, const sim::Vec3& point) {
+  return sim::Vec3(transform * glm::dvec4(point, 1.0));
+}
+
+}  // namespace
+
+glm::dvec4 rotation_between(const glm::dvec4& from, glm::dvec4 to, double share) {
+  // After this many halvings a chord differs from its arc in the last bit alone.
+  constexpr int halvings = 20;
+  if (glm::dot(from, to) < 0.0) {
+    to = -to;  // the same rotation, nearer
+  }
+  if (share <= 0.0 || from == to) {
+    return from;
+  }
+  glm::dvec4 begin = from;
+  glm::dvec4 end = to;
+  for (int k = 0; k < halvings; ++k) {
+    const glm::dvec4 middle = glm::normalize(begin + end);
+    share *= 2.0;
+    if (share < 1.0) {
+      end = middle;
+    } else {
+      begin = middle;
+      share -= 1.0;
+    }
+  }
+  return glm::normalize(glm::mix(begin, end, share));
+}
+
+RigPose stored_pose(const Rig& rig) {
+  RigPose pose{stored_transforms(rig), stored_weights(rig)};
+  multiply_down(rig, pose.to_model);
+  return pose;
+}
+
+RigPose pose_at(const Rig& rig, const RigClip& clip, double time_s) {
+  RigPose pose{stored_transforms(rig), stored_weights(rig)};
+  for (const RigChannel& channel : clip.channels) {
+    pose.to_model[channel.node] = transform_at(rig.nodes[channel.node], channel, time_s);
+  }
+  for (const RigTargetChannel& channel : clip.targets) {
+    if (!channel.weights.times_s.empty()) {
+      pose.target_weights[channel.target] = straight_at(channel.weights, time_s).x;
+    }
+  }
+  multiply_down(rig, pose.to_model);
+  return pose;
+}
+
+void pose_vertices(const Rig& rig, const RigPose& pose, std::span<sim::Vec3> positions) {
+  const std::vector<sim::Vec3> mixed = mixed_in_part(rig, pose.target_weights);
+  for (const RigPart& part : rig.parts) {
+    for (std::size_t v = part.first_vertex; v < part.first_vertex + part.vertices; ++v) {
+      positions[v] = part.is_skinned ? sim::Vec3(0.0) : applied(pose.to_model[part.node], mixed[v]);
+    }
+  }
+  std::vector<glm::dmat4> joints;
+  for (const RigBone& bone : rig.bones) {
+    joints.push_back(pose.to_model[bone.node] * bone.from_mesh);
+  }
+  for (const RigInfluence& influence : rig.influences) {
+    positions[influence.vertex] +=
+        influence.weight * applied(joints[influence.bone], mixed[influence.vertex]);
+  }
+}
+
+void require_weights(Rig& rig) {
+  std::vector<double> sums(rig.in_part.size(), 0.0);
+  for (const RigInfluence& influence : rig.influences) {
+    sums[influence.vertex] += influence.weight;
+  }
+  for (const RigPart& part : rig.parts) {
+    for (std::size_t v = part.first_vertex; part.is_skinned && v < part.first_vertex + part.vertices; ++v) {
+      if (!(std::abs(sums[v] - 1.0) <= weight_tolerance)) {
+        throw std::invalid_argument(
+            fmt::format("vertex {} of its mesh '{}': found weights of its joints that sum to {:.6g}, "
+                        "expected 1; in glTF, "
+                        "write them as FLOAT and at most four a vertex",
+                        v - part.first_vertex, part.mesh, sums[v]));
+      }
+    }
+  }
+  for (RigInfluence& influence : rig.influences) {
+    influence.weight /= sums[influence.vertex];
+  }
+}
+
+}  // namespace taut::app

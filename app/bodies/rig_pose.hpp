@@ -1,0 +1,44 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/models/rig.hpp"
+
+namespace taut::app {
+
+/// A rig at one moment.
+struct RigPose {
+  std::vector<glm::dmat4> to_model;    ///< per node, from its frame into that of the model
+  std::vector<double> target_weights;  ///< per target
+};
+
+/// Returns the pose in which the model was stored.
+RigPose stored_pose(const Rig& rig);
+
+/// Returns the pose at a time of the clip, in seconds from its begin: the transforms of the clip, multiplied
+/// down the tree of nodes. Requires a clip of the rig.
+RigPose pose_at(const Rig& rig, const RigClip& clip, double time_s);
+
+/// Fills `positions` with where the vertices are in the pose, in the file's unit and axes. First targets are
+/// mixed in; then vertices of skinned parts go with their bones by linear blend skinning, sum of weight *
+/// joint
+/// * binding * vertex (Magnenat-Thalmann, Laperriere and Thalmann 1988), and others with their node. Requires
+/// a span with an entry for each vertex of the rig.
+void pose_vertices(const Rig& rig, const RigPose& pose, std::span<sim::Vec3> positions);
+
+/// Requires that the weights of each skinned vertex sum to 1 within `weight_tolerance`; makes the sum exact.
+/// Throws std::invalid_argument that names the vertex.
+void require_weights(Rig& rig);
+
+/// How far a sum of weights may be from 1. Files with weights of 8 bits are up to 0.008 away.
+inline constexpr double weight_tolerance = 0.01;
+
+/// Returns the rotation between two, both of length 1, along the shorter arc: `share` 0 is the first, 1 the
+/// second. It is found by halving arcs, with quotients and roots alone.
+glm::dvec4 rotation_between(const glm::dvec4& from, glm::dvec4 to, double share);
+
+}  // namespace taut::app

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "app/base/errors.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+
+/// A scene with one body, and what was said of it.
+struct LoadedBody {
+  sim::Body body;
+  std::vector<std::string> remarks;
+
+  const sim::BodyMesh& mesh() const { return std::get<sim::BodyMesh>(body.shape); }
+  std::vector<sim::Vec3> positions_m(double time_s) const {
+    std::vector<sim::Vec3> places_m(mesh().data->positions_m.size());
+    sim::positions_at(body, time_s, places_m);
+    return places_m;
+  }
+  /// All that was said, in one text.
+  std::string said() const {
+    std::string text;
+    for (const std::string& remark : remarks) {
+      text += remark + '\n';
+    }
+    return text;
+  }
+};
+
+inline LoadedBody load(const BodySource& source) {
+  Scene scene;
+  scene.surroundings.bodies = {{.name = "avatar", .shape = sim::BodyMesh{}}};
+  scene.body_sources = {source};
+  LoadedBody loaded;
+  loaded.remarks = load_bodies(scene);
+  loaded.body = scene.surroundings.bodies.front();
+  return loaded;
+}
+
+inline std::string error_of(const BodySource& source) {
+  return test::message_of<InputError>([&] { load(source); });
+}
+
+}  // namespace taut::app

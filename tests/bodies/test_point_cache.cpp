@@ -1,0 +1,169 @@
+// Files that hold the vertices of each frame.
+
+#include <bit>
+#include <cmath>
+
+#include "app/bodies/obj_sequence.hpp"
+#include "app/bodies/placed_frames.hpp"
+#include "app/bodies/point_cache.hpp"
+#include "app/models/import_process.hpp"
+#include "loading.hpp"
+#include "sim/bytes.hpp"
+
+namespace taut::app {
+namespace {
+
+const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const std::string tetrahedron = corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+template <class Number>
+void put_big_endian(Number number, std::string& bytes) {
+  const auto little = sim::little_endian(number);
+  bytes.append(little.rbegin(), little.rend());
+}
+
+/// Of the tetrahedron, which moves along x from one frame to the next.
+std::string mdd(std::int32_t frames, float frame_s, float step_m) {
+  std::string bytes;
+  put_big_endian(frames, bytes);
+  put_big_endian(std::int32_t{4}, bytes);
+  for (std::int32_t k = 0; k < frames; ++k) {
+    put_big_endian(static_cast<float>(k) * frame_s, bytes);
+  }
+  for (std::int32_t k = 0; k < frames; ++k) {
+    for (int v = 0; v < 4; ++v) {
+      for (int axis = 0; axis < 3; ++axis) {
+        put_big_endian((v == axis + 1 ? 1.0F : 0.0F) + (axis == 0 ? static_cast<float>(k) * step_m : 0.0F),
+                       bytes);
+      }
+    }
+  }
+  return bytes;
+}
+
+struct PointCaches : testing::Test {
+  BodySource source_of(const std::string& name, const std::string& bytes) const {
+    BodySource source;
+    source.file = folder.write("body.obj", tetrahedron);
+    source.motion = folder.write(name, bytes);
+    return source;
+  }
+  test::TemporaryFolder folder;
+};
+
+TEST_F(PointCaches, MddHasTheRateOfItsTimes) {
+  const LoadedBody body = load(source_of("walk.MDD", mdd(5, 0.04F, 0.25F)));
+  EXPECT_EQ(body.mesh().frames->count(), 5U);
+  EXPECT_NEAR(body.mesh().frames->rate_hz(), 25.0, 1e-5);
+  EXPECT_NEAR(body.positions_m(0.06)[0].x, body.positions_m(0.0)[0].x + 0.375, 1e-6);
+  BodySource source = source_of("walk.MDD", mdd(5, 0.04F, 0.25F));
+  source.frame_rate_hz = 10.0;
+  EXPECT_EQ(load(source).mesh().frames->rate_hz(), 10.0);
+}
+
+TEST_F(PointCaches, MddIsRefusedWithWhatIsWrong) {
+  const std::string good = mdd(3, 0.04F, 0.1F);
+  EXPECT_EQ(error_of(source_of("walk.mdd", good)), "");
+  EXPECT_CONTAINS(error_of(source_of("walk.mdd", good.substr(0, 6))),
+                  "found 6 bytes, expected the numbers of frames");
+  EXPECT_CONTAINS(error_of(source_of("walk.mdd", good.substr(0, 100))),
+                  "walk.mdd': found 100 bytes, expected 164 for 3 frames of 4 vertices");
+  EXPECT_CONTAINS(error_of(source_of("walk.mdd", mdd(0, 0, 0))),
+                  "byte 0, the number of frames: found 0, expected 1");
+  EXPECT_CONTAINS(error_of(source_of("walk.mdd", mdd(3, 0.04F, 1.5F))),
+                  "walk.mdd': frame 1, vertex 0: found at [1.5, 0, 0] m, 1.5 m from where");
+}
+
+TEST_F(PointCaches, OneFrameIsSaid) {
+  EXPECT_CONTAINS(load(source_of("walk.mdd", mdd(1, 0.04F, 0.1F))).said(),
+                  "its motion has 1 frame, in which");
+}
+
+TEST_F(PointCaches, OtherEndingsAreRefused) {
+  EXPECT_CONTAINS(
+      error_of(source_of("walk.abc", "x")),
+      "walk.abc': expected a motion that ends in .pc2, .mdd or .bvh, or a folder or pattern of OBJ");
+}
+
+TEST_F(PointCaches, AFileThatShrinksDuringTheRunIsNamed) {
+  const BodySource source = source_of("walk.mdd", mdd(5, 0.04F, 0.1F));
+  const auto frames = open_mdd(source.motion);
+  std::vector<sim::Vec3> positions(4);
+  frames->read(4, positions);
+  std::filesystem::resize_file(source.motion, 200);
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { frames->read(4, positions); }),
+                  "walk.mdd': found 0 bytes from byte 220 on, expected 48; it was changed while it was read");
+}
+
+std::size_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t total = 0;
+  std::size_t resident = 0;
+  file >> total >> resident;
+  return resident * static_cast<std::size_t>(::getpagesize());
+}
+
+TEST_F(PointCaches, MemoryDoesNotGrowWithTheLengthOfAMotion) {
+  constexpr std::size_t frames = 100'000;
+  BodySource source = source_of("long.pc2", "");
+  std::string header("POINTCACHE2\0", 12);
+  for (const std::int32_t number :
+       {1, 4, 0, std::bit_cast<std::int32_t>(1.0F), static_cast<std::int32_t>(frames)}) {
+    const auto bytes = sim::little_endian(number);
+    header.append(bytes.begin(), bytes.end());
+  }
+  std::ofstream(source.motion, std::ios::binary) << header;
+  std::filesystem::resize_file(source.motion, header.size() + frames * 4 * 12);  // of zeros
+  const std::size_t before = resident_bytes();
+  const auto cache = open_pc2(source.motion);
+  std::vector<sim::Vec3> positions(4, sim::Vec3(1.0));
+  for (std::size_t frame = 0; frame < cache->frames(); ++frame) {
+    cache->read(frame, positions);
+  }
+  EXPECT_EQ(positions.back(), sim::Vec3(0.0));
+  const PlacedFrames placed(source.motion, open_pc2(source.motion), {{0, 1, 2, 3}, {}}, 60.0, 0);
+  for (std::size_t frame = 0; frame < placed.count(); ++frame) {
+    placed.positions_in(frame, positions);
+  }
+  // All frames at once take 12 MB and more. Sanitizers keep what was given back.
+  if (memory_is_limited) {
+    EXPECT_LT(resident_bytes(), before + 2'000'000);
+  }
+}
+
+TEST_F(PointCaches, ObjFilesAreFramesInTheOrderOfTheirNumbers) {
+  BodySource source = source_of("unused", "x");
+  std::filesystem::create_directories(folder / "walk");
+  for (const int k : {2, 10, 1, 3, 4, 5, 6, 7, 8, 9}) {
+    std::string text = tetrahedron;
+    text.replace(0, 3, "v 0." + std::to_string(k));
+    folder.write("walk/body-" + std::to_string(k) + ".obj", text);
+  }
+  folder.write("walk/notes.txt", "not a frame");
+  for (const char* name : {"walk", "walk/body-%d.obj"}) {
+    source.motion = folder / name;
+    const auto frames = open_obj_sequence(source.motion);
+    ASSERT_EQ(frames->frames(), 10U) << name;
+    EXPECT_EQ(frames->vertices(), 4U);
+    std::vector<sim::Vec3> positions(4);
+    frames->read(4, positions);
+    EXPECT_EQ(positions[0], sim::Vec3(0.5, 0, 0));
+    EXPECT_EQ(load(source).mesh().frames->count(), 10U);
+    EXPECT_CONTAINS(load(source).said(),
+                    "its motion does not say how fast it is: 60 frames a second are taken");
+  }
+  std::filesystem::remove(folder / "walk/body-7.obj");
+  EXPECT_CONTAINS(error_of(source), "found 'body-8.obj' after number 6, expected number 7");
+  folder.write("walk/body-7.obj", "v 0 0 0\nv 0 0 1\n");
+  EXPECT_CONTAINS(error_of(source), "body-7.obj': found 2 vertices, expected the 4 of '");
+  folder.write("walk/body-7.obj", "v 0 zero 0\n");
+  EXPECT_CONTAINS(error_of(source), "body-7.obj': line 1: found 'zero'");
+  source.motion = folder / "walk/other-%d.obj";
+  EXPECT_CONTAINS(error_of(source), "other-%d.obj': found no such files");
+  std::filesystem::create_directories(folder / "empty");
+  source.motion = folder / "empty";
+  EXPECT_CONTAINS(error_of(source), "empty': found no OBJ file with a number at the end of its name");
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -150,6 +151,17 @@ ModelAxis up_of(const BvhMotion& motion, const Skeletons& skeletons) {
   return upwards.z > std::abs(upwards.y) && upwards.z > std::abs(upwards.x) ? ModelAxis::z : ModelAxis::y;
 }
 
+/// The height of the lowest vertex, in the body's unit.
+double floor_under(const Rig& rig, const RigPose& pose, const glm::dmat3& into_scene) {
+  std::vector<sim::Vec3> positions(rig.in_part.size());
+  pose_vertices(rig, pose, positions);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const sim::Vec3& position : positions) {
+    lowest = std::min(lowest, (into_scene * position).y);
+  }
+  return lowest;
+}
+
 HipsMotion hips_motion(const Rig& rig, ModelAxis up, const BvhMotion& motion, const Skeletons& skeletons,
                        const std::vector<std::size_t>& joint_of, const glm::dmat3& motion_into_scene,
                        std::size_t first) {
@@ -178,9 +190,12 @@ HipsMotion hips_motion(const Rig& rig, ModelAxis up, const BvhMotion& motion, co
     return {};
   }
   hips.ratio = body_hips / motion_hips;
-  // Many files have the root's zero pose at the origin and its frames over a floor there.
+  // Many files have the root's zero pose at the origin and its frames over a floor there, as the body is over
+  // its lowest vertex.
   sim::Vec3 zero_in_scene = motion_into_scene * pose_in(motion, first).positions[hips.joint];
-  zero_in_scene.y = height(hips.joint) > 0.5 * motion_hips ? height(hips.joint) : motion_hips;
+  zero_in_scene.y = height(hips.joint) > 0.5 * motion_hips
+                        ? height(hips.joint)
+                        : (body_height(node) - floor_under(rig, stored, body_into_scene)) / hips.ratio;
   hips.zero = glm::transpose(motion_into_scene) * zero_in_scene;
   return hips;
 }

@@ -1,0 +1,55 @@
+#include <cmath>
+
+#include "app/bodies/body_inspection.hpp"
+#include "gltf_text.hpp"
+#include "loading.hpp"
+
+namespace taut::app {
+namespace {
+
+TEST(BodyInspection, SaysWhatIsInABodyAndHowItMoves) {
+  const test::TemporaryFolder folder;
+  test::GltfModel model = test::tube();
+  // A metre and a half in a second, then back at half that speed.
+  model.clips = {{"Rise", {{0, "translation", {0.0F, 1.0F, 3.0F}, {0, 1, 0, 0, 2.5F, 0, 0, 1, 0}}}}};
+  BodySource source;
+  source.file = folder.write("body.gltf", gltf_text(model));
+  const BodyInspection body = inspect_body(source);
+  EXPECT_EQ(body.vertices, model.positions.size());
+  EXPECT_EQ(body.triangles, model.triangles.size());
+  EXPECT_EQ(body.shells, 1U);
+  EXPECT_NEAR(body.size_m.y, 2.0, 1e-6);
+  EXPECT_NEAR(body.volume_m3, 2.0 * 2.0 * std::sqrt(2.0) * 0.04, 1e-6) << "an octagon, 2 m high";
+  EXPECT_EQ(body.joints, (std::vector<std::string>{"Hips", "Spine", "LeftFoot"}));
+  ASSERT_TRUE(body.motion);
+  EXPECT_EQ(body.motion->frames, 181U);
+  EXPECT_NEAR(body.motion->fastest.speed_m_per_s, 1.5, 1e-3);
+  EXPECT_LE(body.motion->fastest.frame, 60U);
+  EXPECT_TRUE(body.crossings.empty());
+  const std::string text = describe(body);
+  EXPECT_CONTAINS(text, "2.000 m high");
+  EXPECT_CONTAINS(text, "3 joints: Hips, Spine, LeftFoot");
+  EXPECT_CONTAINS(text, "animations: 'Rise' (3 s)");
+  EXPECT_EQ(json_of(body)["motion"]["frames"], 181);
+}
+
+TEST(BodyInspection, SaysInWhichFrameABodyCrossesItself) {
+  const test::TemporaryFolder folder;
+  test::GltfModel model = test::tube();
+  const auto half = static_cast<float>(std::sqrt(0.5));
+  // Folded over by more than half a turn, the upper end goes through the tube.
+  const float c = std::cos(1.5F);
+  const float s = std::sin(1.5F);
+  model.clips = {
+      {"Fold", {{1, "rotation", {0.0F, 4.0F}, {0, half, 0, half, half * -s, half * c, half * s, half * c}}}}};
+  BodySource source;
+  source.file = folder.write("body.gltf", gltf_text(model));
+  const BodyInspection body = inspect_body(source);
+  EXPECT_EQ(body.frames_looked_at, 20U);
+  ASSERT_FALSE(body.crossings.empty());
+  EXPECT_GT(body.crossings.front().frame, 0U) << "it begins straight";
+  EXPECT_CONTAINS(describe(body), "it crosses itself in ");
+}
+
+}  // namespace
+}  // namespace taut::app

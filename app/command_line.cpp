@@ -87,6 +87,9 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
         overrides.push_back({"body.scale", unit_value(text), "--body-units " + text});
       },
       "of the body, as --units");
+  add_key(command, overrides, "--dress", "body.dress",
+          "simulate so many frames before frame 0, in which the body grows from its bones to its shape, into "
+          "what it wears (about 90)");
   add_key(command, overrides, "--body-up", "body.up", "the body's direction that is up, as --up");
 }
 

@@ -149,6 +149,11 @@ void Simulation::restore(const Checkpoint& checkpoint) {
   report_ = checkpoint.report;
 }
 
+void Simulation::set_time(double time_s) {
+  state_.time_s = time_s;
+  wake();
+}
+
 void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
     require_possible(surroundings, state_.current.size());

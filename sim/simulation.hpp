@@ -58,6 +58,10 @@ class Simulation {
   /// results, go straight to rendering). Throws Diverged, and ContactBlocked with the cloth as it was.
   void advance_frame();
 
+  /// Sets the clock, by which the surroundings move, and wakes the garment; it stays as it is. Below 0 s what
+  /// moves from the start on has not begun.
+  void set_time(double time_s);
+
   /// Each wakes the garment if it changes anything. Each throws as the constructor does.
   void set_surroundings(const Surroundings& surroundings);
   void set_settings(const SimulationSettings& settings);

@@ -17,9 +17,9 @@ void require_vertex(const char* acts_on, Index vertex, std::size_t vertex_count)
   }
 }
 
-/// Returns the offset of a swinging pin from its first position, in m.
+/// Returns the offset of a swinging pin from its first position, in m: none before 0 s.
 Vec3 pin_offset(const PinMotion& motion, double time_s) {
-  return motion.amplitude_m * sine_of_turns(motion.frequency_hz * time_s);
+  return motion.amplitude_m * sine_of_turns(motion.frequency_hz * std::max(time_s, 0.0));
 }
 
 }  // namespace

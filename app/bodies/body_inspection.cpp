@@ -105,7 +105,9 @@ std::string crossings_text(const BodyInspection& body) {
 }  // namespace
 
 BodyInspection inspect_body(const BodySource& source) {
-  const ReadBody body = read_body(source, 0.0);
+  BodySource undressed = source;
+  undressed.dress = 0;
+  const ReadBody body = read_body(undressed, {});
   BodyInspection result;
   result.file = source.file.string();
   result.format = body.format;

@@ -11,6 +11,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/bodies/body_mesh.hpp"
+#include "app/bodies/dressing.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "app/bodies/rig_pose.hpp"
 #include "sim/mesh/extent.hpp"
@@ -76,29 +77,60 @@ void look_at_frames(const sim::BodyFrames& frames, std::size_t vertices, double 
   }
 }
 
-std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const LoadedMesh& loaded,
-                                                 OpenedMotion motion, double duration_s,
-                                                 std::vector<std::string>& remarks) {
+void require_vertices(const BodySource& source, const LoadedMesh& loaded, const OpenedMotion& motion) {
   if (motion.frames->vertices() != loaded.file_vertices) {
     throw InputError(fmt::format("'{}': found {}, expected the {} of '{}', in their order",
                                  motion.file.string(),
                                  counted(motion.frames->vertices(), "vertex", "vertices"),
                                  loaded.file_vertices, source.file.string()));
   }
+}
+
+/// `pose` is that of the joints in the first frame.
+std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const LoadedMesh& loaded,
+                                                 OpenedMotion motion, double duration_s,
+                                                 std::vector<std::string>& remarks,
+                                                 std::optional<RigPose>& pose) {
+  require_vertices(source, loaded, motion);
   if (motion.frames->frames() == 1) {
     remarks.emplace_back("its motion has 1 frame, in which it stays");
   }
   const double rate_hz = rate_of(source, *motion.frames, remarks);
   const std::size_t first = first_frame(source, motion.file, *motion.frames, rate_hz);
+  pose = motion.frames->pose(first);
   auto frames = std::make_shared<const PlacedFrames>(motion.file, std::move(motion.frames), loaded.places,
                                                      rate_hz, first);
   look_at_frames(*frames, loaded.mesh.positions.size(), duration_s);
   return frames;
 }
 
+/// The motion with a growth into the clothes before it.
+std::shared_ptr<const sim::BodyFrames> dressed(const BodySource& source, const LoadedMesh& loaded,
+                                               const Rig& rig, const std::optional<RigPose>& pose,
+                                               std::shared_ptr<const sim::BodyFrames> motion,
+                                               double frame_rate_hz) {
+  if (rig.influences.empty() || !pose) {
+    throw InputError(
+        '\'' + source.file.string() + "': found a body to be dressed (dress, --dress) " +
+        (rig.influences.empty() ? "without joints" : "whose motion moves vertices and no joints") +
+        "; expected one that grows from its joints: a model with a skin, still or moved by an "
+        "animation of its own or a BVH motion");
+  }
+  const std::vector<sim::Vec3> thin = thin_shape(rig, *pose);
+  Growth growth{{}, loaded.mesh.positions, source.dress / frame_rate_hz};
+  for (const std::size_t v : loaded.places.file_vertex) {
+    growth.thin_m.push_back(loaded.places.placement(thin[v]));
+  }
+  if (motion) {
+    motion->positions_in(0, growth.full_m);
+  }
+  const double rate_hz = motion ? motion->rate_hz() : frame_rate_hz;
+  return with_growth(std::move(growth), std::move(motion), rate_hz);
+}
+
 }  // namespace
 
-ReadBody read_body(const BodySource& source, double duration_s) {
+ReadBody read_body(const BodySource& source, const ShownTime& shown) {
   ImportedModel model = import_garment(source.file);
   ReadBody body{{}, take_rig(source.file, model), model.format};
   LoadedMesh loaded = make_body_mesh(source, model);
@@ -108,8 +140,13 @@ ReadBody read_body(const BodySource& source, double duration_s) {
   if (motion.frames || !body.rig->influences.empty()) {
     remark_on_height(loaded.mesh, body.remarks);
   }
+  std::optional<RigPose> pose = stored_pose(*body.rig);
   if (motion.frames) {
-    body.mesh.frames = frames_of(source, loaded, std::move(motion), duration_s, body.remarks);
+    body.mesh.frames = frames_of(source, loaded, std::move(motion), shown.duration_s, body.remarks, pose);
+  }
+  if (source.dress > 0) {
+    body.mesh.frames =
+        dressed(source, loaded, *body.rig, pose, std::move(body.mesh.frames), shown.frame_rate_hz);
   }
   body.mesh.data = std::make_shared<const sim::BodyMeshData>(
       sim::BodyMeshData{std::move(loaded.mesh.positions), std::move(loaded.mesh.triangles)});
@@ -117,7 +154,8 @@ ReadBody read_body(const BodySource& source, double duration_s) {
 }
 
 std::vector<std::string> load_bodies(Scene& scene) {
-  const double duration_s = scene.frames / scene.simulation.frame_rate_hz;
+  const double frame_rate_hz = scene.simulation.frame_rate_hz;
+  const ShownTime shown = {scene.frames / frame_rate_hz, frame_rate_hz};
   std::vector<std::string> all;
   for (std::size_t k = 0; k < scene.surroundings.bodies.size(); ++k) {
     sim::Body& body = scene.surroundings.bodies[k];
@@ -129,7 +167,7 @@ std::vector<std::string> load_bodies(Scene& scene) {
         "body " + (body.name.empty() ? fmt::format("{}", k + 1) : '\'' + body.name + '\'');
     std::vector<std::string> remarks;
     try {
-      ReadBody read = read_body(scene.body_sources.at(k), duration_s);
+      ReadBody read = read_body(scene.body_sources.at(k), shown);
       *mesh = std::move(read.mesh);
       remarks = std::move(read.remarks);
     } catch (const InputError& error) {

@@ -15,7 +15,8 @@ namespace taut::app {
 /// names the body, the file and the place:
 /// - as make_body_mesh() does for a mesh that is not closed (body_mesh.hpp);
 /// - on a motion of another number of vertices, or in which a vertex jumps by more than a metre in a frame
-/// that the run shows; of later frames PlacedFrames throws it when they are asked for.
+/// that the run shows; of later frames PlacedFrames throws it when they are asked for;
+/// - on a body that is to be dressed and whose vertices follow no joints.
 std::vector<std::string> load_bodies(Scene& scene);
 
 /// A body with what its file has besides.
@@ -26,8 +27,14 @@ struct ReadBody {
   std::vector<std::string> remarks = {};  ///< as load_bodies() returns them
 };
 
-/// Reads one body. `duration_s` is how long it is shown, from its first frame. Throws as load_bodies() does.
-ReadBody read_body(const BodySource& source, double duration_s);
+/// How long a body is shown, from 0 s, and at what rate.
+struct ShownTime {
+  double duration_s = 0.0;
+  double frame_rate_hz = 60.0;
+};
+
+/// Reads one body. Throws as load_bodies() does.
+ReadBody read_body(const BodySource& source, const ShownTime& shown);
 
 /// Prints the lines that load_bodies() returned, with the scene's name in front. Null: prints nothing.
 void print_body_remarks(const Scene& scene, const std::vector<std::string>& remarks, std::FILE* output);

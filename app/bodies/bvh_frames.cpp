@@ -95,8 +95,9 @@ class BvhFrames final : public FrameSource {
   std::size_t vertices() const override { return rig_->in_part.size(); }
   std::optional<double> rate_hz() const override { return 1.0 / motion_.frame_time_s; }
   void read(std::size_t frame, std::span<sim::Vec3> positions) const override {
-    pose_vertices(*rig_, pose_of(pose_in(motion_, frame)), positions);
+    pose_vertices(*rig_, *pose(frame), positions);
   }
+  std::optional<RigPose> pose(std::size_t frame) const override { return pose_of(pose_in(motion_, frame)); }
 
  private:
   /// How a node has moved since the stored pose: a point that was at x is at to + rotation * (x - from).
@@ -107,7 +108,7 @@ class BvhFrames final : public FrameSource {
   };
 
   RigPose pose_of(const BvhPose& joints) const {
-    RigPose pose = stored_;
+    RigPose posed = stored_;
     std::vector<Moved> moved(rig_->nodes.size());
     for (sim::Index n = 0; n < moved.size(); ++n) {
       const sim::Index parent = rig_->nodes[n].parent;
@@ -125,9 +126,9 @@ class BvhFrames final : public FrameSource {
       }
       glm::dmat4 transform(here.rotation);
       transform[3] = glm::dvec4(here.to - here.rotation * here.from, 1.0);
-      pose.to_model[n] = transform * stored_.to_model[n];
+      posed.to_model[n] = transform * stored_.to_model[n];
     }
-    return pose;
+    return posed;
   }
 
   std::shared_ptr<const Rig> rig_;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "app/bodies/rig_pose.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::app {
@@ -24,6 +25,8 @@ class FrameSource {
   /// Fills `positions` with where each vertex is in the frame. Requires a frame below frames() and a span
   /// with an entry for each vertex. Throws InputError that names the file if it cannot be read.
   virtual void read(std::size_t frame, std::span<sim::Vec3> positions) const = 0;
+  /// Returns the joints in the frame; empty if the motion moves no joints but vertices.
+  virtual std::optional<RigPose> pose(std::size_t /*frame*/) const { return std::nullopt; }
 };
 
 }  // namespace taut::app

@@ -26,8 +26,10 @@ class ClipFrames final : public FrameSource {
   std::size_t vertices() const override { return rig_->in_part.size(); }
   std::optional<double> rate_hz() const override { return rate_hz_; }
   void read(std::size_t frame, std::span<sim::Vec3> positions) const override {
-    pose_vertices(*rig_, pose_at(*rig_, rig_->clips[clip_], static_cast<double>(frame) / rate_hz_),
-                  positions);
+    pose_vertices(*rig_, *pose(frame), positions);
+  }
+  std::optional<RigPose> pose(std::size_t frame) const override {
+    return pose_at(*rig_, rig_->clips[clip_], static_cast<double>(frame) / rate_hz_);
   }
 
  private:

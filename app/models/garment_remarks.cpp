@@ -140,7 +140,8 @@ std::vector<std::string> remarks_on_start(const Scene& scene, const GarmentInSce
   if (loaded.untangling) {
     lines.push_back(describe(*loaded.untangling));
   }
-  for (const SceneCrossings& crossings : scene_crossings(start, bodies, 0.0)) {
+  const double begin_s = -scene.dressing_frames() / scene.simulation.frame_rate_hz;
+  for (const SceneCrossings& crossings : scene_crossings(start, bodies, begin_s)) {
     if (!crossings.pairs.empty()) {
       const bool may_be_parted = !crossings.body && !scene.garment.untangle;
       lines.push_back("at the start " + describe(crossings, start, bodies) +

@@ -1,9 +1,12 @@
 #include "app/output/run_checkpoint.hpp"
 
+#include <fmt/core.h>
+
 #include <sstream>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/interruption.hpp"
 #include "sim/bytes.hpp"
 #include "sim/checkpoint.hpp"
 
@@ -131,8 +134,26 @@ void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
   }
 }
 
+void dress(int frames, sim::Simulation& simulation) {
+  if (frames == 0) {
+    return;
+  }
+  simulation.set_time(-frames * simulation.frame_time_s());
+  for (int frame = 1; frame <= frames; ++frame) {
+    throw_if_interrupted();
+    try {
+      simulation.advance_frame();
+    } catch (const sim::ContactBlocked& error) {
+      throw PromiseBroken(
+          fmt::format("while it is dressed, in frame {} of {}: {}", frame, frames, error.what()));
+    }
+  }
+  simulation.set_time(0.0);
+}
+
 int go_to_start(const Scene& scene, sim::Simulation& simulation) {
   if (scene.checkpoint.empty()) {
+    dress(scene.dressing_frames(), simulation);
     return 0;
   }
   const RunCheckpoint checkpoint = read_run_checkpoint(scene.checkpoint);

@@ -54,6 +54,7 @@ struct BodySource {
   std::string clip;  ///< the name of an animation of the file; empty: its first; "none": it keeps its pose
   std::optional<double> frame_rate_hz;  ///< empty: what the motion says, or else 60
   double start_s = 0.0;                 ///< the time of the motion with which the run begins
+  int dress = 0;  ///< frames of the scene before the run, in which the body grows into the clothes
 };
 
 /// All that the simulation needs to know about a scene. How it is drawn is in DrawnScene.
@@ -71,6 +72,9 @@ struct Scene {
   std::vector<BodySource> body_sources;  ///< one for each of the bodies; those of meshes count
   std::filesystem::path checkpoint;      ///< a saved moment to begin with (run_checkpoint.hpp); empty: none
   int frames = 600;                      ///< length of the run
+
+  /// Returns how many frames are simulated before frame 0, while bodies grow into the clothes.
+  int dressing_frames() const;
 };
 
 }  // namespace taut::app

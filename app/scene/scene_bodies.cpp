@@ -81,6 +81,19 @@ Key<BodyInScene> clip_key() {
           read,     write};
 }
 
+Key<BodyInScene> dress_key() {
+  Key<BodyInScene> key =
+      whole_key<BodyInScene>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
+                             "so many frames are simulated before frame 0, in which the body grows from its "
+                             "bones to its shape, into "
+                             "what it wears; it needs joints",
+                             "frames");
+  key.write = [](const BodyInScene& entry) {
+    return entry.source.dress == 0 ? Json() : Json(entry.source.dress);
+  };
+  return key;
+}
+
 std::vector<Key<BodyInScene>> common_keys() {
   using B = BodyInScene;
   std::vector<Key<B>> keys = {
@@ -123,7 +136,8 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
                         "of the motion, and how often a clip is looked at; in between vertices go straight; "
                         "0: what the file says, or else 60"),
           number_key<B>("start", "s", not_negative, MEMBER(source.start_s),
-                        "the time of the motion with which the run begins, rounded to a frame")};
+                        "the time of the motion with which the run begins, rounded to a frame"),
+          dress_key()};
 }
 
 std::vector<Key<BodyInScene>> body_keys(const sim::Shape& shape) {
@@ -225,6 +239,14 @@ Json write_moving_pins(const Scene& scene) {
 }
 
 }  // namespace
+
+int Scene::dressing_frames() const {
+  int most = 0;
+  for (const BodySource& source : body_sources) {
+    most = std::max(most, source.dress);
+  }
+  return most;
+}
 
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene) {
   constexpr std::string_view section = "body.";

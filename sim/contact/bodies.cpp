@@ -55,7 +55,7 @@ struct Mover {
 
 void shape_of_frames(const BodyFrames& frames, double time_s, std::span<Vec3> positions_m) {
   const auto last = static_cast<double>(frames.count() - 1);
-  const double at = std::clamp(time_s * frames.rate_hz(), 0.0, last);
+  const double at = std::clamp((time_s - frames.first_s()) * frames.rate_hz(), 0.0, last);
   const double before = std::floor(at);
   frames.positions_in(static_cast<std::size_t>(before), positions_m);
   std::vector<Vec3> to(positions_m.size());
@@ -107,7 +107,8 @@ Vec3 point_moved(const Body& body, const Vec3& point_m, const TimeSpan& time) {
 bool is_moving_after(const Body& body, double time_s) {
   const auto* mesh = std::get_if<BodyMesh>(&body.shape);
   const bool changes = mesh != nullptr && mesh->frames &&
-                       static_cast<double>(mesh->frames->count() - 1) > time_s * mesh->frames->rate_hz();
+                       static_cast<double>(mesh->frames->count() - 1) >
+                           (time_s - mesh->frames->first_s()) * mesh->frames->rate_hz();
   return changes || is_moving_after(body.motion, time_s);
 }
 

@@ -44,8 +44,8 @@ struct BodyMeshData {
   std::vector<Triangle> triangles;
 };
 
-/// A surface that changes its shape: where each vertex is in each frame, the first at 0 s, linear in between
-/// and held after the last. Several threads may ask at once, and the same question has the same answer.
+/// A surface that changes its shape: where each vertex is in each frame, linear in between, held before the
+/// first and after the last. Several threads may ask at once, and the same question has the same answer.
 class BodyFrames {
  public:
   virtual ~BodyFrames() = default;
@@ -54,6 +54,8 @@ class BodyFrames {
   virtual std::size_t count() const = 0;
   /// Returns how many frames there are in a second, above 0.
   virtual double rate_hz() const = 0;
+  /// Returns the time of the first frame, in s: 0 or less.
+  virtual double first_s() const { return 0.0; }
   /// Fills `positions_m` with where the vertices of the mesh are in the frame, in m. Requires a frame below
   /// count() and a span with an entry for each vertex. Throws what it reads from throws.
   virtual void positions_in(std::size_t frame, std::span<Vec3> positions_m) const = 0;

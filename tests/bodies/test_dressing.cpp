@@ -1,0 +1,122 @@
+// Bodies that grow into the clothes before the run.
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/bodies/dressing.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/models/garment_remarks.hpp"
+#include "app/models/scene_crossings.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "gltf_text.hpp"
+#include "loading.hpp"
+
+namespace taut::app {
+namespace {
+
+using test::GltfModel;
+
+/// How far a point is from the axis of the tube.
+double from_axis(const sim::Vec3& p) {
+  return glm::length(sim::Vec3(p.x, 0.0, p.z));
+}
+
+struct Dressing : testing::Test {
+  BodySource source_of(const GltfModel& model) const {
+    BodySource source;
+    source.file = folder.write("body.gltf", gltf_text(model));
+    source.dress = 30;
+    return source;
+  }
+  test::TemporaryFolder folder;
+};
+
+TEST_F(Dressing, AStillBodyGrowsFromItsBones) {
+  const GltfModel model = test::tube();
+  const LoadedBody body = load(source_of(model));
+  const auto thin_m = body.positions_m(-0.5);
+  const auto half_m = body.positions_m(-0.25);
+  const auto full_m = body.positions_m(0.0);
+  for (std::size_t v = 0; v < model.positions.size(); ++v) {
+    const sim::Vec3& p = model.positions[v];
+    EXPECT_LT(glm::distance(full_m[v], p), 1e-6) << v;
+    EXPECT_NEAR(from_axis(thin_m[v]), 0.1 * from_axis(p), 1e-6) << "the bones are on the axis, vertex " << v;
+    EXPECT_LT(glm::distance(half_m[v], 0.5 * (thin_m[v] + full_m[v])), 1e-6) << v;
+  }
+  EXPECT_NEAR(thin_m[0].y, 0.0, 1e-6);
+  EXPECT_NEAR(thin_m[16].y, 0.275, 1e-6) << "half of it follows the foot, which is a joint at the ground";
+  EXPECT_NEAR(thin_m.back().y, 1.55, 1e-6) << "most of the way from 2 m to the spine at 1.5 m";
+  EXPECT_EQ(body.positions_m(-9.0), thin_m);
+  EXPECT_EQ(body.positions_m(9.0), full_m);
+  EXPECT_TRUE(sim::is_moving_after(body.body, -0.1));
+  EXPECT_FALSE(sim::is_moving_after(body.body, 0.0));
+}
+
+TEST_F(Dressing, AMotionBeginsWhenTheBodyHasGrown) {
+  GltfModel model = test::tube();
+  model.clips = {{"Rise", {{0, "translation", {0.0F, 1.0F}, {0, 1.5F, 0, 0, 2, 0}}}}};
+  BodySource source = source_of(model);
+  const LoadedBody dressed = load(source);
+  source.dress = 0;
+  const LoadedBody undressed = load(source);
+  for (const double time_s : {0.0, 0.3, 1.0, 2.0}) {
+    const auto expected_m = undressed.positions_m(time_s);
+    const auto found_m = dressed.positions_m(time_s);
+    for (std::size_t v = 0; v < found_m.size(); ++v) {
+      EXPECT_LT(glm::distance(found_m[v], expected_m[v]), 1e-12) << v;
+    }
+  }
+  EXPECT_NEAR(dressed.positions_m(-0.5)[0].y, 0.5, 1e-6)
+      << "it grows in the pose that the motion begins with";
+}
+
+TEST_F(Dressing, NeedsJoints) {
+  GltfModel model = test::tube();
+  model.weights.clear();
+  EXPECT_CONTAINS(error_of(source_of(model)),
+                  "found a body to be dressed (dress, --dress) without joints; expected");
+  BodySource source = source_of(test::tube());
+  source.file =
+      folder.write("body.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  EXPECT_CONTAINS(error_of(source), "without joints");
+}
+
+// An octagon of cloth that is wide enough for the tube but begins beside it, within its wall.
+TEST_F(Dressing, ClothThatBeganInTheBodyIsAroundItAtFrame0) {
+  folder.write("body.gltf", gltf_text(test::tube()));
+  std::string ring;
+  for (int k = 0; k < 16; ++k) {
+    const double angle = 0.25 * 3.14159265358979 * (k / 2);
+    ring += "v " + std::to_string(0.1 + 0.26 * std::cos(angle)) + ' ' + std::to_string(0.6 + 0.2 * (k % 2)) +
+            ' ' + std::to_string(0.26 * std::sin(angle)) + '\n';
+  }
+  for (int k = 0; k < 16; k += 2) {
+    const auto at = [&](int step) { return ' ' + std::to_string(1 + (k + step) % 16); };
+    ring += 'f' + at(0) + at(1) + at(3) + at(2) + '\n';
+  }
+  folder.write("ring.obj", ring);
+  const std::string text =
+      "[garment]\nfile = \"ring.obj\"\nscale = 1\nup = \"y\"\n[pins]\nat = \"none\"\n[gravity]\nacceleration "
+      "= [0, 0, "
+      "0]\n"
+      "[[bodies]]\nshape = \"mesh\"\nfile = \"body.gltf\"\ndress = 60\n";
+  DrawnScene scene = read_scene_file(folder.write("scene.toml", text));
+  load_bodies(scene);
+  const LoadedGarment loaded = load_garment(scene);
+  sim::Simulation simulation = make_simulation(scene, loaded);
+  const auto crossings = [&] {
+    return scene_crossings({simulation.state().current, simulation.garment().mesh.triangles},
+                           scene.surroundings.bodies, 0.0)
+        .back()
+        .pairs.size();
+  };
+  EXPECT_GT(crossings(), 0U) << "as it was modelled";
+  EXPECT_EQ(remarks_on_start(scene, loaded), std::vector<std::string>{}) << "the run begins with a thin body";
+  EXPECT_EQ(go_to_start(scene, simulation), 0);
+  EXPECT_EQ(simulation.state().time_s, 0.0);
+  EXPECT_EQ(crossings(), 0U);
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -25,7 +25,8 @@ constexpr const char* usage =
     "\n"
     "Exit codes: 0 done, 1 a recipe could not be used or a girth not be met, 2 wrong usage.\n";
 
-constexpr const char* origin = "Taut, MIT licence; girths: FreeSewing, @freesewing/models 4.10.2, MIT licence";
+constexpr const char* origin =
+    "Taut, MIT licence; girths: FreeSewing, @freesewing/models 4.10.2, MIT licence";
 
 void make_mannequin(const std::filesystem::path& recipes, const std::filesystem::path& folder,
                     const std::string& size) {
@@ -37,8 +38,8 @@ void make_mannequin(const std::filesystem::path& recipes, const std::filesystem:
   const std::string name = "mannequin_" + size;
   const auto bytes = make_glb(name, origin, body, fitted.whole, make_weights(body, fitted));
   taut::app::write_file(folder / (name + ".glb"), bytes);
-  std::printf("%s.glb: %zu triangles, %zu kB, girths to %.2f mm\n", name.c_str(), fitted.whole.triangles.size(),
-              bytes.size() / 1000, 1e3 * fitted.worst_error_m);
+  std::printf("%s.glb: %zu triangles, %zu kB, girths to %.2f mm\n", name.c_str(),
+              fitted.whole.triangles.size(), bytes.size() / 1000, 1e3 * fitted.worst_error_m);
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ const Vec3 leg_direction = {0.0436194, -0.9990482, 0.0};
 
 /// Heights above the floor and lengths along arms, in metres.
 struct Landmarks {
-  double ankle, knee, upper_leg, crotch, hip_joint, seat, hips, waist, underbust, chest, shoulder, neck_point, neck,
-      head, top;
+  double ankle, knee, upper_leg, crotch, hip_joint, seat, hips, waist, underbust, chest, shoulder, neck_point,
+      neck, head, top;
   double shoulder_half_width, biceps, elbow, wrist, fingertip;
   double hip_half_width;
 };
@@ -59,7 +59,7 @@ Landmarks landmarks(const Measurements& m) {
   l.biceps = 0.5 * l.elbow;
   l.fingertip = l.wrist * 1.31;
   // So that thighs of this girth end where hips of this girth do, and do not touch.
-  l.hip_half_width = 0.180 * get(m, "seat") - 0.145 * get(m, "upperLeg") - 0.0035;
+  l.hip_half_width = 0.1825 * get(m, "seat") - 0.145 * get(m, "upperLeg") - 0.0035;
   return l;
 }
 
@@ -81,8 +81,12 @@ std::vector<double> heights(const Landmarks& l) {
   return {0.0, l.crotch, l.seat, l.hips, l.waist, l.chest, l.shoulder, l.neck_point, l.head, l.top};
 }
 
-Vec3 shoulder_joint(const Landmarks& l) { return {l.shoulder_half_width - 0.045, l.shoulder - 0.055, -0.015}; }
-Vec3 hip_joint(const Landmarks& l) { return {l.hip_half_width, l.hip_joint, -0.005}; }
+Vec3 shoulder_joint(const Landmarks& l) {
+  return {l.shoulder_half_width - 0.045, l.shoulder - 0.055, -0.015};
+}
+Vec3 hip_joint(const Landmarks& l) {
+  return {l.hip_half_width, l.hip_joint, -0.005};
+}
 
 Chain make_leg(const Landmarks& sized, const Landmarks& reference) {
   const auto down = [](const Landmarks& l) {
@@ -94,7 +98,8 @@ Chain make_leg(const Landmarks& sized, const Landmarks& reference) {
     return t;
   };
   const auto girth = [&sized](double height) { return (height - sized.hip_joint) / leg_direction.y; };
-  const Frame frame = {hip_joint(sized), leg_direction, {-leg_direction.y, leg_direction.x, 0.0}, {0.0, 0.0, 1.0}};
+  const Frame frame = {
+      hip_joint(sized), leg_direction, {-leg_direction.y, leg_direction.x, 0.0}, {0.0, 0.0, 1.0}};
   return make_chain("leg", frame, hip_joint(reference), down(sized), down(reference),
                     {girth(sized.upper_leg), girth(sized.knee), girth(sized.ankle)});
 }
@@ -115,7 +120,8 @@ std::vector<Chain> make_chains(const Landmarks& sized, const Landmarks& referenc
   shoulder.side_factor = sized.shoulder_half_width / reference.shoulder_half_width / thicker;
   chains.push_back(shoulder);
 
-  const Frame arm = {shoulder_joint(sized), arm_direction, {-arm_direction.y, arm_direction.x, 0.0}, {0.0, 0.0, 1.0}};
+  const Frame arm = {
+      shoulder_joint(sized), arm_direction, {-arm_direction.y, arm_direction.x, 0.0}, {0.0, 0.0, 1.0}};
   const auto lengths = [](const Landmarks& l) {
     return std::vector<double>{-0.1, 0.0, l.elbow, l.wrist, l.fingertip};
   };
@@ -148,7 +154,8 @@ void add_part(Shape& shape, const PartRecipe& recipe) {
   shape.parts.push_back(part);
 }
 
-std::vector<Tape> make_tapes(const Shape& shape, const Landmarks& l, const Measurements& m, bool with_underbust) {
+std::vector<Tape> make_tapes(const Shape& shape, const Landmarks& l, const Measurements& m,
+                             bool with_underbust) {
   std::vector<Tape> tapes;
   const auto level = [&](const char* name, double height) {
     tapes.push_back({name, 0, {0.0, height, 0.0}, {0.0, 1.0, 0.0}, get(m, name)});
@@ -164,7 +171,8 @@ std::vector<Tape> make_tapes(const Shape& shape, const Landmarks& l, const Measu
   level("head", l.head);
   const auto around_arm = [&](const char* name, double t) {
     const Frame& frame = shape.chains[2].frame;
-    tapes.push_back({name, 2, frame.origin_m + t * frame.along + 0.01 * frame.front, frame.along, get(m, name)});
+    tapes.push_back(
+        {name, 2, frame.origin_m + t * frame.along + 0.01 * frame.front, frame.along, get(m, name)});
   };
   around_arm("biceps", l.biceps);
   around_arm("wrist", l.wrist);
@@ -226,7 +234,8 @@ Body make_body(const ShapeRecipe& recipe, const Measurements& reference, const M
 namespace {
 
 constexpr double cell_m = 0.0125;
-constexpr double accepted_m = 1e-4;
+constexpr double accepted_m = 2e-4;
+constexpr double damping = 0.7;  // parts flow into each other, so that each correction moves other girths
 
 /// The height of the uppermost point of the surface at this x, in metres.
 double top_m(const sim::Mesh& mesh, double x) {
@@ -247,12 +256,12 @@ double top_m(const sim::Mesh& mesh, double x) {
 /// error, in metres.
 double correct(Body& body, std::vector<std::vector<double>>& factors, const sim::Mesh& whole) {
   const double lift = body.shoulder_tip_m.y - top_m(whole, body.shoulder_tip_m.x);
-  body.shape.chains[1].frame.origin_m.y += lift;
+  body.shape.chains[1].frame.origin_m.y += damping * lift;
   double worst = std::abs(lift);
   std::vector<std::size_t> knots(factors.size(), 0);
   for (const Tape& tape : body.tapes) {
     const double found_m = girth_m(whole, tape);
-    factors[tape.chain][knots[tape.chain]++] *= tape.girth_m / found_m;
+    factors[tape.chain][knots[tape.chain]++] *= 1.0 + damping * (tape.girth_m / found_m - 1.0);
     worst = std::max(worst, std::abs(found_m - tape.girth_m));
   }
   for (const std::size_t chain : {0U, 2U, 3U}) {
@@ -280,13 +289,13 @@ FittedBody fit(Body& body) {
     return polygonise_left_half(body.shape, {0.0, -2.0 * cell_m - 0.003, -0.3}, high_m, cell_m);
   };
   sim::Mesh rough = extract();
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 8; ++i) {
     correct(body, factors, with_mirror_image(rough));
     rough = extract();
   }
   FittedBody fitted;
   fitted.half = evened_out(body.shape, rough, 12);
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 40; ++i) {
     put_on_surface(body.shape, fitted.half);
     fitted.whole = with_mirror_image(fitted.half);
     const std::vector<Chain> measured = body.shape.chains;
@@ -296,7 +305,8 @@ FittedBody fit(Body& body) {
       return fitted;
     }
   }
-  throw std::runtime_error("girths or shoulders are off by up to " + std::to_string(1e3 * fitted.worst_error_m) + " mm");
+  throw std::runtime_error("girths or shoulders are off by up to " +
+                           std::to_string(1e3 * fitted.worst_error_m) + " mm");
 }
 
 }  // namespace taut::tailor

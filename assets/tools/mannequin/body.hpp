@@ -34,8 +34,8 @@ struct FittedBody {
   double worst_error_m = 0.0;
 };
 
-/// Meshes the body and scales its sections until every tape finds its girth on the mesh and the shoulders are at
-/// their height, to 0.1 mm. Throws std::runtime_error if that fails.
+/// Meshes the body and scales its sections until every tape finds its girth on the mesh and the shoulders are
+/// at their height, to 0.2 mm. Throws std::runtime_error if that fails.
 FittedBody fit(Body& body);
 
 }  // namespace taut::tailor

@@ -70,8 +70,7 @@ class Curve {
   double end_slope(std::size_t i, std::size_t n) const {
     const std::size_t last = knots_.size() - 1;
     const std::size_t outer = i == 0 ? 0 : last - 1;
-    return last == 1 ? secant(outer, n)
-                     : 1.5 * secant(outer, n) - 0.5 * slope(i == 0 ? 1 : last - 1, n);
+    return last == 1 ? secant(outer, n) : 1.5 * secant(outer, n) - 0.5 * slope(i == 0 ? 1 : last - 1, n);
   }
 
   std::vector<double> knots_;

@@ -10,6 +10,9 @@ namespace {
 using sim::Index;
 using sim::Triangle;
 
+/// No vertex but the border's comes nearer to x = 0: its mirror image would be as near.
+constexpr double nearest_to_border_m = 0.004;
+
 /// A mesh that changes: triangles that died have three equal corners.
 class Remesher {
  public:
@@ -104,14 +107,21 @@ class Remesher {
   }
 
   void split_long(Index a, Index b) {
-    if (relative_length(a, b) <= longest) {
+    const std::vector<Index> shared = triangles_at(a, b);
+    const double length_m = glm::length(at(a) - at(b));
+    // Only longest sides, or needles would be cut into ever thinner ones.
+    const bool is_longest = std::all_of(shared.begin(), shared.end(), [&](Index t) {
+      const Vec3& c = at(third(mesh_.triangles[t], a, b));
+      return length_m >= glm::length(c - at(a)) && length_m >= glm::length(c - at(b));
+    });
+    if (relative_length(a, b) <= longest || !is_longest) {
       return;
     }
     const Index middle = static_cast<Index>(mesh_.positions.size());
     mesh_.positions.push_back(0.5 * (at(a) + at(b)));
     wanted_m_.push_back(0.5 * (wanted_m_[a] + wanted_m_[b]));
     around_.emplace_back();
-    for (const Index t : triangles_at(a, b)) {
+    for (const Index t : shared) {
       Triangle other = mesh_.triangles[t];
       for (Index& v : other) {
         v = v == a ? middle : v;
@@ -277,10 +287,13 @@ void relax(const Shape& shape, sim::Mesh& half) {
   for (std::size_t v = 0; v < count; ++v) {
     Vec3& p = half.positions[v];
     const bool border = p.x == 0.0;
-    const Vec3 normal = glm::normalize(border ? Vec3(0.0, normals[v].y, normals[v].z) : normals[v]);
+    const Vec3 outward = border ? Vec3(0.0, normals[v].y, normals[v].z) : normals[v];
+    const Vec3 normal = outward / std::max(glm::length(outward), 1e-12);
     const Vec3 step = weights[v] > 0.0 ? sums[v] / weights[v] - p : Vec3(0.0);
-    p = on_surface(shape, p + 0.6 * (step - glm::dot(step, normal) * normal));
-    p.x = border ? 0.0 : p.x;
+    const Vec3 moved = on_surface(shape, p + 0.6 * (step - glm::dot(step, normal) * normal));
+    if (border || moved.x > nearest_to_border_m) {
+      p = {border ? 0.0 : moved.x, moved.y, moved.z};
+    }
   }
 }
 

@@ -32,7 +32,9 @@ class Buffer {
     }
   }
   void pad(std::uint8_t with) { bytes_.resize((bytes_.size() + 3) / 4 * 4, with); }
-  void append(const std::vector<std::uint8_t>& more) { bytes_.insert(bytes_.end(), more.begin(), more.end()); }
+  void append(const std::vector<std::uint8_t>& more) {
+    bytes_.insert(bytes_.end(), more.begin(), more.end());
+  }
   std::size_t size() const { return bytes_.size(); }
   std::vector<std::uint8_t>& bytes() { return bytes_; }
 
@@ -53,7 +55,8 @@ class Accessors {
       view["target"] = target;
     }
     views.push_back(view);
-    list.push_back({{"bufferView", views.size() - 1}, {"componentType", type}, {"count", count}, {"type", shape}});
+    list.push_back(
+        {{"bufferView", views.size() - 1}, {"componentType", type}, {"count", count}, {"type", shape}});
     return list.size() - 1;
   }
 
@@ -96,16 +99,19 @@ Json add_mesh(Accessors& accessors, const std::string& name, const sim::Mesh& me
   accessors.list[positions]["min"] = rounded(low);
   accessors.list[positions]["max"] = rounded(high);
   const std::size_t directions = vectors(normals(mesh));
-  const std::size_t joints = accessors.add(type_byte, "VEC4", weights.size(), target_vertices, [&](Buffer& data) {
-    for (const VertexWeights& w : weights) {
-      std::for_each(w.joints.begin(), w.joints.end(), [&data](std::uint8_t joint) { data.put(joint, 1); });
-    }
-  });
-  const std::size_t amounts = accessors.add(type_float, "VEC4", weights.size(), target_vertices, [&](Buffer& data) {
-    for (const VertexWeights& w : weights) {
-      std::for_each(w.weights.begin(), w.weights.end(), [&data](float weight) { data.put(weight); });
-    }
-  });
+  const std::size_t joints =
+      accessors.add(type_byte, "VEC4", weights.size(), target_vertices, [&](Buffer& data) {
+        for (const VertexWeights& w : weights) {
+          std::for_each(w.joints.begin(), w.joints.end(),
+                        [&data](std::uint8_t joint) { data.put(joint, 1); });
+        }
+      });
+  const std::size_t amounts =
+      accessors.add(type_float, "VEC4", weights.size(), target_vertices, [&](Buffer& data) {
+        for (const VertexWeights& w : weights) {
+          std::for_each(w.weights.begin(), w.weights.end(), [&data](float weight) { data.put(weight); });
+        }
+      });
   const std::size_t indices =
       accessors.add(type_short, "SCALAR", 3 * mesh.triangles.size(), target_indices, [&](Buffer& data) {
         for (const sim::Triangle& t : mesh.triangles) {
@@ -166,7 +172,8 @@ std::vector<std::uint8_t> make_glb(const std::string& name, const std::string& o
   for (std::size_t j = 0; j < body.joints.size(); ++j) {
     joints.push_back(j + 1);
   }
-  gltf["skins"] = {{{"inverseBindMatrices", add_inverse_binds(accessors, body)}, {"skeleton", 1}, {"joints", joints}}};
+  gltf["skins"] = {
+      {{"inverseBindMatrices", add_inverse_binds(accessors, body)}, {"skeleton", 1}, {"joints", joints}}};
   gltf["accessors"] = accessors.list;
   gltf["bufferViews"] = accessors.views;
   gltf["buffers"] = {{{"byteLength", accessors.data.size()}}};

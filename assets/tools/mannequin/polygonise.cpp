@@ -10,7 +10,8 @@ namespace {
 
 using sim::Index;
 
-/// The corners of a cell's six tetrahedra, all around the diagonal from corner 0 to corner 7; bits are x, y, z.
+/// The corners of a cell's six tetrahedra, all around the diagonal from corner 0 to corner 7; bits are x, y,
+/// z.
 constexpr std::array<std::array<int, 4>, 6> tetrahedra = {
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 

@@ -73,7 +73,8 @@ std::vector<Place> tables(const std::filesystem::path& file, const toml::table& 
     if (node.as_table() == nullptr) {
       throw std::runtime_error(file.string() + ": " + key + " holds something other than tables");
     }
-    result.push_back({file.string() + ", " + key + " " + std::to_string(result.size() + 1), *node.as_table()});
+    result.push_back(
+        {file.string() + ", " + key + " " + std::to_string(result.size() + 1), *node.as_table()});
   }
   return result;
 }
@@ -94,11 +95,13 @@ Curve<6> read_rows(const Place& place) {
       place.fail("rows do not increase at " + std::to_string(r[0]));
     }
     if (r[2] < 0.0 || r[3] > r[4] || r[4] > r[5] || std::abs(r[6]) >= 1.0) {
-      place.fail("the row at " + std::to_string(r[0]) + " is not along, centre, half width >= 0, back <= "
+      place.fail("the row at " + std::to_string(r[0]) +
+                 " is not along, centre, half width >= 0, back <= "
                  "widest <= front, squareness between -1 and 1");
     }
     knots.push_back(r[0]);
-    values.push_back({r[1], r[4], r[2] * r[2], (r[4] - r[3]) * (r[4] - r[3]), (r[5] - r[4]) * (r[5] - r[4]), r[6]});
+    values.push_back(
+        {r[1], r[4], r[2] * r[2], (r[4] - r[3]) * (r[4] - r[3]), (r[5] - r[4]) * (r[5] - r[4]), r[6]});
   }
   return {knots, values};
 }

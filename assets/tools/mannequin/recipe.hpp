@@ -17,8 +17,8 @@ struct JointRecipe {
   std::string name;    ///< of the left or middle joint; right ones are mirror images
   std::string parent;  ///< empty for the root
   std::string chain;
-  Vec3 place_m;         ///< along the chain's axis, to its side, to its front
-  Vec3 hinge;           ///< of unit length: what lies there from the joint follows it
+  Vec3 place_m;          ///< along the chain's axis, to its side, to its front
+  Vec3 hinge;            ///< of unit length: what lies there from the joint follows it
   double width_m = 0.0;  ///< half the width over which what is before passes into what follows
 };
 

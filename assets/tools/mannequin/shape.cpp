@@ -7,7 +7,10 @@
 namespace taut::tailor {
 namespace {
 
-constexpr double midline_m = 0.12;      // nearer to x = 0 than this, a part and its mirror image may flow together
+constexpr double midline_m =
+    0.12;  // nearer to x = 0 than this, a part and its mirror image may flow together
+constexpr double edge_of_radius = 0.65;  // where the surface is bent, edges are this long for a radius of 1
+constexpr double shortest_edge_m = 0.012;
 constexpr double sole_blend_m = 0.012;  // how round the edge of the sole is
 
 double piecewise(const std::vector<double>& from, const std::vector<double>& to, double t) {
@@ -32,7 +35,31 @@ double times_out(double x, double y, double squareness) {
   return std::sqrt(0.5 * (sum + root));
 }
 
-Vec3 mirrored(const Vec3& p) { return {-p.x, p.y, p.z}; }
+Vec3 mirrored(const Vec3& p) {
+  return {-p.x, p.y, p.z};
+}
+
+/// Of length 1, or less where the field has hardly any.
+Vec3 direction(const Vec3& v) {
+  return v / std::max(glm::length(v), 1e-6);
+}
+
+/// One over the smallest radius of the surface there, over a centimetre or so, in 1/m.
+double largest_curvature(const Shape& shape, const Vec3& point_m) {
+  constexpr double step_m = 0.006;
+  const Vec3 normal = direction(gradient(shape, point_m));
+  const Vec3 aside = glm::normalize(
+      glm::cross(normal, std::abs(normal.y) < 0.7 ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 0.0, 0.0)));
+  const Vec3 across = glm::cross(normal, aside);
+  double largest = 1e-3;
+  for (const Vec3& along :
+       {aside, across, (aside + across) * std::sqrt(0.5), (aside - across) * std::sqrt(0.5)}) {
+    const Vec3 ahead = direction(gradient(shape, point_m + step_m * along));
+    const Vec3 behind = direction(gradient(shape, point_m - step_m * along));
+    largest = std::max(largest, glm::length(ahead - behind) / (2.0 * step_m));
+  }
+  return largest;
+}
 
 double both_sides_m(const Shape& shape, const Part& part, const Vec3& left_m) {
   const double left = distance_m(shape, part, left_m);
@@ -147,7 +174,7 @@ double edge_length_m(const Shape& shape, const Vec3& point_m) {
     sum += weight * part.edge_m;
     weights += weight;
   }
-  return sum / weights;
+  return std::clamp(edge_of_radius / largest_curvature(shape, point_m), shortest_edge_m, sum / weights);
 }
 
 }  // namespace taut::tailor

@@ -22,13 +22,13 @@ struct Frame {
 /// straight pieces between landmarks, and what is across by a factor that varies along it.
 struct Chain {
   std::string name;
-  Frame frame;                         ///< on the sized body; the reference's differs by its origin
+  Frame frame;  ///< on the sized body; the reference's differs by its origin
   Vec3 reference_origin_m = Vec3(0.0);
-  std::vector<double> sized_m;         ///< landmarks along the axis, increasing
-  std::vector<double> reference_m;     ///< the same landmarks on the reference body
-  std::vector<double> girths_m;        ///< places along the axis of the sized body with a factor, increasing
-  Curve<1> factor;                     ///< across, of the place along the axis of the sized body
-  double side_factor = 1.0;            ///< across to the side, besides
+  std::vector<double> sized_m;      ///< landmarks along the axis, increasing
+  std::vector<double> reference_m;  ///< the same landmarks on the reference body
+  std::vector<double> girths_m;     ///< places along the axis of the sized body with a factor, increasing
+  Curve<1> factor;                  ///< across, of the place along the axis of the sized body
+  double side_factor = 1.0;         ///< across to the side, besides
 
   /// Sets the factors at `girths_m`, as many as those.
   void set_factors(const std::vector<double>& factors);
@@ -43,8 +43,8 @@ struct Chain {
 struct Part {
   std::string name;
   std::size_t chain = 0;
-  double blend_m = 0.03;  ///< the width over which it flows into the parts before it
-  double edge_m = 0.026;  ///< of the triangles there
+  double blend_m = 0.03;    ///< the width over which it flows into the parts before it
+  double edge_m = 0.029;    ///< of the triangles there
   bool on_midline = false;  ///< goes through x = 0, and is there once and not twice
   Frame frame;              ///< on the reference body
   /// Of the place along the axis, in metres: centre to the side, centre to the front, the squares of half the
@@ -69,7 +69,8 @@ double chain_distance_m(const Shape& shape, std::size_t chain, const Vec3& point
 Vec3 gradient(const Shape& shape, const Vec3& point_m);
 /// Returns the point of the surface that Newton's method finds from there; one of x = 0 stays there.
 Vec3 on_surface(const Shape& shape, Vec3 point_m);
-/// Returns how long edges of triangles shall be there, in metres.
+/// Returns how long edges of triangles shall be at a point of the surface, in metres: what the parts there
+/// ask for, or less where it is strongly bent.
 double edge_length_m(const Shape& shape, const Vec3& point_m);
 
 }  // namespace taut::tailor

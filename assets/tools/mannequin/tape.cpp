@@ -42,8 +42,8 @@ double hull_length(std::vector<Vec2> points) {
 class Section {
  public:
   Section(const sim::Mesh& mesh, const Tape& tape) : mesh_(mesh), tape_(tape) {
-    across_ = glm::normalize(glm::cross(tape.normal, std::abs(tape.normal.z) < 0.9 ? Vec3(0.0, 0.0, 1.0)
-                                                                                  : Vec3(1.0, 0.0, 0.0)));
+    across_ = glm::normalize(
+        glm::cross(tape.normal, std::abs(tape.normal.z) < 0.9 ? Vec3(0.0, 0.0, 1.0) : Vec3(1.0, 0.0, 0.0)));
     for (const sim::Triangle& t : mesh.triangles) {
       std::vector<EdgeKey> cut;
       for (std::size_t k = 0; k < 3; ++k) {

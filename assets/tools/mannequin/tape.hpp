@@ -13,9 +13,9 @@ using sim::Vec3;
 struct Tape {
   std::string name;
   std::size_t chain = 0;
-  Vec3 point_m = Vec3(0.0);   ///< in the plane and inside of the part
+  Vec3 point_m = Vec3(0.0);  ///< in the plane and inside of the part
   Vec3 normal = Vec3(0.0, 1.0, 0.0);
-  double girth_m = 0.0;       ///< as it shall be
+  double girth_m = 0.0;  ///< as it shall be
 };
 
 /// Returns the length of a tight tape in the plane around the part that holds the point, in metres: of the

@@ -10,8 +10,10 @@ namespace {
 
 using Row = std::vector<double>;  // a weight for every joint
 
-constexpr double midline_m = 0.03;     // over twice this, what follows the left passes into what follows the right
-constexpr double reach_m = 0.04;       // what is farther than this from a limb does not follow it
+constexpr double midline_m =
+    0.03;                         // over twice this, what follows the left passes into what follows the right
+constexpr double reach_m = 0.04;  // what is farther than this from a limb does not follow it
+constexpr double least_weight = 1e-3;  // smaller ones are dropped
 constexpr int smoothing_rounds = 6;
 
 double smooth_step(double from_minus_1_to_1) {
@@ -94,19 +96,20 @@ VertexWeights strongest(const Row& row) {
   std::vector<std::uint8_t> order(row.size());
   std::iota(order.begin(), order.end(), std::uint8_t{0});
   std::stable_sort(order.begin(), order.end(), [&row](auto a, auto b) { return row[a] > row[b]; });
+  auto kept = static_cast<std::size_t>(
+      std::count_if(order.begin(), order.begin() + 4, [&row](auto j) { return row[j] > least_weight; }));
+  // On the midline left and right weigh the same: both are kept, or none.
+  kept -= kept == 4 && row[order[3]] == row[order[4]] ? 1 : 0;
   double sum = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < kept; ++i) {
     sum += row[order[i]];
   }
   VertexWeights result;
   float others = 0.0F;
-  for (std::size_t i = 3; i > 0; --i) {
-    const double weight = row[order[i]] / sum;
-    if (weight > 1e-3) {
-      result.joints[i] = order[i];
-      result.weights[i] = static_cast<float>(weight);
-      others += result.weights[i];
-    }
+  for (std::size_t i = kept - 1; i > 0; --i) {
+    result.joints[i] = order[i];
+    result.weights[i] = static_cast<float>(row[order[i]] / sum);
+    others += result.weights[i];
   }
   result.joints[0] = order[0];
   result.weights[0] = 1.0F - others;

@@ -8,8 +8,8 @@
 
 namespace taut::tailor {
 
-/// Which joints a vertex follows, the strongest first, and how much: float numbers whose sum is 1. Unused ones
-/// are joint 0 with weight 0.
+/// Which joints a vertex follows, the strongest first, and how much: float numbers whose sum is 1. Unused
+/// ones are joint 0 with weight 0.
 struct VertexWeights {
   std::array<std::uint8_t, 4> joints{};
   std::array<float, 4> weights{};

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/mat3x3.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mannequin/body_file.hpp"
+
+namespace taut::test {
+
+/// A frame of a BVH file: the root's position and how each joint is turned.
+struct MotionFrame {
+  sim::Vec3 root_m = sim::Vec3(0.0);
+  std::map<std::string, glm::dmat3> turns;
+};
+
+struct MotionFile {
+  double frame_time_s = 0.0;
+  std::map<std::string, sim::Vec3> offsets_m;  ///< of every joint from its parent
+  std::vector<MotionFrame> frames;
+};
+
+/// Reads a BVH file whose channels are, per joint, turns about z, x, y, and of the root the position as well.
+/// Throws std::runtime_error for anything else.
+MotionFile read_motion(const std::filesystem::path& file);
+
+/// Returns where the body's vertices are in that frame: linear blend skinning. What the root moves since the
+/// first frame is scaled by the height of the hips.
+std::vector<sim::Vec3> posed(const BodyFile& body, const MotionFile& motion, std::size_t frame);
+
+}  // namespace taut::test

@@ -36,23 +36,23 @@ bool has_numbers(const std::optional<std::vector<PinSelector>>& pins) {
 }
 
 /// How deep a point is in the body, in m, or that it is in it if that is a mesh. Empty: it is outside.
-std::optional<std::string> depth_in(const sim::Body& body, const sim::Vec3& place_m) {
+std::optional<std::string> depth_in(const sim::Body& body, double time_s, const sim::Vec3& place_m) {
   if (const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape)) {
-    const bool is_in = winding_number(place_m, {mesh_positions_m(body, 0.0), mesh->data->triangles}) > 0.5;
+    const bool is_in = winding_number(place_m, {mesh_positions_m(body, time_s), mesh->data->triangles}) > 0.5;
     return is_in ? std::optional<std::string>("in it") : std::nullopt;
   }
-  const double depth_m = -sim::nearest_surface(sim::shape_at(body, 0.0), place_m).distance_m;
+  const double depth_m = -sim::nearest_surface(sim::shape_at(body, time_s), place_m).distance_m;
   return depth_m > most_depth_m ? std::optional(fmt::format("{:.3g} mm deep", 1e3 * depth_m)) : std::nullopt;
 }
 
 /// Of pins within a body; empty: none are.
-std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, const Surface& start,
-                           std::span<const sim::Index> pins) {
+std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, double time_s,
+                           const Surface& start, std::span<const sim::Index> pins) {
   std::string first;
   std::size_t count = 0;
   for (const sim::Index pin : pins) {
     const sim::Vec3& place_m = start.positions_m[pin];
-    const std::optional<std::string> depth = depth_in(bodies[body], place_m);
+    const std::optional<std::string> depth = depth_in(bodies[body], time_s, place_m);
     if (depth && ++count == 1) {
       first = fmt::format("vertex {}, {} at {}", pin, *depth, describe_place(place_m));
     }
@@ -83,14 +83,14 @@ std::vector<sim::Index> vertices_of_parts(const Surface& cloth) {
 
 /// Of cloth that begins wholly within a body that is a mesh, where it crosses nothing; empty: none does.
 std::string remark_on_parts_within(std::span<const sim::Body> bodies, const SceneCrossings& crossings,
-                                   const Surface& start) {
+                                   double time_s, const Surface& start) {
   if (!crossings.body || !crossings.pairs.empty() ||
       !std::holds_alternative<sim::BodyMesh>(bodies[*crossings.body].shape)) {
     return "";
   }
   std::vector<sim::Index> within = vertices_of_parts(start);
-  std::erase_if(within,
-                [&](sim::Index v) { return !depth_in(bodies[*crossings.body], start.positions_m[v]); });
+  std::erase_if(
+      within, [&](sim::Index v) { return !depth_in(bodies[*crossings.body], time_s, start.positions_m[v]); });
   return within.empty() ? ""
                         : fmt::format(
                               "at the start {} wholly within {}, the first: that of vertex {} at {}; "
@@ -147,10 +147,10 @@ std::vector<std::string> remarks_on_start(const Scene& scene, const GarmentInSce
       lines.push_back("at the start " + describe(crossings, start, bodies) +
                       (may_be_parted ? "; --untangle parts what it can" : ""));
     }
-    lines.push_back(remark_on_parts_within(bodies, crossings, start));
+    lines.push_back(remark_on_parts_within(bodies, crossings, begin_s, start));
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    lines.push_back(remark_on_pins(bodies, b, start, loaded.pins));
+    lines.push_back(remark_on_pins(bodies, b, begin_s, start, loaded.pins));
     lines.push_back(remark_on_body(bodies, b));
   }
   std::erase(lines, "");

@@ -138,6 +138,13 @@ void dress(int frames, sim::Simulation& simulation) {
   if (frames == 0) {
     return;
   }
+  const sim::Surroundings surroundings = simulation.surroundings();
+  // Clothes would fall off a body that is thin.
+  sim::Surroundings still = surroundings;
+  still.forces.gravity_m_per_s2 = sim::Vec3(0.0);
+  still.forces.gravity_path.clear();
+  still.forces.wind.speed_m_per_s = 0.0;
+  simulation.set_surroundings(still);
   simulation.set_time(-frames * simulation.frame_time_s());
   for (int frame = 1; frame <= frames; ++frame) {
     throw_if_interrupted();
@@ -148,6 +155,7 @@ void dress(int frames, sim::Simulation& simulation) {
           fmt::format("while it is dressed, in frame {} of {}: {}", frame, frames, error.what()));
     }
   }
+  simulation.set_surroundings(surroundings);
   simulation.set_time(0.0);
 }
 

@@ -34,9 +34,9 @@ void require_same_scene(const std::filesystem::path& file, const RunCheckpoint& 
 /// solver; the simulation is then unchanged.
 void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint, sim::Simulation& simulation);
 
-/// Simulates so many frames before 0 s, in which bodies grow into the clothes (dressing.hpp), and ends with
-/// the clock at 0 s. Throws PromiseBroken if a frame cannot be made without a crossing; Diverged;
-/// Interrupted.
+/// Simulates so many frames before 0 s, in which bodies grow into the clothes (dressing.hpp) without gravity
+/// and wind, and ends with the clock at 0 s. Throws PromiseBroken if a frame cannot be made without a
+/// crossing; Diverged; Interrupted.
 void dress(int frames, sim::Simulation& simulation);
 
 /// Puts the simulation into the state that start.checkpoint of its scene names. Returns the number of that

@@ -84,9 +84,9 @@ Key<BodyInScene> clip_key() {
 Key<BodyInScene> dress_key() {
   Key<BodyInScene> key =
       whole_key<BodyInScene>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
-                             "so many frames are simulated before frame 0, in which the body grows from its "
-                             "bones to its shape, into "
-                             "what it wears; it needs joints",
+                             "so many frames are simulated before frame 0, without gravity and wind, in "
+                             "which the body grows from its bones to its shape, into what it wears; it needs "
+                             "joints",
                              "frames");
   key.write = [](const BodyInScene& entry) {
     return entry.source.dress == 0 ? Json() : Json(entry.source.dress);
@@ -270,6 +270,9 @@ bool set_body_key(const std::string& name, const toml::node& value, const Source
   BodyInScene entry{bodies[k], scene.body_sources[k]};
   const std::vector<Key<BodyInScene>> keys = body_keys(entry.body.shape);
   KeyReader(keys, source, entry).read_value(name.substr(section.size()), value);
+  if (name == "body.file") {
+    entry.body.name = entry.source.file.stem().string();
+  }
   bodies[k] = std::move(entry.body);
   scene.body_sources[k] = std::move(entry.source);
   return true;

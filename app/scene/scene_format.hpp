@@ -26,10 +26,9 @@ struct SceneFormat {
 /// The keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
 SceneFormat<Scene> simulation_format();
 
-/// Sets a key of one body: "body.file" adds a body that is a model, and every other "body.KEY" sets the key
-/// of
-/// [[bodies]] for the last body that is one. Returns false if the name does not begin with "body.". Throws by
-/// `fail`.
+/// Sets a key of one body: "body.file" adds a body that is a model, named after its file, and every other
+/// "body.KEY" sets the key of [[bodies]] for the last body that is one. Returns false if the name does not
+/// begin with "body.". Throws by `fail`.
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene);
 
 /// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_value.hpp).

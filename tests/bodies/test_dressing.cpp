@@ -97,9 +97,7 @@ TEST_F(Dressing, ClothThatBeganInTheBodyIsAroundItAtFrame0) {
   }
   folder.write("ring.obj", ring);
   const std::string text =
-      "[garment]\nfile = \"ring.obj\"\nscale = 1\nup = \"y\"\n[pins]\nat = \"none\"\n[gravity]\nacceleration "
-      "= [0, 0, "
-      "0]\n"
+      "[garment]\nfile = \"ring.obj\"\nscale = 1\nup = \"y\"\n[pins]\nat = \"none\"\n"
       "[[bodies]]\nshape = \"mesh\"\nfile = \"body.gltf\"\ndress = 60\n";
   DrawnScene scene = read_scene_file(folder.write("scene.toml", text));
   load_bodies(scene);
@@ -113,9 +111,14 @@ TEST_F(Dressing, ClothThatBeganInTheBodyIsAroundItAtFrame0) {
   };
   EXPECT_GT(crossings(), 0U) << "as it was modelled";
   EXPECT_EQ(remarks_on_start(scene, loaded), std::vector<std::string>{}) << "the run begins with a thin body";
+  const sim::Surroundings surroundings = simulation.surroundings();
   EXPECT_EQ(go_to_start(scene, simulation), 0);
+  EXPECT_EQ(simulation.surroundings(), surroundings) << "with gravity again";
   EXPECT_EQ(simulation.state().time_s, 0.0);
   EXPECT_EQ(crossings(), 0U);
+  for (const sim::Vec3& place_m : simulation.state().current) {
+    EXPECT_GT(place_m.y, 0.5) << "it did not fall off the thin body";
+  }
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // Files that hold the vertices of each frame.
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <thread>
 
 #include "app/bodies/obj_sequence.hpp"
 #include "app/bodies/placed_frames.hpp"
@@ -129,6 +131,24 @@ TEST_F(PointCaches, MemoryDoesNotGrowWithTheLengthOfAMotion) {
   if (memory_is_limited) {
     EXPECT_LT(resident_bytes(), before + 2'000'000);
   }
+}
+
+TEST_F(PointCaches, SeveralThreadsMayAskAtOnce) {
+  const LoadedBody body = load(source_of("walk.mdd", mdd(50, 0.01F, 0.5F)));
+  std::vector<std::jthread> threads;
+  std::array<int, 4> wrong = {};
+  for (int& count : wrong) {
+    threads.emplace_back([&count, &body, first = &count - wrong.data()] {
+      std::vector<sim::Vec3> positions(4);
+      for (std::size_t k = 0; k < 500; ++k) {
+        const std::size_t frame = (k + 13 * static_cast<std::size_t>(first)) % 50;
+        body.mesh().frames->positions_in(frame, positions);
+        count += positions[0] == sim::Vec3(0.5 * static_cast<double>(frame), 0, 0) ? 0 : 1;
+      }
+    });
+  }
+  threads.clear();
+  EXPECT_EQ(wrong, (std::array<int, 4>{}));
 }
 
 TEST_F(PointCaches, ObjFilesAreFramesInTheOrderOfTheirNumbers) {

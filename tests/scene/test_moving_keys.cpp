@@ -80,6 +80,47 @@ TEST(MovingKeys, AreWrittenAsTheyWereRead) {
   EXPECT_EQ(again.body_sources[1].frame_rate_hz, 25.0);
 }
 
+TEST(MovingKeys, OfOneBodyAreSetOnTheCommandLine) {
+  const std::vector<Override> options = {{"body.file", "doll.glb", "--body doll.glb"},
+                                         {"body.motion", "run.bvh", "--body-motion run.bvh"},
+                                         {"body.clip", "Run", "--body-clip Run"},
+                                         {"body.scale", "0.01", "--body-units cm"},
+                                         {"body.dress", "90", "--dress 90"}};
+  const DrawnScene scene = read_scene_text(grid + moving, "scene.toml", options);
+  ASSERT_EQ(scene.surroundings.bodies.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<sim::BodyMesh>(scene.surroundings.bodies[2].shape));
+  EXPECT_EQ(scene.body_sources.at(1).motion, "walk.pc2") << "as it was";
+  const BodySource& source = scene.body_sources.at(2);
+  EXPECT_EQ(scene.surroundings.bodies[2].name, "doll");
+  EXPECT_EQ(source.file, "doll.glb");
+  EXPECT_EQ(source.motion, "run.bvh");
+  EXPECT_EQ(source.clip, "Run");
+  EXPECT_EQ(source.scale, 0.01);
+  EXPECT_EQ(source.dress, 90);
+  EXPECT_EQ(scene.dressing_frames(), 90);
+  const DrawnScene again = read_scene_text(scene_text(scene), "again.toml");
+  EXPECT_EQ(again.body_sources.at(2).clip, "Run");
+  EXPECT_EQ(again.body_sources.at(2).dress, 90);
+}
+
+TEST(MovingKeys, OfOneBodyNeedABody) {
+  const auto error_with = [](const std::string& text, const Override& option) {
+    return message_of<UsageError>([&] { read_scene_text(grid + text, "scene.toml", std::vector{option}); });
+  };
+  EXPECT_CONTAINS(error_with("", {"body.motion", "run.bvh", "--body-motion run.bvh"}),
+                  "--body-motion run.bvh: body.motion: the scene has no body that is a model");
+  EXPECT_CONTAINS(error_with(moving, {"body.frame_rate", "-1", "--body-fps -1"}),
+                  "found -1, expected a number from 0");
+  EXPECT_CONTAINS(error_with(moving, {"body.clips", "Run", "--set body.clips=Run"}),
+                  "unknown key 'clips'; did you mean 'clip'");
+}
+
+TEST(MovingKeys, FramesIsAnotherNameOfMotion) {
+  EXPECT_EQ(
+      read("[[bodies]]\nshape = \"mesh\"\nfile = \"a.obj\"\nframes = \"a.pc2\"\n").body_sources[0].motion,
+      "a.pc2");
+}
+
 TEST(MovingKeys, TakeDirectionsOfAnyLength) {
   for (const char* axis : {"[0, 1e-150, 0]", "[0, 5e-324, 0]", "[0, 1e6, 0]"}) {
     const DrawnScene scene = read(std::string("[[bodies]]\nshape = \"plane\"\nnormal = ") + axis +

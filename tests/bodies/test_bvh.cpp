@@ -121,6 +121,23 @@ TEST_F(Bvh, KnowsWhichWayIsUpInTheBody) {
   }
 }
 
+TEST_F(Bvh, KnowsWhichWayIsUpInTheMotion) {
+  const std::string lying =
+      "Hips\n{\n OFFSET 0 0 50\n CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+      " JOINT Spine\n {\n OFFSET 0 0 25\n CHANNELS 3 Xrotation Yrotation Zrotation\n"
+      " JOINT Head\n {\n OFFSET 0 0 25\n }\n }\n"
+      " JOINT LeftFoot\n {\n OFFSET 0 0 -50\n }\n}\n";
+  const LoadedBody upright = load(source_of(test::tube(), bvh(skeleton, frames)));
+  const LoadedBody turned = load(source_of(
+      test::tube(), bvh(lying, "Frames: 2\nFrame Time: 0.5\n0 0 50 0 0 0 0 0 0\n5 0 60 0 0 0 0 -90 0\n")));
+  EXPECT_CONTAINS(turned.said(), "up in its motion is z");
+  const auto expected_m = upright.positions_m(0.5);
+  const auto found_m = turned.positions_m(0.5);
+  for (std::size_t v = 0; v < found_m.size(); ++v) {
+    EXPECT_LT(glm::distance(found_m[v], expected_m[v]), tolerance_m) << v;
+  }
+}
+
 // Recorded motions have the root's zero pose at the origin, and walk from anywhere.
 TEST_F(Bvh, HipsBeginWhereTheBodyIs) {
   std::string recorded = skeleton;

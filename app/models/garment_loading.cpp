@@ -78,7 +78,9 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
   tell(begin, "reading " + source.file.filename().string());
   ImportedModel& model = loaded.model.emplace(import_garment(source.file));
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
-  loaded.placement = place_model(soup, {source.scale, source.up, model.metres_per_unit, model.up});
+  loaded.strays = remove_strays(soup);
+  PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
+  loaded.placement = place_model(soup, hints);
   require_size(source, *loaded.placement);
   tell(begin, "joining its vertices");
   try {
@@ -87,6 +89,10 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
     loaded.repairs = valid.report;
     loaded.file_vertices = vertices_of_file(model, kept);
     require_one_size(valid.mesh);
+    if (!source.up && !model.up) {
+      hints.up_by_openings = up_by_openings(valid.mesh, sim::make_adjacency(valid.mesh));
+      loaded.placement = place_model(soup, hints);
+    }
     model.positions = std::move(soup.positions);
     for (sim::Vec3& position : valid.mesh.positions) {
       position = (*loaded.placement)(position);

@@ -11,6 +11,7 @@
 #include "app/models/hanging.hpp"
 #include "app/models/landmarks.hpp"
 #include "app/models/placement.hpp"
+#include "app/models/strays.hpp"
 #include "app/models/untangling.hpp"
 #include "app/scene/scene.hpp"
 #include "app/verify/crossing_pairs.hpp"
@@ -36,6 +37,7 @@ struct LoadedGarment : GarmentInScene {
   /// With positions, without triangles; the optional members are empty for a grid.
   std::optional<ImportedModel> model;
   std::optional<sim::MeshReport> repairs;
+  Strays strays;  ///< what was left out
   std::optional<Placement> placement;
   std::optional<Hanging> hanging;  ///< empty if the scene names the pins
 };

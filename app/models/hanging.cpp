@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/geometric.hpp>
-#include <map>
 
 #include "app/base/counted.hpp"
-#include "sim/mesh/extent.hpp"
-#include "sim/mesh/groups.hpp"
+#include "app/models/garment_parts.hpp"
+#include "app/models/hood.hpp"
+#include "app/models/support.hpp"
 
 namespace taut::app {
 namespace {
@@ -17,106 +16,14 @@ namespace {
 // Fractions of a part's height, or of its size where that is said. This one is the height of the band that is
 // pinned.
 constexpr double band_height = 0.03;
-constexpr double flat_thickness = 0.02;     ///< of the size; parts thinner than this are flat
-constexpr double shortest_opening = 0.2;    ///< length around, of the size; shorter ones are holes or faults
-constexpr double lowest_top_opening = 0.6;  ///< mean height of a top opening above the part's lowest point
-/// from its lowest to its highest point; a steeper one is not a top opening
-constexpr double steepest_top_opening = 0.4;
+constexpr double flat_thickness = 0.02;  ///< of the size; parts thinner than this are flat
+/// to each side of the centre of mass, of the width: where shoulders are
+constexpr double shoulders_reach = 0.25;
 // Parts that `describe` lists one by one.
 constexpr std::size_t most_lines = 12;
 
-double largest(const sim::Vec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
-
-struct Opening {
-  std::vector<sim::Index> vertices;
-  double length_m = 0.0;
-  double mean_height_m = 0.0;
-  sim::Extent range;
-};
-
-struct Part {
-  std::vector<sim::Index> vertices;
-  std::vector<Opening> openings;
-  sim::Extent range;
-};
-
-std::vector<Opening> openings_of(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  sim::Groups groups(mesh.positions.size());
-  std::vector<double> lengths_m(mesh.positions.size(), 0.0);
-  std::vector<sim::Index> at_border;
-  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
-    if (adjacency.edge_triangles[e].size() == 1) {
-      const auto [a, b] = adjacency.edges[e];
-      groups.join(a, b);
-      at_border.insert(at_border.end(), {a, b});
-      lengths_m[a] += glm::distance(mesh.positions[a], mesh.positions[b]);
-    }
-  }
-  std::sort(at_border.begin(), at_border.end());
-  at_border.erase(std::unique(at_border.begin(), at_border.end()), at_border.end());
-  std::map<sim::Index, Opening> openings;
-  for (const sim::Index v : at_border) {
-    Opening& opening = openings[groups.find(v)];
-    opening.vertices.push_back(v);
-    opening.length_m += lengths_m[v];
-    opening.mean_height_m += mesh.positions[v].y;
-    opening.range.add(mesh.positions[v]);
-  }
-  std::vector<Opening> list;
-  for (auto& [first, opening] : openings) {
-    opening.mean_height_m /= static_cast<double>(opening.vertices.size());
-    list.push_back(std::move(opening));
-  }
-  return list;
-}
-
-std::vector<Part> parts_of(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  sim::Groups groups(mesh.positions.size());
-  for (const sim::Edge& edge : adjacency.edges) {
-    groups.join(edge[0], edge[1]);
-  }
-  // A group's name is its first vertex, so that parts come in the order of their first vertices.
-  std::vector<std::size_t> part_of(mesh.positions.size(), 0);
-  std::vector<Part> parts;
-  for (sim::Index v = 0; v < mesh.positions.size(); ++v) {
-    const sim::Index first = groups.find(v);
-    if (first == v) {
-      part_of[v] = parts.size();
-      parts.emplace_back();
-    }
-    Part& part = parts[part_of[first]];
-    part.vertices.push_back(v);
-    part.range.add(mesh.positions[v]);
-  }
-  for (Opening& opening : openings_of(mesh, adjacency)) {
-    parts[part_of[groups.find(opening.vertices.front())]].openings.push_back(std::move(opening));
-  }
-  return parts;
-}
-
-/// The opening a part is hung by; nullptr where it has none that will do. A single border is the outline of a
-/// piece and no opening.
-const Opening* top_opening(const Part& part) {
-  const double height_m = part.range.size().y;
-  const Opening* top = nullptr;
-  std::size_t large_enough = 0;
-  for (const Opening& opening : part.openings) {
-    if (opening.length_m < shortest_opening * largest(part.range.size())) {
-      continue;
-    }
-    ++large_enough;
-    const bool is_high = opening.mean_height_m >= part.range.lower.y + lowest_top_opening * height_m;
-    const bool is_level = opening.range.size().y <= steepest_top_opening * height_m;
-    if (is_high && is_level && (top == nullptr || opening.mean_height_m > top->mean_height_m)) {
-      top = &opening;
-    }
-  }
-  return large_enough >= 2 ? top : nullptr;
-}
-
-std::vector<sim::Index> vertices_from(const sim::Mesh& mesh, const Part& part, int axis, double direction) {
+std::vector<sim::Index> vertices_from(const sim::Mesh& mesh, const GarmentPart& part, int axis,
+                                      double direction) {
   const double end = direction > 0.0 ? part.range.upper[axis] : part.range.lower[axis];
   const double reach = band_height * part.range.size()[axis];
   std::vector<sim::Index> vertices;
@@ -128,31 +35,95 @@ std::vector<sim::Index> vertices_from(const sim::Mesh& mesh, const Part& part, i
   return vertices;
 }
 
-HungPart hang_part(const sim::Mesh& mesh, const Part& part, std::vector<sim::Index>& pins) {
+sim::Extent range_of(const sim::Mesh& mesh, const std::vector<sim::Index>& vertices) {
+  sim::Extent range;
+  for (const sim::Index v : vertices) {
+    range.add(mesh.positions[v]);
+  }
+  return range;
+}
+
+/// The highest vertices on either side of the centre of mass, as far out as shoulders are. Empty if there are
+/// none on one side.
+std::vector<sim::Index> shoulders(const sim::Mesh& mesh, const GarmentPart& part) {
+  std::vector<sim::Index> held;
+  for (const double side : {-1.0, 1.0}) {
+    GarmentPart half;
+    for (const sim::Index v : part.vertices) {
+      const double out_m = side * (mesh.positions[v][part.across()] - part.centre_m[part.across()]);
+      if (out_m > 0.0 && out_m <= shoulders_reach * part.width_m()) {
+        half.vertices.push_back(v);
+        half.range.add(mesh.positions[v]);
+      }
+    }
+    if (half.vertices.empty()) {
+      return {};
+    }
+    const std::vector<sim::Index> top = vertices_from(mesh, half, 1, 1.0);
+    held.insert(held.end(), top.begin(), top.end());
+  }
+  return held;
+}
+
+/// What holds a part that lies flat.
+std::vector<sim::Index> held_of_flat(const sim::Mesh& mesh, const GarmentPart& part, HungPart& hung) {
+  if (const Opening* opening = inner_opening(part); opening != nullptr) {
+    hung.by = HungBy::top_opening;
+    hung.opening_m = opening->range.size()[part.across()];
+    return opening->vertices;
+  }
+  hung.by = HungBy::back_edge;
+  const bool is_a_ribbon = part.range.size().z <= flat_thickness * part.size_m();
+  return vertices_from(mesh, part, is_a_ribbon ? 0 : 2, -1.0);
+}
+
+/// What holds a part that stands up: the first of these that carries it in balance, or else its highest
+/// points.
+std::vector<sim::Index> held_of_upright(const sim::Mesh& mesh, const GarmentPart& part, HungPart& hung) {
+  if (std::vector<sim::Index> neck = neck_below_hood(mesh, part, part.across()); !neck.empty()) {
+    hung.by = HungBy::neck;
+    return neck;
+  }
+  if (const Opening* opening = top_opening(part); opening != nullptr) {
+    hung.by = HungBy::top_opening;
+    hung.opening_m = opening->range.size()[part.across()];
+    return opening->vertices;
+  }
+  std::vector<sim::Index> band = vertices_from(mesh, part, 1, 1.0);
+  // Sleeves that are stretched out are as high as shoulders, but nobody hangs a garment by them.
+  if (carries(part, range_of(mesh, band)) && !has_sleeves(part)) {
+    return band;
+  }
+  if (std::vector<sim::Index> pair = pair_of_openings(part); !pair.empty()) {
+    hung.by = HungBy::two_openings;
+    return pair;
+  }
+  if (std::vector<sim::Index> both = shoulders(mesh, part); !both.empty()) {
+    hung.by = HungBy::shoulders;
+    return both;
+  }
+  return band;
+}
+
+HungPart hang_part(const sim::Mesh& mesh, const GarmentPart& part, std::vector<sim::Index>& pins) {
   const sim::Vec3 size = part.range.size();
   HungPart hung;
   hung.vertices = part.vertices.size();
+  hung.area_m2 = part.area_m2;
   hung.closed = part.openings.empty();
-  hung.flat = std::min({size.x, size.y, size.z}) <= flat_thickness * largest(size);
-  std::vector<sim::Index> pins_of_part;
-  if (const Opening* opening = top_opening(part); opening != nullptr) {
-    hung.by = HungBy::top_opening;
-    pins_of_part = opening->vertices;
-  } else if (size.y <= flat_thickness * largest(size)) {
-    hung.by = HungBy::back_edge;
-    const bool is_a_ribbon = size.z <= flat_thickness * largest(size);
-    pins_of_part = vertices_from(mesh, part, is_a_ribbon ? 0 : 2, -1.0);
-  } else {
-    pins_of_part = vertices_from(mesh, part, 1, 1.0);
-  }
-  hung.pins = pins_of_part.size();
-  pins.insert(pins.end(), pins_of_part.begin(), pins_of_part.end());
+  hung.flat = std::min({size.x, size.y, size.z}) <= flat_thickness * part.size_m();
+  const bool is_lying = size.y <= flat_thickness * part.size_m();
+  const std::vector<sim::Index> held =
+      is_lying ? held_of_flat(mesh, part, hung) : held_of_upright(mesh, part, hung);
+  hung.pins = held.size();
+  pins.insert(pins.end(), held.begin(), held.end());
   return hung;
 }
 
 const char* way_of(HungBy by) {
-  constexpr std::array ways = {"hung by its top opening", "held at its highest points",
-                               "lies flat, held by its back edge"};
+  constexpr std::array ways = {
+      "hung by its top opening",         "held at its highest points", "lies flat, held by its back edge",
+      "hung by the neck below its hood", "hung by two openings",       "held on both shoulders"};
   return ways[static_cast<std::size_t>(by)];
 }
 
@@ -160,7 +131,7 @@ const char* way_of(HungBy by) {
 
 Hanging hang(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   Hanging hanging;
-  for (const Part& part : parts_of(mesh, adjacency)) {
+  for (const GarmentPart& part : parts_of(mesh, adjacency)) {
     hanging.parts.push_back(hang_part(mesh, part, hanging.pins));
   }
   std::sort(hanging.pins.begin(), hanging.pins.end());

@@ -11,9 +11,14 @@ namespace taut::app {
 
 /// Which vertices of a part are pinned.
 enum class HungBy {
-  top_opening,   ///< the border loop at its top, such as a neckline or a waist
+  /// the border at its top that carries it in balance, such as a neckline or a waist; of a part that lies
+  /// flat the one around its middle
+  top_opening,
   highest_band,  ///< the vertices in the upper 3 % of its height
   back_edge,     ///< for a part that lies flat: its edge farthest back
+  neck,          ///< the narrowest place between a hood and the shoulders
+  two_openings,  ///< two borders that carry it together, such as the armholes of a dress with straps
+  shoulders,     ///< the highest vertices on either side of its centre of mass
 };
 
 /// A connected part of a garment, and how it is pinned.
@@ -21,8 +26,10 @@ struct HungPart {
   HungBy by = HungBy::highest_band;
   std::size_t vertices = 0;
   std::size_t pins = 0;
-  bool closed = false;  ///< it has no border
-  bool flat = false;    ///< its thickness is at most 2 % of its size
+  double area_m2 = 0.0;
+  double opening_m = 0.0;  ///< width of the border it is hung by; 0: it is hung by none
+  bool closed = false;     ///< it has no border
+  bool flat = false;       ///< its thickness is at most 2 % of its size
 };
 
 /// The pins of a garment whose scene names none.
@@ -31,7 +38,9 @@ struct Hanging {
   std::vector<HungPart> parts;   ///< ordered by their first vertex
 };
 
-/// Chooses pins for every connected part by itself. A part without pins would fall out of the picture.
+/// Chooses pins for every connected part by itself, as a hanger would hold it: what is held lies above the
+/// centre of mass seen from above, where the part has such a place. A part without pins would fall out of the
+/// picture.
 Hanging hang(const sim::Mesh& mesh, const sim::Adjacency& adjacency);
 
 /// One line per part, for at most twelve parts, with remarks on closed and flat parts.

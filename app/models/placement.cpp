@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <span>
 
+#include "app/models/hanging.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -20,6 +21,10 @@ constexpr double largest_believed_m = 20.0;
 // A model must be this many times longer along z than along y for z to be up. Skirts can be wide, so 1 is too
 // little.
 constexpr double clearly_longer = 2.0;
+// Fractions. The share of the area that has to be carried by openings at the top for an axis to be up.
+constexpr double most_of_area = 0.5;
+// Height of a model that lies on its back, of its size.
+constexpr double lying_height = 0.1;
 // Distance from the origin, as a multiple of the model's size. Farther away, single precision is worse than
 // 0.1 mm on a garment, and the model is moved.
 constexpr double far_away = 1000.0;
@@ -86,7 +91,13 @@ void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& pl
     placement.up_text = name(placement.up) + (hints.asked_up ? ", as asked for" : ", as the file says");
     return;
   }
-  if (size.z > clearly_longer * size.y) {
+  if (hints.up_by_openings && *hints.up_by_openings != ModelAxis::y) {
+    placement.up = *hints.up_by_openings;
+    placement.guessed = true;
+    placement.up_text = name(placement.up) + ", guessed from where its openings are";
+    return;
+  }
+  if (!hints.up_by_openings && size.z > clearly_longer * size.y) {
     placement.up = ModelAxis::z;
     placement.guessed = true;
     placement.up_text = fmt::format("z, guessed: it measures {:.3g} along z, {:.3g} along y",
@@ -114,7 +125,50 @@ sim::Vec3 turned(const sim::Vec3& p, ModelAxis up) {
   return p;
 }
 
+/// The openings at the top of a model, if this axis is up.
+struct TopOpenings {
+  double share = 0.0;  ///< of the area, that they carry
+  double width = 0.0;  ///< of the one that carries most
+};
+
+TopOpenings top_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up) {
+  sim::Mesh upright{{}, mesh.triangles, {}};
+  for (const sim::Vec3& position : mesh.positions) {
+    upright.positions.push_back(turned(position, up));
+  }
+  TopOpenings found;
+  double area = 0.0, largest = 0.0;
+  for (const HungPart& part : hang(upright, adjacency).parts) {
+    area += part.area_m2;
+    if (part.by == HungBy::top_opening || part.by == HungBy::neck) {
+      found.share += part.area_m2;
+      if (part.area_m2 > largest) {
+        largest = part.area_m2;
+        found.width = part.opening_m;
+      }
+    }
+  }
+  found.share /= area;
+  return found;
+}
+
 }  // namespace
+
+std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  const TopOpenings y = top_openings(mesh, adjacency, ModelAxis::y);
+  const TopOpenings z = top_openings(mesh, adjacency, ModelAxis::z);
+  const sim::Vec3 size = sim::extent_of(mesh.positions).size();
+  if (size.y <= lying_height * std::max(size.x, size.z) && !(y.share >= most_of_area)) {
+    const TopOpenings minus_z = top_openings(mesh, adjacency, ModelAxis::minus_z);
+    if (minus_z.share >= most_of_area && (z.share < most_of_area || minus_z.width < z.width)) {
+      return ModelAxis::minus_z;
+    }
+  }
+  if ((y.share >= most_of_area) == (z.share >= most_of_area)) {
+    return std::nullopt;
+  }
+  return y.share >= most_of_area ? ModelAxis::y : ModelAxis::z;
+}
 
 sim::Vec3 Placement::operator()(const sim::Vec3& in_file) const {
   return turned(in_file * scale, up) + moved_m;
@@ -128,6 +182,7 @@ Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints) {
   placement.extent = largest;
   choose_unit(largest, hints, placement);
   choose_up(size, hints, placement);
+  placement.is_vast = largest * placement.scale > largest_garment_m;
   const sim::Vec3 middle = box.lower + 0.5 * size;
   if (glm::length(middle / largest) > far_away) {
     placement.moved_m = -turned(middle * placement.scale, placement.up);

@@ -147,7 +147,8 @@ Json point_json(const sim::Vec3& p) {
 }
 
 Json parts_json(const std::vector<HungPart>& parts) {
-  constexpr std::array ways = {"top opening", "highest points", "back edge"};
+  constexpr std::array ways = {"top opening", "highest points", "back edge",
+                               "neck",        "two openings",   "shoulders"};
   Json list = Json::array();
   for (const HungPart& part : parts) {
     list.push_back({{"vertices", part.vertices},

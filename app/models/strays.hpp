@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "sim/mesh/mesh.hpp"
+
+namespace taut::app {
+
+/// What lies so far from nearly all of a model's area that it cannot belong to the garment, such as a button
+/// at the wrong end of a scene.
+struct Strays {
+  std::size_t triangles = 0;
+  double area_share = 0.0;  ///< of all the area
+  double distance = 0.0;    ///< of the farthest from the middle of the rest, in the file's unit
+};
+
+/// Removes the strays from the model's triangles and returns what they were. Of a model with positions that
+/// are not finite it removes none.
+Strays remove_strays(sim::Mesh& mesh);
+
+/// Returns a sentence for people: "8 triangles with 0.02 % of its area lie 107 m away and are left out".
+std::string describe(const Strays& strays, double metres_per_unit);
+
+}  // namespace taut::app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/mesh/mesh.hpp"
+
+namespace taut::test {
+
+/// A region of the drawing plane, seen from the front: whether the point (x, y), in m, is in it.
+using Region = std::function<bool(double x_m, double y_m)>;
+
+/// A garment as it is cut: two sheets on a grid, sewn where both end, but not where it stays open.
+struct Cut {
+  Region front;
+  Region back;
+  Region open;            ///< where sheets that end at one place are not sewn
+  double cell_m = 0.03;   ///< width of a square, which is cut into two triangles
+  double depth_m = 0.12;  ///< from the middle of the front to that of the back
+};
+
+/// Makes the garment. It is in metres with y up, and faces +z.
+sim::Mesh sewn(const Cut& cut);
+
+// Small garments, each after a kind of model that people have. All are upright, in metres, about 1 m high.
+
+sim::Mesh shirt();
+/// With a hole along one shoulder, which lies higher than the neckline.
+sim::Mesh shirt_with_gap();
+/// In one piece with the arms stretched out to the sides, open in front from the neck to the hem.
+sim::Mesh jacket();
+/// Its left sleeve is raised above the shoulders; it has no neckline.
+sim::Mesh raised_sleeve();
+/// Its neckline is at this height, its straps reach up to 0.9 m.
+sim::Mesh strap_dress(double neckline_m = 0.57);
+/// Its hood ends at `top_m`; the opening for the face begins at `face_from_m` and ends 6 cm below the top.
+sim::Mesh hoodie(double top_m = 1.08, double face_from_m = 0.66, double shoulders_m = 0.5);
+sim::Mesh trousers();
+/// A tube that widens downwards.
+sim::Mesh skirt();
+/// A ring that lies flat.
+sim::Mesh circle_skirt();
+/// A sheet that lies over shoulders, open in front.
+sim::Mesh cape();
+/// Closed at its top, with a lining that ends at this share of its height.
+sim::Mesh lined_bell(double lining_from);
+/// Separate panels side by side around a tube, whose borders lie this far apart.
+sim::Mesh panels(int count, double gap_m);
+
+/// Both as one mesh, not joined.
+sim::Mesh both(const sim::Mesh& a, const sim::Mesh& b);
+sim::Mesh moved(sim::Mesh mesh, const sim::Vec3& by_m);
+/// A disc of this radius that lies in front of this place.
+sim::Mesh button(const sim::Vec3& at_m, double radius_m);
+/// The same garment in a file with z up.
+sim::Mesh with_z_up(sim::Mesh mesh);
+/// The same garment pressed flat and laid on its back, its top towards -z, in a file with y up.
+sim::Mesh laid_flat(sim::Mesh mesh);
+
+}  // namespace taut::test

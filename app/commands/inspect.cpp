@@ -8,6 +8,7 @@
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/inspection_picture.hpp"
+#include "app/models/hanger.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"
 #include "renderer/page/png.hpp"
@@ -52,6 +53,7 @@ int run(const InspectOptions& options) {
   }
   Progress progress(options.garment.filename().string());
   const LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
+  put_on_hanger(loaded, scene);
   progress.begin("measuring it");
   const Inspection inspection = inspect_garment(scene, loaded);
   progress.hide();

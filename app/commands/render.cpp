@@ -20,6 +20,7 @@
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
+#include "app/models/hanger.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
 #include "app/output/frame_verifier.hpp"
@@ -216,7 +217,7 @@ std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation,
 }  // namespace
 
 int run(const RenderOptions& options) {
-  const RenderJob job = render_job_of(options);
+  RenderJob job = render_job_of(options);
   PictureOutput output(job);
   if (!options.statistics.empty()) {
     statistics_format(options.statistics);
@@ -233,6 +234,7 @@ int run(const RenderOptions& options) {
   offscreen.renderer().prepare(style.settings, style.surface == SurfaceLook::stretch);
   const LoadedGarment loaded = garment.get();
   progress.hide();
+  put_on_hanger(loaded, job.scene);
   print_remarks(job.scene, loaded);
   sim::Simulation simulation = make_simulation(job.scene, loaded);
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene),

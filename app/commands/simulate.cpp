@@ -16,6 +16,7 @@
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
+#include "app/models/hanger.hpp"
 #include "app/models/obj_writing.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
@@ -93,11 +94,12 @@ class ShapeOutput {
   FrameRange range_;
 };
 
-/// The simulation of the scene's garment, with what was guessed and repaired said on `remarks`, where there
-/// is one.
-sim::Simulation prepare(const DrawnScene& scene, Progress& progress, std::FILE* remarks) {
+/// The simulation of the scene's garment, which gets the hanger that it asks for, with what was guessed and
+/// repaired said on `remarks`, where there is one.
+sim::Simulation prepare(DrawnScene& scene, Progress& progress, std::FILE* remarks) {
   const LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   progress.hide();
+  put_on_hanger(loaded, scene);
   if (remarks != nullptr) {
     print_remarks(scene, loaded, remarks);
   }

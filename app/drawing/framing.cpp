@@ -4,12 +4,16 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 namespace taut::app {
 namespace {
 
 // Gap between cloth and floor, as a fraction of the height. Without it hanging cloth seems to stand.
 constexpr float ground_gap = 0.06F;
+
+// A garment is drawn from the side, where it is this many times as deep as wide: its broad side is there.
+constexpr float clearly_deeper = 1.5F;
 
 // Limit on pairs of a vertex and a pin that are compared. Above it some pins are skipped, which can enlarge
 // the reach of a fine mesh by about the length of an edge. A lower limit saves time.
@@ -60,6 +64,10 @@ std::optional<renderer::Box> box_of(const sim::Body& body) {
 
 }  // namespace
 
+float azimuth_of_broad_side(const glm::vec3& size) {
+  return size.z > clearly_deeper * size.x ? 0.5F * std::numbers::pi_v<float> : 0.0F;
+}
+
 std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s) {
   for (const sim::Body& body : bodies) {
     const sim::Shape shape = sim::shape_at(body, time_s);
@@ -106,8 +114,11 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
 }
 
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect) {
-  renderer::Camera camera =
-      renderer::fit_camera_to_box(scene.camera.box.value_or(reach), scene.camera.framing, aspect);
+  renderer::Framing framing = scene.camera.framing;
+  if (!scene.garment.file.empty() && framing.azimuth_rad == CameraSettings{}.framing.azimuth_rad) {
+    framing.azimuth_rad += azimuth_of_broad_side(reach.upper - reach.lower);
+  }
+  renderer::Camera camera = renderer::fit_camera_to_box(scene.camera.box.value_or(reach), framing, aspect);
   if (scene.camera.eye) {
     camera.eye = *scene.camera.eye;
     camera.target = *scene.camera.target;

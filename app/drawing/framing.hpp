@@ -27,7 +27,12 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
 /// Height in metres of the first level plane among the bodies at this time. Empty if there is none.
 std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s);
 
-/// The camera of a scene's pictures. `aspect` is width over height.
+/// Returns by how much, in radians, a camera goes around what has this size to see its broad side: 0 from +z,
+/// a quarter turn where it is far deeper than wide.
+float azimuth_of_broad_side(const glm::vec3& size);
+
+/// The camera of a scene's pictures. `aspect` is width over height. Where the scene does not say from where,
+/// a garment from a file is seen from its broad side.
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect);
 
 /// Height of the floor in metres. Empty if there is no floor.

@@ -16,6 +16,7 @@ namespace {
 const renderer::Colour border_colour = renderer::rgb(0x1C1C1C);
 const renderer::Colour non_manifold_colour = renderer::rgb(0xD00000);
 const renderer::Colour misoriented_colour = renderer::rgb(0x7B2CBF);
+const renderer::Colour hanger_colour = renderer::rgb(0xB8860B);
 const renderer::Colour joined_colour = renderer::rgb(0xFFD000);
 
 // Fraction of vertices. If more were welded, they are not marked: in a model without shared vertices all
@@ -99,6 +100,16 @@ InspectionMarks crossing_triangles(const LoadedGarment& loaded, std::span<const 
   return marks;
 }
 
+InspectionMarks hanger_of(const LoadedGarment& loaded) {
+  InspectionMarks marks{
+      .meaning = "hanger", .colour = hanger_colour, .width_px = 10.0F, .opacity = 0.8F, .seen_through = true};
+  for (const sim::Body& bar : loaded.hanger) {
+    const auto& capsule = std::get<sim::Capsule>(bar.shape);
+    marks.points.insert(marks.points.end(), {glm::vec3(capsule.start_m), glm::vec3(capsule.end_m)});
+  }
+  return marks;
+}
+
 }  // namespace
 
 void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& frame) {
@@ -152,6 +163,7 @@ std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded,
                             [&](std::size_t e) { return adjacency.edge_triangles[e].size() > 2; }));
   all.push_back(crossing_triangles(loaded, crossings));
   all.push_back(joined_vertices(loaded, widths.dot_px));
+  all.push_back(hanger_of(loaded));
   std::erase_if(all, [](const InspectionMarks& marks) { return marks.points.empty(); });
   return all;
 }

@@ -92,7 +92,8 @@ std::vector<std::string> facts_of(const Inspection& i) {
                   counted(i.topology.components, "part", "parts"), size.x, size.y, size.z,
                   i.placement.unit_text, i.placement.up_text),
       fmt::format("repaired: {} joined, {} degenerate and {} repeated triangles removed, {} turned",
-                  counted(i.repairs.welded_vertices + i.repairs.near_vertices, "vertex", "vertices"),
+                  counted(i.repairs.welded_vertices + i.repairs.near_vertices + i.repairs.sewn_vertices,
+                          "vertex", "vertices"),
                   i.repairs.degenerate_triangles, i.repairs.duplicate_triangles, i.repairs.turned_triangles)};
 }
 

@@ -58,9 +58,16 @@ glm::vec2 seen_size(std::span<const glm::vec3> points, const renderer::Camera& c
   return upper - lower;
 }
 
+/// Of the views from the garment's front and from behind.
+std::array<float, 2> azimuths_of(std::span<const glm::vec3> points) {
+  const renderer::Box box = renderer::bounding_box(points);
+  const float turned_rad = azimuth_of_broad_side(box.upper - box.lower);
+  return {azimuths_rad[0] + turned_rad, azimuths_rad[1] + turned_rad};
+}
+
 int panel_height_px(std::span<const glm::vec3> points) {
   float width = 0.0F, height = 0.0F;
-  for (const float azimuth_rad : azimuths_rad) {
+  for (const float azimuth_rad : azimuths_of(points)) {
     const glm::vec2 size =
         seen_size(points, renderer::fit_camera_to_points(points, framing_of(azimuth_rad), 1.0F));
     width = std::max(width, size.x);
@@ -97,10 +104,11 @@ InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& ga
   InspectionViews views{.sides = {{{"from the front", {}}, {"from behind", {}}}},
                         .height_px = panel_height_px(points)};
   const float aspect = static_cast<float>(inspection_panel_px) / static_cast<float>(views.height_px);
-  std::array<renderer::Camera, azimuths_rad.size()> cameras;
+  const std::array<float, 2> azimuths = azimuths_of(points);
+  std::array<renderer::Camera, azimuths.size()> cameras;
   float distance_m = 0.0F;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
-    cameras[k] = renderer::fit_camera_to_points(points, framing_of(azimuths_rad[k]), aspect);
+    cameras[k] = renderer::fit_camera_to_points(points, framing_of(azimuths[k]), aspect);
     distance_m = std::max(distance_m, glm::distance(cameras[k].eye, cameras[k].target));
   }
   // All from as far as the side that needs it.

@@ -7,6 +7,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/models/unreadable.hpp"
 #include "sim/mesh/polygons.hpp"
 
 namespace taut::app {
@@ -38,6 +39,13 @@ void require_size(const ModelArrays& arrays) {
   }
 }
 
+/// What else could be read: for those who chose another kind of file. To others it would say nothing.
+std::string expectation(const std::string& reason) {
+  const bool is_no_model =
+      reason.find("no reader knows") != std::string::npos || reason.find("has no faces") != std::string::npos;
+  return is_no_model ? "; expected a 3D model with faces, such as OBJ, PLY, STL, glTF, FBX or Collada" : "";
+}
+
 }  // namespace
 
 ImportedModel import_garment(const std::filesystem::path& path, const ImportLimits& limits) {
@@ -62,8 +70,9 @@ ImportedModel import_garment(const std::filesystem::path& path, const ImportLimi
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
-    throw InputError("cannot read a model from '" + path.string() + "': " + error.what() +
-                     "; expected a 3D model with faces, such as OBJ, PLY, STL, glTF, FBX or Collada");
+    const std::string cause = why_unreadable(path);
+    throw InputError("cannot read a model from '" + path.string() +
+                     "': " + (cause.empty() ? error.what() + expectation(error.what()) : cause));
   }
 }
 

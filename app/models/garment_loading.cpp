@@ -11,7 +11,10 @@
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/models/hanger.hpp"
+#include "app/models/outside.hpp"
 #include "app/models/pins.hpp"
+#include "app/models/trims.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/subdivide.hpp"
 #include "sim/mesh/welding.hpp"
@@ -74,6 +77,19 @@ FileVertices vertices_of_file(const ImportedModel& model, std::vector<sim::Index
   return vertices;
 }
 
+sim::RepairSettings repair_settings(const GarmentSource& source, double metres_per_unit) {
+  return {source.weld_m.value_or(0.0) / metres_per_unit,
+          source.weld_m ? 0.0 : sewn_within_m / metres_per_unit};
+}
+
+void join_and_turn(const GarmentSource& source, sim::Mesh& mesh, LoadedGarment& loaded) {
+  const sim::Adjacency adjacency = sim::make_adjacency(mesh);
+  const std::vector<GarmentPart> parts = parts_of(mesh, adjacency);
+  loaded.turned_outside_out = turn_outside_out(parts, adjacency, mesh);
+  // Whoever says what is sewn wants no more of it.
+  loaded.trims_sewn_on = source.weld_m ? 0 : sew_on_trims(parts, loaded.placement->scale, mesh);
+}
+
 sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const StageReport& begin) {
   tell(begin, "reading " + source.file.filename().string());
   ImportedModel& model = loaded.model.emplace(import_garment(source.file));
@@ -85,10 +101,12 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
   tell(begin, "joining its vertices");
   try {
     std::vector<sim::Index> kept;
-    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m / loaded.placement->scale}, kept);
+    sim::ValidatedMesh valid =
+        sim::weld_and_validate(soup, repair_settings(source, loaded.placement->scale), kept);
     loaded.repairs = valid.report;
     loaded.file_vertices = vertices_of_file(model, kept);
     require_one_size(valid.mesh);
+    join_and_turn(source, valid.mesh, loaded);
     if (!source.up && !model.up) {
       hints.up_by_openings = up_by_openings(valid.mesh, sim::make_adjacency(valid.mesh));
       loaded.placement = place_model(soup, hints);
@@ -125,8 +143,16 @@ sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
 std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, LoadedGarment& loaded) {
   const bool is_grid = scene.garment.file.empty();
   if (!is_grid && !scene.pins) {
-    loaded.hanging = hang(mesh, sim::make_adjacency(mesh));
+    const sim::Adjacency adjacency = sim::make_adjacency(mesh);
+    // Whoever brings a body has the garment worn.
+    loaded.hanging =
+        scene.surroundings.bodies.empty() ? hang_as_in_a_shop(mesh, adjacency) : hang(mesh, adjacency);
+    loaded.hanger = loaded.hanging->hanger;
     return loaded.hanging->pins;
+  }
+  if (!is_grid && asks_for_hanger(scene)) {
+    loaded.hanger = make_hanger(mesh);
+    return {};
   }
   return select_pins(scene.pins,
                      {mesh, loaded.landmarks, loaded.file_vertices, is_grid ? &scene.garment.grid : nullptr});

@@ -19,6 +19,11 @@
 
 namespace taut::app {
 
+/// Distance between borders of different parts that are sewn together where the scene does not say, in m.
+/// Models of panels have them within the last digits of their coordinates; larger, layers of cloth could be
+/// taken for seams.
+inline constexpr double sewn_within_m = 1e-3;
+
 /// A scene's garment as it is simulated.
 struct GarmentInScene {
   std::shared_ptr<const sim::Garment> garment;
@@ -37,9 +42,12 @@ struct LoadedGarment : GarmentInScene {
   /// With positions, without triangles; the optional members are empty for a grid.
   std::optional<ImportedModel> model;
   std::optional<sim::MeshReport> repairs;
-  Strays strays;  ///< what was left out
+  Strays strays;                       ///< what was left out
+  std::size_t trims_sewn_on = 0;       ///< parts that lie on others and are held by stitches
+  std::size_t turned_outside_out = 0;  ///< triangles of surfaces that faced inwards
   std::optional<Placement> placement;
   std::optional<Hanging> hanging;  ///< empty if the scene names the pins
+  std::vector<sim::Body> hanger;   ///< what it hangs on if the scene asks for one; see put_on_hanger()
 };
 
 /// Called with the name of each stage when it begins, such as "reading dress.fbx". A large model takes

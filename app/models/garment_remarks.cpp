@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "app/base/counted.hpp"
+#include "app/models/hanger.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/verify/solid_bodies.hpp"
 #include "sim/mesh/groups.hpp"
@@ -27,6 +28,11 @@ void append_repairs(const sim::MeshReport& repairs, std::vector<std::string>& li
       "triangles turned to the side of their neighbours");
   say(repairs.parted_vertices, "vertex of layers that touch kept apart",
       "vertices of layers that touch kept apart");
+  if (repairs.sewn_vertices > 0) {
+    lines.push_back(
+        fmt::format("parts sewn together at {} where their borders lie within {:g} mm (garment.weld)",
+                    counted(repairs.sewn_vertices, "vertex", "vertices"), 1e3 * sewn_within_m));
+  }
   say(repairs.near_vertices, "vertex welded to a near one", "vertices welded to near ones");
 }
 
@@ -133,6 +139,16 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   }
   if (loaded.repairs) {
     append_repairs(*loaded.repairs, lines);
+  }
+  if (loaded.trims_sewn_on > 0) {
+    lines.push_back(counted(loaded.trims_sewn_on, "small part") + " sewn to the cloth below (garment.weld)");
+  }
+  if (loaded.turned_outside_out > 0) {
+    lines.push_back(counted(loaded.turned_outside_out, "triangle") +
+                    " of surfaces that faced inwards turned");
+  }
+  if (!loaded.hanger.empty()) {
+    lines.push_back(describe(loaded.hanger));
   }
   if (loaded.hanging) {
     const std::vector<std::string> parts = describe(*loaded.hanging);

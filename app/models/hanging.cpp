@@ -7,6 +7,7 @@
 
 #include "app/base/counted.hpp"
 #include "app/models/garment_parts.hpp"
+#include "app/models/hanger.hpp"
 #include "app/models/hood.hpp"
 #include "app/models/support.hpp"
 
@@ -121,9 +122,13 @@ HungPart hang_part(const sim::Mesh& mesh, const GarmentPart& part, std::vector<s
 }
 
 const char* way_of(HungBy by) {
-  constexpr std::array ways = {
-      "hung by its top opening",         "held at its highest points", "lies flat, held by its back edge",
-      "hung by the neck below its hood", "hung by two openings",       "held on both shoulders"};
+  constexpr std::array ways = {"hung by its top opening",
+                               "held at its highest points",
+                               "lies flat, held by its back edge",
+                               "hung by the neck below its hood",
+                               "hung by two openings",
+                               "held on both shoulders",
+                               "on a hanger"};
   return ways[static_cast<std::size_t>(by)];
 }
 
@@ -135,6 +140,26 @@ Hanging hang(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
     hanging.parts.push_back(hang_part(mesh, part, hanging.pins));
   }
   std::sort(hanging.pins.begin(), hanging.pins.end());
+  return hanging;
+}
+
+Hanging hang_as_in_a_shop(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  Hanging hanging = hang(mesh, adjacency);
+  const auto smaller = [](const HungPart& a, const HungPart& b) { return a.area_m2 < b.area_m2; };
+  const auto largest = std::max_element(hanging.parts.begin(), hanging.parts.end(), smaller);
+  if (largest->by != HungBy::shoulders && largest->by != HungBy::neck) {
+    return hanging;
+  }
+  const std::vector<GarmentPart> parts = parts_of(mesh, adjacency);
+  const GarmentPart& part = parts[static_cast<std::size_t>(largest - hanging.parts.begin())];
+  hanging.hanger = hanger_for(mesh, part);
+  if (!hanging.hanger.empty()) {
+    largest->by = HungBy::hanger;
+    largest->pins = 0;
+    std::erase_if(hanging.pins, [&](sim::Index pin) {
+      return std::binary_search(part.vertices.begin(), part.vertices.end(), pin);
+    });
+  }
   return hanging;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/contact/bodies.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/mesh.hpp"
 
@@ -19,6 +20,7 @@ enum class HungBy {
   neck,          ///< the narrowest place between a hood and the shoulders
   two_openings,  ///< two borders that carry it together, such as the armholes of a dress with straps
   shoulders,     ///< the highest vertices on either side of its centre of mass
+  hanger,        ///< no vertices, but bars below its shoulders
 };
 
 /// A connected part of a garment, and how it is pinned.
@@ -34,14 +36,19 @@ struct HungPart {
 
 /// The pins of a garment whose scene names none.
 struct Hanging {
-  std::vector<sim::Index> pins;  ///< ascending
-  std::vector<HungPart> parts;   ///< ordered by their first vertex
+  std::vector<sim::Index> pins;        ///< ascending
+  std::vector<HungPart> parts;         ///< ordered by their first vertex
+  std::vector<sim::Body> hanger = {};  ///< bars that carry its largest part; empty: it is held by pins
 };
 
 /// Chooses pins for every connected part by itself, as a hanger would hold it: what is held lies above the
 /// centre of mass seen from above, where the part has such a place. A part without pins would fall out of the
 /// picture.
 Hanging hang(const sim::Mesh& mesh, const sim::Adjacency& adjacency);
+
+/// As above, but puts the largest part on a hanger (hanger.hpp) if it has shoulders and no neckline or waist
+/// to hold it by, and if there is room for one.
+Hanging hang_as_in_a_shop(const sim::Mesh& mesh, const sim::Adjacency& adjacency);
 
 /// One line per part, for at most twelve parts, with remarks on closed and flat parts.
 std::vector<std::string> describe(const Hanging& hanging);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/base/counted.hpp"
+#include "app/models/hanger.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -125,9 +126,10 @@ std::string describe_reading(const Inspection& i) {
                       i.repairs.unused_vertices, i.repairs.degenerate_triangles,
                       i.repairs.duplicate_triangles, triangles(i.repairs.input_triangles));
   return text +
-         fmt::format("            {} turned, {} welded to near ones, {} of touching layers kept apart\n",
-                     triangles(i.repairs.turned_triangles), vertices(i.repairs.near_vertices),
-                     i.repairs.parted_vertices);
+         fmt::format(
+             "            {} turned, {} welded to near ones, {} sewn, {} of touching layers kept apart\n",
+             triangles(i.repairs.turned_triangles), vertices(i.repairs.near_vertices),
+             i.repairs.sewn_vertices, i.repairs.parted_vertices);
 }
 
 std::string describe_start(const StretchAtStart& start) {
@@ -165,6 +167,9 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   if (loaded.hanging) {
     result.parts = loaded.hanging->parts;
     result.hanging = describe(*loaded.hanging);
+  }
+  if (!loaded.hanger.empty()) {
+    result.hanging.push_back(describe(loaded.hanger));
   }
   result.vertex_numbers = loaded.file_vertices.describe();
   result.vertices = garment.mesh.positions.size();

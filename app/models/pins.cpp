@@ -104,6 +104,9 @@ std::vector<std::string> pin_names(const PinTargets& targets) {
     }
   }
   names.emplace_back("top-band");
+  if (targets.grid == nullptr) {
+    names.emplace_back("hanger");
+  }
   return names;
 }
 

@@ -30,8 +30,8 @@ struct PinTargets {
   const char* key = "pins.at";              ///< the key that names the pins, for messages
 };
 
-/// The names that a scene can pin: landmarks, corners and edges of a grid, and "top-band" (the upper 3 % of
-/// the height).
+/// The names that a scene can pin: landmarks, corners and edges of a grid, "top-band" (the upper 3 % of
+/// the height) and, alone and for a model, "hanger" (hanger.hpp).
 std::vector<std::string> pin_names(const PinTargets& targets);
 
 /// The vertices of the mesh that the scene pins. Throws InputError for an unknown name or a vertex that does

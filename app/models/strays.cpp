@@ -11,6 +11,8 @@
 
 #include "app/base/counted.hpp"
 #include "sim/mesh/extent.hpp"
+#include "sim/mesh/groups.hpp"
+#include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 namespace {
@@ -62,6 +64,18 @@ sim::Extent bulk_of(const std::vector<Patch>& patches, double area) {
   return bulk;
 }
 
+/// Vertices that triangles connect, of whatever shares a place.
+sim::Groups pieces_of(const sim::Mesh& mesh) {
+  sim::Groups pieces(mesh.positions.size());
+  const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    pieces.join(places[a], places[b]);
+    pieces.join(places[b], places[c]);
+    pieces.join(places[a], a);
+  }
+  return pieces;
+}
+
 }  // namespace
 
 Strays remove_strays(sim::Mesh& mesh) {
@@ -80,20 +94,23 @@ Strays remove_strays(sim::Mesh& mesh) {
   const sim::Vec3 size = bulk.size();
   const double reach = stray_distance * std::max({size.x, size.y, size.z});
   const sim::Extent near{bulk.lower - reach, bulk.upper + reach};
+  std::vector<char> is_near(mesh.positions.size(), 0);
+  sim::Groups pieces = pieces_of(mesh);
+  for (std::size_t t = 0; t < patches.size(); ++t) {
+    if (sim::overlap({patches[t].middle, patches[t].middle}, near)) {
+      is_near[pieces.find(mesh.triangles[t][0])] = 1;
+    }
+  }
   std::vector<sim::Triangle> kept;
   for (std::size_t t = 0; t < patches.size(); ++t) {
-    const sim::Vec3& middle = patches[t].middle;
-    if (sim::overlap({middle, middle}, near)) {
+    if (is_near[pieces.find(mesh.triangles[t][0])]) {
       kept.push_back(mesh.triangles[t]);
       continue;
     }
     ++strays.triangles;
     strays.area_share += patches[t].area / area;
-    strays.distance = std::max(strays.distance, glm::distance(middle, 0.5 * (bulk.lower + bulk.upper)));
-  }
-  // One damaged vertex makes a triangle that is larger than all others together.
-  if (kept.size() < strays.triangles) {
-    return {};
+    strays.distance =
+        std::max(strays.distance, glm::distance(patches[t].middle, 0.5 * (bulk.lower + bulk.upper)));
   }
   mesh.triangles = std::move(kept);
   return strays;

@@ -7,8 +7,8 @@
 
 namespace taut::app {
 
-/// What lies so far from nearly all of a model's area that it cannot belong to the garment, such as a button
-/// at the wrong end of a scene.
+/// Pieces that lie so far from nearly all of a model's area that they cannot belong to the garment, such as a
+/// button at the wrong end of a scene.
 struct Strays {
   std::size_t triangles = 0;
   double area_share = 0.0;  ///< of all the area

@@ -62,10 +62,10 @@ std::optional<double> unit_of_model_part(std::string_view xml) {
   return std::nullopt;
 }
 
-std::optional<double> unit_of_3mf(const std::filesystem::path& path) {
+std::string head_of_3mf(const std::filesystem::path& path) {
   const std::unique_ptr<void, CloseArchive> archive(::unzOpen64(path.c_str()));
   if (!archive || !find_model_part(archive.get()) || ::unzOpenCurrentFile(archive.get()) != UNZ_OK) {
-    return std::nullopt;
+    return "";
   }
   std::string head(head_bytes, '\0');
   std::size_t count = 0;
@@ -77,7 +77,11 @@ std::optional<double> unit_of_3mf(const std::filesystem::path& path) {
     }
     count += static_cast<std::size_t>(read);
   }
-  return unit_of_model_part(std::string_view(head).substr(0, count));
+  return head.substr(0, count);
+}
+
+std::optional<double> unit_of_3mf(const std::filesystem::path& path) {
+  return unit_of_model_part(head_of_3mf(path));
 }
 
 }  // namespace taut::app

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace taut::app {
@@ -12,5 +13,8 @@ std::optional<double> unit_of_model_part(std::string_view xml);
 
 /// As above, from a 3MF file. Assimp reads such files but ignores the unit.
 std::optional<double> unit_of_3mf(const std::filesystem::path& path);
+
+/// Returns the beginning of the XML in which a 3MF file describes its model. Empty if it holds none.
+std::string head_of_3mf(const std::filesystem::path& path);
 
 }  // namespace taut::app

@@ -147,8 +147,8 @@ Json point_json(const sim::Vec3& p) {
 }
 
 Json parts_json(const std::vector<HungPart>& parts) {
-  constexpr std::array ways = {"top opening", "highest points", "back edge",
-                               "neck",        "two openings",   "shoulders"};
+  constexpr std::array ways = {"top opening",  "highest points", "back edge", "neck",
+                               "two openings", "shoulders",      "hanger"};
   Json list = Json::array();
   for (const HungPart& part : parts) {
     list.push_back({{"vertices", part.vertices},
@@ -273,6 +273,7 @@ std::string inspection_json(const Inspection& i) {
                         {"duplicate_triangles", i.repairs.duplicate_triangles},
                         {"turned_triangles", i.repairs.turned_triangles},
                         {"near_vertices", i.repairs.near_vertices},
+                        {"sewn_vertices", i.repairs.sewn_vertices},
                         {"parted_vertices", i.repairs.parted_vertices}};
   const Json placement = {{"metres_per_unit", i.placement.scale},
                           {"unit", i.placement.unit_text},

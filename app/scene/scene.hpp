@@ -20,8 +20,9 @@ struct GarmentSource {
   std::filesystem::path file;   ///< empty: the grid
   std::optional<double> scale;  ///< metres per unit of the file; empty: the file's own unit, or a guess
   std::optional<ModelAxis> up;  ///< in the file's coordinates; empty: the file's own, or a guess
-  double weld_m = 0.0;          ///< vertices of borders that are closer than this become one
-  int subdivisions = 0;         ///< each makes four triangles of one; only for a file
+  /// Vertices of borders that are closer than this become one; empty: where parts meet beyond doubt.
+  std::optional<double> weld_m;
+  int subdivisions = 0;  ///< each makes four triangles of one; only for a file
   /// Model file with the positions at the start: the garment's vertices, in metres with y up. Empty: the
   /// garment starts as it was modelled.
   std::filesystem::path start;

@@ -64,8 +64,7 @@ void add_garment(SceneKeys& keys) {
   keys.push_back(up_key<Scene>(
       "garment.up", MEMBER(garment.up),
       "the model's direction that is up; auto: what the file says, or else a guess from its size"));
-  keys.push_back(number("garment.weld", "m", {0.0, 0.05}, MEMBER(garment.weld_m),
-                        "borders of the model nearer to each other than this are sewn together"));
+  keys.push_back(weld_key());
   keys.push_back(whole("garment.subdivisions", 0, 5, MEMBER(garment.subdivisions),
                        "of the model: each makes four of every triangle and keeps the shape"));
   keys.push_back(whole("garment.grid.columns", 2, 2000, MEMBER(garment.grid.columns), "mass points across"));

@@ -154,17 +154,40 @@ std::vector<std::pair<std::string, std::optional<ModelAxis>>> up_choices() {
 }
 
 Key<Scene> pins_key() {
-  return {
-      "pins.at",
-      "",
-      "\"none\" or a list of landmark names, grid names (\"top-left\", ...), vertex numbers and "
-      "{ nearest = [x, y, z] }",
-      "vertices that are held; not set: the upper edge of a grid, each part of a model by its top. Numbers "
-      "count from 0: a grid's vertices row by row from the top left; the v lines of an OBJ file; the "
-      "vertices of other files, mesh after mesh; where a format shares no vertices between faces (STL, "
-      "FBX, Collada) the corners of its faces. taut inspect says which, and how many",
-      read_pins,
-      write_pins};
+  return {"pins.at",
+          "",
+          "\"none\" or \"hanger\" or a list of landmark names, grid names (\"top-left\", ...), vertex "
+          "numbers and "
+          "{ nearest = [x, y, z] }",
+          "vertices that are held; not set: the upper edge of a grid, each part of a model by its top. "
+          "\"hanger\": "
+          "none, but two bars below its shoulders. Numbers "
+          "count from 0: a grid's vertices row by row from the top left; the v lines of an OBJ file; the "
+          "vertices of other files, mesh after mesh; where a format shares no vertices between faces (STL, "
+          "FBX, Collada) the corners of its faces. taut inspect says which, and how many",
+          read_pins,
+          write_pins};
+}
+
+Key<Scene> weld_key() {
+  constexpr Range range = {0.0, 0.05};
+  auto read = [range](const toml::node& value, const Source&, Scene& scene) {
+    const std::optional<double> number = finite_number(value);
+    const bool is_number = number && range.contains(*number);
+    if (is_number || text_in(value) == "auto") {
+      scene.garment.weld_m = number;
+      return true;
+    }
+    return false;
+  };
+  auto write = [](const Scene& scene) { return scene.garment.weld_m ? Json(*scene.garment.weld_m) : Json(); };
+  return {"garment.weld",
+          "m",
+          "\"auto\" or " + describe("a number", range),
+          "borders of the model nearer to each other than this are sewn together; auto: borders of different "
+          "parts within 1 mm, where it is beyond doubt what belongs together; 0: none",
+          read,
+          write};
 }
 
 Key<Scene> forces_key() {

@@ -11,6 +11,7 @@ Key<Scene> file_key();
 Key<Scene> start_key();
 Key<Scene> checkpoint_key();
 Key<Scene> pins_key();
+Key<Scene> weld_key();
 Key<Scene> forces_key();
 
 /// The choices for the direction of a model that is up.

@@ -10,6 +10,7 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/framing.hpp"
+#include "app/models/hanger.hpp"
 #include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
 
@@ -223,6 +224,7 @@ void Viewer::load_asked() {
         scene.camera = {};
         scene.picture.ground = {};
       }
+      take_off_hanger(scene);
       scene.garment.file = *garment;
       scene.garment.start.clear();
       load(std::move(scene));

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "sim/mesh/orientation.hpp"
+#include "sim/mesh/sewing.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::sim {
@@ -102,11 +103,7 @@ std::vector<Index> compact_vertices(Mesh& mesh) {
     }
   }
   mesh.positions.resize(kept);
-  for (Triangle& t : mesh.triangles) {
-    for (Index& v : t) {
-      v = renumbered[v];
-    }
-  }
+  renumber(renumbered, mesh);
   return renumbered;
 }
 
@@ -148,17 +145,19 @@ ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& setting
     report.near_vertices = weld_near_borders(settings.weld_distance_m, mesh, welded);
     drop_unsound(welded, mesh, report);
   }
+  if (settings.sewing_distance_m > 0.0) {
+    report.sewn_vertices = sew_parts(settings.sewing_distance_m, mesh, welded);
+    drop_unsound(welded, mesh, report);
+  }
   if (mesh.triangles.empty()) {
     throw std::invalid_argument("no triangle with an area remains of " +
                                 std::to_string(input.triangles.size()) + " triangles");
   }
-  for (Triangle& t : mesh.triangles) {
-    t = {welded[t[0]], welded[t[1]], welded[t[2]]};
-  }
+  renumber(welded, mesh);
   report.turned_triangles = orient_consistently(mesh);
   const std::vector<Index> renumbered = compact_vertices(mesh);
   const std::size_t dropped = input.positions.size() - mesh.positions.size();
-  report.unused_vertices = dropped - report.welded_vertices - report.near_vertices;
+  report.unused_vertices = dropped - report.welded_vertices - report.near_vertices - report.sewn_vertices;
   const std::vector<char> used = used_vertices(input);
   kept.assign(used.size(), no_vertex);
   for (std::size_t v = 0; v < used.size(); ++v) {

@@ -20,6 +20,9 @@ struct Mesh {
 struct RepairSettings {
   /// Border vertices closer than this are welded, in metres. At 0 only exactly equal positions are welded.
   double weld_distance_m = 0.0;
+  /// Parts whose borders lie closer than this are sewn together where that is beyond doubt, in metres
+  /// (sim/mesh/sewing.hpp). At 0 none are.
+  double sewing_distance_m = 0.0;
 };
 
 /// What `weld_and_validate` changed in a mesh. It repairs nothing silently.
@@ -28,6 +31,7 @@ struct MeshReport {
   std::size_t input_triangles = 0;
   std::size_t welded_vertices = 0;       ///< at exactly the position of an earlier vertex
   std::size_t near_vertices = 0;         ///< welded because they were near enough
+  std::size_t sewn_vertices = 0;         ///< at borders of different parts that were sewn together
   std::size_t parted_vertices = 0;       ///< not welded although at equal positions: layers that touch
   std::size_t unused_vertices = 0;       ///< dropped: no remaining triangle uses them
   std::size_t degenerate_triangles = 0;  ///< dropped: two corners alike, or no area

@@ -1,44 +1,25 @@
 #include "sim/mesh/welding.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <unordered_map>
 
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/groups.hpp"
+#include "sim/mesh/point_cells.hpp"
 
 namespace taut::sim {
 namespace {
 
 constexpr Index none = no_vertex;
 
-std::size_t mixed(std::size_t hash, std::uint64_t value) {
-  hash = (hash ^ value) * 0x9E3779B97F4A7C15ULL;
-  return hash ^ (hash >> 32);
-}
-
 struct PositionHash {
-  std::size_t operator()(const Vec3& p) const {
-    std::size_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      // Adding zero turns -0 into +0, which compares equal and so has to hash equal.
-      hash = mixed(hash, std::bit_cast<std::uint64_t>(p[axis] + 0.0));
-    }
-    return hash;
-  }
+  std::size_t operator()(const Vec3& p) const { return hash_of(p.x, p.y, p.z); }
 };
 
 Mesh renumbered(const Mesh& mesh, const std::vector<Index>& vertices) {
   Mesh result{mesh.positions, mesh.triangles, {}};
-  for (Triangle& t : result.triangles) {
-    for (Index& v : t) {
-      v = vertices[v];
-    }
-  }
+  renumber(vertices, result);
   return result;
 }
 
@@ -114,6 +95,14 @@ struct Fans {
 
 }  // namespace
 
+void renumber(const std::vector<Index>& vertices, Mesh& mesh) {
+  for (Triangle& t : mesh.triangles) {
+    for (Index& v : t) {
+      v = vertices[v];
+    }
+  }
+}
+
 std::vector<char> used_vertices(const Mesh& mesh) {
   std::vector<char> used(mesh.positions.size(), 0);
   for (const Triangle& t : mesh.triangles) {
@@ -159,13 +148,7 @@ std::vector<Index> weld_at_places(const Mesh& mesh, const std::vector<Index>& pl
 std::size_t weld_near_borders(double distance_m, const Mesh& mesh, std::vector<Index>& welded) {
   const Mesh joined = renumbered(mesh, welded);
   const std::vector<char> at_border = border_vertices(joined, make_adjacency(joined));
-  const auto cell = [&](const Vec3& p, int axis) { return std::floor(p[axis] / distance_m); };
-  const auto hash = [](double x, double y, double z) {
-    return mixed(
-        mixed(mixed(0, std::bit_cast<std::uint64_t>(x + 0.0)), std::bit_cast<std::uint64_t>(y + 0.0)),
-        std::bit_cast<std::uint64_t>(z + 0.0));
-  };
-  std::unordered_multimap<std::size_t, Index> cells;
+  PointCells cells(distance_m);
   Groups groups(mesh.positions.size());
   std::size_t count = 0;
   for (Index v = 0; v < at_border.size(); ++v) {
@@ -173,18 +156,13 @@ std::size_t weld_near_borders(double distance_m, const Mesh& mesh, std::vector<I
       continue;
     }
     const Vec3& p = mesh.positions[v];
-    for (int k = 0; k < 27; ++k) {
-      const auto [begin, end] =
-          cells.equal_range(hash(cell(p, 0) + k % 3 - 1, cell(p, 1) + k / 3 % 3 - 1, cell(p, 2) + k / 9 - 1));
-      for (auto near = begin; near != end; ++near) {
-        if (glm::distance(mesh.positions[near->second], p) < distance_m &&
-            groups.find(near->second) != groups.find(v)) {
-          groups.join(near->second, v);
-          ++count;
-        }
+    cells.visit_near(p, [&](Index near) {
+      if (glm::distance(mesh.positions[near], p) < distance_m && groups.find(near) != groups.find(v)) {
+        groups.join(near, v);
+        ++count;
       }
-    }
-    cells.emplace(hash(cell(p, 0), cell(p, 1), cell(p, 2)), v);
+    });
+    cells.add(p, v);
   }
   for (Index& v : welded) {
     v = groups.find(v);

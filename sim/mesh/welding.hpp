@@ -16,6 +16,9 @@ inline constexpr Index no_vertex = std::numeric_limits<Index>::max();
 /// triangles that were dropped.
 ValidatedMesh weld_and_validate(const Mesh& input, const RepairSettings& settings, std::vector<Index>& kept);
 
+/// Replaces every corner of the triangles by what `vertices` holds for it.
+void renumber(const std::vector<Index>& vertices, Mesh& mesh);
+
 /// Returns, per vertex, 1 if a triangle uses it and 0 if none does.
 std::vector<char> used_vertices(const Mesh& mesh);
 

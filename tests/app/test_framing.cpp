@@ -146,5 +146,22 @@ TEST(StretchLegend, HasNoBoundWhereTheSolverMeansNone) {
   EXPECT_FALSE(legend.bound.has_value());
 }
 
+TEST(Framing, LooksAtTheBroadSideOfAModel) {
+  DrawnScene scene;
+  const renderer::Box deep{{-0.1F, 0.0F, -0.5F}, {0.1F, 1.0F, 0.5F}};
+  const renderer::Box hardly_deeper{{-0.4F, 0.0F, -0.5F}, {0.4F, 1.0F, 0.5F}};
+  const auto looks_along = [&](const renderer::Box& reach) {
+    const renderer::Camera camera = scene_camera(scene, reach, 1.0F);
+    const glm::vec3 way = glm::abs(camera.eye - camera.target);
+    return way.x > way.z ? 'x' : 'z';
+  };
+  EXPECT_EQ(looks_along(deep), 'z') << "a grid is seen as ever";
+  scene.garment.file = "shirt.obj";
+  EXPECT_EQ(looks_along(deep), 'x');
+  EXPECT_EQ(looks_along(hardly_deeper), 'z');
+  scene.camera.framing.azimuth_rad = 0.0F;
+  EXPECT_EQ(looks_along(deep), 'z') << "as asked for";
+}
+
 }  // namespace
 }  // namespace taut::app

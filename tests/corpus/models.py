@@ -105,7 +105,8 @@ def repairs():
         yield Model('touching_layers.' + kind, make(s.touching_layers()),
                     {'vertices': 10, 'repairs.parted_vertices': 1, 'topology.components': 2})
     seam = s.joined(s.sheet(4, 4, 0.3, 0.3), s.sheet(4, 4, 0.3, 0.3).moved(0.3004, 0, 0))
-    yield Model('open_seam.obj', w.obj(seam), {'topology.components': 2})
+    yield Model('open_seam.obj', w.obj(seam), {'topology.components': 2}, options=['--set', 'garment.weld=0'])
+    yield Model('seam.obj', w.obj(seam), {'topology.components': 1, 'repairs.sewn_vertices': 4})
     yield Model('sewn_seam.obj', w.obj(seam), {'topology.components': 1, 'repairs.near_vertices': 4},
                 options=['--set', 'garment.weld=0.001'])
 

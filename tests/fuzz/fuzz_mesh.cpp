@@ -98,11 +98,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Faces faces = take_faces(bytes);
   try {
     const Mesh soup{faces.positions, cut_into_triangles({faces.positions, faces.counts, faces.corners}), {}};
-    const ValidatedMesh valid = weld_and_validate(soup, {weld < 128 ? 0.0 : 0.01 * (weld - 127)});
+    const ValidatedMesh valid =
+        weld_and_validate(soup, {weld < 128 ? 0.0 : 0.01 * (weld - 127), weld % 2 == 0 ? 0.0 : 0.01 * weld});
     const MeshReport& report = valid.report;
     if (report.degenerate_triangles + report.duplicate_triangles + valid.mesh.triangles.size() !=
             report.input_triangles ||
-        report.welded_vertices + report.near_vertices + report.unused_vertices +
+        report.welded_vertices + report.near_vertices + report.sewn_vertices + report.unused_vertices +
                 valid.mesh.positions.size() !=
             report.input_vertices) {
       std::abort();  // something was repaired silently

@@ -268,6 +268,20 @@ sim::Mesh button(const sim::Vec3& at_m, double radius_m) {
   return disc;
 }
 
+sim::Mesh inside_out(sim::Mesh mesh) {
+  for (sim::Triangle& t : mesh.triangles) {
+    std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+sim::Mesh turned_down(double until_m) {
+  return tube(22, 24, [until_m](int ring, double angle) {
+    return ring < 11 ? around_y(0.2, angle, 0.05 * ring)
+                     : around_y(0.22, angle, 0.5 - (0.5 - until_m) * (ring - 11) / 10.0);
+  });
+}
+
 sim::Mesh with_z_up(sim::Mesh mesh) {
   for (sim::Vec3& p : mesh.positions) {
     p = {p.x, -p.z, p.y};

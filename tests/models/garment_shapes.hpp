@@ -52,6 +52,10 @@ sim::Mesh both(const sim::Mesh& a, const sim::Mesh& b);
 sim::Mesh moved(sim::Mesh mesh, const sim::Vec3& by_m);
 /// A disc of this radius that lies in front of this place.
 sim::Mesh button(const sim::Vec3& at_m, double radius_m);
+/// Every triangle faces the other side.
+sim::Mesh inside_out(sim::Mesh mesh);
+/// A tube of 0.5 m whose upper end is turned down over its outside to this height.
+sim::Mesh turned_down(double until_m);
 /// The same garment in a file with z up.
 sim::Mesh with_z_up(sim::Mesh mesh);
 /// The same garment pressed flat and laid on its back, its top towards -z, in a file with y up.

@@ -68,7 +68,7 @@ TEST(Landmarks, CanBePinned) {
   EXPECT_EQ(load_garment(scene).pins.size(), 2U);
   scene.pins = {{"topp"}};
   const std::string error = message_of<InputError>([&] { load_garment(scene); });
-  EXPECT_CONTAINS(error, "no part named 'topp'; did you mean 'top'? (it has: top, top-band)");
+  EXPECT_CONTAINS(error, "no part named 'topp'; did you mean 'top'? (it has: top, top-band, hanger)");
 }
 
 TEST(Landmarks, OfTheTShirtLieOnIt) {

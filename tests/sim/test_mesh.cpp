@@ -221,5 +221,65 @@ TEST(Grid, RefusesWhatIsNoGrid) {
   EXPECT_THROW(make_grid({.width_m = 0.0}), std::invalid_argument);
 }
 
+/// A strip of squares from x = 0 on, two vertices wide: its ends, its sides and its corners are borders.
+Mesh strip(double from_x, double to_x, const Vec3& risen, int squares = 3) {
+  Mesh mesh;
+  for (int k = 0; k <= squares; ++k) {
+    const double y = 0.1 * k;
+    mesh.positions.insert(mesh.positions.end(), {Vec3(from_x, y, 0.0), Vec3(to_x, y, 0.0) + risen});
+  }
+  for (Index k = 0; k < 2 * static_cast<Index>(squares); k += 2) {
+    mesh.triangles.insert(mesh.triangles.end(), {{k, k + 1, k + 3}, {k, k + 3, k + 2}});
+  }
+  return mesh;
+}
+
+Mesh together(const std::vector<Mesh>& parts) {
+  Mesh all;
+  for (const Mesh& part : parts) {
+    const auto first = static_cast<Index>(all.positions.size());
+    all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
+    for (const auto& [a, b, c] : part.triangles) {
+      all.triangles.push_back({a + first, b + first, c + first});
+    }
+  }
+  return all;
+}
+
+std::size_t sewn(const std::vector<Mesh>& parts, double distance_m = 1e-3) {
+  return weld_and_validate(together(parts), {.sewing_distance_m = distance_m}).report.sewn_vertices;
+}
+
+TEST(Sewing, JoinsBordersOfDifferentParts) {
+  const Vec3 level(0.0);
+  EXPECT_EQ(sewn({strip(0.0, 0.1, level), strip(0.1005, 0.2, level)}), 4U);
+  EXPECT_EQ(sewn({strip(0.0, 0.1, level), strip(0.1015, 0.2, level)}), 0U);
+  EXPECT_EQ(sewn({strip(0.0, 0.1, level), strip(0.1005, 0.2, level)}, 0.0), 0U);
+  const ValidatedMesh out = weld_and_validate(together({strip(0.0, 0.1, level), strip(0.1005, 0.2, level)}),
+                                              {.sewing_distance_m = 1e-3});
+  EXPECT_EQ(out.mesh.positions.size(), 12U);
+  EXPECT_EQ(out.mesh.triangles.size(), 12U);
+  EXPECT_EQ(out.report.unused_vertices, 0U);
+}
+
+TEST(Sewing, NeverJoinsAPartToItself) {
+  EXPECT_EQ(sewn({strip(0.0, 0.0005, Vec3(0.0))}), 0U);
+  // The strip between two others is narrower than what is sewn: its sides would become one.
+  EXPECT_EQ(
+      sewn({strip(0.0, 0.1, Vec3(0.0)), strip(0.1003, 0.1006, Vec3(0.0)), strip(0.1009, 0.2, Vec3(0.0))}),
+      0U);
+}
+
+TEST(Sewing, LeavesLayersApart) {
+  Mesh above = strip(0.0, 0.1, Vec3(0.0));
+  for (Vec3& p : above.positions) {
+    p.z += 5e-4;
+  }
+  EXPECT_EQ(sewn({strip(0.0, 0.1, Vec3(0.0)), above}), 0U);
+  // Two sheets that part from each other at a seam, by 5 and by 13 degrees.
+  EXPECT_EQ(sewn({strip(0.0005, 0.1, Vec3(0.0)), strip(0.0, 0.1, {0.0, 0.0, 0.009})}), 0U);
+  EXPECT_EQ(sewn({strip(0.0005, 0.1, Vec3(0.0)), strip(0.0, 0.1, {0.0, 0.0, 0.023})}), 4U);
+}
+
 }  // namespace
 }  // namespace taut::sim

@@ -7,6 +7,7 @@
 #include "app/base/stopwatch.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
+#include "app/models/hanger.hpp"
 #include "app/output/run_checkpoint.hpp"
 
 namespace taut::app {
@@ -14,7 +15,9 @@ namespace {
 
 std::shared_ptr<const LoadedScene> load(const DrawnScene& scene, std::uint64_t generation) {
   LoadedGarment loaded = load_garment(scene);
-  return std::make_shared<const LoadedScene>(LoadedScene{std::move(loaded), scene, generation});
+  DrawnScene hung = scene;
+  put_on_hanger(loaded, hung);
+  return std::make_shared<const LoadedScene>(LoadedScene{std::move(loaded), std::move(hung), generation});
 }
 
 // The outer third on one side of what the pins extend over, across.

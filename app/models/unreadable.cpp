@@ -1,0 +1,107 @@
+#include "app/models/unreadable.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+#include "app/models/unit_of_3mf.hpp"
+
+namespace taut::app {
+namespace {
+
+// Of the file's bytes; what tells a format stands at its beginning, and a glTF's text is seldom longer.
+constexpr std::size_t head_bytes = std::size_t{1} << 22;
+
+std::string head_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(head_bytes, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head;
+}
+
+bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension;
+}
+
+/// The texts that stand behind "key": in JSON, in their order. Enough to tell what a glTF file needs, and it
+/// takes one that is damaged.
+std::vector<std::string> texts_behind(std::string_view json, std::string_view key) {
+  std::vector<std::string> texts;
+  const std::string quoted = '"' + std::string(key) + '"';
+  for (std::size_t at = json.find(quoted); at != std::string_view::npos; at = json.find(quoted, at + 1)) {
+    const std::size_t colon = json.find_first_not_of(" \t\r\n", at + quoted.size());
+    if (colon == std::string_view::npos || json[colon] != ':') {
+      continue;
+    }
+    const std::size_t begin = json.find_first_not_of(" \t\r\n", colon + 1);
+    if (begin != std::string_view::npos && json[begin] == '"') {
+      texts.emplace_back(json.substr(begin + 1, json.find('"', begin + 1) - begin - 1));
+    }
+  }
+  return texts;
+}
+
+std::string why_not_gltf(const std::filesystem::path& path, const std::string& head) {
+  const bool is_binary = head.starts_with("glTF") && head.size() > 4;
+  const std::vector<std::string> versions = texts_behind(head, "version");
+  const bool is_first =
+      is_binary ? head[4] == 1
+                : std::any_of(versions.begin(), versions.end(),
+                              [](const std::string& version) { return version.starts_with("1."); });
+  if (is_first) {
+    return "it is glTF 1.0, which is not read; save it as glTF 2.0";
+  }
+  if (contains(head, "KHR_draco_mesh_compression")) {
+    return "its meshes are compressed with Draco in a way that is not read; save it without compression";
+  }
+  for (const std::string& uri : texts_behind(head, "uri")) {
+    std::error_code error;
+    if (uri.ends_with(".bin") && !std::filesystem::exists(path.parent_path() / uri, error)) {
+      return fmt::format("it needs the file '{}' beside it, which is not there", uri);
+    }
+  }
+  return "";
+}
+
+std::string why_not_3mf(const std::filesystem::path& path) {
+  const std::string model = head_of_3mf(path);
+  return contains(model, "p:path=") || contains(model, "requiredextensions=\"p\"")
+             ? "its objects lie in files of their own within it (3MF production extension), which are not "
+               "read; "
+               "save it as plain 3MF, STL or OBJ"
+             : "";
+}
+
+}  // namespace
+
+std::string why_unreadable(const std::filesystem::path& path) {
+  const std::string head = head_of(path);
+  const std::string extension = extension_of(path);
+  constexpr std::array usd = {".usd", ".usda", ".usdc", ".usdz"};
+  if (std::find(usd.begin(), usd.end(), extension) != usd.end() || head.starts_with("#usda") ||
+      head.starts_with("PXR-USDC")) {
+    return "it is USD, which is not read; save it as glTF, FBX or OBJ";
+  }
+  if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) {
+    return "it is text in UTF-16; save it as UTF-8";
+  }
+  if (extension == ".gltf" || extension == ".glb") {
+    return why_not_gltf(path, head);
+  }
+  return extension == ".3mf" ? why_not_3mf(path) : "";
+}
+
+}  // namespace taut::app

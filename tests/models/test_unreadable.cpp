@@ -1,0 +1,63 @@
+// What is said of files that no reader takes.
+
+#include <gtest/gtest.h>
+
+#include "app/base/errors.hpp"
+#include "app/models/garment_import.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+struct Unreadable : testing::Test {
+  std::string error_of(const std::string& name, const std::string& text) const {
+    const auto path = folder.write(name, text);
+    const std::string error = test::message_of<InputError>([&] { import_garment(path); });
+    EXPECT_CONTAINS(error, "cannot read a model from '" + path.string() + "': ");
+    return error;
+  }
+
+  test::TemporaryFolder folder;
+};
+
+constexpr const char* advice = "expected a 3D model";
+
+TEST_F(Unreadable, NamesTheFileThatIsMissing) {
+  const std::string error =
+      error_of("a.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36, "uri": "cloth.bin"}],
+"scenes": [{"nodes": [0]}], "scene": 0, "nodes": [{"mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}]})");
+  EXPECT_CONTAINS(error, "it needs the file 'cloth.bin' beside it, which is not there");
+  EXPECT_EQ(error.find(advice), std::string::npos);
+}
+
+TEST_F(Unreadable, NamesFormatsThatAreNotRead) {
+  EXPECT_CONTAINS(error_of("a.usda", "#usda 1.0\n"),
+                  "it is USD, which is not read; save it as glTF, FBX or OBJ");
+  EXPECT_CONTAINS(error_of("a.USDZ", "PK"), "it is USD");
+  EXPECT_CONTAINS(error_of("misnamed.obj", "#usda 1.0\n"), "it is USD");
+  EXPECT_CONTAINS(error_of("misnamed2.obj", "PXR-USDC"), "it is USD");
+  EXPECT_CONTAINS(error_of("a.gltf", R"({"asset": {"version": "1.0"}, "meshes": {}})"),
+                  "it is glTF 1.0, which is not read; save it as glTF 2.0");
+  EXPECT_CONTAINS(error_of("a.glb", std::string("glTF\1\0\0\0\24\0\0\0", 12)), "it is glTF 1.0");
+}
+
+TEST_F(Unreadable, NamesTheEncodingAndTheCompression) {
+  EXPECT_CONTAINS(error_of("a.obj", "\xFF\xFEv\0 \0"), "it is text in UTF-16; save it as UTF-8");
+  EXPECT_CONTAINS(error_of("b.obj", "\xFE\xFF"), "it is text in UTF-16");
+  EXPECT_CONTAINS(
+      error_of("a.gltf",
+               R"({"asset": {"version": "2.0"}, "extensionsRequired": ["KHR_draco_mesh_compression"],)"),
+      "compressed with Draco in a way that is not read; save it without compression");
+}
+
+TEST_F(Unreadable, SaysWhatIsReadOnlyOfWhatIsNoModel) {
+  EXPECT_CONTAINS(error_of("notes.txt", "Buy milk.\n"), advice);
+  EXPECT_CONTAINS(error_of("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), advice);
+  EXPECT_EQ(error_of("damaged.obj", "v 0 zero 0\nf 1 1 1\n").find(advice), std::string::npos);
+}
+
+}  // namespace
+}  // namespace taut::app

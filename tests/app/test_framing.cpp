@@ -148,7 +148,7 @@ TEST(StretchLegend, HasNoBoundWhereTheSolverMeansNone) {
 
 TEST(Framing, LooksAtTheBroadSideOfAModel) {
   DrawnScene scene;
-  const renderer::Box deep{{-0.1F, 0.0F, -0.5F}, {0.1F, 1.0F, 0.5F}};
+  const renderer::Box deep{{-0.25F, 0.0F, -0.5F}, {0.25F, 1.0F, 0.5F}};
   const renderer::Box hardly_deeper{{-0.4F, 0.0F, -0.5F}, {0.4F, 1.0F, 0.5F}};
   const auto looks_along = [&](const renderer::Box& reach) {
     const renderer::Camera camera = scene_camera(scene, reach, 1.0F);

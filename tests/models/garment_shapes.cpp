@@ -184,9 +184,17 @@ sim::Mesh skirt() {
               [](int ring, double angle) { return around_y(0.3 - 0.015 * ring, angle, 0.05 * ring); });
 }
 
-sim::Mesh circle_skirt() {
-  return tube(12, 32, [](int ring, double angle) {
-    return around_y(0.7 - 0.05 * ring, angle, 0.002 * std::cos(4.0 * angle));
+sim::Mesh circle_skirt(double wave_m) {
+  return tube(12, 32, [wave_m](int ring, double angle) {
+    return around_y(0.7 - 0.05 * ring, angle, 0.5 * wave_m * std::cos(4.0 * angle));
+  });
+}
+
+sim::Mesh bottle(double height_m, const Neck& neck) {
+  return tube(12, 24, [&](int ring, double angle) {
+    return ring < 11 ? around_y(0.2, angle, 0.1 * ring * height_m)
+                     : sim::Vec3(neck.off_x_m + neck.half_x_m * std::sin(angle), height_m,
+                                 neck.off_z_m + neck.half_z_m * std::cos(angle));
   });
 }
 

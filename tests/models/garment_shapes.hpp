@@ -38,8 +38,17 @@ sim::Mesh hoodie(double top_m = 1.08, double face_from_m = 0.66, double shoulder
 sim::Mesh trousers();
 /// A tube that widens downwards.
 sim::Mesh skirt();
-/// A ring that lies flat.
-sim::Mesh circle_skirt();
+/// A ring that lies flat but for waves of this height.
+sim::Mesh circle_skirt(double wave_m = 0.004);
+/// The neck of a bottle: an ellipse with these half axes, off the middle of the top.
+struct Neck {
+  double half_x_m;
+  double half_z_m;
+  double off_x_m = 0.0;
+  double off_z_m = 0.0;
+};
+/// A tube 0.4 m wide that is closed at its top but for a neck, and open below.
+sim::Mesh bottle(double height_m, const Neck& neck);
 /// A sheet that lies over shoulders, open in front.
 sim::Mesh cape();
 /// Closed at its top, with a lining that ends at this share of its height.

@@ -83,13 +83,13 @@ TEST(Hanging, HoldsADressWithStrapsOnBothSides) {
 TEST(Hanging, HoldsUnevenStrapsByBothArmholes) {
   sim::Mesh mesh = test::strap_dress(0.15);
   for (sim::Vec3& p : mesh.positions) {
-    p.y += p.y > 0.6 && p.x > 0.0 ? 0.1 * (p.y - 0.6) : 0.0;
+    p.y += p.y > 0.6 && p.x > 0.0 ? 0.4 * (p.y - 0.6) : 0.0;
   }
   const Held armholes = held(mesh);
   EXPECT_EQ(armholes.by, HungBy::two_openings);
   expect_across(armholes, -0.21, 0.21);
   for (sim::Vec3& p : mesh.positions) {
-    p.y += p.y > 0.6 && p.x > 0.0 ? 0.8 * (p.y - 0.6) : 0.0;
+    p.y += p.y > 0.6 && p.x > 0.0 ? 0.5 * (p.y - 0.6) : 0.0;
   }
   EXPECT_NE(held(mesh).by, HungBy::two_openings) << "they are no pair";
 }
@@ -143,6 +143,25 @@ TEST(Hanging, TakesTheEndOfALiningForATopOpeningOnlyIfItIsHigh) {
   EXPECT_EQ(held(test::lined_bell(0.7)).by, HungBy::top_opening);
 }
 
+TEST(Hanging, TakesALongAndWideOpeningThatCarries) {
+  const auto by = [](double height_m, const test::Neck& neck) {
+    return held(test::bottle(height_m, neck)).by;
+  };
+  EXPECT_EQ(by(1.6, {0.06, 0.06}), HungBy::top_opening);
+  EXPECT_EQ(by(1.6, {0.04, 0.04}), HungBy::highest_band) << "0.16 of the size around";
+  EXPECT_EQ(by(0.8, {0.03, 0.1}), HungBy::top_opening);
+  EXPECT_EQ(by(0.8, {0.015, 0.1}), HungBy::highest_band) << "0.075 of the width";
+  EXPECT_EQ(by(0.8, {0.06, 0.06, 0.075}), HungBy::top_opening);
+  EXPECT_EQ(by(0.8, {0.06, 0.06, 0.095}), HungBy::highest_band) << "0.08 of the width off balance";
+  EXPECT_EQ(by(0.8, {0.06, 0.06, 0.0, 0.14}), HungBy::top_opening) << "it leans";
+  EXPECT_EQ(by(0.8, {0.06, 0.06, 0.0, 0.2}), HungBy::highest_band) << "0.33 of the width off balance";
+}
+
+TEST(Hanging, FindsWhatLiesFlat) {
+  EXPECT_EQ(held(test::circle_skirt(0.02)).by, HungBy::top_opening);
+  EXPECT_EQ(held(test::circle_skirt(0.04)).by, HungBy::highest_band);
+}
+
 TEST(Upright, IsWhereAnOpeningCanHoldTheGarment) {
   const test::TemporaryFolder folder;
   const auto up = [&](const sim::Mesh& mesh) { return load(folder, mesh).placement->up; };
@@ -158,6 +177,32 @@ TEST(Upright, IsWhereAnOpeningCanHoldTheGarment) {
   EXPECT_EQ(up(test::laid_flat(test::shirt())), ModelAxis::minus_z);
   EXPECT_EQ(up(test::laid_flat(test::trousers())), ModelAxis::minus_z);
   EXPECT_EQ(load(folder, test::laid_flat(test::shirt())).pins.size(), 18U);
+}
+
+TEST(Upright, TurnsWhatLiesOnItsBackToItsNarrowerEnd) {
+  const test::TemporaryFolder folder;
+  const auto up = [&](double height) {
+    sim::Mesh mesh = test::skirt();
+    for (sim::Vec3& p : mesh.positions) {
+      p = {p.x, height * p.z, -p.y};
+    }
+    return load(folder, mesh).placement->up;
+  };
+  EXPECT_EQ(up(0.08), ModelAxis::minus_z);
+  EXPECT_EQ(up(0.15), ModelAxis::z) << "0.15 of its size high, it stands upside down and is believed";
+}
+
+TEST(Upright, IsWhereMostOfTheAreaIsCarried) {
+  const test::TemporaryFolder folder;
+  const auto up = [&](double size) {
+    sim::Mesh mesh = test::with_z_up(test::skirt());
+    for (sim::Vec3& p : mesh.positions) {
+      p *= size;
+    }
+    return load(folder, test::both(mesh, test::cape())).placement->up;
+  };
+  EXPECT_EQ(up(1.0), ModelAxis::y) << "a third";
+  EXPECT_EQ(up(1.8), ModelAxis::z) << "two thirds";
 }
 
 TEST(Upright, IsNotTurnedByAFewOpeningsThatCarryLittle) {

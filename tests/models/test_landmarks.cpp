@@ -48,6 +48,12 @@ TEST(Landmarks, ScaleWithTheGarment) {
   EXPECT_EQ(loaded.landmarks[0].second, loaded.landmarks[1].second);
 }
 
+TEST(Landmarks, AreWithinTheLastDigitsOfTheirPoints) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(load_garment(scene_with(folder, "a = [[0.000007, 0, 0]]\n")).landmarks.size(), 1U);
+  EXPECT_THROW(load_garment(scene_with(folder, "a = [[0.000015, 0, 0]]\n")), InputError);
+}
+
 TEST(Landmarks, SayWhichPointIsNoVertex) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& text) {

@@ -32,6 +32,22 @@ TEST(Placement, BelievesTheFileWithinReason) {
   EXPECT_EQ(place_model(box_of(50, 70, 30), {1.0, {}, 0.01, {}}).scale, 1.0);
 }
 
+// Sizes on both sides of each limit.
+TEST(Placement, KnowsTheSizesOfGarments) {
+  const auto guessed = [](double size) { return place_model(box_of(size, size, 0), {}).scale; };
+  EXPECT_EQ(guessed(0.25), 1.0);
+  EXPECT_DOUBLE_EQ(guessed(0.15), 1.0 / 0.15);
+  EXPECT_EQ(guessed(2.4), 1.0);
+  EXPECT_EQ(guessed(3.0), 0.1);
+  const auto believed = [](double size) {
+    return place_model(box_of(size, size, 0), {{}, {}, 1.0, {}}).unit_text == "metre, as the file says";
+  };
+  EXPECT_TRUE(believed(0.03));
+  EXPECT_FALSE(believed(0.015));
+  EXPECT_TRUE(believed(15.0));
+  EXPECT_FALSE(believed(25.0));
+}
+
 TEST(Placement, TurnsTheModelUpright) {
   const sim::Vec3 p(1, 2, 3);
   const auto turned = [&](ModelAxis up) { return place_model(box_of(1, 1, 1), {1.0, up, {}, {}})(p); };
@@ -49,7 +65,8 @@ TEST(Placement, TurnsTheModelUpright) {
 TEST(Placement, BringsBackWhatIsVeryFarAway) {
   const sim::Mesh far = box_of(1, 1, 0, {1e6, 0, 0});
   EXPECT_NEAR(place_model(far, {})(far.positions[0]).x, -0.5, 1e-9);
-  EXPECT_EQ(place_model(box_of(1, 1, 0, {100, 0, 0}), {}).moved_m, sim::Vec3(0.0));
+  EXPECT_EQ(place_model(box_of(1, 1, 0, {700, 0, 0}), {}).moved_m, sim::Vec3(0.0));
+  EXPECT_NE(place_model(box_of(1, 1, 0, {1500, 0, 0}), {}).moved_m, sim::Vec3(0.0));
 }
 
 /// A sleeve, skirt or neckless shirt: a tube of four sides.

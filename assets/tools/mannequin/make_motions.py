@@ -146,7 +146,8 @@ def walk(time):
 WALK_S = 1.1
 HANGING = both(Arm_raise=HANG, ForeArm_bend=10.0)
 RAISED = both(Shoulder_raise=20.0, Arm_raise=68.0, ForeArm_bend=5.0)
-SEATED = {**both(UpLeg_forward=80.0, Leg_bow=90.0, Arm_forward=28.0, Arm_raise=HANG + 5.0, ForeArm_bend=45.0),
+SEATED = {**both(UpLeg_forward=80.0, Leg_bow=90.0, Arm_forward=28.0, Arm_raise=HANG + 5.0, ForeArm_bend=40.0,
+                 ForeArm_turn=-25.0),
           "Hips.bow": -10.0, "Spine.bow": 7.0, "Spine1.bow": 4.0}
 RISING = {**both(UpLeg_forward=68.0, Leg_bow=62.0, Foot_forward=12.0, Arm_forward=30.0, Arm_raise=HANG + 5.0,
                  ForeArm_bend=30.0), "Hips.bow": 18.0, "Spine.bow": 12.0, "Spine1.bow": 6.0, "Neck.bow": -14.0}

@@ -150,12 +150,32 @@ TEST_P(Mannequin, IsOneClosedSurfaceWithItsOutsideOut) {
   for (Index v = 0; v < part.size(); ++v) {
     EXPECT_EQ(find(v), find(0)) << "another part at vertex " << v;
   }
-  // One fan of triangles at every vertex follows from this: a pinched vertex would lower the characteristic.
   EXPECT_EQ(static_cast<long>(part.size()) - static_cast<long>(edges.size() / 2) +
                 static_cast<long>(body.mesh.triangles.size()),
             2);
   EXPECT_GT(six_volumes / 6.0, 0.04);
   EXPECT_LT(six_volumes / 6.0, 0.13);
+}
+
+/// Where two tips of a surface touch in a vertex, it has two fans.
+TEST_P(Mannequin, HasOneFanOfTrianglesAroundEveryVertex) {
+  std::map<std::pair<Index, Index>, Index> third;
+  std::vector<std::size_t> triangles_at(body.mesh.positions.size(), 0);
+  for (const Triangle& t : body.mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      third[{t[k], t[(k + 1) % 3]}] = t[(k + 2) % 3];
+      ++triangles_at[t[k]];
+    }
+  }
+  for (Index v = 0; v < triangles_at.size(); ++v) {
+    const auto start = third.lower_bound({v, 0});
+    ASSERT_TRUE(start != third.end() && start->first.first == v) << "no triangle at vertex " << v;
+    std::size_t steps = 1;
+    for (Index next = start->second; next != start->first.second && steps <= triangles_at[v]; ++steps) {
+      next = third.at({v, next});
+    }
+    EXPECT_EQ(steps, triangles_at[v]) << "vertex " << v;
+  }
 }
 
 TEST_P(Mannequin, IsMeshedEvenly) {

@@ -120,7 +120,9 @@ Json add_mesh(Accessors& accessors, const std::string& name, const sim::Mesh& me
       });
   const Json attributes = {
       {"POSITION", positions}, {"NORMAL", directions}, {"JOINTS_0", joints}, {"WEIGHTS_0", amounts}};
-  return {{"name", name}, {"primitives", {{{"attributes", attributes}, {"indices", indices}}}}};
+  // An array of one is written out: compilers do not agree on what a list of one in braces is.
+  const Json primitive = {{"attributes", attributes}, {"indices", indices}};
+  return {{"name", name}, {"primitives", Json::array({primitive})}};
 }
 
 std::size_t add_inverse_binds(Accessors& accessors, const Body& body) {
@@ -165,18 +167,22 @@ std::vector<std::uint8_t> make_glb(const std::string& name, const std::string& o
   Json gltf;
   gltf["asset"] = {{"version", "2.0"}, {"generator", "make_mannequins"}, {"copyright", origin}};
   gltf["scene"] = 0;
-  gltf["scenes"] = {{{"nodes", {0, 1}}}};
+  Json scene;
+  scene["nodes"] = {0, 1};
+  gltf["scenes"] = Json::array({scene});
   gltf["nodes"] = make_nodes(name, body);
-  gltf["meshes"] = {add_mesh(accessors, name, mesh, weights)};
+  gltf["meshes"] = Json::array({add_mesh(accessors, name, mesh, weights)});
   Json joints = Json::array();
   for (std::size_t j = 0; j < body.joints.size(); ++j) {
     joints.push_back(j + 1);
   }
-  gltf["skins"] = {
-      {{"inverseBindMatrices", add_inverse_binds(accessors, body)}, {"skeleton", 1}, {"joints", joints}}};
+  const Json skin = {
+      {"inverseBindMatrices", add_inverse_binds(accessors, body)}, {"skeleton", 1}, {"joints", joints}};
+  gltf["skins"] = Json::array({skin});
   gltf["accessors"] = accessors.list;
   gltf["bufferViews"] = accessors.views;
-  gltf["buffers"] = {{{"byteLength", accessors.data.size()}}};
+  const Json buffer = {{"byteLength", accessors.data.size()}};
+  gltf["buffers"] = Json::array({buffer});
 
   const std::string text = gltf.dump();
   Buffer json;

@@ -70,13 +70,18 @@ class Marching {
       return;
     }
     const Vec3 outward = place(out[0]) - place(in[0]);
+    // New vertices are numbered as they are asked for: one after the other, in an order no compiler chooses.
     if (in.size() == 2) {
-      add(crossing(in[0], out[0]), crossing(in[1], out[0]), crossing(in[1], out[1]), outward);
-      add(crossing(in[0], out[0]), crossing(in[1], out[1]), crossing(in[0], out[1]), outward);
-    } else if (in.size() == 1) {
-      add(crossing(in[0], out[0]), crossing(in[0], out[1]), crossing(in[0], out[2]), outward);
+      const Index c = crossing(in[1], out[1]);
+      const Index b = crossing(in[1], out[0]);
+      const Index a = crossing(in[0], out[0]);
+      add(a, b, c, outward);
+      add(a, c, crossing(in[0], out[1]), outward);
     } else {
-      add(crossing(in[0], out[0]), crossing(in[1], out[0]), crossing(in[2], out[0]), outward);
+      const bool one_in = in.size() == 1;
+      const Index c = one_in ? crossing(in[0], out[2]) : crossing(in[2], out[0]);
+      const Index b = one_in ? crossing(in[0], out[1]) : crossing(in[1], out[0]);
+      add(crossing(in[0], out[0]), b, c, outward);
     }
   }
 

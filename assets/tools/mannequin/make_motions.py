@@ -18,9 +18,9 @@ FRAMES_PER_SECOND = 30
 BLEND_FRAMES = 15
 HANG = -25.0  # how arms are raised from the stored 43 degrees below the horizontal, in degrees
 
-# Sagittal angles in degrees over one stride, from heel strike to heel strike: (percent, angle). After the curves of
-# normal walking in Winter 1991, "The Biomechanics and Motor Control of Human Gait", and Perry, Burnfield 2010, "Gait
-# Analysis", read at a few points. Flexion is positive, of the ankle dorsiflexion.
+# Sagittal angles in degrees over one stride, from heel strike to heel strike: (percent, angle). Drawn by eye after the
+# form that these curves have in the literature (as Winter 1991, "The Biomechanics and Motor Control of Human Gait"), not
+# copied from a measurement. Flexion is positive, of the ankle dorsiflexion.
 HIP = [(0, 27), (10, 24), (20, 16), (30, 6), (40, -3), (50, -10), (60, -5), (70, 10), (80, 23), (90, 28)]
 KNEE = [(0, 5), (8, 14), (15, 18), (25, 13), (40, 5), (50, 10), (60, 36), (70, 58), (76, 57), (84, 34), (92, 8)]
 ANKLE = [(0, 0), (7, -6), (15, 0), (30, 6), (45, 10), (54, 3), (62, -16), (70, -9), (80, 0), (90, 2)]
@@ -151,7 +151,7 @@ SEATED = {**both(UpLeg_forward=80.0, Leg_bow=90.0, Arm_forward=28.0, Arm_raise=H
           "Hips.bow": -10.0, "Spine.bow": 7.0, "Spine1.bow": 4.0}
 RISING = {**both(UpLeg_forward=68.0, Leg_bow=62.0, Foot_forward=12.0, Arm_forward=30.0, Arm_raise=HANG + 5.0,
                  ForeArm_bend=30.0), "Hips.bow": 18.0, "Spine.bow": 12.0, "Spine1.bow": 6.0, "Neck.bow": -14.0}
-REACHING = {"RightShoulder.raise": 10.0, "RightArm.turn": -72.0, "RightArm.raise": 58.0, "RightForeArm.bend": 8.0,
+REACHING = {"RightShoulder.raise": 3.0, "RightArm.turn": -55.0, "RightArm.raise": 42.0, "RightForeArm.bend": 8.0,
             "LeftArm.forward": -8.0, "LeftArm.raise": HANG, "LeftForeArm.bend": 14.0, "Spine.turn": 6.0, "Spine1.turn": 7.0,
             "Spine2.turn": 7.0, "Spine.bow": 5.0, "Spine1.bow": 4.0, "Neck.turn": -8.0, "Head.bow": -6.0}
 

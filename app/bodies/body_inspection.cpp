@@ -13,26 +13,13 @@
 #include "app/bodies/rig_frames.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
-#include "sim/mesh/groups.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {
 
 /// Frames in which crossings are looked for. All would take minutes.
 constexpr std::size_t most_looked_at = 20;
-
-std::size_t shells_of(const sim::BodyMeshData& mesh) {
-  sim::Groups groups(mesh.positions_m.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    groups.join(a, b);
-    groups.join(a, c);
-  }
-  std::set<sim::Index> shells;
-  for (const sim::Triangle& t : mesh.triangles) {
-    shells.insert(groups.find(t[0]));
-  }
-  return shells.size();
-}
 
 double volume_of(const sim::BodyMeshData& mesh) {
   double sum = 0.0;
@@ -113,7 +100,7 @@ BodyInspection inspect_body(const BodySource& source) {
   result.format = body.format;
   result.vertices = body.mesh.data->positions_m.size();
   result.triangles = body.mesh.data->triangles.size();
-  result.shells = shells_of(*body.mesh.data);
+  result.shells = sim::first_vertices_of_parts(result.vertices, body.mesh.data->triangles).size();
   result.size_m = sim::extent_of(body.mesh.data->positions_m).size();
   result.volume_m3 = volume_of(*body.mesh.data);
   result.joints = joints_of(*body.rig);

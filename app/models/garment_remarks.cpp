@@ -11,7 +11,7 @@
 #include "app/models/hanger.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/verify/solid_bodies.hpp"
-#include "sim/mesh/groups.hpp"
+#include "sim/mesh/topology.hpp"
 
 namespace taut::app {
 namespace {
@@ -69,24 +69,6 @@ std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, 
                                   describe_body(bodies, body), first);
 }
 
-/// One vertex of each connected part of the cloth.
-std::vector<sim::Index> vertices_of_parts(const Surface& cloth) {
-  sim::Groups parts(cloth.positions_m.size());
-  std::vector<bool> is_corner(cloth.positions_m.size(), false);
-  for (const sim::Triangle& t : cloth.triangles) {
-    parts.join(t[0], t[1]);
-    parts.join(t[0], t[2]);
-    is_corner[t[0]] = is_corner[t[1]] = is_corner[t[2]] = true;
-  }
-  std::vector<sim::Index> first;
-  for (sim::Index v = 0; v < cloth.positions_m.size(); ++v) {
-    if (is_corner[v] && parts.find(v) == v) {
-      first.push_back(v);
-    }
-  }
-  return first;
-}
-
 /// Of cloth that begins wholly within a body that is a mesh, where it crosses nothing; empty: none does.
 std::string remark_on_parts_within(std::span<const sim::Body> bodies, const SceneCrossings& crossings,
                                    double time_s, const Surface& start) {
@@ -94,7 +76,7 @@ std::string remark_on_parts_within(std::span<const sim::Body> bodies, const Scen
       !std::holds_alternative<sim::BodyMesh>(bodies[*crossings.body].shape)) {
     return "";
   }
-  std::vector<sim::Index> within = vertices_of_parts(start);
+  std::vector<sim::Index> within = sim::first_vertices_of_parts(start.positions_m.size(), start.triangles);
   std::erase_if(
       within, [&](sim::Index v) { return !depth_in(bodies[*crossings.body], time_s, start.positions_m[v]); });
   return within.empty() ? ""

@@ -87,4 +87,21 @@ Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency) {
   return topology;
 }
 
+std::vector<Index> first_vertices_of_parts(std::size_t vertex_count, std::span<const Triangle> triangles) {
+  Groups parts(vertex_count);
+  std::vector<bool> is_corner(vertex_count, false);
+  for (const auto& [a, b, c] : triangles) {
+    parts.join(a, b);
+    parts.join(a, c);
+    is_corner[a] = is_corner[b] = is_corner[c] = true;
+  }
+  std::vector<Index> first;
+  for (Index v = 0; v < vertex_count; ++v) {
+    if (is_corner[v] && parts.find(v) == v) {
+      first.push_back(v);
+    }
+  }
+  return first;
+}
+
 }  // namespace taut::sim

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/mesh.hpp"
@@ -24,5 +26,9 @@ bool runs_along(const Triangle& t, const Edge& edge);
 
 /// Requires the adjacency of this mesh.
 Topology measure_topology(const Mesh& mesh, const Adjacency& adjacency);
+
+/// Returns the first vertex of each connected part of a surface, ascending. Vertices without triangles are no
+/// part of it. Requires triangles of vertices below `vertex_count`.
+std::vector<Index> first_vertices_of_parts(std::size_t vertex_count, std::span<const Triangle> triangles);
 
 }  // namespace taut::sim

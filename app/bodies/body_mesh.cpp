@@ -27,22 +27,18 @@ constexpr double largest_person_m = 2.5;
 // Longer along z by this factor, with y up, it probably lies on its back.
 constexpr double clearly_longer = 2.0;
 
-std::string at(const sim::Vec3& place) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", place.x, place.y, place.z);
-}
-
 /// Places in messages are in the file's unit and axes, where they can be looked up.
 void require_area(const sim::Mesh& soup) {
   for (const sim::Triangle& t : soup.triangles) {
     for (const sim::Index v : t) {
       const sim::Vec3& p = soup.positions[v];
       if (!std::isfinite(p.x + p.y + p.z)) {
-        throw InputError("found a vertex at " + at(p) + ", expected numbers");
+        throw InputError("found a vertex at " + describe_point(p) + ", expected numbers");
       }
     }
     const sim::Vec3 area = sim::doubled_area_vector(soup.positions, t);
     if (!(glm::dot(area, area) > 0.0)) {
-      throw InputError("found a face without area at " + at(soup.positions[t[0]]) +
+      throw InputError("found a face without area at " + describe_point(soup.positions[t[0]]) +
                        ", expected faces that are neither points nor lines");
     }
   }
@@ -52,7 +48,8 @@ void require_closed(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     const auto [a, b] = adjacency.edges[e];
     const auto triangles = adjacency.edge_triangles[e];
-    const std::string edge = "the edge from " + at(mesh.positions[a]) + " to " + at(mesh.positions[b]);
+    const std::string edge =
+        "the edge from " + describe_point(mesh.positions[a]) + " to " + describe_point(mesh.positions[b]);
     if (triangles.size() != 2) {
       throw InputError(fmt::format("found {} with {}, expected two at every edge: {}", edge,
                                    counted(triangles.size(), "triangle"),

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/base/errors.hpp"
+#include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {
@@ -17,10 +18,6 @@ constexpr double furthest_m = 1.0;
 
 /// A step of the simulation needs two frames at its begin and two at its end, and a picture two more.
 constexpr std::size_t most_remembered = 6;
-
-std::string at(const sim::Vec3& place) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", place.x, place.y, place.z);
-}
 
 }  // namespace
 
@@ -72,7 +69,7 @@ PlacedFrames::Positions PlacedFrames::read(std::size_t frame) const {
   for (const std::size_t v : places_.file_vertex) {
     const sim::Vec3& position_m = positions_m.emplace_back(places_.placement(in_file[v]));
     if (!std::isfinite(position_m.x + position_m.y + position_m.z)) {
-      refuse(frame, v, fmt::format("found at {}, expected numbers", at(in_file[v])));
+      refuse(frame, v, fmt::format("found at {}, expected numbers", describe_point(in_file[v])));
     }
   }
   return std::make_shared<const std::vector<sim::Vec3>>(std::move(positions_m));
@@ -86,7 +83,7 @@ void PlacedFrames::require_near(std::size_t frame, const Positions& before_m,
       refuse(
           frame, places_.file_vertex[v],
           fmt::format("found at {} m, {:.3g} m from where it is in the frame before, expected at most {:g} m",
-                      at((*after_m)[v]), moved_m, furthest_m));
+                      describe_point((*after_m)[v]), moved_m, furthest_m));
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "app/base/files.hpp"
 #include "app/models/pins.hpp"
 #include "app/scene/scene_key.hpp"
+#include "app/verify/crossing_pairs.hpp"
 
 namespace taut::app {
 namespace {
@@ -31,9 +32,8 @@ sim::Index vertex_at(const std::string& name, const toml::node& value, const sim
   const auto [vertex, distance_m] = nearest_vertex(search.positions, scaled);
   if (!(distance_m <= same_point_m)) {
     fail(search.source, line_of(value),
-         fmt::format("landmark {}: the garment has no vertex at [{:.6g}, {:.6g}, {:.6g}] m; the nearest is "
-                     "{:.3g} m away",
-                     name, scaled.x, scaled.y, scaled.z, distance_m));
+         fmt::format("landmark {}: the garment has no vertex at {} m; the nearest is {:.3g} m away", name,
+                     describe_point(scaled), distance_m));
   }
   return vertex;
 }

@@ -138,4 +138,8 @@ std::string describe(const Surface& cloth, std::span<const CrossingPair> pairs) 
                      describe_place(first.place_m));
 }
 
+std::string describe_point(const sim::Vec3& point) {
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", point.x, point.y, point.z);
+}
+
 }  // namespace taut::app

@@ -41,4 +41,7 @@ std::string describe(const Surface& cloth, std::span<const CrossingPair> pairs);
 /// Returns "[0.10000, 0.20000, 0.30000] m".
 std::string describe_place(const sim::Vec3& place_m);
 
+/// Returns "[0.1, 0.2, 0.3]", to six digits, for places in the unit of a file.
+std::string describe_point(const sim::Vec3& point);
+
 }  // namespace taut::app

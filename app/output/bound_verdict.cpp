@@ -73,12 +73,13 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
   const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
   const bool allowed = bounded.allow_exceeding;
   fmt::print(stderr,
-             "taut: {}: {} of {} {} solver.max_stretch = {:g} of the {}, the first is frame {}; {}. Pins may "
+             "taut: {}: {} of {} {} solver.max_stretch = {:g} of the {}, the first is frame {}; {}. {} may "
              "pull the cloth apart, or more time steps are needed "
              "(solver.max_substeps = {}){}\n",
              allowed ? "warning" : "error", summary.frames_over_bound, counted(summary.frames, "frame"),
              summary.frames_over_bound == 1 ? "exceeds" : "exceed", bounded.max_stretch,
              sim::name_of(bounded.bound), summary.first_frame_over_bound, describe_stretch(bounded, summary),
+             scene.surroundings.bodies.empty() ? "Pins" : "Pins, or a body that it is too tight for,",
              scene.simulation.solver.max_substeps,
              allowed ? "" : "; solver.allow_exceeding = \"bound\" accepts such frames");
   return allowed ? 0 : exit_promise_broken;

@@ -162,25 +162,50 @@ void go_on(const Scene& scene, float from, float to, unsigned seed, Scene& now) 
   }
 }
 
+/// Expects all pairs that could meet `now` among those found.
+void expect_all_near(const Scene& now, const TimeSpan& time, LastingPairs& lasting) {
+  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+  std::set<std::array<Index, 5>> names;
+  for (const NearPair& pair : lasting.find({now.positions, now.moves, now.radii, time}, 1.0, 0.1F, kernels)) {
+    EXPECT_TRUE(names.insert(name_of(pair)).second) << "found twice";
+  }
+  std::size_t near = 0;
+  for (const NearPair& pair : now.find()) {
+    near += names.count(name_of(pair));
+  }
+  EXPECT_EQ(near, now.find().size()) << time.from_s;
+  EXPECT_GT(near, 1000U);
+}
+
 TEST(LastingPairs, AreAllThatAreNear) {
   const Scene scene = folded_sheet(30);
-  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
   LastingPairs lasting(scene.mesh(), true, scene.places_m());
   for (const float part : {0.0F, 0.25F, 0.5F, 0.75F}) {
     Scene now = scene;
     go_on(scene, part, part + 0.25F, static_cast<unsigned>(100.0F * part), now);
-    const std::span<const NearPair> found =
-        lasting.find({now.positions, now.moves, now.radii, {part, part + 0.25}}, 1.0, 0.1F, kernels);
-    std::set<std::array<Index, 5>> names;
-    for (const NearPair& pair : found) {
-      EXPECT_TRUE(names.insert(name_of(pair)).second) << "found twice";
+    expect_all_near(now, {part, part + 0.25}, lasting);
+  }
+}
+
+// As in the rounds of a correction: no time passes, and a few rows are elsewhere.
+TEST(LastingPairs, AreAllThatAreNearAtAMomentAgainAndAgain) {
+  const Scene scene = folded_sheet(30);
+  for (const double began_s : {0.0, 0.5, 1.0}) {
+    LastingPairs lasting(scene.mesh(), true, scene.places_m());
+    Scene now = scene;
+    expect_all_near(now, {began_s, 1.0}, lasting);
+    std::mt19937 random(5);
+    for (int round = 0; round < 3; ++round) {
+      const Float4Array off = some_vectors(now.positions.size(), 0.03F, random);
+      for (std::size_t row = 0; row < off.size(); ++row) {
+        const bool keeps_to_it = row % 50 != 0;
+        now.positions[row] = scaled_sum(scene.positions[row], scene.moves[row], began_s < 1.0 ? 1.0F : 0.0F);
+        now.moves[row] = began_s < 1.0 ? Float4{} : scene.moves[row];
+        add_scaled(now.positions[row], off[row], keeps_to_it ? 0.0F : 1.0F);
+      }
+      expect_all_near(now, {1.0, 1.0}, lasting);
     }
-    std::size_t near = 0;
-    for (const NearPair& pair : now.find()) {
-      near += names.count(name_of(pair));
-    }
-    EXPECT_EQ(near, now.find().size()) << part;
-    EXPECT_GT(near, 1000U);
+    EXPECT_GE(lasting.take_searches().marked, 2);
   }
 }
 

@@ -230,9 +230,16 @@ ProjectionResult BoundedSolver::try_frame(const Garment& garment, const Pins& pi
   const double largest_cost = cloth.control.is_spent() ? last_resort_sweeps : costliest_projection * substeps;
   cloth.contacts.observe(cloth.layout, cloth.motion, state.time_s + frame_time_s);
   ApartWhileCorrected apart(garment, state.time_s + frame_time_s, *kernels_, cloth);
-  ProjectionResult projected =
-      cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, largest_cost,
-                               cloth.contacts.is_on() ? &apart : nullptr, *kernels_);
+  const auto project = [&](Confinement* confinement) {
+    return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, largest_cost,
+                                    confinement, *kernels_);
+  };
+  ProjectionResult projected = project(cloth.contacts.is_on() ? &apart : nullptr);
+  // Where a crossing is accepted, it is no reason to break the other promise.
+  if (!projected.kept && settings_.allow_crossing && cloth.contacts.is_blocked() &&
+      cloth.control.is_spent()) {
+    projected = project(nullptr);
+  }
   write_shape(surroundings, frame_time_s, state);
   if (!projected.kept || cloth.layout.surface.has_thin) {
     projected.kept = keeps_bound_in_double(garment, pins, settings_, state.current);

@@ -87,14 +87,14 @@ void Contacts::begin_frame(const Garment& garment, const Layout& layout, const S
   if (!is_known) {
     lay_out(garment, layout, surroundings.bodies);
   }
-  if (is_known && left_out_.empty()) {
+  if (is_known && left_out_.empty() && !may_have_crossed_) {
     return;
   }
   std::vector<Vec3> positions_m = motion.start_m;
   positions_m.resize(layout.row_count());
   const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(time_s);
   positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
-  if (is_known) {
+  if (is_known && !may_have_crossed_) {
     left_out_.update(positions_m);
   } else {
     left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
@@ -184,6 +184,7 @@ void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts) {
 
 void Contacts::end_frame() {
   frame_memory_ = memory_;
+  may_have_crossed_ = is_blocked_;
   if (is_on_) {
     const LastingPairs::Searches searches = near_->take_searches();
     report_.detections = searches.all;

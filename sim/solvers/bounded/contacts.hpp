@@ -119,6 +119,7 @@ class Contacts {
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
   Regions regions_;
   bool is_blocked_ = false;
+  bool may_have_crossed_ = false;  ///< in the last frame, which was accepted all the same
   std::optional<BlockedContact> first_blocked_;  ///< of the frame
   ContactReport report_;
   bool is_distance_known_ = false;  ///< the report has that of this frame

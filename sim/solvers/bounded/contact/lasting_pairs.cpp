@@ -94,28 +94,27 @@ LastingPairs::Marked LastingPairs::mark_unexpected(const ExpectedRows& rows) {
   return marked;
 }
 
+// Rows go on from where they are; at a moment that ends the list's time, the way there stays as it was.
 void LastingPairs::renew_marked(const ExpectedRows& rows, ParallelKernels& kernels) {
   const double lasts_s = rows.time.to_s - rows.time.from_s;
-  const auto longer = static_cast<float>(lasts_s > 0.0 ? (time_.to_s - time_.from_s) / lasts_s : 0.0);
+  const double list_lasts_s = time_.to_s - time_.from_s;
+  const bool is_end = !(lasts_s > 0.0) && list_lasts_s > 0.0;
+  const auto longer = static_cast<float>(lasts_s > 0.0 ? list_lasts_s / lasts_s : 1.0);
   const float from = part_at(rows.time.from_s, 0.0F);
   for (std::size_t row = 0; row < reaches_.size(); ++row) {
     if (marks_[row] != unexpected) {
       continue;
     }
     marks_[row] = renewed;
-    if (!lasts_) {
-      reaches_[row] = rows.radii[row];
-      continue;
-    }
     const Float4 expected = scaled_sum(begin_[row], ways_[row], from);
     const float off = std::min(length_between(rows.positions[row], expected), most_off_m);
-    if (lasts_s > 0.0) {
+    if (!is_end) {
       ways_[row] = times(rows.moves[row], longer);
     }
     begin_[row] = scaled_sum(rows.positions[row], ways_[row], -from);
-    reaches_[row] = rows.radii[row] + off + more_m + more_per_way * length_of(ways_[row]);
-    if (!(lasts_s > 0.0)) {
-      reaches_[row] += length_of(rows.moves[row]);
+    reaches_[row] = rows.radii[row] + (is_end ? length_of(rows.moves[row]) : 0.0F);
+    if (lasts_) {
+      reaches_[row] += off + more_m + more_per_way * length_of(ways_[row]);
     }
   }
   ++searches_.marked;

@@ -62,8 +62,12 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
   // Not so where the distance is not a number, as things touch. What begins within a body that knows its way
   // out is let out.
   pair.is_told_apart = contact.normal || pair.distance > smallest_told_apart_m;
-  pair.needed = std::min(pair.distance, least_part * contact.thickness_m);
-  pair.wanted = std::min(pair.distance, contact.thickness_m);
+  // What touches as near as it may would be left a little nearer, and held fast in the way of what comes at
+  // it: so it is to be parted somewhat.
+  const float least = least_part * contact.thickness_m;
+  const float more = pair.distance > 0.0F ? std::clamp(2.0F * least - pair.distance, 0.0F, least) : 0.0F;
+  pair.needed = std::min(pair.distance, least);
+  pair.wanted = std::min(pair.distance + more, contact.thickness_m);
   return pair;
 }
 

@@ -38,10 +38,8 @@ class Program:
 
     def scenes(self):
         """The names of the built-in scenes, but for those about contact, which stand below an empty line: of these 1.5 s
-        take minutes, and what they promise is checked by `taut bench --contact`. Nor those that are worn: a body that
-        moves closes in on cloth that may stretch less than the scene lets it, and the run is stopped."""
-        names = [line.split()[0] for line in self.run("scenes").split("\n\n")[0].splitlines()]
-        return [name for name in names if "bodies" not in self.scene(name)]
+        take minutes, and what they promise is checked by `taut bench --contact`."""
+        return [line.split()[0] for line in self.run("scenes").split("\n\n")[0].splitlines()]
 
     def scene(self, name):
         return tomllib.loads((self.assets / "scenes" / f"{name}.toml").read_text(encoding="utf-8"))

@@ -79,6 +79,15 @@ void look_for_crossings(const sim::BodyMesh& body, BodyInspection& result) {
   }
 }
 
+std::string girths_text(const BodyInspection& body) {
+  std::string text;
+  for (const Girth& girth : body.girths) {
+    text +=
+        fmt::format("{}{} {:.1f} cm", text.empty() ? "  girths: " : ", ", girth.name, 100.0 * girth.girth_m);
+  }
+  return text.empty() ? text : text + '\n';
+}
+
 std::string crossings_text(const BodyInspection& body) {
   const std::string looked = fmt::format(" ({} looked at)", counted(body.frames_looked_at, "frame"));
   if (body.crossings.empty()) {
@@ -106,6 +115,7 @@ BodyInspection inspect_body(const BodySource& source) {
   result.joints = joints_of(*body.rig);
   result.shapes = body.rig->targets.size();
   result.clips = describe_clips(*body.rig);
+  result.girths = measure_body({body.mesh.data->positions_m, body.mesh.data->triangles}, body.joints).girths;
   result.remarks = body.remarks;
   if (body.mesh.frames) {
     result.motion = motion_of(body.mesh);
@@ -118,6 +128,7 @@ std::string describe(const BodyInspection& body) {
   std::string text = fmt::format("{}: a body, {}\n", body.file, body.format);
   text += fmt::format("  {:.3f} m high, {:.3f} m wide, {:.3f} m deep, {:.4g} litres\n", body.size_m.y,
                       body.size_m.x, body.size_m.z, 1e3 * body.volume_m3);
+  text += girths_text(body);
   text += fmt::format("  {}, {}, {}\n", counted(body.vertices, "vertex", "vertices"),
                       counted(body.triangles, "triangle"), counted(body.shells, "closed surface"));
   text += fmt::format("  {}{}\n", counted(body.joints.size(), "joint"),
@@ -146,6 +157,11 @@ Json json_of(const BodyInspection& body) {
       {"triangles", body.triangles}, {"closed_surfaces", body.shells}, {"size_m", point(body.size_m)},
       {"volume_m3", body.volume_m3}, {"joints", body.joints},          {"shapes", body.shapes},
       {"animations", body.clips}};
+  json["girths"] = Json::array();
+  for (const Girth& girth : body.girths) {
+    json["girths"].push_back(
+        {{"name", girth.name}, {"girth_m", girth.girth_m}, {"height_m", girth.height_m}});
+  }
   if (body.motion) {
     const FastestVertex& fastest = body.motion->fastest;
     json["motion"] = {{"frames", body.motion->frames},

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bodies/body_girths.hpp"
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_value.hpp"
 
@@ -38,6 +39,7 @@ struct BodyInspection {
   std::size_t shells = 0;  ///< closed surfaces by themselves
   sim::Vec3 size_m = sim::Vec3(0.0);
   double volume_m3 = 0.0;
+  std::vector<Girth> girths;               ///< as it was stored, upright and looking along z
   std::vector<std::string> joints;         ///< that vertices follow
   std::size_t shapes = 0;                  ///< that are mixed in
   std::string clips;                       ///< names and lengths, or "none"

@@ -132,8 +132,9 @@ std::shared_ptr<const sim::BodyFrames> dressed(const BodySource& source, const L
 
 ReadBody read_body(const BodySource& source, const ShownTime& shown) {
   ImportedModel model = import_garment(source.file);
-  ReadBody body{{}, take_rig(source.file, model), model.format};
+  ReadBody body{{}, take_rig(source.file, model), {}, model.format};
   LoadedMesh loaded = make_body_mesh(source, model);
+  body.joints = joint_places(*body.rig, stored_pose(*body.rig), loaded.places.placement);
   body.remarks = loaded.remarks;
   OpenedMotion motion = open_motion(source, body.rig, loaded.places.placement.up);
   body.remarks.insert(body.remarks.end(), motion.remarks.begin(), motion.remarks.end());

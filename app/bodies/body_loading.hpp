@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bodies/body_girths.hpp"
 #include "app/models/rig.hpp"
 #include "app/scene/scene.hpp"
 
@@ -23,6 +24,7 @@ std::vector<std::string> load_bodies(Scene& scene);
 struct ReadBody {
   sim::BodyMesh mesh;
   std::shared_ptr<const Rig> rig;         ///< never null; empty if nothing in the file moves it
+  JointPlaces joints;                     ///< as they were stored
   std::string format;                     ///< name of the file's format
   std::vector<std::string> remarks = {};  ///< as load_bodies() returns them
 };

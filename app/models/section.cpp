@@ -1,0 +1,141 @@
+#include "app/models/section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+
+namespace taut::app {
+namespace {
+
+using sim::Vec2;
+using sim::Vec3;
+using EdgeKey = std::pair<sim::Index, sim::Index>;
+/// Per edge that is cut, the next ones along the curves.
+using Links = std::map<EdgeKey, std::vector<EdgeKey>>;
+
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+class Section {
+ public:
+  Section(const Surface& surface, const CuttingPlane& plane) : surface_(surface), plane_(plane) {
+    across_ = glm::normalize(
+        glm::cross(plane.normal, std::abs(plane.normal.z) < 0.9 ? Vec3(0.0, 0.0, 1.0) : Vec3(1.0, 0.0, 0.0)));
+    for (const sim::Triangle& t : surface.triangles) {
+      std::vector<EdgeKey> cut;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const sim::Index a = t[k];
+        const sim::Index b = t[(k + 1) % 3];
+        if ((height(a) < 0.0) != (height(b) < 0.0)) {
+          cut.push_back(std::minmax(a, b));
+        }
+      }
+      if (cut.size() == 2) {
+        next_[cut[0]].push_back(cut[1]);
+        next_[cut[1]].push_back(cut[0]);
+      }
+    }
+  }
+
+  std::vector<SectionCurve> curves() {
+    std::vector<EdgeKey> ends;
+    for (const auto& [edge, neighbours] : next_) {
+      if (neighbours.size() != 2) {
+        ends.push_back(edge);
+      }
+    }
+    std::vector<SectionCurve> found;
+    for (const EdgeKey& end : ends) {
+      if (next_.contains(end)) {
+        found.push_back({take_curve(end), false});
+      }
+    }
+    while (!next_.empty()) {
+      found.push_back({take_curve(next_.begin()->first), true});
+    }
+    return found;
+  }
+
+ private:
+  double height(sim::Index v) const {
+    return glm::dot(surface_.positions_m[v] - plane_.point_m, plane_.normal);
+  }
+
+  Vec2 point_on(const EdgeKey& edge) const {
+    const double share = height(edge.first) / (height(edge.first) - height(edge.second));
+    const Vec3 p =
+        glm::mix(surface_.positions_m[edge.first], surface_.positions_m[edge.second], share) - plane_.point_m;
+    return {glm::dot(p, across_), glm::dot(p, glm::cross(plane_.normal, across_))};
+  }
+
+  std::vector<Vec2> take_curve(EdgeKey edge) {
+    std::vector<Vec2> curve;
+    for (auto found = next_.find(edge); found != next_.end(); found = next_.find(edge)) {
+      curve.push_back(point_on(edge));
+      const std::vector<EdgeKey> ends = found->second;
+      next_.erase(found);
+      const auto left =
+          std::find_if(ends.begin(), ends.end(), [&](const EdgeKey& end) { return next_.contains(end); });
+      edge = left == ends.end() ? ends.front() : *left;
+    }
+    return curve;
+  }
+
+  const Surface& surface_;
+  const CuttingPlane& plane_;
+  Vec3 across_;
+  Links next_;
+};
+
+}  // namespace
+
+std::vector<SectionCurve> section_of(const Surface& surface, const CuttingPlane& plane) {
+  return Section(surface, plane).curves();
+}
+
+double length_m(const SectionCurve& curve) {
+  double length = curve.is_closed ? glm::distance(curve.points_m.back(), curve.points_m.front()) : 0.0;
+  for (std::size_t i = 1; i < curve.points_m.size(); ++i) {
+    length += glm::distance(curve.points_m[i - 1], curve.points_m[i]);
+  }
+  return length;
+}
+
+/// Andrew 1979: the lower and the upper chain of the points in order of x.
+double tight_tape_m(std::vector<Vec2> points_m) {
+  std::sort(points_m.begin(), points_m.end(),
+            [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  double length = 0.0;
+  for (int side = 0; side < 2; ++side) {
+    std::vector<Vec2> chain;
+    for (const Vec2& p : points_m) {
+      while (chain.size() > 1 && turn(chain[chain.size() - 2], chain.back(), p) <= 0.0) {
+        chain.pop_back();
+      }
+      chain.push_back(p);
+    }
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      length += glm::length(chain[i] - chain[i - 1]);
+    }
+    std::reverse(points_m.begin(), points_m.end());
+  }
+  return length;
+}
+
+bool is_around_point(const SectionCurve& curve) {
+  int turns = 0;
+  for (std::size_t i = 0; i < curve.points_m.size(); ++i) {
+    const Vec2& a = curve.points_m[i];
+    const Vec2& b = curve.points_m[(i + 1) % curve.points_m.size()];
+    // Crossings of the ray to the right of the point, which is the origin.
+    if ((a.y < 0.0) != (b.y < 0.0) && a.x + (b.x - a.x) * a.y / (a.y - b.y) > 0.0) {
+      turns += a.y < 0.0 ? 1 : -1;
+    }
+  }
+  return turns != 0;
+}
+
+}  // namespace taut::app

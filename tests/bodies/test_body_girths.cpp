@@ -1,0 +1,149 @@
+// What a tape measure says of bodies.
+
+#include <cmath>
+
+#include "app/bodies/body_girths.hpp"
+#include "app/bodies/body_inspection.hpp"
+#include "app/models/section.hpp"
+#include "loading.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double pi = 3.14159265358979;
+
+/// Half width and half depth of a body at a height.
+struct Ring {
+  double height_m, half_width_m, half_depth_m, forward_m;
+};
+
+/// A closed surface through ellipses, one above the other.
+sim::Mesh stacked(const std::vector<Ring>& rings) {
+  constexpr sim::Index around = 48;
+  sim::Mesh mesh;
+  for (const Ring& ring : rings) {
+    for (sim::Index k = 0; k < around; ++k) {
+      const double angle = 2.0 * pi * k / around;
+      mesh.positions.emplace_back(ring.half_width_m * std::cos(angle), ring.height_m,
+                                  ring.forward_m + ring.half_depth_m * std::sin(angle));
+    }
+  }
+  const auto top = static_cast<sim::Index>(rings.size() - 1);
+  const auto last = static_cast<sim::Index>(mesh.positions.size());
+  mesh.positions.emplace_back(0.0, rings.front().height_m, rings.front().forward_m);
+  mesh.positions.emplace_back(0.0, rings.back().height_m, rings.back().forward_m);
+  for (sim::Index k = 0; k < around; ++k) {
+    const sim::Index next = (k + 1) % around;
+    for (sim::Index r = 0; r < top; ++r) {
+      mesh.triangles.push_back({r * around + k, (r + 1) * around + k, (r + 1) * around + next});
+      mesh.triangles.push_back({r * around + k, (r + 1) * around + next, r * around + next});
+    }
+    mesh.triangles.push_back({last, k, next});
+    mesh.triangles.push_back({last + 1, top * around + next, top * around + k});
+  }
+  return mesh;
+}
+
+/// Ramanujan 1914.
+double around_ellipse(double a, double b) {
+  return pi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b)));
+}
+
+/// A person in a long robe, without arms.
+const std::vector<Ring> robe = {{0.0, 0.20, 0.13, 0},    {0.9, 0.20, 0.13, 0},    {1.1, 0.15, 0.10, 0},
+                                {1.3, 0.17, 0.13, 0.01}, {1.4, 0.15, 0.12, 0},    {1.5, 0.06, 0.06, 0},
+                                {1.6, 0.06, 0.06, 0},    {1.65, 0.09, 0.11, 0.0}, {1.75, 0.08, 0.09, 0}};
+
+TEST(BodyGirths, OfABodyOfEllipsesAreThoseOfTheEllipses) {
+  const sim::Mesh mesh = stacked(robe);
+  const BodyMeasures measures = measure_body({mesh.positions, mesh.triangles}, {});
+  const auto expect = [&](const char* name, double girth_m, double height_m) {
+    const Girth* girth = girth_of(measures, name);
+    ASSERT_NE(girth, nullptr) << name;
+    EXPECT_NEAR(girth->girth_m, girth_m, 0.01 * girth_m) << name;
+    EXPECT_NEAR(girth->height_m, height_m, 0.01) << name;
+  };
+  expect("chest", around_ellipse(0.17, 0.13), 1.3);
+  expect("waist", around_ellipse(0.15, 0.10), 1.1);
+  EXPECT_NEAR(girth_of(measures, "seat")->girth_m, around_ellipse(0.20, 0.13), 0.01);
+  EXPECT_NEAR(girth_of(measures, "neck")->girth_m, around_ellipse(0.06, 0.06), 0.01);
+  EXPECT_EQ(girth_of(measures, "thigh"), nullptr) << "it has no legs";
+  EXPECT_EQ(girth_of(measures, "upper arm"), nullptr);
+  ASSERT_TRUE(measures.neck_m);
+  EXPECT_NEAR(measures.neck_m->y, 1.47, 0.02) << "where the shoulders begin";
+}
+
+TEST(BodyGirths, ATapeIsTightAndLeavesArmsOut) {
+  sim::Mesh mesh = stacked(robe);
+  const double alone_m = level_tape({mesh.positions, mesh.triangles}, 1.3)->girth_m;
+  for (const double side : {-1.0, 1.0}) {  // arms that hang beside it
+    const sim::Mesh arm = stacked({{0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}});
+    const auto first = static_cast<sim::Index>(mesh.positions.size());
+    for (const sim::Vec3& p : arm.positions) {
+      mesh.positions.push_back(p + sim::Vec3(0.3 * side, 0.0, 0.0));
+    }
+    for (const auto& [a, b, c] : arm.triangles) {
+      mesh.triangles.push_back({a + first, b + first, c + first});
+    }
+  }
+  const auto tape = level_tape({mesh.positions, mesh.triangles}, 1.3);
+  EXPECT_EQ(tape->girth_m, alone_m);
+  EXPECT_FALSE(tape->is_parted);
+  EXPECT_NEAR(tape->front_m, 0.14, 1e-6);
+  EXPECT_NEAR(tight_tape_m({{0, 0}, {1, 0}, {0.5, 0.1}, {1, 1}, {0, 1}}), 4.0, 1e-12) << "over a dent";
+  EXPECT_FALSE(level_tape({mesh.positions, mesh.triangles}, 9.0)) << "there is nothing";
+}
+
+TEST(BodyGirths, ATableHasNone) {
+  const sim::Mesh mesh =
+      stacked({{0.0, 0.1, 0.1, 0}, {0.7, 0.1, 0.1, 0}, {0.71, 0.6, 0.6, 0}, {0.75, 0.6, 0.6, 0}});
+  EXPECT_TRUE(measure_body({mesh.positions, mesh.triangles}, {}).girths.empty());
+}
+
+// A curve that ends where the surface does, and one around the point.
+TEST(Section, TellsCurvesThatEndFromThoseThatGoAround) {
+  sim::Mesh tube = stacked({{0.0, 0.2, 0.1, 0}, {1.0, 0.2, 0.1, 0}});
+  auto curves = section_of({tube.positions, tube.triangles}, {{0.0, 0.5, 0.0}});
+  ASSERT_EQ(curves.size(), 1U);
+  EXPECT_TRUE(curves[0].is_closed);
+  EXPECT_TRUE(is_around_point(curves[0]));
+  EXPECT_NEAR(length_m(curves[0]), around_ellipse(0.2, 0.1), 0.002);
+  EXPECT_FALSE(is_around_point(section_of({tube.positions, tube.triangles}, {{0.5, 0.5, 0.0}})[0]));
+  tube.triangles.erase(tube.triangles.begin());  // of the first side
+  curves = section_of({tube.positions, tube.triangles}, {{0.0, 0.5, 0.0}});
+  ASSERT_EQ(curves.size(), 1U);
+  EXPECT_FALSE(curves[0].is_closed);
+  EXPECT_LT(length_m(curves[0]), around_ellipse(0.2, 0.1));
+}
+
+struct Published {
+  const char* name;
+  double neck, chest, waist, seat, biceps;
+};
+
+// The mannequins have their published girths at published heights. A tape that looks for the fullest and the
+// narrowest level by itself finds others nearby.
+TEST(BodyGirths, OfTheMannequinsAreNearThePublishedOnes) {
+  for (const Published& p : {Published{"male_40", 0.400, 1.053, 0.846, 1.052, 0.368},
+                             Published{"female_34", 0.340, 0.925, 0.750, 1.010, 0.270},
+                             Published{"female_42", 0.420, 1.143, 0.900, 1.153, 0.334}}) {
+    BodySource source;
+    source.file = std::string(TAUT_ASSETS_FOLDER) + "/bodies/mannequin_" + p.name + ".glb";
+    const BodyInspection body = inspect_body(source);
+    ASSERT_EQ(body.girths.size(), 6U) << p.name;
+    const auto share = [&](std::size_t k, double published) {
+      return body.girths[k].girth_m / published - 1.0;
+    };
+    EXPECT_NEAR(share(0, p.neck), 0.0, 0.013) << p.name;
+    EXPECT_NEAR(share(1, p.chest), 0.0, 0.026) << p.name << ", at the fullest level towards the front";
+    EXPECT_NEAR(share(2, p.waist), -0.01, 0.012)
+        << p.name << ", the narrowest level is above the published one";
+    EXPECT_NEAR(share(3, p.seat), 0.03, 0.03) << p.name << ", the fullest level is above the published one";
+    EXPECT_NEAR(share(4, p.biceps), 0.0, 0.001) << p.name;
+    EXPECT_CONTAINS(describe(body), "girths: neck ");
+    EXPECT_EQ(json_of(body)["girths"][1]["name"], "chest");
+  }
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -137,17 +137,25 @@ void measure_thigh(const Levels& levels, const Landmarks& at, BodyMeasures& meas
 
 }  // namespace
 
-JointPlaces joint_places(const Rig& rig, const RigPose& pose, const Placement& placement) {
+std::map<std::string, sim::Index> joint_nodes(const Rig& rig) {
   std::vector<std::string> names;
   for (const RigNode& node : rig.nodes) {
     names.push_back(node.name);
   }
   const std::vector<std::string> parts = parts_of_joints(names);
-  JointPlaces places;
-  for (std::size_t n = 0; n < parts.size(); ++n) {
+  std::map<std::string, sim::Index> nodes;
+  for (sim::Index n = 0; n < parts.size(); ++n) {
     if (is_main_part(parts[n]) || parts[n] == "neck") {
-      places.emplace(parts[n], placement(sim::Vec3(pose.to_model[n][3])));
+      nodes.emplace(parts[n], n);
     }
+  }
+  return nodes;
+}
+
+JointPlaces joint_places(const Rig& rig, const RigPose& pose, const Placement& placement) {
+  JointPlaces places;
+  for (const auto& [part, node] : joint_nodes(rig)) {
+    places.emplace(part, placement(sim::Vec3(pose.to_model[node][3])));
   }
   return places;
 }

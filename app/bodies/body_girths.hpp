@@ -14,7 +14,10 @@ namespace taut::app {
 /// Where the joints of a body are, in m, by the parts that they move (joint_names.hpp).
 using JointPlaces = std::map<std::string, sim::Vec3>;
 
-/// Returns the joints that have parts of their own; of several with the same part the first.
+/// Returns the nodes of joints by the parts that they move, of several with the same part the first.
+std::map<std::string, sim::Index> joint_nodes(const Rig& rig);
+
+/// Returns where these are.
 JointPlaces joint_places(const Rig& rig, const RigPose& pose, const Placement& placement);
 
 /// A level tape around a body, without its arms.

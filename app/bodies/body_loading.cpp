@@ -104,35 +104,34 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
   return frames;
 }
 
-/// The motion with a growth into the clothes before it.
-std::shared_ptr<const sim::BodyFrames> dressed(const BodySource& source, const LoadedMesh& loaded,
-                                               const Rig& rig, const std::optional<RigPose>& pose,
-                                               std::shared_ptr<const sim::BodyFrames> motion,
-                                               double frame_rate_hz) {
-  if (rig.influences.empty() || !pose) {
+/// `motion` is null for a body that stays as it is.
+std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMesh& loaded,
+                                        const ReadBody& body, const std::optional<RigPose>& pose,
+                                        double frame_rate_hz) {
+  if (body.rig->influences.empty() || !pose) {
     throw InputError(
         '\'' + source.file.string() + "': found a body to be dressed (dress, --dress) " +
-        (rig.influences.empty() ? "without joints" : "whose motion moves vertices and no joints") +
+        (body.rig->influences.empty() ? "without joints" : "whose motion moves vertices and no joints") +
         "; expected one that grows from its joints: a model with a skin, still or moved by an "
         "animation of its own or a BVH motion");
   }
-  const std::vector<sim::Vec3> thin = thin_shape(rig, *pose);
-  Growth growth{{}, loaded.mesh.positions, source.dress / frame_rate_hz};
-  for (const std::size_t v : loaded.places.file_vertex) {
-    growth.thin_m.push_back(loaded.places.placement(thin[v]));
+  Wearer wearer{.rig = body.rig, .places = loaded.places, .pose = *pose, .full_m = loaded.mesh.positions};
+  wearer.motion = body.mesh.frames;
+  if (wearer.motion) {
+    wearer.motion->positions_in(0, wearer.full_m);
   }
-  if (motion) {
-    motion->positions_in(0, growth.full_m);
-  }
-  const double rate_hz = motion ? motion->rate_hz() : frame_rate_hz;
-  return with_growth(std::move(growth), std::move(motion), rate_hz);
+  wearer.rate_hz = wearer.motion ? wearer.motion->rate_hz() : frame_rate_hz;
+  wearer.duration_s = source.dress / frame_rate_hz;
+  wearer.measures = measure_body({loaded.mesh.positions, loaded.mesh.triangles}, body.joints);
+  wearer.frames = growing(wearer);
+  return std::make_shared<const Wearer>(std::move(wearer));
 }
 
 }  // namespace
 
 ReadBody read_body(const BodySource& source, const ShownTime& shown) {
   ImportedModel model = import_garment(source.file);
-  ReadBody body{{}, take_rig(source.file, model), {}, model.format};
+  ReadBody body{{}, take_rig(source.file, model), {}, {}, model.format};
   LoadedMesh loaded = make_body_mesh(source, model);
   body.joints = joint_places(*body.rig, stored_pose(*body.rig), loaded.places.placement);
   body.remarks = loaded.remarks;
@@ -146,8 +145,8 @@ ReadBody read_body(const BodySource& source, const ShownTime& shown) {
     body.mesh.frames = frames_of(source, loaded, std::move(motion), shown.duration_s, body.remarks, pose);
   }
   if (source.dress > 0) {
-    body.mesh.frames =
-        dressed(source, loaded, *body.rig, pose, std::move(body.mesh.frames), shown.frame_rate_hz);
+    body.wearer = wearer_of(source, loaded, body, pose, shown.frame_rate_hz);
+    body.mesh.frames = body.wearer->frames;
   }
   body.mesh.data = std::make_shared<const sim::BodyMeshData>(
       sim::BodyMeshData{std::move(loaded.mesh.positions), std::move(loaded.mesh.triangles)});
@@ -158,6 +157,7 @@ std::vector<std::string> load_bodies(Scene& scene) {
   const double frame_rate_hz = scene.simulation.frame_rate_hz;
   const ShownTime shown = {scene.frames / frame_rate_hz, frame_rate_hz};
   std::vector<std::string> all;
+  scene.wearers.resize(scene.surroundings.bodies.size());
   for (std::size_t k = 0; k < scene.surroundings.bodies.size(); ++k) {
     sim::Body& body = scene.surroundings.bodies[k];
     auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
@@ -170,6 +170,7 @@ std::vector<std::string> load_bodies(Scene& scene) {
     try {
       ReadBody read = read_body(scene.body_sources.at(k), shown);
       *mesh = std::move(read.mesh);
+      scene.wearers[k] = std::move(read.wearer);
       remarks = std::move(read.remarks);
     } catch (const InputError& error) {
       throw InputError(name + ": " + error.what());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/bodies/body_girths.hpp"
+#include "app/bodies/dressing.hpp"
 #include "app/models/rig.hpp"
 #include "app/scene/scene.hpp"
 
@@ -25,6 +26,7 @@ struct ReadBody {
   sim::BodyMesh mesh;
   std::shared_ptr<const Rig> rig;         ///< never null; empty if nothing in the file moves it
   JointPlaces joints;                     ///< as they were stored
+  std::shared_ptr<const Wearer> wearer;   ///< null: it is not dressed
   std::string format;                     ///< name of the file's format
   std::vector<std::string> remarks = {};  ///< as load_bodies() returns them
 };

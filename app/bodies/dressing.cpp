@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <utility>
 
@@ -14,6 +16,8 @@ namespace {
 
 /// The share of the way to the bones. Not all of it: triangles keep an area.
 constexpr double thinness = 0.9;
+/// Poses that a turn goes through. Between two of them vertices go straight.
+constexpr int turning_steps = 8;
 
 /// Per node, whether vertices follow it.
 std::vector<bool> followed(const Rig& rig) {
@@ -64,13 +68,19 @@ sim::Vec3 nearest_on_bones(const sim::Vec3& begin, const std::vector<sim::Vec3>&
   return nearest;
 }
 
+/// A body in one of the poses that it grows through.
+struct Grown {
+  std::vector<sim::Vec3> thin_m;
+  std::vector<sim::Vec3> full_m;
+};
+
 class GrowingFrames final : public sim::BodyFrames {
  public:
-  GrowingFrames(Growth growth, std::shared_ptr<const sim::BodyFrames> motion, double rate_hz)
-      : growth_(std::move(growth)),
-        motion_(std::move(motion)),
-        rate_hz_(rate_hz),
-        frames_(static_cast<std::size_t>(std::ceil(growth_.duration_s * rate_hz))) {}
+  GrowingFrames(std::vector<Grown> shapes, const Wearer& wearer)
+      : shapes_(std::move(shapes)),
+        motion_(wearer.motion),
+        rate_hz_(wearer.rate_hz),
+        frames_(static_cast<std::size_t>(std::ceil(wearer.duration_s * wearer.rate_hz))) {}
 
   std::size_t count() const override { return frames_ + (motion_ ? motion_->count() : 1); }
   double rate_hz() const override { return rate_hz_; }
@@ -83,17 +93,54 @@ class GrowingFrames final : public sim::BodyFrames {
     }
     const double share = static_cast<double>(frame) / static_cast<double>(std::max<std::size_t>(frames_, 1));
     const double grown = frame >= frames_ ? 1.0 : share * share * (3.0 - 2.0 * share);
+    const double at = grown * static_cast<double>(shapes_.size() - 1);
+    const auto before = static_cast<std::size_t>(at);
+    const Grown& a = shapes_[before];
+    const Grown& b = shapes_[std::min(before + 1, shapes_.size() - 1)];
+    const double on = at - static_cast<double>(before);
     for (std::size_t v = 0; v < positions_m.size(); ++v) {
-      positions_m[v] = glm::mix(growth_.thin_m[v], growth_.full_m[v], grown);
+      positions_m[v] = glm::mix(on > 0.0 ? glm::mix(a.thin_m[v], b.thin_m[v], on) : a.thin_m[v],
+                                on > 0.0 ? glm::mix(a.full_m[v], b.full_m[v], on) : a.full_m[v], grown);
     }
   }
 
  private:
-  Growth growth_;
+  std::vector<Grown> shapes_;  ///< at equal shares of the growth
   std::shared_ptr<const sim::BodyFrames> motion_;
   double rate_hz_;
   std::size_t frames_;  ///< of the growth
 };
+
+std::vector<sim::Vec3> placed(const FileVertexPlaces& places, const std::vector<sim::Vec3>& in_file) {
+  std::vector<sim::Vec3> placed_m;
+  for (const std::size_t v : places.file_vertex) {
+    placed_m.push_back(places.placement(in_file[v]));
+  }
+  return placed_m;
+}
+
+/// The rotation along the shorter arc that takes one direction to another, as x, y, z, w.
+glm::dvec4 rotation_from_to(const sim::Vec3& from, const sim::Vec3& to) {
+  const sim::Vec3 a = glm::normalize(from);
+  const sim::Vec3 b = glm::normalize(to);
+  const glm::dvec4 rotation(glm::cross(a, b), 1.0 + glm::dot(a, b));
+  // Where they are opposite any axis will do.
+  return glm::dot(rotation, rotation) > 1e-12 ? glm::normalize(rotation) : glm::dvec4(1.0, 0.0, 0.0, 0.0);
+}
+
+/// Turns a node and all that hangs on it about its place.
+void turn_about(const Rig& rig, sim::Index joint, const glm::dvec4& rotation, RigPose& pose) {
+  const sim::Vec3 place = place_of(pose, joint);
+  const glm::dquat q(rotation.w, rotation.x, rotation.y, rotation.z);
+  const glm::dmat4 turn =
+      glm::translate(glm::dmat4(1.0), place) * glm::mat4_cast(q) * glm::translate(glm::dmat4(1.0), -place);
+  std::vector<bool> is_turned(rig.nodes.size(), false);
+  for (sim::Index n = joint; n < rig.nodes.size(); ++n) {
+    const sim::Index parent = rig.nodes[n].parent;
+    is_turned[n] = n == joint || (parent != no_node && is_turned[parent]);
+    pose.to_model[n] = is_turned[n] ? turn * pose.to_model[n] : pose.to_model[n];
+  }
+}
 
 }  // namespace
 
@@ -124,10 +171,35 @@ std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose) {
   return full;
 }
 
-std::shared_ptr<const sim::BodyFrames> with_growth(Growth growth,
-                                                   std::shared_ptr<const sim::BodyFrames> motion,
-                                                   double rate_hz) {
-  return std::make_shared<const GrowingFrames>(std::move(growth), std::move(motion), rate_hz);
+std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses) {
+  std::vector<Grown> shapes;
+  std::vector<sim::Vec3> full(wearer.rig->in_part.size());
+  for (const RigPose& pose : poses) {
+    pose_vertices(*wearer.rig, pose, full);
+    shapes.push_back({placed(wearer.places, thin_shape(*wearer.rig, pose)), placed(wearer.places, full)});
+  }
+  shapes.push_back({placed(wearer.places, thin_shape(*wearer.rig, wearer.pose)), wearer.full_m});
+  return std::make_shared<const GrowingFrames>(std::move(shapes), wearer);
+}
+
+std::vector<RigPose> turning_back(const Rig& rig, const RigPose& pose, std::span<const TurnedBone> bones) {
+  constexpr glm::dvec4 as_it_is(0.0, 0.0, 0.0, 1.0);
+  RigPose turned = pose;
+  std::vector<glm::dvec4> rotations;
+  for (const TurnedBone& bone : bones) {
+    rotations.push_back(
+        rotation_from_to(place_of(turned, bone.end) - place_of(turned, bone.joint), bone.direction));
+    turn_about(rig, bone.joint, rotations.back(), turned);
+  }
+  std::vector<RigPose> poses;
+  for (int step = 0; step < turning_steps; ++step) {
+    RigPose& here = poses.emplace_back(pose);
+    for (std::size_t b = 0; b < bones.size(); ++b) {
+      const double share = static_cast<double>(step) / turning_steps;
+      turn_about(rig, bones[b].joint, rotation_between(rotations[b], as_it_is, share), here);
+    }
+  }
+  return poses;
 }
 
 }  // namespace taut::app

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "app/bodies/body_girths.hpp"
 #include "app/bodies/placed_frames.hpp"
 #include "app/bodies/rig_pose.hpp"
 #include "sim/contact/bodies.hpp"
@@ -15,17 +17,33 @@ namespace taut::app {
 /// Throws InputError if vertices follow no joint.
 std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose);
 
-/// How a body grows into what it wears.
-struct Growth {
-  std::vector<sim::Vec3> thin_m;  ///< per vertex of the body, where it begins
-  std::vector<sim::Vec3> full_m;  ///< where it is at 0 s
-  double duration_s = 0.0;        ///< before 0 s
+/// A body that is to be dressed, as load_bodies() keeps it.
+struct Wearer {
+  std::shared_ptr<const Rig> rig;
+  FileVertexPlaces places;
+  RigPose pose;                                        ///< with which the run begins
+  std::vector<sim::Vec3> full_m;                       ///< where its vertices are then
+  std::shared_ptr<const sim::BodyFrames> motion = {};  ///< from then on; null: it stays
+  double rate_hz = 60.0;                               ///< of the motion
+  double duration_s = 0.0;                             ///< of the growth, before 0 s
+  BodyMeasures measures = {};                          ///< as it was stored
+  std::shared_ptr<const sim::BodyFrames> frames = {};  ///< its growth in the pose, then the motion
 };
 
-/// A motion with a growth before it: vertices go straight, slowly at both ends. `rate_hz` is that of the
-/// motion, and of the growth if there is none, which is null.
-std::shared_ptr<const sim::BodyFrames> with_growth(Growth growth,
-                                                   std::shared_ptr<const sim::BodyFrames> motion,
-                                                   double rate_hz);
+/// Returns the frames of a body that grows into what it wears and then goes on with its motion. Vertices go
+/// straight, slowly at both ends. It begins in the first of `poses`, goes through them one after the other as
+/// it grows, and ends in its own; without any it grows in its own.
+std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses = {});
+
+/// A bone that is turned about the joint at its begin.
+struct TurnedBone {
+  sim::Index joint = 0;
+  sim::Index end = 0;               ///< the joint at its end
+  sim::Vec3 direction = {0, 0, 0};  ///< where it shall point, of any length, in the file's axes
+};
+
+/// Returns poses in which bones turn, with all that hangs on them, from where they shall point to where they
+/// are in this pose, which is left out. Requires each bone before those that hang on it.
+std::vector<RigPose> turning_back(const Rig& rig, const RigPose& pose, std::span<const TurnedBone> bones);
 
 }  // namespace taut::app

@@ -5,6 +5,7 @@
 #include "app/base/progress.hpp"
 #include "app/bodies/body_inspection.hpp"
 #include "app/bodies/body_loading.hpp"
+#include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/inspection_picture.hpp"
@@ -52,8 +53,9 @@ int run(const InspectOptions& options) {
     prepare_folder_of(options.picture);
   }
   Progress progress(options.garment.filename().string());
-  const LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
+  LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   put_on_hanger(loaded, scene);
+  print_body_remarks(scene, put_on(loaded, scene), options.json ? stderr : stdout);
   progress.begin("measuring it");
   const Inspection inspection = inspect_garment(scene, loaded);
   progress.hide();

@@ -12,6 +12,7 @@
 #include "app/base/progress.hpp"
 #include "app/base/version.hpp"
 #include "app/bodies/body_loading.hpp"
+#include "app/bodies/wearing.hpp"
 #include "app/commands/blocked_run.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
@@ -232,9 +233,10 @@ int run(const RenderOptions& options) {
   OffscreenRenderer offscreen(options.backend);
   const PictureStyle& style = job.scene.picture;
   offscreen.renderer().prepare(style.settings, style.surface == SurfaceLook::stretch);
-  const LoadedGarment loaded = garment.get();
+  LoadedGarment loaded = garment.get();
   progress.hide();
   put_on_hanger(loaded, job.scene);
+  print_body_remarks(job.scene, put_on(loaded, job.scene), stdout);
   print_remarks(job.scene, loaded);
   sim::Simulation simulation = make_simulation(job.scene, loaded);
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene),

@@ -10,6 +10,7 @@
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
+#include "app/bodies/wearing.hpp"
 #include "app/commands/blocked_run.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
@@ -97,9 +98,10 @@ class ShapeOutput {
 /// The simulation of the scene's garment, which gets the hanger that it asks for, with what was guessed and
 /// repaired said on `remarks`, where there is one.
 sim::Simulation prepare(DrawnScene& scene, Progress& progress, std::FILE* remarks) {
-  const LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
+  LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   progress.hide();
   put_on_hanger(loaded, scene);
+  print_body_remarks(scene, put_on(loaded, scene), remarks);
   if (remarks != nullptr) {
     print_remarks(scene, loaded, remarks);
   }

@@ -142,6 +142,9 @@ sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
 
 std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, LoadedGarment& loaded) {
   const bool is_grid = scene.garment.file.empty();
+  if (!is_grid && !scene.pins && scene.dressing_frames() > 0) {
+    return {};  // it is worn
+  }
   if (!is_grid && !scene.pins) {
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
     // Whoever brings a body has the garment worn.

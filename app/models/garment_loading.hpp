@@ -46,7 +46,7 @@ struct LoadedGarment : GarmentInScene {
   std::size_t trims_sewn_on = 0;       ///< parts that lie on others and are held by stitches
   std::size_t turned_outside_out = 0;  ///< triangles of surfaces that faced inwards
   std::optional<Placement> placement;
-  std::optional<Hanging> hanging;  ///< empty if the scene names the pins
+  std::optional<Hanging> hanging;  ///< empty if the scene names the pins or dresses a body
   std::vector<sim::Body> hanger;   ///< what it hangs on if the scene asks for one; see put_on_hanger()
 };
 

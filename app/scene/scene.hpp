@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,6 +15,8 @@
 #include "sim/surroundings.hpp"
 
 namespace taut::app {
+
+struct Wearer;
 
 /// Where the garment comes from: a model file, or a regular grid if no file is named.
 struct GarmentSource {
@@ -71,8 +74,10 @@ struct Scene {
   /// Without moving pins. Meshes of bodies are as load_bodies() left them.
   sim::Surroundings surroundings;
   std::vector<BodySource> body_sources;  ///< one for each of the bodies; those of meshes count
-  std::filesystem::path checkpoint;      ///< a saved moment to begin with (run_checkpoint.hpp); empty: none
-  int frames = 600;                      ///< length of the run
+  /// Per body, as load_bodies() left it (app/bodies/dressing.hpp); null: it is not dressed.
+  std::vector<std::shared_ptr<const Wearer>> wearers;
+  std::filesystem::path checkpoint;  ///< a saved moment to begin with (run_checkpoint.hpp); empty: none
+  int frames = 600;                  ///< length of the run
 
   /// Returns how many frames are simulated before frame 0, while bodies grow into the clothes.
   int dressing_frames() const;

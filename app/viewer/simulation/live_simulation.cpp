@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/base/stopwatch.hpp"
+#include "app/bodies/wearing.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/hanger.hpp"
@@ -17,6 +18,7 @@ std::shared_ptr<const LoadedScene> load(const DrawnScene& scene, std::uint64_t g
   LoadedGarment loaded = load_garment(scene);
   DrawnScene hung = scene;
   put_on_hanger(loaded, hung);
+  put_on(loaded, hung);
   return std::make_shared<const LoadedScene>(LoadedScene{std::move(loaded), std::move(hung), generation});
 }
 

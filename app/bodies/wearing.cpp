@@ -1,0 +1,179 @@
+#include "app/bodies/wearing.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/bodies/dressing.hpp"
+#include "app/bodies/joint_names.hpp"
+#include "app/models/garment_measures.hpp"
+#include "app/models/scene_crossings.hpp"
+
+namespace taut::app {
+namespace {
+
+/// A garment is about a body if it is no further off than this, in m, and turned by less than half a right
+/// angle.
+constexpr double near_enough_m = 0.05;
+constexpr double half_a_right_angle = 0.70710678;  ///< its cosine
+/// A garment that is turned by less, as a cosine, is not turned back.
+constexpr double hardly_turned = 0.98;
+
+/// Where a garment belongs on a body when the run begins.
+struct Wanted {
+  sim::Vec3 top_m;  ///< the base of the neck, or the middle of the waist
+  sim::Vec3 front;
+};
+
+/// `measured_m` is the base of the neck or the middle of the waist, as the body was stored.
+Wanted wanted_of(const sim::Body& body, const Wearer& wearer, const char* joint,
+                 const sim::Vec3& measured_m) {
+  const JointPlaces stored = joint_places(*wearer.rig, stored_pose(*wearer.rig), wearer.places.placement);
+  const JointPlaces joints = joint_places(*wearer.rig, wearer.pose, wearer.places.placement);
+  Wanted wanted{measured_m, {0.0, 0.0, 1.0}};
+  if (joints.contains(joint)) {
+    wanted.top_m += joints.at(joint) - stored.at(joint);
+  }
+  if (joints.contains("left arm") && joints.contains("right arm")) {
+    const sim::Vec3 across = joints.at("left arm") - joints.at("right arm");
+    wanted.front = glm::normalize(glm::cross({across.x, 0.0, across.z}, sim::Vec3(0.0, 1.0, 0.0)));
+  }
+  const sim::Pose pose = sim::pose_at(body.motion, 0.0);
+  return Wanted{pose(wanted.top_m), pose.rotation * wanted.front};
+}
+
+/// The point of the garment that comes to the wanted one.
+sim::Vec3 held_at(const GarmentMarks& marks) {
+  const sim::Vec3 middle = 0.5 * (marks.top->lower + marks.top->upper);
+  return {middle.x, marks.is_worn_at_waist ? marks.top_height_m : marks.top->upper.y, middle.z};
+}
+
+/// A turn about the vertical through one point, which comes to another.
+struct Move {
+  sim::Vec3 from_m, to_m;
+  double cosine = 1.0, sine = 0.0;
+
+  sim::Vec3 operator()(const sim::Vec3& p) const {
+    const sim::Vec3 d = p - from_m;
+    return to_m + sim::Vec3(cosine * d.x + sine * d.z, d.y, cosine * d.z - sine * d.x);
+  }
+};
+
+Move move_to(const GarmentMarks& marks, const Wanted& wanted) {
+  Move move{held_at(marks), wanted.top_m};
+  sim::Vec3 front = marks.front;
+  if (!marks.is_front_known && glm::dot(front, wanted.front) < 0.0) {
+    front = -front;
+  }
+  const double cosine = glm::dot(front, wanted.front);
+  if (cosine < hardly_turned) {
+    move.cosine = cosine;
+    move.sine = glm::cross(front, wanted.front).y;
+  }
+  return move;
+}
+
+void apply(const Move& move, LoadedGarment& loaded) {
+  sim::Garment garment = *loaded.garment;
+  const auto go = [&](std::vector<sim::Vec3>& positions_m) {
+    std::transform(positions_m.begin(), positions_m.end(), positions_m.begin(), move);
+  };
+  go(garment.mesh.positions);
+  go(garment.parted_m);
+  if (loaded.start_m) {
+    go(*loaded.start_m);
+  }
+  loaded.garment = sim::share(std::move(garment));
+}
+
+/// Whether the garment crosses the body as it is when it begins to grow.
+bool crosses(const LoadedGarment& loaded, const sim::Body& body) {
+  const auto& mesh = std::get<sim::BodyMesh>(body.shape);
+  const std::vector<sim::Vec3> thin_m = mesh_positions_m(body, mesh.frames->first_s());
+  return !crossing_pairs(surface_at_start(loaded), {thin_m, mesh.data->triangles}).empty();
+}
+
+/// The direction in the file's axes, of another length.
+sim::Vec3 in_file(const Placement& placement, const sim::Vec3& direction) {
+  const sim::Vec3 origin = placement(sim::Vec3(0.0));
+  sim::Vec3 result;
+  for (int axis = 0; axis < 3; ++axis) {
+    sim::Vec3 unit(0.0);
+    unit[axis] = 1.0;
+    result[axis] = glm::dot(placement(unit) - origin, direction);
+  }
+  return result;
+}
+
+/// The bones of the arms, and from each shoulder to the cuff that is nearer.
+std::vector<TurnedBone> arms_to_cuffs(const Wearer& wearer, const sim::Body& body,
+                                      const GarmentMarks& marks) {
+  const std::map<std::string, sim::Index> nodes = joint_nodes(*wearer.rig);
+  const sim::Pose pose = sim::pose_at(body.motion, 0.0);
+  std::vector<TurnedBone> bones;
+  for (const std::string side : {"left ", "right "}) {
+    const auto arm = nodes.find(side + "arm");
+    const auto forearm = nodes.find(side + "forearm");
+    const auto hand = nodes.find(side + "hand");
+    if (marks.cuffs_m.empty() || arm == nodes.end() || forearm == nodes.end()) {
+      continue;
+    }
+    const sim::Vec3 shoulder_m =
+        pose(wearer.places.placement(sim::Vec3(wearer.pose.to_model[arm->second][3])));
+    const sim::Vec3 cuff_m = *std::min_element(
+        marks.cuffs_m.begin(), marks.cuffs_m.end(), [&](const sim::Vec3& a, const sim::Vec3& b) {
+          return glm::distance(a, shoulder_m) < glm::distance(b, shoulder_m);
+        });
+    const sim::Vec3 direction =
+        in_file(wearer.places.placement, glm::transpose(pose.rotation) * (cuff_m - shoulder_m));
+    bones.push_back({arm->second, forearm->second, direction});
+    if (hand != nodes.end()) {
+      bones.push_back({forearm->second, hand->second, direction});
+    }
+  }
+  return bones;
+}
+
+}  // namespace
+
+std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
+  const auto dressed = std::find_if(scene.wearers.begin(), scene.wearers.end(),
+                                    [](const auto& wearer) { return wearer != nullptr; });
+  if (dressed == scene.wearers.end() || !scene.garment.start.empty()) {
+    return {};
+  }
+  const Wearer& wearer = **dressed;
+  const auto b = static_cast<std::size_t>(dressed - scene.wearers.begin());
+  sim::Body& body = scene.surroundings.bodies[b];
+  const GarmentMarks marks = marks_of(loaded);
+  const bool at_waist = marks.is_worn_at_waist;
+  const std::optional<sim::Vec3>& measured_m = at_waist ? wearer.measures.waist_m : wearer.measures.neck_m;
+  std::get<sim::BodyMesh>(body.shape).frames = wearer.frames;
+  if (!marks.top || !measured_m) {
+    return {fmt::format("it stays where it is: {} was found on {}",
+                        marks.top ? "no neck" : "no neck opening and no waist",
+                        marks.top ? describe_body(scene.surroundings.bodies, b) : "it")};
+  }
+  const Move move = move_to(marks, wanted_of(body, wearer, at_waist ? "hips" : "neck", *measured_m));
+  const double off_m = glm::distance(move.from_m, move.to_m);
+  const bool is_about = off_m < near_enough_m && move.cosine > half_a_right_angle;
+  if (is_about && !crosses(loaded, body)) {
+    return {};
+  }
+  apply(move, loaded);
+  std::vector<std::string> said = {
+      fmt::format("it is moved by {:.3g} m{}, so that its {} is at that of {}", off_m,
+                  move.cosine == 1.0 ? "" : " and turned about the vertical", at_waist ? "waist" : "neck",
+                  describe_body(scene.surroundings.bodies, b))};
+  const std::vector<TurnedBone> arms = arms_to_cuffs(wearer, body, marks_of(loaded));
+  if (!arms.empty() && crosses(loaded, body)) {
+    std::get<sim::BodyMesh>(body.shape).frames =
+        growing(wearer, turning_back(*wearer.rig, wearer.pose, arms));
+    said.emplace_back("the arms begin in its sleeves");
+  }
+  return said;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/models/garment_loading.hpp"
+
+namespace taut::app {
+
+/// Puts the garment about the body that is to be dressed, the first if there are several, and returns what
+/// was done, for people. A garment that lies about the body and crosses nothing there when the body is thin
+/// stays as it is, and so does one that begins in a shape of its own (garment.start). Others are moved, and
+/// turned about the vertical, so that the neck opening lies about the neck, or a waist at the waist; and the
+/// arms begin in its sleeves where it would cross them, which changes the body's frames. Garments are moved
+/// at rest: nothing is stretched. Requires a scene whose bodies are loaded.
+std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene);
+
+}  // namespace taut::app

@@ -1,0 +1,180 @@
+#include "app/models/garment_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/models/garment_parts.hpp"
+#include "app/models/section.hpp"
+#include "app/models/support.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Of the part's width: a hem is as near as this to its middle, cuffs are not.
+constexpr double in_the_middle = 0.15;
+/// Of the opening's width: by how much a neckline is lower in front.
+constexpr double dip_of_front = 0.03;
+constexpr std::size_t levels_of_garment = 200;
+/// Times the girth one level below, where sleeves begin.
+constexpr double sleeves_begin = 1.1;
+
+sim::Vec3 middle_of(const sim::Extent& range) {
+  return 0.5 * (range.lower + range.upper);
+}
+
+/// The vertices of all landmarks whose names have the word in them.
+std::vector<sim::Index> landmarks_with(const LoadedGarment& loaded, const std::string& word) {
+  std::vector<sim::Index> vertices;
+  for (const auto& [name, named] : loaded.landmarks) {
+    if (name.find(word) != std::string::npos) {
+      vertices.insert(vertices.end(), named.begin(), named.end());
+    }
+  }
+  return vertices;
+}
+
+sim::Vec3 mean_of(std::span<const sim::Index> vertices, std::span<const sim::Vec3> positions_m) {
+  sim::Vec3 sum(0.0);
+  for (const sim::Index v : vertices) {
+    sum += positions_m[v];
+  }
+  return sum / static_cast<double>(vertices.size());
+}
+
+sim::Vec3 level(const sim::Vec3& v) {
+  return {v.x, 0.0, v.z};
+}
+
+struct Finder {
+  const LoadedGarment& loaded;
+  const GarmentPart& part;
+  std::span<const sim::Vec3> positions_m;
+
+  bool is_in_middle(const Opening& opening) const {
+    const int across = part.across();
+    return std::abs(middle_of(opening.range)[across] - middle_of(part.range)[across]) <
+           in_the_middle * part.width_m();
+  }
+
+  void find_top(const Opening* top, GarmentMarks& marks) const {
+    std::vector<sim::Index> vertices = landmarks_with(loaded, "neck");
+    marks.is_worn_at_waist = vertices.empty();
+    if (vertices.empty()) {
+      vertices = landmarks_with(loaded, "waist");
+    }
+    if (vertices.empty() && top != nullptr) {
+      vertices = top->vertices;
+      const auto above = std::count_if(part.openings.begin(), part.openings.end(), [&](const Opening& o) {
+        return o.mean_height_m > middle_of(part.range).y;
+      });
+      marks.is_worn_at_waist = above == 1 && (part.openings.size() == 2 || !marks.hem_height_m);
+    }
+    if (!vertices.empty()) {
+      marks.top.emplace();
+      for (const sim::Index v : vertices) {
+        marks.top->add(positions_m[v]);
+      }
+      marks.top_height_m = mean_of(vertices, positions_m).y;
+      find_front(vertices, marks);
+    }
+  }
+
+  void find_hem_and_cuffs(const Opening* top, GarmentMarks& marks) const {
+    for (const Opening& opening : part.openings) {
+      const bool is_hem = is_in_middle(opening) && opening.mean_height_m < middle_of(part.range).y;
+      if (&opening != top && is_hem && opening.length_m > marks.hem_m) {
+        marks.hem_height_m = opening.mean_height_m;
+        marks.hem_m = opening.length_m;
+      } else if (&opening != top && !is_in_middle(opening)) {
+        marks.cuffs_m.push_back(mean_of(opening.vertices, positions_m));
+      }
+    }
+    // The openings of trousers are no cuffs, nor are more than two or all on one side.
+    const int across = part.across();
+    const double middle = middle_of(part.range)[across];
+    if (!marks.hem_height_m || marks.cuffs_m.size() != 2 ||
+        (marks.cuffs_m[0][across] < middle) == (marks.cuffs_m[1][across] < middle)) {
+      marks.cuffs_m.clear();
+    }
+  }
+
+  void find_front(const std::vector<sim::Index>& top, GarmentMarks& marks) const {
+    const std::vector<sim::Index> front = landmarks_with(loaded, "front");
+    const std::vector<sim::Index> back = landmarks_with(loaded, "back");
+    if (!front.empty() && !back.empty()) {
+      marks.front = glm::normalize(level(mean_of(front, positions_m) - mean_of(back, positions_m)));
+      marks.is_front_known = true;
+      return;
+    }
+    const int depth = 2 - part.across();
+    const double middle = middle_of(*marks.top)[depth];
+    std::array<std::vector<sim::Index>, 2> sides;  // behind and before the middle
+    for (const sim::Index v : top) {
+      sides[positions_m[v][depth] > middle ? 1 : 0].push_back(v);
+    }
+    const double dip_m = sides[0].empty() || sides[1].empty()
+                             ? 0.0
+                             : mean_of(sides[0], positions_m).y - mean_of(sides[1], positions_m).y;
+    marks.front = sim::Vec3(0.0);
+    marks.front[depth] = dip_m < 0.0 ? -1.0 : 1.0;
+    marks.is_front_known = std::abs(dip_m) > dip_of_front * marks.top->size()[part.across()];
+  }
+};
+
+/// The closed curve with the longest tight tape; nullptr if there is none.
+const SectionCurve* trunk_of(const std::vector<SectionCurve>& curves) {
+  const SectionCurve* trunk = nullptr;
+  double largest_m = 0.0;
+  for (const SectionCurve& curve : curves) {
+    const double tape_m = curve.is_closed ? tight_tape_m(curve.points_m) : 0.0;
+    if (tape_m > largest_m) {
+      largest_m = tape_m;
+      trunk = &curve;
+    }
+  }
+  return trunk;
+}
+
+}  // namespace
+
+GarmentMarks marks_of(const LoadedGarment& loaded) {
+  const Surface start = surface_at_start(loaded);
+  const sim::Mesh mesh{
+      {start.positions_m.begin(), start.positions_m.end()}, loaded.garment->mesh.triangles, {}};
+  const std::vector<GarmentPart> parts = parts_of(mesh, loaded.garment->adjacency);
+  const auto smaller = [](const GarmentPart& a, const GarmentPart& b) { return a.area_m2 < b.area_m2; };
+  const GarmentPart& part = *std::max_element(parts.begin(), parts.end(), smaller);
+  const Opening* const top = top_opening(part);
+  const Finder finder{loaded, part, start.positions_m};
+  GarmentMarks marks;
+  finder.find_hem_and_cuffs(top, marks);
+  finder.find_top(top, marks);
+  return marks;
+}
+
+std::optional<double> girth_at(const Surface& garment, double height_m) {
+  const std::vector<SectionCurve> curves = section_of(garment, {{0.0, height_m, 0.0}});
+  const SectionCurve* const trunk = trunk_of(curves);
+  return trunk == nullptr ? std::nullopt : std::optional(length_m(*trunk));
+}
+
+std::optional<GarmentTube> tube_of(const Surface& garment) {
+  const sim::Extent box = sim::extent_of(garment.positions_m);
+  std::optional<GarmentTube> tube;
+  double below_m = 0.0;
+  for (std::size_t k = 0; k < levels_of_garment; ++k) {
+    const double height_m = box.lower.y + (static_cast<double>(k) + 0.5) / levels_of_garment * box.size().y;
+    const std::optional<double> girth_m = girth_at(garment, height_m);
+    if (tube && (!girth_m || *girth_m > sleeves_begin * below_m)) {
+      break;
+    }
+    if (girth_m) {
+      tube = GarmentTube{tube ? tube->lowest_m : height_m, height_m};
+      below_m = *girth_m;
+    }
+  }
+  return tube;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "app/models/garment_loading.hpp"
+#include "sim/mesh/extent.hpp"
+
+namespace taut::app {
+
+/// What says where on a body a garment belongs, by its landmarks or else by the openings of its largest part.
+struct GarmentMarks {
+  /// The border that goes around the neck, or around the waist where nothing else is open above the middle
+  /// or below it in the middle, as of skirts and trousers. Empty: there is none.
+  std::optional<sim::Extent> top;
+  bool is_worn_at_waist = false;
+  double top_height_m = 0.0;           ///< mean of its vertices
+  std::optional<double> hem_height_m;  ///< mean of its vertices; empty: it has none
+  double hem_m = 0.0;                  ///< around
+  std::vector<sim::Vec3> cuffs_m;      ///< the middles of the openings of two sleeves, or none
+  /// Level and of length 1: where its front is; of a front that is not known either way.
+  sim::Vec3 front = {0.0, 0.0, 1.0};
+  bool is_front_known = false;
+};
+
+/// Finds them, where the garment starts. A neckline is lower in front.
+GarmentMarks marks_of(const LoadedGarment& loaded);
+
+/// The trunk of a garment, without its sleeves.
+struct GarmentTube {
+  double lowest_m = 0.0;   ///< height of the lowest level that goes all around
+  double highest_m = 0.0;  ///< of the highest, which of a shirt is under its armholes
+};
+
+/// Returns the tube; empty if no level goes all around, as of a jacket that is open in front.
+std::optional<GarmentTube> tube_of(const Surface& garment);
+
+/// Returns the length of the cloth around the trunk at this height, in m; empty where it does not go all
+/// around.
+std::optional<double> girth_at(const Surface& garment, double height_m);
+
+}  // namespace taut::app

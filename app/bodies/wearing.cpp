@@ -147,7 +147,10 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
   const Wearer& wearer = **dressed;
   const auto b = static_cast<std::size_t>(dressed - scene.wearers.begin());
   sim::Body& body = scene.surroundings.bodies[b];
-  const GarmentMarks marks = marks_of(loaded);
+  const auto marks_now = [&] {
+    return marks_of(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
+  };
+  const GarmentMarks marks = marks_now();
   const bool at_waist = marks.is_worn_at_waist;
   const std::optional<sim::Vec3>& measured_m = at_waist ? wearer.measures.waist_m : wearer.measures.neck_m;
   std::get<sim::BodyMesh>(body.shape).frames = wearer.frames;
@@ -167,7 +170,7 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
       fmt::format("it is moved by {:.3g} m{}, so that its {} is at that of {}", off_m,
                   move.cosine == 1.0 ? "" : " and turned about the vertical", at_waist ? "waist" : "neck",
                   describe_body(scene.surroundings.bodies, b))};
-  const std::vector<TurnedBone> arms = arms_to_cuffs(wearer, body, marks_of(loaded));
+  const std::vector<TurnedBone> arms = arms_to_cuffs(wearer, body, marks_now());
   if (!arms.empty() && crosses(loaded, body)) {
     std::get<sim::BodyMesh>(body.shape).frames =
         growing(wearer, turning_back(*wearer.rig, wearer.pose, arms));

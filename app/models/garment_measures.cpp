@@ -24,9 +24,9 @@ sim::Vec3 middle_of(const sim::Extent& range) {
 }
 
 /// The vertices of all landmarks whose names have the word in them.
-std::vector<sim::Index> landmarks_with(const LoadedGarment& loaded, const std::string& word) {
+std::vector<sim::Index> landmarks_with(const Landmarks& landmarks, const std::string& word) {
   std::vector<sim::Index> vertices;
-  for (const auto& [name, named] : loaded.landmarks) {
+  for (const auto& [name, named] : landmarks) {
     if (name.find(word) != std::string::npos) {
       vertices.insert(vertices.end(), named.begin(), named.end());
     }
@@ -47,7 +47,7 @@ sim::Vec3 level(const sim::Vec3& v) {
 }
 
 struct Finder {
-  const LoadedGarment& loaded;
+  const Landmarks& landmarks;
   const GarmentPart& part;
   std::span<const sim::Vec3> positions_m;
 
@@ -58,10 +58,10 @@ struct Finder {
   }
 
   void find_top(const Opening* top, GarmentMarks& marks) const {
-    std::vector<sim::Index> vertices = landmarks_with(loaded, "neck");
+    std::vector<sim::Index> vertices = landmarks_with(landmarks, "neck");
     marks.is_worn_at_waist = vertices.empty();
     if (vertices.empty()) {
-      vertices = landmarks_with(loaded, "waist");
+      vertices = landmarks_with(landmarks, "waist");
     }
     if (vertices.empty() && top != nullptr) {
       vertices = top->vertices;
@@ -100,8 +100,8 @@ struct Finder {
   }
 
   void find_front(const std::vector<sim::Index>& top, GarmentMarks& marks) const {
-    const std::vector<sim::Index> front = landmarks_with(loaded, "front");
-    const std::vector<sim::Index> back = landmarks_with(loaded, "back");
+    const std::vector<sim::Index> front = landmarks_with(landmarks, "front");
+    const std::vector<sim::Index> back = landmarks_with(landmarks, "back");
     if (!front.empty() && !back.empty()) {
       marks.front = glm::normalize(level(mean_of(front, positions_m) - mean_of(back, positions_m)));
       marks.is_front_known = true;
@@ -138,15 +138,14 @@ const SectionCurve* trunk_of(const std::vector<SectionCurve>& curves) {
 
 }  // namespace
 
-GarmentMarks marks_of(const LoadedGarment& loaded) {
-  const Surface start = surface_at_start(loaded);
-  const sim::Mesh mesh{
-      {start.positions_m.begin(), start.positions_m.end()}, loaded.garment->mesh.triangles, {}};
-  const std::vector<GarmentPart> parts = parts_of(mesh, loaded.garment->adjacency);
+GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> positions_m,
+                      const Landmarks& landmarks) {
+  const sim::Mesh mesh{{positions_m.begin(), positions_m.end()}, garment.mesh.triangles, {}};
+  const std::vector<GarmentPart> parts = parts_of(mesh, garment.adjacency);
   const auto smaller = [](const GarmentPart& a, const GarmentPart& b) { return a.area_m2 < b.area_m2; };
   const GarmentPart& part = *std::max_element(parts.begin(), parts.end(), smaller);
   const Opening* const top = top_opening(part);
-  const Finder finder{loaded, part, start.positions_m};
+  const Finder finder{landmarks, part, positions_m};
   GarmentMarks marks;
   finder.find_hem_and_cuffs(top, marks);
   finder.find_top(top, marks);

@@ -24,8 +24,9 @@ struct GarmentMarks {
   bool is_front_known = false;
 };
 
-/// Finds them, where the garment starts. A neckline is lower in front.
-GarmentMarks marks_of(const LoadedGarment& loaded);
+/// Finds them where the garment is at these positions, in m. A neckline is lower in front.
+GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> positions_m,
+                      const Landmarks& landmarks);
 
 /// The trunk of a garment, without its sleeves.
 struct GarmentTube {

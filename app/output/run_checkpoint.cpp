@@ -7,6 +7,8 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
+#include "app/bodies/fit.hpp"
+#include "app/models/scene_crossings.hpp"
 #include "sim/bytes.hpp"
 #include "sim/checkpoint.hpp"
 
@@ -159,9 +161,35 @@ void dress(int frames, sim::Simulation& simulation) {
   simulation.set_time(0.0);
 }
 
+namespace {
+
+/// Requires that nothing crosses a body that has grown into its clothes, where the scene does not allow it.
+void require_worn(const Scene& scene, const sim::Simulation& simulation) {
+  const SolverChoice& solver = scene.simulation.solver;
+  const bool is_kept_apart = solver.kind == sim::SolverKind::bounded && !solver.bounded.allow_crossing;
+  if (scene.dressing_frames() == 0 || !is_kept_apart) {
+    return;
+  }
+  const std::vector<sim::Body>& bodies = simulation.surroundings().bodies;
+  const Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
+  for (const SceneCrossings& crossings : scene_crossings(cloth, bodies, 0.0)) {
+    if (crossings.body && !crossings.pairs.empty()) {
+      throw PromiseBroken("when it is dressed, " + describe(crossings, cloth, bodies));
+    }
+  }
+}
+
+}  // namespace
+
 int go_to_start(const Scene& scene, sim::Simulation& simulation) {
   if (scene.checkpoint.empty()) {
-    dress(scene.dressing_frames(), simulation);
+    const std::vector<sim::Vec3> start_m = simulation.state().current;
+    try {
+      dress(scene.dressing_frames(), simulation);
+      require_worn(scene, simulation);
+    } catch (const PromiseBroken& error) {
+      throw PromiseBroken(error.what() + describe_misfit(fit_of(scene, simulation.garment(), start_m)));
+    }
     return 0;
   }
   const RunCheckpoint checkpoint = read_run_checkpoint(scene.checkpoint);

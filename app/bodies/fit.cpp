@@ -1,0 +1,92 @@
+#include "app/bodies/fit.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/bodies/dressing.hpp"
+#include "app/models/garment_measures.hpp"
+
+namespace taut::app {
+namespace {
+
+/// How much higher the body is when the run begins than it was stored, in m.
+double lift_of(const sim::Body& body, const Wearer& wearer) {
+  const JointPlaces stored = joint_places(*wearer.rig, stored_pose(*wearer.rig), wearer.places.placement);
+  const JointPlaces joints = joint_places(*wearer.rig, wearer.pose, wearer.places.placement);
+  for (const char* joint : {"neck", "hips"}) {
+    if (joints.contains(joint)) {
+      return sim::pose_at(body.motion, 0.0)(joints.at(joint)).y - stored.at(joint).y;
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+const char* fit_word(const FitRow& row) {
+  const double ease_m = row.ease_m();
+  return ease_m < too_small_below_m ? "too small"
+         : ease_m < tight_below_m   ? "tight"
+         : ease_m < fitted_below_m  ? "fitted"
+                                    : "loose";
+}
+
+std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
+                           std::span<const sim::Vec3> start_m) {
+  const auto dressed = std::find_if(scene.wearers.begin(), scene.wearers.end(),
+                                    [](const auto& wearer) { return wearer != nullptr; });
+  const Surface start = {start_m, garment.mesh.triangles};
+  const std::optional<GarmentTube> tube = tube_of(start);
+  std::vector<FitRow> rows;
+  if (dressed == scene.wearers.end() || !tube) {
+    return rows;
+  }
+  const auto b = static_cast<std::size_t>(dressed - scene.wearers.begin());
+  const sim::Body& body = scene.surroundings.bodies[b];
+  const double lift_m = lift_of(body, **dressed);
+  for (const char* name : {"chest", "waist", "seat"}) {
+    const Girth* const girth = girth_of((*dressed)->measures, name);
+    const bool is_chest = std::string_view(name) == "chest";
+    const double height_m = girth == nullptr ? tube->lowest_m - 1.0
+                            : is_chest       ? std::min(girth->height_m + lift_m, tube->highest_m)
+                                             : girth->height_m + lift_m;
+    const bool is_covered = height_m >= tube->lowest_m && height_m <= tube->highest_m;
+    const std::optional<double> garment_m = is_covered ? girth_at(start, height_m) : std::nullopt;
+    if (garment_m) {
+      rows.push_back({name, girth->girth_m, *garment_m});
+    }
+  }
+  const GarmentMarks marks = marks_of(garment, start_m, {});
+  const auto& mesh = *std::get<sim::BodyMesh>(body.shape).data;
+  const std::optional<LevelTape> at_hem =
+      marks.hem_height_m ? level_tape({mesh.positions_m, mesh.triangles}, *marks.hem_height_m - lift_m)
+                         : std::nullopt;
+  if (at_hem) {
+    rows.push_back({"hem", at_hem->girth_m, marks.hem_m});
+  }
+  return rows;
+}
+
+std::string describe_misfit(std::span<const FitRow> rows) {
+  std::string text;
+  for (const FitRow& row : rows) {
+    if (row.ease_m() < too_small_below_m) {
+      text +=
+          fmt::format("{}{} {:.1f} cm in a garment of {:.1f} cm", text.empty() ? "; it does not fit: " : ", ",
+                      row.name, 100.0 * row.body_m, 100.0 * row.garment_m);
+    }
+  }
+  return text;
+}
+
+std::string describe(std::span<const FitRow> rows) {
+  std::string text = fmt::format("{:8}{:>12}{:>12}{:>12}\n", "", "body", "garment", "ease");
+  for (const FitRow& row : rows) {
+    text += fmt::format("{:8}{:>9.1f} cm{:>9.1f} cm{:>+9.1f} cm  {}\n", row.name, 100.0 * row.body_m,
+                        100.0 * row.garment_m, 100.0 * row.ease_m(), fit_word(row));
+  }
+  return text;
+}
+
+}  // namespace taut::app

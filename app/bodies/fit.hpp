@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/scene/scene.hpp"
+#include "sim/garment.hpp"
+
+namespace taut::app {
+
+/// How wide a garment is where a body has a girth.
+struct FitRow {
+  std::string name;        ///< "chest", "waist", "seat" or "hem"
+  double body_m = 0.0;     ///< a tight tape around the body
+  double garment_m = 0.0;  ///< the length of the cloth at rest
+
+  double ease_m() const { return garment_m - body_m; }
+};
+
+// Ease in m below which a garment is called so; from the last on it is loose.
+inline constexpr double too_small_below_m = 0.0;
+inline constexpr double tight_below_m = 0.04;
+inline constexpr double fitted_below_m = 0.12;
+
+/// Returns "too small", "tight", "fitted" or "loose".
+const char* fit_word(const FitRow& row);
+
+/// Measures a garment that begins at these positions, in m, at the heights of the girths of the body that is
+/// dressed: at rest, around its trunk, the chest not above the armholes; and its hem, where the body is as it
+/// was stored. Leaves out what the garment does not cover or what does not go all around. Empty if no body
+/// is dressed.
+std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
+                           std::span<const sim::Vec3> start_m);
+
+/// Returns "; it does not fit: chest 96.0 cm in a garment of 92.0 cm" of the rows that are too small; nothing
+/// if none is.
+std::string describe_misfit(std::span<const FitRow> rows);
+
+/// Returns the table for people, a line for each row under one for the columns.
+std::string describe(std::span<const FitRow> rows);
+
+}  // namespace taut::app

@@ -9,6 +9,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
 #include "app/base/version.hpp"
+#include "app/bodies/fit.hpp"
 #include "app/command_line_bench.hpp"
 #include "app/command_line_help.hpp"
 #include "app/figures/figures.hpp"
@@ -89,7 +90,7 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
       "of the body, as --units");
   add_key(command, overrides, "--dress", "body.dress",
           "simulate so many frames before frame 0, in which the body grows from its bones to its shape, into "
-          "what it wears (about 90)");
+          "what it wears (about 90); a garment that lies elsewhere is moved to it first");
   add_key(command, overrides, "--body-up", "body.up", "the body's direction that is up, as --up");
 }
 
@@ -292,6 +293,33 @@ std::function<Command()> add_inspect(CLI::App& app) {
   return [options] { return Command(*options); };
 }
 
+std::function<Command()> add_fit(CLI::App& app) {
+  auto options = std::make_shared<FitOptions>();
+  CLI::App* command = app.add_subcommand("fit", "Put a garment on a body, and say and draw how it fits");
+  command->add_option("GARMENT", options->scene, "a garment file, or a scene in which a body is dressed")
+      ->required();
+  add_garment_arguments(*command, options->overrides);
+  command->add_option("--output", options->output,
+                      "PNG file: front and back, coloured by stretch, and a table (default GARMENT-fit.png)");
+  command->add_option("--frames", options->frames, "at most so many frames after it was put on")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "for programs");
+  add_backend(*command, options->backend);
+  command->footer(
+      "It is dressed as with --dress 90 where nothing else is said: the garment is moved to the body, which\n"
+      "grows into it. Ease is what the garment is larger than the body, at rest and along the cloth: too "
+      "small\n"
+      "below 0, " +
+      fit_thresholds() +
+      ". A garment that cannot be put on ends the\ncommand with exit code 3 and says where it is too "
+      "small.\n\n"
+      "Examples:\n  taut fit shirt.obj --body person.glb\n"
+      "  taut fit shirt.obj --body person.glb --body-motion stand.bvh --output shirt.png\n"
+      "  taut fit shirt.obj --body person.glb --json\n  taut fit tshirt-worn\n");
+  return [options] { return Command(*options); };
+}
+
 std::function<Command()> add_import_model(CLI::App& app) {
   auto options = std::make_shared<ImportModelOptions>();
   CLI::App* command =
@@ -329,8 +357,8 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       "the run diverged, 75 stopped, but saved: it "
       "can be resumed.");
   const std::vector<std::function<Command()>> commands = {
-      add_figures(app), add_render(app), add_simulate(app),     add_view(app), add_inspect(app),
-      add_bench(app),   add_scenes(app), add_import_model(app), add_help(app)};
+      add_figures(app), add_render(app), add_simulate(app), add_view(app),         add_inspect(app),
+      add_fit(app),     add_bench(app),  add_scenes(app),   add_import_model(app), add_help(app)};
   show_help_first(app);
   require_command(app, std::span(arguments, static_cast<std::size_t>(argument_count)));
   try {

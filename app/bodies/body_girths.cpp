@@ -13,11 +13,11 @@ namespace {
 constexpr std::size_t levels_of_body = 400;
 /// A curve of at least this share of the largest is a leg, or the trunk itself; arms are less.
 constexpr double share_of_legs = 0.5;
-constexpr double highest_fork = 0.65;            ///< of the height
-constexpr double arms_begin = 1.2;               ///< times the girth one level below
-constexpr double upper_part = 0.6;               ///< of the trunk's height, from there on
-constexpr double lower_part = 0.5;               ///< of the trunk's height, up to there
-constexpr std::ptrdiff_t levels_below_fork = 3;  ///< where a tape can lie around a thigh
+constexpr double highest_fork = 0.65;       ///< of the height
+constexpr double arms_begin = 1.2;          ///< times the girth one level below
+constexpr double upper_part = 0.6;          ///< of the trunk's height, from there on
+constexpr double lower_part = 0.5;          ///< of the trunk's height, up to there
+constexpr std::ptrdiff_t levels_below = 3;  ///< of where arms or legs begin, where a tape can lie
 constexpr double narrower_than_head = 0.85;
 constexpr double base_of_neck = 1.35;  ///< times its smallest girth
 constexpr double neck_to_head = 0.75;  ///< where the neck is measured
@@ -114,6 +114,9 @@ void measure_neck(const Surface& body, const JointPlaces& joints, const Landmark
 }
 
 void measure_trunk(const Landmarks& at, BodyMeasures& measures) {
+  if (at.armpits != at.base) {
+    measures.girths.push_back(named("upper chest", *(at.armpits - levels_below)));
+  }
   const auto share = [&](double of_trunk) {
     return at.fork + static_cast<std::ptrdiff_t>(of_trunk * static_cast<double>(at.armpits - at.fork));
   };
@@ -129,8 +132,8 @@ void measure_trunk(const Landmarks& at, BodyMeasures& measures) {
 }
 
 void measure_thigh(const Levels& levels, const Landmarks& at, BodyMeasures& measures) {
-  if (at.fork - levels.begin() >= levels_below_fork) {
-    const LevelTape& thigh = *(at.fork - levels_below_fork);
+  if (at.fork - levels.begin() >= levels_below) {
+    const LevelTape& thigh = *(at.fork - levels_below);
     measures.girths.push_back({"thigh", thigh.single_m, thigh.height_m});
   }
 }

@@ -33,7 +33,7 @@ struct LevelTape {
 /// Returns the tape at this height. Empty where there is no body. Arms are what is less than half as large.
 std::optional<LevelTape> level_tape(const Surface& body, double height_m);
 
-/// A girth of a body, by its name: "neck", "chest", "waist", "seat", "upper arm", "thigh".
+/// A girth of a body, by its name: "neck", "upper chest", "chest", "waist", "seat", "upper arm", "thigh".
 struct Girth {
   std::string name;
   double girth_m = 0.0;
@@ -48,11 +48,11 @@ struct BodyMeasures {
 };
 
 /// Measures a body with level tapes. The trunk is between the level where legs part and that where arms
-/// begin: the chest is its fullest level towards the front in its upper part, the seat its largest in its
-/// lower part, the waist its smallest in between (ISO 8559-1). The neck is three quarters of the way from the
-/// joint at its base to the head, or else the smallest level below the head; upper arms are measured across
-/// their middle, which takes joints; the thigh a little below where legs part. A body without
-/// arms, head and joints, such as a table, has none.
+/// begin: the upper chest is right below the arms, the chest its fullest level towards the front in its upper
+/// part, the seat its largest in its lower part, the waist its smallest in between (ISO 8559-1). The neck is
+/// three quarters of the way from the joint at its base to the head, or else the smallest level below the
+/// head; upper arms are measured across their middle, which takes joints; the thigh a little below where legs
+/// part. A body without arms, head and joints, such as a table, has none.
 BodyMeasures measure_body(const Surface& body, const JointPlaces& joints);
 
 /// Returns the girth of this name; nullptr if there is none.

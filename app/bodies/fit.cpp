@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/bodies/dressing.hpp"
+#include "app/bodies/wearing.hpp"
 #include "app/models/garment_measures.hpp"
 
 namespace taut::app {
@@ -32,22 +33,25 @@ const char* fit_word(const FitRow& row) {
                                     : "loose";
 }
 
+std::string fit_thresholds() {
+  return fmt::format("below {:g} cm: tight; below {:g} cm: fitted; else loose", 100.0 * tight_below_m,
+                     100.0 * fitted_below_m);
+}
+
 std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
                            std::span<const sim::Vec3> start_m) {
-  const auto dressed = std::find_if(scene.wearers.begin(), scene.wearers.end(),
-                                    [](const auto& wearer) { return wearer != nullptr; });
+  const Dressed dressed = dressed_body(scene);
   const Surface start = {start_m, garment.mesh.triangles};
   const std::optional<GarmentTube> tube = tube_of(start);
   std::vector<FitRow> rows;
-  if (dressed == scene.wearers.end() || !tube) {
+  if (dressed.wearer == nullptr || !tube) {
     return rows;
   }
-  const auto b = static_cast<std::size_t>(dressed - scene.wearers.begin());
-  const sim::Body& body = scene.surroundings.bodies[b];
-  const double lift_m = lift_of(body, **dressed);
-  for (const char* name : {"chest", "waist", "seat"}) {
-    const Girth* const girth = girth_of((*dressed)->measures, name);
-    const bool is_chest = std::string_view(name) == "chest";
+  const sim::Body& body = scene.surroundings.bodies[dressed.body];
+  const double lift_m = lift_of(body, *dressed.wearer);
+  for (const char* name : {"upper chest", "chest", "waist", "seat"}) {
+    const Girth* const girth = girth_of(dressed.wearer->measures, name);
+    const bool is_chest = std::string_view(name).ends_with("chest");
     const double height_m = girth == nullptr ? tube->lowest_m - 1.0
                             : is_chest       ? std::min(girth->height_m + lift_m, tube->highest_m)
                                              : girth->height_m + lift_m;
@@ -81,9 +85,9 @@ std::string describe_misfit(std::span<const FitRow> rows) {
 }
 
 std::string describe(std::span<const FitRow> rows) {
-  std::string text = fmt::format("{:8}{:>12}{:>12}{:>12}\n", "", "body", "garment", "ease");
+  std::string text = fmt::format("{:12}{:>12}{:>12}{:>12}\n", "", "body", "garment", "ease");
   for (const FitRow& row : rows) {
-    text += fmt::format("{:8}{:>9.1f} cm{:>9.1f} cm{:>+9.1f} cm  {}\n", row.name, 100.0 * row.body_m,
+    text += fmt::format("{:12}{:>9.1f} cm{:>9.1f} cm{:>+9.1f} cm  {}\n", row.name, 100.0 * row.body_m,
                         100.0 * row.garment_m, 100.0 * row.ease_m(), fit_word(row));
   }
   return text;

@@ -11,7 +11,7 @@ namespace taut::app {
 
 /// How wide a garment is where a body has a girth.
 struct FitRow {
-  std::string name;        ///< "chest", "waist", "seat" or "hem"
+  std::string name;        ///< "upper chest", "chest", "waist", "seat" or "hem"
   double body_m = 0.0;     ///< a tight tape around the body
   double garment_m = 0.0;  ///< the length of the cloth at rest
 
@@ -26,8 +26,11 @@ inline constexpr double fitted_below_m = 0.12;
 /// Returns "too small", "tight", "fitted" or "loose".
 const char* fit_word(const FitRow& row);
 
+/// Returns "below 4 cm: tight; below 12 cm: fitted; else loose".
+std::string fit_thresholds();
+
 /// Measures a garment that begins at these positions, in m, at the heights of the girths of the body that is
-/// dressed: at rest, around its trunk, the chest not above the armholes; and its hem, where the body is as it
+/// dressed: at rest, around its trunk, chests not above the armholes; and its hem, where the body is as it
 /// was stored. Leaves out what the garment does not cover or what does not go all around. Empty if no body
 /// is dressed.
 std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,

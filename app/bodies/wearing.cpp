@@ -27,18 +27,24 @@ struct Wanted {
   sim::Vec3 front;
 };
 
+sim::Vec3 front_of(const JointPlaces& joints) {
+  const auto left = joints.find("left arm");
+  const auto right = joints.find("right arm");
+  if (left == joints.end() || right == joints.end()) {
+    return {0.0, 0.0, 1.0};
+  }
+  const sim::Vec3 across = left->second - right->second;
+  return glm::normalize(glm::cross({across.x, 0.0, across.z}, sim::Vec3(0.0, 1.0, 0.0)));
+}
+
 /// `measured_m` is the base of the neck or the middle of the waist, as the body was stored.
 Wanted wanted_of(const sim::Body& body, const Wearer& wearer, const char* joint,
                  const sim::Vec3& measured_m) {
   const JointPlaces stored = joint_places(*wearer.rig, stored_pose(*wearer.rig), wearer.places.placement);
   const JointPlaces joints = joint_places(*wearer.rig, wearer.pose, wearer.places.placement);
-  Wanted wanted{measured_m, {0.0, 0.0, 1.0}};
+  Wanted wanted{measured_m, front_of(joints)};
   if (joints.contains(joint)) {
     wanted.top_m += joints.at(joint) - stored.at(joint);
-  }
-  if (joints.contains("left arm") && joints.contains("right arm")) {
-    const sim::Vec3 across = joints.at("left arm") - joints.at("right arm");
-    wanted.front = glm::normalize(glm::cross({across.x, 0.0, across.z}, sim::Vec3(0.0, 1.0, 0.0)));
   }
   const sim::Pose pose = sim::pose_at(body.motion, 0.0);
   return Wanted{pose(wanted.top_m), pose.rotation * wanted.front};
@@ -138,14 +144,32 @@ std::vector<TurnedBone> arms_to_cuffs(const Wearer& wearer, const sim::Body& bod
 
 }  // namespace
 
+Dressed dressed_body(const Scene& scene) {
+  for (std::size_t b = 0; b < scene.wearers.size(); ++b) {
+    if (scene.wearers[b]) {
+      return {scene.wearers[b].get(), b};
+    }
+  }
+  return {};
+}
+
+sim::Vec3 front_of_dressed(const Scene& scene) {
+  const Dressed dressed = dressed_body(scene);
+  if (dressed.wearer == nullptr) {
+    return {0.0, 0.0, 1.0};
+  }
+  const Wearer& wearer = *dressed.wearer;
+  return sim::pose_at(scene.surroundings.bodies[dressed.body].motion, 0.0).rotation *
+         front_of(joint_places(*wearer.rig, wearer.pose, wearer.places.placement));
+}
+
 std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
-  const auto dressed = std::find_if(scene.wearers.begin(), scene.wearers.end(),
-                                    [](const auto& wearer) { return wearer != nullptr; });
-  if (dressed == scene.wearers.end() || !scene.garment.start.empty()) {
+  const Dressed dressed = dressed_body(scene);
+  if (dressed.wearer == nullptr || !scene.garment.start.empty()) {
     return {};
   }
-  const Wearer& wearer = **dressed;
-  const auto b = static_cast<std::size_t>(dressed - scene.wearers.begin());
+  const Wearer& wearer = *dressed.wearer;
+  const std::size_t b = dressed.body;
   sim::Body& body = scene.surroundings.bodies[b];
   const auto marks_now = [&] {
     return marks_of(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bodies/dressing.hpp"
 #include "app/models/garment_loading.hpp"
 
 namespace taut::app {
@@ -14,5 +15,18 @@ namespace taut::app {
 /// arms begin in its sleeves where it would cross them, which changes the body's frames. Garments are moved
 /// at rest: nothing is stretched. Requires a scene whose bodies are loaded.
 std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene);
+
+/// The body that put_on() dresses.
+struct Dressed {
+  const Wearer* wearer = nullptr;  ///< null: no body is dressed
+  std::size_t body = 0;            ///< its place among the bodies
+};
+
+/// Returns the first body that is dressed.
+Dressed dressed_body(const Scene& scene);
+
+/// Returns where the body that is dressed looks when the run begins, level and of length 1: z if its joints
+/// do not say.
+sim::Vec3 front_of_dressed(const Scene& scene);
 
 }  // namespace taut::app

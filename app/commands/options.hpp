@@ -101,6 +101,16 @@ struct InspectOptions {
   std::string backend = "auto";
 };
 
+/// Options of `taut fit`.
+struct FitOptions {
+  std::string scene;  ///< a garment file, or a scene in which a body is dressed
+  std::vector<Override> overrides;
+  std::filesystem::path output;  ///< PNG file; empty: SCENE_NAME-fit.png
+  int frames = 120;              ///< the most after it was put on; fewer if it is at rest before
+  bool json = false;
+  std::string backend = "auto";
+};
+
 /// Options of `taut import-model`, which the program runs as a child process (import_process.hpp).
 struct ImportModelOptions {
   std::filesystem::path model;
@@ -121,8 +131,9 @@ struct Answered {
 };
 
 /// What the command line asks for.
-using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions,
-                             ViewOptions, InspectOptions, ImportModelOptions, ScenesOptions, HelpOptions>;
+using Command =
+    std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions, ViewOptions,
+                 InspectOptions, FitOptions, ImportModelOptions, ScenesOptions, HelpOptions>;
 
 /// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
 /// UsageError, Interrupted and what the parts it uses throw.
@@ -134,6 +145,7 @@ int run(const RenderOptions& options);
 int run(const SimulateOptions& options);
 int run(const ViewOptions& options);
 int run(const InspectOptions& options);
+int run(const FitOptions& options);
 int run(const ImportModelOptions& options);
 int run(const ScenesOptions& options);
 int run(const HelpOptions& options);

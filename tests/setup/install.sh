@@ -28,7 +28,7 @@ without_sources() {
 }
 [ ${#hide[@]} -gt 0 ] || echo "the sources cannot be hidden on this machine, and might be used unnoticed"
 
-commands='figures render simulate view inspect bench scenes help'
+commands='figures render simulate view inspect fit bench scenes help'
 without_sources taut scenes | grep -q '^tshirt-wind-10 ' || fail "taut scenes does not list them"
 without_sources taut figures --only fig1 >log.txt
 without_sources taut render tshirt-wind-10 --frames 0:0 --resolution 64,64 >log.txt

@@ -1,0 +1,136 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/progress.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/bodies/wearing.hpp"
+#include "app/commands/blocked_run.hpp"
+#include "app/commands/options.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/fit_picture.hpp"
+#include "app/frame_loop.hpp"
+#include "app/models/garment_remarks.hpp"
+#include "app/output/bound_verdict.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "app/scene/scene_value.hpp"
+#include "renderer/page/png.hpp"
+
+namespace taut::app {
+namespace {
+
+/// Frames in which a body grows into its clothes where nobody says how many.
+constexpr const char* usual_dressing = "90";
+
+DrawnScene scene_of(const FitOptions& options) {
+  std::vector<Override> overrides = options.overrides;
+  const auto sets = [&](const char* key) {
+    return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
+  };
+  if (sets("body.file") && !sets("body.dress")) {
+    overrides.push_back({"body.dress", usual_dressing, std::string("--dress ") + usual_dressing});
+  }
+  DrawnScene scene = find_scene(options.scene, overrides);
+  if (scene.dressing_frames() == 0) {
+    throw UsageError("taut fit " + options.scene +
+                     ": found no body that is dressed, expected --body FILE; taut fit --help says more");
+  }
+  scene.checkpoint.clear();
+  return scene;
+}
+
+struct Worn {
+  int frames = 0;
+  FrameRecord last;
+};
+
+/// Simulates until the cloth is at rest.
+Worn let_it_settle(const FitOptions& options, const DrawnScene& scene, sim::Simulation& simulation,
+                   Progress& progress, RunSummary& summary) {
+  Worn worn;
+  FrameOutputs outputs;
+  outputs.report = [&](const FrameRecord& record) {
+    summary.add(record);
+    worn.last = record;
+    progress.begin(fmt::format("worn for {} of {} frames", record.frame, options.frames));
+  };
+  try {
+    for (; worn.frames < options.frames && !worn.last.asleep; ++worn.frames) {
+      outputs.start_frame = worn.frames;
+      run_frames(simulation, worn.frames + 1, outputs);
+    }
+  } catch (const FrameBlocked& error) {
+    progress.hide();
+    end_blocked(error, scene, simulation, options.output.string());
+  }
+  return worn;
+}
+
+Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn& worn) {
+  Json json = {{"garment", options.scene},
+               {"frames", worn.frames},
+               {"at_rest", worn.last.asleep},
+               {"max_stretch", worn.last.stretch.max},
+               {"max_surface_stretch", worn.last.surface_stretch.max},
+               {"picture", options.output.string()},
+               {"fit", Json::array()}};
+  for (const FitRow& row : rows) {
+    json["fit"].push_back({{"name", row.name},
+                           {"body_m", row.body_m},
+                           {"garment_m", row.garment_m},
+                           {"ease_m", row.ease_m()},
+                           {"is", fit_word(row)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+int run(const FitOptions& asked) {
+  FitOptions options = asked;
+  DrawnScene scene = scene_of(options);
+  if (options.output.empty()) {
+    options.output = scene.name + "-fit.png";
+  }
+  if (options.output.extension() != ".png") {
+    throw UsageError("--output " + options.output.string() + ": expected a name that ends in .png");
+  }
+  std::FILE* const remarks = options.json ? stderr : stdout;
+  print_body_remarks(scene, load_bodies(scene), remarks);
+  prepare_folder_of(options.output);
+  Progress progress(scene.name);
+  LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
+  progress.hide();
+  print_body_remarks(scene, put_on(loaded, scene), remarks);
+  print_remarks(scene, loaded, remarks);
+  const std::vector<FitRow> rows = fit_of(scene, *loaded.garment, surface_at_start(loaded).positions_m);
+  fmt::print("{}", options.json ? "" : describe(rows));
+  std::fflush(stdout);
+  progress.begin("being put on");
+  sim::Simulation simulation = make_simulation(scene, loaded);
+  go_to_start(scene, simulation);
+  RunSummary summary;
+  const Worn worn = let_it_settle(options, scene, simulation, progress, summary);
+  progress.begin("drawing it");
+  const std::string measured =
+      fmt::format("worn for {:.1f} s{}; largest stretch {:.2f} %, of the surface {:.2f} %", worn.last.time_s,
+                  worn.last.asleep ? ", at rest" : "", 100.0 * worn.last.stretch.max,
+                  100.0 * worn.last.surface_stretch.max);
+  const std::string title =
+      fmt::format("{} on {}", scene.name, scene.surroundings.bodies[dressed_body(scene).body].name);
+  write_file(options.output,
+             renderer::encode_png(draw_fit({scene, simulation.garment(), simulation.state().current,
+                                            worn.last.time_s, rows, title, measured},
+                                           options.backend)));
+  progress.hide();
+  if (options.json) {
+    fmt::print("{}\n", json_of(options, rows, worn).dump(2));
+  } else {
+    fmt::print("{}\nwrote {}\n", measured, options.output.string());
+  }
+  return judge_bound(scene, summary);
+}
+
+}  // namespace taut::app

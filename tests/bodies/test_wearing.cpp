@@ -1,0 +1,177 @@
+// Garments that are put on bodies they do not lie about.
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "../models/garment_shapes.hpp"
+#include "app/bodies/fit.hpp"
+#include "app/bodies/wearing.hpp"
+#include "app/models/garment_measures.hpp"
+#include "app/models/obj_writing.hpp"
+#include "app/models/scene_crossings.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "loading.hpp"
+
+namespace taut::app {
+namespace {
+
+const std::filesystem::path assets = TAUT_ASSETS_FOLDER;
+
+/// A garment and a body to be dressed.
+struct Fitting {
+  Scene scene;
+  LoadedGarment loaded;
+  std::vector<std::string> said;
+
+  const std::vector<sim::Vec3>& places_m() const { return loaded.garment->mesh.positions; }
+  std::size_t crossings(double time_s) const {
+    const Surface cloth = {places_m(), loaded.garment->mesh.triangles};
+    return scene_crossings(cloth, scene.surroundings.bodies, time_s).back().pairs.size();
+  }
+  std::vector<FitRow> fit() const { return fit_of(scene, *loaded.garment, places_m()); }
+};
+
+struct Wearing : testing::Test {
+  Fitting put(const std::filesystem::path& garment, const std::string& mannequin, double scale = 1.0) {
+    Fitting fitting;
+    Scene& scene = fitting.scene;
+    scene.garment.file = garment;
+    scene.garment.scale = scale;
+    scene.garment.up = ModelAxis::y;
+    scene.surroundings.bodies = {{.name = mannequin, .shape = sim::BodyMesh{}}};
+    source.file = assets / "bodies" / ("mannequin_" + mannequin + ".glb");
+    source.dress = 90;
+    scene.body_sources = {source};
+    load_bodies(scene);
+    fitting.loaded = load_garment(scene);
+    fitting.said = put_on(fitting.loaded, scene);
+    return fitting;
+  }
+
+  /// The T-shirt in a file of its own, without landmarks.
+  std::filesystem::path shirt(const std::function<sim::Vec3(const sim::Vec3&)>& go) const {
+    Scene scene;
+    scene.garment.file = assets / "garments/tshirt_1028.obj";
+    sim::Mesh mesh = load_garment(scene).garment->mesh;
+    std::transform(mesh.positions.begin(), mesh.positions.end(), mesh.positions.begin(), go);
+    return written(mesh);
+  }
+  std::filesystem::path written(const sim::Mesh& mesh) const {
+    return folder.write("garment.obj", obj_text(mesh, mesh.positions));
+  }
+
+  const std::filesystem::path tshirt = assets / "garments/tshirt_1028.obj";
+  test::TemporaryFolder folder;
+  BodySource source;
+};
+
+TEST_F(Wearing, WhatLiesAboutTheBodyStays) {
+  const Fitting worn = put(tshirt, "male_40");
+  EXPECT_TRUE(worn.said.empty());
+  Scene alone;
+  alone.garment.file = tshirt;
+  EXPECT_EQ(worn.places_m(), load_garment(alone).garment->mesh.positions);
+  EXPECT_TRUE(worn.loaded.pins.empty()) << "it is worn and hangs from nothing";
+}
+
+TEST_F(Wearing, AGarmentComesToTheBodyFromAnywhere) {
+  const Fitting from_far =
+      put(shirt([](const sim::Vec3& p) { return p + sim::Vec3(3.0, -1.0, 0.5); }), "male_40");
+  ASSERT_EQ(from_far.said.size(), 1U);
+  EXPECT_CONTAINS(from_far.said[0],
+                  "it is moved by 3.21 m, so that its neck is at that of the body 'male_40'");
+  EXPECT_EQ(from_far.crossings(-1.5), 0U);
+  const GarmentMarks marks = marks_of(*from_far.loaded.garment, from_far.places_m(), {});
+  EXPECT_NEAR(marks.top->upper.y, 1.64, 1e-6) << "as high as the joint of the neck";
+  const Fitting turned = put(shirt([](const sim::Vec3& p) { return sim::Vec3(-p.x, p.y, -p.z); }), "male_40");
+  EXPECT_CONTAINS(turned.said.at(0), "turned about the vertical");
+  const Fitting quarter = put(shirt([](const sim::Vec3& p) { return sim::Vec3(p.z, p.y, -p.x); }), "male_40");
+  for (std::size_t v = 0; v < turned.places_m().size(); ++v) {
+    EXPECT_LT(glm::distance(turned.places_m()[v], from_far.places_m()[v]), 1e-6) << v;
+    EXPECT_LT(glm::distance(quarter.places_m()[v], from_far.places_m()[v]), 1e-6) << v;
+  }
+}
+
+TEST_F(Wearing, AShirtOfAManIsWornByAWoman) {
+  Fitting worn = put(tshirt, "female_34");
+  EXPECT_CONTAINS(worn.said.at(0), "it is moved by 0.23");
+  EXPECT_EQ(worn.crossings(-1.5), 0U);
+  EXPECT_GT(worn.crossings(0.0), 0U) << "the body has still to grow into it";
+  sim::Simulation simulation = make_simulation(worn.scene, worn.loaded);
+  EXPECT_EQ(go_to_start(worn.scene, simulation), 0);
+  const Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
+  EXPECT_TRUE(scene_crossings(cloth, worn.scene.surroundings.bodies, 0.0).back().pairs.empty());
+}
+
+TEST_F(Wearing, ArmsBeginInTheSleeves) {
+  source.motion = assets / "motions/raise_arms.bvh";
+  source.start_s = 1.5;
+  Fitting worn = put(tshirt, "male_40");
+  ASSERT_EQ(worn.said.size(), 2U);
+  EXPECT_EQ(worn.said[1], "the arms begin in its sleeves");
+  EXPECT_EQ(worn.crossings(-1.5), 0U);
+  const auto& mesh = std::get<sim::BodyMesh>(worn.scene.surroundings.bodies[0].shape);
+  std::vector<sim::Vec3> grown_m(mesh.data->positions_m.size());
+  mesh.frames->positions_in(90, grown_m);
+  std::vector<sim::Vec3> expected_m(grown_m.size());
+  worn.scene.wearers[0]->frames->positions_in(90, expected_m);
+  EXPECT_EQ(grown_m, expected_m) << "they end where the motion begins";
+}
+
+TEST_F(Wearing, WhatIsTooSmallSaysWhere) {
+  Fitting worn = put(tshirt, "male_40", 0.8);
+  worn.scene.simulation.solver.max_substeps = 40;  // it gives up sooner
+  sim::Simulation simulation = make_simulation(worn.scene, worn.loaded);
+  const std::string error = test::message_of<PromiseBroken>([&] { go_to_start(worn.scene, simulation); });
+  EXPECT_CONTAINS(error, "while it is dressed, in frame ");
+  EXPECT_CONTAINS(error, "; it does not fit: upper chest 111.9 cm in a garment of ");
+  EXPECT_CONTAINS(error, ", chest 102.6 cm in a garment of ");
+}
+
+TEST_F(Wearing, EaseIsWhatTheClothIsLarger) {
+  const std::vector<FitRow> rows = put(tshirt, "male_40").fit();
+  ASSERT_EQ(rows.size(), 4U) << "it does not reach to the seat";
+  EXPECT_EQ(rows[1].name, "chest");
+  EXPECT_NEAR(rows[1].body_m, 1.026, 0.002);
+  EXPECT_NEAR(rows[1].garment_m, 1.13, 0.005);
+  EXPECT_STREQ(fit_word(rows[1]), "fitted");
+  EXPECT_EQ(rows[3].name, "hem");
+  EXPECT_NEAR(rows[3].garment_m, 1.043, 0.002) << "as the pattern has it";
+  EXPECT_CONTAINS(describe(rows), "chest           102.6 cm    113.");
+  EXPECT_EQ(describe_misfit(rows), "");
+  EXPECT_STREQ(fit_word({"chest", 1.0, 0.99}), "too small");
+  EXPECT_STREQ(fit_word({"chest", 1.0, 1.03}), "tight");
+  EXPECT_STREQ(fit_word({"chest", 1.0, 1.13}), "loose");
+}
+
+TEST_F(Wearing, ASkirtComesToTheWaist) {
+  const Fitting worn = put(written(test::skirt()), "female_34");
+  EXPECT_CONTAINS(worn.said.at(0), "so that its waist is at that of the body");
+  const GarmentMarks marks = marks_of(*worn.loaded.garment, worn.places_m(), {});
+  EXPECT_TRUE(marks.is_worn_at_waist);
+  EXPECT_NEAR(marks.top_height_m, girth_of(worn.scene.wearers[0]->measures, "waist")->height_m, 1e-6);
+}
+
+TEST_F(Wearing, WhatHasNoOpeningStaysAndSaysSo) {
+  const Fitting worn = put(written(test::moved(test::cape(), {3.0, 0.0, 0.0})), "female_34");
+  ASSERT_EQ(worn.said.size(), 1U);
+  EXPECT_CONTAINS(worn.said[0], "it stays where it is: no neck opening and no waist was found on it");
+}
+
+TEST(GarmentMarks, TellShirtsFromTrousers) {
+  const auto marks = [](const sim::Mesh& mesh) {
+    return marks_of(sim::make_garment(mesh), mesh.positions, {});
+  };
+  const GarmentMarks shirt = marks(test::shirt());
+  EXPECT_FALSE(shirt.is_worn_at_waist);
+  EXPECT_EQ(shirt.cuffs_m.size(), 2U);
+  EXPECT_TRUE(shirt.is_front_known);
+  EXPECT_EQ(shirt.front, sim::Vec3(0.0, 0.0, 1.0)) << "where its neckline is lower";
+  const GarmentMarks trousers = marks(test::trousers());
+  EXPECT_TRUE(trousers.is_worn_at_waist);
+  EXPECT_TRUE(trousers.cuffs_m.empty());
+  EXPECT_FALSE(trousers.hem_height_m);
+}
+
+}  // namespace
+}  // namespace taut::app

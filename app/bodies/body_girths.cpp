@@ -116,6 +116,7 @@ void measure_neck(const Surface& body, const JointPlaces& joints, const Landmark
 void measure_trunk(const Landmarks& at, BodyMeasures& measures) {
   if (at.armpits != at.base) {
     measures.girths.push_back(named("upper chest", *(at.armpits - levels_below)));
+    measures.trunk.assign(at.fork, at.armpits);
   }
   const auto share = [&](double of_trunk) {
     return at.fork + static_cast<std::ptrdiff_t>(of_trunk * static_cast<double>(at.armpits - at.fork));
@@ -188,6 +189,7 @@ std::optional<LevelTape> level_tape(const Surface& body, double height_m) {
   tape.is_parted = parts > 1;
   tape.girth_m = parts > 1 ? tight_tape_m(points_m) : tape.single_m;
   tape.middle_m = 0.5 * (box.lower + box.upper);
+  tape.half_width_m = 0.5 * box.size().x;
   tape.front_m = box.upper.z;
   return tape;
 }

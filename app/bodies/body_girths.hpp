@@ -27,6 +27,7 @@ struct LevelTape {
   double single_m = 0.0;           ///< around the largest curve alone
   bool is_parted = false;          ///< two legs or more
   sim::Vec3 middle_m = {0, 0, 0};  ///< of the box around what the tape is around
+  double half_width_m = 0.0;       ///< along x
   double front_m = 0.0;            ///< the largest z there
 };
 
@@ -44,6 +45,7 @@ struct Girth {
 struct BodyMeasures {
   std::vector<Girth> girths;         ///< in the order above; what cannot be told is left out
   std::optional<sim::Vec3> neck_m;   ///< the middle of the base of the neck
+  std::vector<LevelTape> trunk;      ///< from where legs part up to the arms; empty: there are no arms
   std::optional<sim::Vec3> waist_m;  ///< the middle of the waist
 };
 

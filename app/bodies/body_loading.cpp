@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "app/bodies/dressing.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "app/bodies/rig_pose.hpp"
+#include "app/bodies/shape_rig.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -104,16 +106,32 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
   return frames;
 }
 
-/// `motion` is null for a body that stays as it is.
+[[noreturn]] void refuse_to_dress(const BodySource& source, const char* reason) {
+  throw InputError('\'' + source.file.string() + "': found a body to be dressed (dress, --dress) " + reason +
+                   "; expected one that grows from its joints: a model with a skin, still or moved by an "
+                   "animation of its own or a BVH motion; or one that stands still, arms off its trunk");
+}
+
+/// Gives a body that has no joints those that its shape shows.
+void take_joints_of_shape(const BodySource& source, const LoadedMesh& loaded, Wearer& wearer) {
+  std::optional<Rig> rig =
+      wearer.motion ? std::nullopt
+                    : rig_by_shape({loaded.mesh.positions, loaded.mesh.triangles}, wearer.measures);
+  if (!rig) {
+    refuse_to_dress(source, "without joints");
+  }
+  wearer.rig = std::make_shared<const Rig>(std::move(*rig));
+  wearer.pose = stored_pose(*wearer.rig);
+  wearer.places.placement = {};
+  wearer.places.file_vertex.resize(loaded.mesh.positions.size());
+  std::iota(wearer.places.file_vertex.begin(), wearer.places.file_vertex.end(), 0U);
+}
+
 std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMesh& loaded,
-                                        const ReadBody& body, const std::optional<RigPose>& pose,
-                                        double frame_rate_hz) {
-  if (body.rig->influences.empty() || !pose) {
-    throw InputError(
-        '\'' + source.file.string() + "': found a body to be dressed (dress, --dress) " +
-        (body.rig->influences.empty() ? "without joints" : "whose motion moves vertices and no joints") +
-        "; expected one that grows from its joints: a model with a skin, still or moved by an "
-        "animation of its own or a BVH motion");
+                                        const std::optional<RigPose>& pose, double frame_rate_hz,
+                                        ReadBody& body) {
+  if (!pose) {
+    refuse_to_dress(source, "whose motion moves vertices and no joints");
   }
   Wearer wearer{.rig = body.rig, .places = loaded.places, .pose = *pose, .full_m = loaded.mesh.positions};
   wearer.motion = body.mesh.frames;
@@ -123,6 +141,10 @@ std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMe
   wearer.rate_hz = wearer.motion ? wearer.motion->rate_hz() : frame_rate_hz;
   wearer.duration_s = source.dress / frame_rate_hz;
   wearer.measures = measure_body({loaded.mesh.positions, loaded.mesh.triangles}, body.joints);
+  if (wearer.rig->influences.empty()) {
+    take_joints_of_shape(source, loaded, wearer);
+    body.remarks.emplace_back("it has no joints: those that it grows from are guessed from its shape");
+  }
   wearer.frames = growing(wearer);
   return std::make_shared<const Wearer>(std::move(wearer));
 }
@@ -145,7 +167,7 @@ ReadBody read_body(const BodySource& source, const ShownTime& shown) {
     body.mesh.frames = frames_of(source, loaded, std::move(motion), shown.duration_s, body.remarks, pose);
   }
   if (source.dress > 0) {
-    body.wearer = wearer_of(source, loaded, body, pose, shown.frame_rate_hz);
+    body.wearer = wearer_of(source, loaded, pose, shown.frame_rate_hz, body);
     body.mesh.frames = body.wearer->frames;
   }
   body.mesh.data = std::make_shared<const sim::BodyMeshData>(

@@ -82,12 +82,12 @@ Key<BodyInScene> clip_key() {
 }
 
 Key<BodyInScene> dress_key() {
-  Key<BodyInScene> key =
-      whole_key<BodyInScene>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
-                             "so many frames are simulated before frame 0, without gravity and wind, in "
-                             "which the body grows from its bones to its shape, into what it wears; a "
-                             "garment that lies elsewhere is moved to it first; it needs joints",
-                             "frames");
+  Key<BodyInScene> key = whole_key<BodyInScene>(
+      "dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
+      "so many frames are simulated before frame 0, without gravity and wind, in "
+      "which the body grows from its bones to its shape, into what it wears; a "
+      "garment that lies elsewhere is moved to it first; it needs joints, or arms off its trunk",
+      "frames");
   key.write = [](const BodyInScene& entry) {
     return entry.source.dress == 0 ? Json() : Json(entry.source.dress);
   };

@@ -103,6 +103,32 @@ TEST_F(Wearing, AShirtOfAManIsWornByAWoman) {
   EXPECT_TRUE(scene_crossings(cloth, worn.scene.surroundings.bodies, 0.0).back().pairs.empty());
 }
 
+// A scan has no joints.
+TEST_F(Wearing, ABodyWithoutJointsGrowsFromThoseOfItsShape) {
+  const Fitting person = put(tshirt, "female_34");
+  const auto& mesh = *std::get<sim::BodyMesh>(person.scene.surroundings.bodies[0].shape).data;
+  Scene scene;
+  scene.garment.file = tshirt;
+  scene.surroundings.bodies = {{.name = "scan", .shape = sim::BodyMesh{}}};
+  BodySource scan;
+  scan.file = folder.write("scan.obj", obj_text({mesh.positions_m, mesh.triangles, {}}, mesh.positions_m));
+  scan.dress = 90;
+  scene.body_sources = {scan};
+  const std::vector<std::string> remarks = load_bodies(scene);
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_CONTAINS(remarks[0], "those that it grows from are guessed from its shape");
+  LoadedGarment loaded = load_garment(scene);
+  put_on(loaded, scene);
+  const JointPlaces found = joint_places(*scene.wearers[0]->rig, scene.wearers[0]->pose, {});
+  const Wearer& known = *person.scene.wearers[0];
+  const JointPlaces there = joint_places(*known.rig, known.pose, known.places.placement);
+  for (const char* joint : {"neck", "left arm", "right arm"}) {
+    EXPECT_LT(glm::distance(found.at(joint), there.at(joint)), 0.06) << joint;
+  }
+  sim::Simulation simulation = make_simulation(scene, loaded);
+  EXPECT_EQ(go_to_start(scene, simulation), 0) << "nothing crosses";
+}
+
 TEST_F(Wearing, ArmsBeginInTheSleeves) {
   source.motion = assets / "motions/raise_arms.bvh";
   source.start_s = 1.5;

@@ -4,6 +4,7 @@
 
 #include "app/bodies/body_girths.hpp"
 #include "app/bodies/body_inspection.hpp"
+#include "app/bodies/shape_rig.hpp"
 #include "app/models/section.hpp"
 #include "loading.hpp"
 
@@ -73,18 +74,21 @@ TEST(BodyGirths, OfABodyOfEllipsesAreThoseOfTheEllipses) {
   EXPECT_NEAR(measures.neck_m->y, 1.47, 0.02) << "where the shoulders begin";
 }
 
+void add(const sim::Mesh& part, const sim::Vec3& at_m, sim::Mesh& mesh) {
+  const auto first = static_cast<sim::Index>(mesh.positions.size());
+  for (const sim::Vec3& p : part.positions) {
+    mesh.positions.push_back(p + at_m);
+  }
+  for (const auto& [a, b, c] : part.triangles) {
+    mesh.triangles.push_back({a + first, b + first, c + first});
+  }
+}
+
 TEST(BodyGirths, ATapeIsTightAndLeavesArmsOut) {
   sim::Mesh mesh = stacked(robe);
   const double alone_m = level_tape({mesh.positions, mesh.triangles}, 1.3)->girth_m;
   for (const double side : {-1.0, 1.0}) {  // arms that hang beside it
-    const sim::Mesh arm = stacked({{0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}});
-    const auto first = static_cast<sim::Index>(mesh.positions.size());
-    for (const sim::Vec3& p : arm.positions) {
-      mesh.positions.push_back(p + sim::Vec3(0.3 * side, 0.0, 0.0));
-    }
-    for (const auto& [a, b, c] : arm.triangles) {
-      mesh.triangles.push_back({a + first, b + first, c + first});
-    }
+    add(stacked({{0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}}), {0.3 * side, 0.0, 0.0}, mesh);
   }
   const auto tape = level_tape({mesh.positions, mesh.triangles}, 1.3);
   EXPECT_EQ(tape->girth_m, alone_m);
@@ -92,6 +96,28 @@ TEST(BodyGirths, ATapeIsTightAndLeavesArmsOut) {
   EXPECT_NEAR(tape->front_m, 0.14, 1e-6);
   EXPECT_NEAR(tight_tape_m({{0, 0}, {1, 0}, {0.5, 0.1}, {1, 1}, {0, 1}}), 4.0, 1e-12) << "over a dent";
   EXPECT_FALSE(level_tape({mesh.positions, mesh.triangles}, 9.0)) << "there is nothing";
+}
+
+// Arms that hang beside a trunk are nearer to its sides than its middle is.
+TEST(ShapeRig, TheTrunkFollowsNoArm) {
+  sim::Mesh mesh = stacked(robe);
+  const std::size_t of_trunk = mesh.positions.size();
+  for (const double side : {-1.0, 1.0}) {
+    add(stacked({{0.9, 0.04, 0.04, 0}, {1.35, 0.05, 0.05, 0}}), {0.3 * side, 0.0, 0.0}, mesh);
+  }
+  add(stacked({{1.34, 0.36, 0.06, 0}, {1.44, 0.36, 0.06, 0}}), sim::Vec3(0.0), mesh);
+  const Surface body = {mesh.positions, mesh.triangles};
+  const std::optional<Rig> rig = rig_by_shape(body, measure_body(body, {}));
+  ASSERT_TRUE(rig);
+  for (const RigInfluence& influence : rig->influences) {
+    const sim::Vec3& p = mesh.positions[influence.vertex];
+    const std::string& joint = rig->nodes[rig->bones[influence.bone].node].name;
+    const bool is_arm = joint.ends_with("Arm") || joint.ends_with("Hand");
+    if (p.y < 1.32) {
+      EXPECT_EQ(is_arm, influence.vertex >= of_trunk) << joint << ' ' << p.x << ' ' << p.y;
+    }
+  }
+  EXPECT_FALSE(rig_by_shape(body, {})) << "nothing was measured";
 }
 
 TEST(BodyGirths, ATableHasNone) {

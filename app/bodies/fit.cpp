@@ -7,9 +7,13 @@
 #include "app/bodies/dressing.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/models/garment_measures.hpp"
+#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {
+
+/// A girth so little above a garment is that of its edge.
+constexpr double edge_m = 0.02;
 
 /// How much higher the body is when the run begins than it was stored, in m.
 double lift_of(const sim::Body& body, const Wearer& wearer) {
@@ -49,14 +53,14 @@ std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
   }
   const sim::Body& body = scene.surroundings.bodies[dressed.body];
   const double lift_m = lift_of(body, *dressed.wearer);
+  const double top_m = sim::extent_of(start_m).upper.y;
   for (const char* name : {"upper chest", "chest", "waist", "seat"}) {
     const Girth* const girth = girth_of(dressed.wearer->measures, name);
-    const bool is_chest = std::string_view(name).ends_with("chest");
-    const double height_m = girth == nullptr ? tube->lowest_m - 1.0
-                            : is_chest       ? std::min(girth->height_m + lift_m, tube->highest_m)
-                                             : girth->height_m + lift_m;
-    const bool is_covered = height_m >= tube->lowest_m && height_m <= tube->highest_m;
-    const std::optional<double> garment_m = is_covered ? girth_at(start, height_m) : std::nullopt;
+    const double height_m = girth == nullptr ? tube->lowest_m - 1.0 : girth->height_m + lift_m;
+    // What is above the tube lies about the armholes, or is the edge of a waist.
+    const bool is_covered = height_m >= tube->lowest_m && height_m <= top_m + edge_m;
+    const std::optional<double> garment_m =
+        is_covered ? girth_at(start, std::min(height_m, tube->highest_m)) : std::nullopt;
     if (garment_m) {
       rows.push_back({name, girth->girth_m, *garment_m});
     }

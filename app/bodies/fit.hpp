@@ -30,7 +30,7 @@ const char* fit_word(const FitRow& row);
 std::string fit_thresholds();
 
 /// Measures a garment that begins at these positions, in m, at the heights of the girths of the body that is
-/// dressed: at rest, around its trunk, chests not above the armholes; and its hem, where the body is as it
+/// dressed: at rest, around its trunk, not above the armholes; and its hem, where the body is as it
 /// was stored. Leaves out what the garment does not cover or what does not go all around. Empty if no body
 /// is dressed.
 std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,

@@ -176,6 +176,9 @@ TEST_F(Wearing, ASkirtComesToTheWaist) {
   const GarmentMarks marks = marks_of(*worn.loaded.garment, worn.places_m(), {});
   EXPECT_TRUE(marks.is_worn_at_waist);
   EXPECT_NEAR(marks.top_height_m, girth_of(worn.scene.wearers[0]->measures, "waist")->height_m, 1e-6);
+  const std::vector<FitRow> rows = worn.fit();
+  ASSERT_FALSE(rows.empty());
+  EXPECT_EQ(rows.front().name, "waist") << "it does not reach to the chest";
 }
 
 TEST_F(Wearing, WhatHasNoOpeningStaysAndSaysSo) {

@@ -34,7 +34,8 @@ sim::Vec3 front_of(const JointPlaces& joints) {
     return {0.0, 0.0, 1.0};
   }
   const sim::Vec3 across = left->second - right->second;
-  return glm::normalize(glm::cross({across.x, 0.0, across.z}, sim::Vec3(0.0, 1.0, 0.0)));
+  const sim::Vec3 front = glm::cross(across, sim::Vec3(0.0, 1.0, 0.0));
+  return glm::length(front) > 0.0 ? glm::normalize(front) : sim::Vec3(0.0, 0.0, 1.0);
 }
 
 /// `measured_m` is the base of the neck or the middle of the waist, as the body was stored.

@@ -40,6 +40,7 @@ int inspect_bodies(const InspectOptions& options, const Scene& scene) {
 
 int run(const InspectOptions& options) {
   DrawnScene scene;
+  scene.name = options.garment.filename().string();
   scene.garment.file = options.garment;
   apply_overrides(options.overrides, scene);
   if (options.garment.empty()) {

@@ -103,9 +103,12 @@ struct Finder {
     const std::vector<sim::Index> front = landmarks_with(landmarks, "front");
     const std::vector<sim::Index> back = landmarks_with(landmarks, "back");
     if (!front.empty() && !back.empty()) {
-      marks.front = glm::normalize(level(mean_of(front, positions_m) - mean_of(back, positions_m)));
-      marks.is_front_known = true;
-      return;
+      const sim::Vec3 forwards = level(mean_of(front, positions_m) - mean_of(back, positions_m));
+      if (glm::length(forwards) > 0.0) {
+        marks.front = glm::normalize(forwards);
+        marks.is_front_known = true;
+        return;
+      }
     }
     const int depth = 2 - part.across();
     const double middle = middle_of(*marks.top)[depth];

@@ -108,6 +108,16 @@ class PictureOutput {
     return pattern_->path_of(frame);
   }
 
+  /// Of a run that ends early: keeps and says what was drawn. Why there is no video is said beside what ended
+  /// the run.
+  void keep() {
+    try {
+      fmt::print("{}", written_.empty() ? "" : finish() + '\n');
+    } catch (const InputError& reason) {
+      fmt::print(stderr, "taut: warning: {}\n", reason.what());
+    }
+  }
+
   /// Says what was written.
   std::string finish() {
     if (!video_) {
@@ -207,11 +217,21 @@ std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation,
     }
     outputs.verify = [&](const auto& moment, FrameRecord& record) { return verifier->check(moment, record); };
   }
+  const auto keep = [&] {
+    progress.hide();
+    output.keep();
+  };
   try {
     return run_frames(simulation, job.frames.back(), outputs);
   } catch (const FrameBlocked& error) {
-    progress.hide();
+    keep();
     end_blocked(error, job.scene, simulation, job.output, offscreen);
+  } catch (const PromiseBroken&) {
+    keep();
+    throw;
+  } catch (const sim::Diverged&) {
+    keep();
+    throw;
   }
 }
 

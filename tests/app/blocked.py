@@ -62,6 +62,14 @@ expect((folder / 'blocked-1.png').read_bytes() == taken, 'blocked-1.png was writ
 blocked_frame(run(3, 'render', scene, '--resolution', '160,120', '--frames', ':40', '--output', 'frames/{frame}.png')[1],
               'frames/blocked-1.png')
 expect(set(files('frames')) == {'%d.png' % n for n in range(frame)} | {'blocked-1.png'}, 'frames: %s' % files('frames'))
+if shutil.which('ffmpeg'):
+    out, err = run(3, 'render', scene, '--resolution', '160,120', '--frames', ':40', '--output', 'film/run.mp4')
+    blocked_frame(err, 'blocked-3.png')
+    expect('wrote film/run.mp4, %d frames\n' % frame in out, 'said of the video: ' + out)
+    expect(files('film') == ['run.mp4'], 'film: %s' % files('film'))
+    counted = subprocess.run(['ffprobe', '-v', 'error', '-count_frames', '-show_entries', 'stream=nb_read_frames', '-of', 'csv=p=0',
+                              str(folder / 'film/run.mp4')], capture_output=True, text=True).stdout.strip()
+    expect(counted == str(frame), 'the video has %s frames, expected %d' % (counted, frame))
 width, height = size_of('frames/blocked-1.png')
 expect(width == 320 and height > 120, 'the picture has %d x %d pixels' % (width, height))
 out, warned = run(0, 'simulate', scene, '--quiet', '--set', 'solver.allow_exceeding=contact')

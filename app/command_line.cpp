@@ -82,6 +82,8 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
           "which of its animations is played, or none (default: the first)");
   add_key(command, overrides, "--body-fps", "body.frame_rate",
           "frames a second of its motion (default: what the file says, or else 60)");
+  add_key_flag(command, overrides, "--body-loop", "body.loop", "true",
+               "repeat its motion after its last frame (default: it stays there)");
   command.add_option_function<std::string>(
       "--body-units",
       [&overrides](const std::string& text) {

@@ -43,7 +43,10 @@ std::vector<std::string> joints_of(const Rig& rig) {
 }
 
 MotionInspection motion_of(const sim::BodyMesh& body) {
-  MotionInspection motion{body.frames->count(), body.frames->rate_hz(), {}};
+  MotionInspection motion{body.frames->count(),
+                          body.frames->rate_hz(),
+                          {},
+                          find_loop_begin(*body.frames, body.data->positions_m.size())};
   std::vector<sim::Vec3> before_m(body.data->positions_m.size());
   std::vector<sim::Vec3> now_m(before_m.size());
   body.frames->positions_in(0, before_m);
@@ -103,6 +106,7 @@ std::string crossings_text(const BodyInspection& body) {
 BodyInspection inspect_body(const BodySource& source) {
   BodySource undressed = source;
   undressed.dress = 0;
+  undressed.loop = false;
   const ReadBody body = read_body(undressed, {});
   BodyInspection result;
   result.file = source.file.string();
@@ -142,6 +146,7 @@ std::string describe(const BodyInspection& body) {
         counted(body.motion->frames, "frame"), body.motion->rate_hz,
         static_cast<double>(body.motion->frames - 1) / body.motion->rate_hz, fastest.speed_m_per_s,
         fastest.frame, describe_place(fastest.place_m));
+    text += "  " + describe(body.motion->loop) + " (loop, --body-loop)\n";
   }
   text += "  " + crossings_text(body) + '\n';
   for (const std::string& remark : body.remarks) {
@@ -168,7 +173,9 @@ Json json_of(const BodyInspection& body) {
                       {"frame_rate_hz", body.motion->rate_hz},
                       {"fastest_m_per_s", fastest.speed_m_per_s},
                       {"fastest_frame", fastest.frame},
-                      {"fastest_at_m", point(fastest.place_m)}};
+                      {"fastest_at_m", point(fastest.place_m)},
+                      {"repeats_from_frame", body.motion->loop.frame},
+                      {"repeats_from_m_away", body.motion->loop.furthest_m}};
   }
   json["crossings"] = {{"frames_looked_at", body.frames_looked_at}, {"frames", Json::array()}};
   for (const CrossingFrame& crossing : body.crossings) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/bodies/body_girths.hpp"
+#include "app/bodies/looping.hpp"
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_value.hpp"
 
@@ -22,6 +23,7 @@ struct MotionInspection {
   std::size_t frames = 0;
   double rate_hz = 0.0;
   FastestVertex fastest;
+  LoopBegin loop;  ///< where it goes on if it repeats
 };
 
 /// Where a body crosses itself.

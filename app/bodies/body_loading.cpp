@@ -13,6 +13,7 @@
 #include "app/base/interruption.hpp"
 #include "app/bodies/body_mesh.hpp"
 #include "app/bodies/dressing.hpp"
+#include "app/bodies/looping.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "app/bodies/rig_pose.hpp"
 #include "app/bodies/shape_rig.hpp"
@@ -88,6 +89,14 @@ void require_vertices(const BodySource& source, const LoadedMesh& loaded, const 
   }
 }
 
+std::shared_ptr<const sim::BodyFrames> repeated(const std::filesystem::path& file,
+                                                std::shared_ptr<const sim::BodyFrames> motion,
+                                                const LoopBegin& begin, std::size_t first) try {
+  return looped(std::move(motion), begin, first);
+} catch (const InputError& error) {
+  throw InputError('\'' + file.string() + "': " + error.what());
+}
+
 /// `pose` is that of the joints in the first frame.
 std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const LoadedMesh& loaded,
                                                  OpenedMotion motion, double duration_s,
@@ -100,8 +109,15 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
   const double rate_hz = rate_of(source, *motion.frames, remarks);
   const std::size_t first = first_frame(source, motion.file, *motion.frames, rate_hz);
   pose = motion.frames->pose(first);
-  auto frames = std::make_shared<const PlacedFrames>(motion.file, std::move(motion.frames), loaded.places,
-                                                     rate_hz, first);
+  std::shared_ptr<const sim::BodyFrames> frames = std::make_shared<const PlacedFrames>(
+      motion.file, std::move(motion.frames), loaded.places, rate_hz, source.loop ? 0 : first);
+  if (source.loop) {
+    const LoopBegin begin = find_loop_begin(*frames, loaded.mesh.positions.size());
+    if (!begin.meets) {
+      remarks.push_back(describe(begin));
+    }
+    frames = repeated(motion.file, std::move(frames), begin, first);
+  }
   look_at_frames(*frames, loaded.mesh.positions.size(), duration_s);
   return frames;
 }
@@ -150,6 +166,11 @@ std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMe
 }
 
 }  // namespace
+
+std::shared_ptr<const Rig> read_rig(const std::filesystem::path& file) {
+  ImportedModel model = import_garment(file);
+  return take_rig(file, model);
+}
 
 ReadBody read_body(const BodySource& source, const ShownTime& shown) {
   ImportedModel model = import_garment(source.file);

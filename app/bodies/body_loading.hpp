@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +31,10 @@ struct ReadBody {
   std::string format;                     ///< name of the file's format
   std::vector<std::string> remarks = {};  ///< as load_bodies() returns them
 };
+
+/// Reads what moves the body in a file; never null, empty if nothing does. Throws InputError that names the
+/// file.
+std::shared_ptr<const Rig> read_rig(const std::filesystem::path& file);
 
 /// How long a body is shown, from 0 s, and at what rate.
 struct ShownTime {

@@ -13,9 +13,6 @@
 namespace taut::app {
 namespace {
 
-/// The furthest a vertex goes from one frame to the next, in m. Further, the frames are of something else.
-constexpr double furthest_m = 1.0;
-
 /// A step of the simulation needs two frames at its begin and two at its end, and a picture two more.
 constexpr std::size_t most_remembered = 6;
 
@@ -79,11 +76,11 @@ void PlacedFrames::require_near(std::size_t frame, const Positions& before_m,
                                 const Positions& after_m) const {
   for (std::size_t v = 0; v < after_m->size(); ++v) {
     const double moved_m = glm::distance((*before_m)[v], (*after_m)[v]);
-    if (!(moved_m <= furthest_m)) {
+    if (!(moved_m <= furthest_in_frame_m)) {
       refuse(
           frame, places_.file_vertex[v],
           fmt::format("found at {} m, {:.3g} m from where it is in the frame before, expected at most {:g} m",
-                      describe_point((*after_m)[v]), moved_m, furthest_m));
+                      describe_point((*after_m)[v]), moved_m, furthest_in_frame_m));
     }
   }
 }

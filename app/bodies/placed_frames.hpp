@@ -11,6 +11,9 @@
 
 namespace taut::app {
 
+/// The furthest a vertex goes from one frame to the next, in m. Further, the frames are of something else.
+inline constexpr double furthest_in_frame_m = 1.0;
+
 /// How vertices of a file become those of a body.
 struct FileVertexPlaces {
   std::vector<std::size_t> file_vertex;  ///< per vertex of the body, the vertex of the file that is meant

@@ -58,6 +58,7 @@ struct BodySource {
   std::string clip;  ///< the name of an animation of the file; empty: its first; "none": it keeps its pose
   std::optional<double> frame_rate_hz;  ///< empty: what the motion says, or else 60
   double start_s = 0.0;                 ///< the time of the motion with which the run begins
+  bool loop = false;                    ///< the motion repeats after its last frame, or else stays there
   int dress = 0;  ///< frames of the scene before the run, in which the body grows into the clothes
 };
 

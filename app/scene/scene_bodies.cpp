@@ -137,6 +137,10 @@ std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
                         "0: what the file says, or else 60"),
           number_key<B>("start", "s", not_negative, MEMBER(source.start_s),
                         "the time of the motion with which the run begins, rounded to a frame"),
+          written_if(switch_key<B>("loop", MEMBER(source.loop),
+                                   "the motion repeats after its last frame: from the earliest frame that is "
+                                   "the same, or else its first; false: it stays in its last"),
+                     [](const B& entry) { return entry.source.loop; }),
           dress_key()};
 }
 

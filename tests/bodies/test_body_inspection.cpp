@@ -31,6 +31,9 @@ TEST(BodyInspection, SaysWhatIsInABodyAndHowItMoves) {
   EXPECT_CONTAINS(text, "3 joints: Hips, Spine, LeftFoot");
   EXPECT_CONTAINS(text, "animations: 'Rise' (3 s)");
   EXPECT_EQ(json_of(body)["motion"]["frames"], 181);
+  EXPECT_CONTAINS(text,
+                  "repeated, its motion goes on from frame 0, which its last is again (loop, --body-loop)");
+  EXPECT_EQ(json_of(body)["motion"]["repeats_from_frame"], 0);
 }
 
 TEST(BodyInspection, SaysInWhichFrameABodyCrossesItself) {

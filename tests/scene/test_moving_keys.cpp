@@ -81,11 +81,10 @@ TEST(MovingKeys, AreWrittenAsTheyWereRead) {
 }
 
 TEST(MovingKeys, OfOneBodyAreSetOnTheCommandLine) {
-  const std::vector<Override> options = {{"body.file", "doll.glb", "--body doll.glb"},
-                                         {"body.motion", "run.bvh", "--body-motion run.bvh"},
-                                         {"body.clip", "Run", "--body-clip Run"},
-                                         {"body.scale", "0.01", "--body-units cm"},
-                                         {"body.dress", "90", "--dress 90"}};
+  const std::vector<Override> options = {
+      {"body.file", "doll.glb", "--body doll.glb"}, {"body.motion", "run.bvh", "--body-motion run.bvh"},
+      {"body.clip", "Run", "--body-clip Run"},      {"body.scale", "0.01", "--body-units cm"},
+      {"body.dress", "90", "--dress 90"},           {"body.loop", "true", "--body-loop"}};
   const DrawnScene scene = read_scene_text(grid + moving, "scene.toml", options);
   ASSERT_EQ(scene.surroundings.bodies.size(), 3U);
   EXPECT_TRUE(std::holds_alternative<sim::BodyMesh>(scene.surroundings.bodies[2].shape));
@@ -101,6 +100,8 @@ TEST(MovingKeys, OfOneBodyAreSetOnTheCommandLine) {
   const DrawnScene again = read_scene_text(scene_text(scene), "again.toml");
   EXPECT_EQ(again.body_sources.at(2).clip, "Run");
   EXPECT_EQ(again.body_sources.at(2).dress, 90);
+  EXPECT_TRUE(again.body_sources.at(2).loop);
+  EXPECT_FALSE(again.body_sources.at(1).loop) << "unless it is asked for";
 }
 
 TEST(MovingKeys, OfOneBodyNeedABody) {

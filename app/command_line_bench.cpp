@@ -23,9 +23,10 @@ void add_bench_extent(CLI::App& command, BenchOptions& options) {
       ->delimiter(',')
       ->check(CLI::IsMember(bench_triangles()));
   command
-      .add_option("--scenes", options.scenes,
-                  "some of " + joined(bench_scene_names(), ",") +
-                      "; with --contact some of the scenes that taut scenes lists last")
+      .add_option(
+          "--scenes", options.scenes,
+          "some of " + joined(bench_scene_names(), ",") +
+              "; with --contact some of the scenes that taut scenes lists last or of those that are worn")
       ->delimiter(',');
   command.add_option("--bounds", options.bounds, "largest stretches to be kept (default 0.05,0.01,0.001)")
       ->delimiter(',')

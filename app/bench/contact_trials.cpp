@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <random>
 
+#include "app/base/errors.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "app/output/frame_verifier.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "app/scene/promise.hpp"
 #include "app/scene/scene_lookup.hpp"
 #include "sim/simulation.hpp"
@@ -89,8 +92,9 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
   ContactRun run;
   run.seed = seed;
   Judge judge(scene, run);
-  run.start = judge.judge(simulation, 0, 0.0);
   try {
+    dress(scene.dressing_frames(), simulation);
+    run.start = judge.judge(simulation, 0, 0.0);
     for (int frame = 1; frame <= frames; ++frame) {
       const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
       simulation.advance_frame();
@@ -101,6 +105,8 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
     end_early(diverged, run);
   } catch (const sim::ContactBlocked& blocked) {
     end_early(blocked, run);
+  } catch (const PromiseBroken& undressed) {
+    end_early(undressed, run);
   }
   return run;
 }
@@ -132,7 +138,7 @@ ContactFacts facts_of(std::span<const ContactRun> runs) {
 std::vector<std::string> contact_scene_names() {
   std::vector<std::string> names;
   for (const BuiltInScene& scene : built_in_scenes()) {
-    if (scene.is_of_contact) {
+    if (scene.is_of_contact || find_scene(scene.name, {}).dressing_frames() > 0) {
       names.push_back(scene.name);
     }
   }

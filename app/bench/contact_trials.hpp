@@ -61,14 +61,15 @@ inline constexpr double jitter_part = 0.05;
 std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickness_m, std::uint64_t seed);
 
 /// Runs the scene for `frames` frames from a jittered start, or from its own with the seed 0, and never lets
-/// it sleep. A frame that breaks a promise does not end the run; one that diverges or cannot be made does.
-/// `after_frame` is called with the number of every frame. Bodies must have been loaded.
+/// it sleep. Bodies are dressed first; a run of which that fails has no frames. A frame that breaks a promise
+/// does not end the run; one that diverges or cannot be made does. `after_frame` is called with the number of
+/// every frame. Bodies must have been loaded.
 ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int frames, std::uint64_t seed,
                        const std::function<void(int)>& after_frame);
 
 ContactFacts facts_of(std::span<const ContactRun> runs);
 
-/// The names of the built-in scenes about contact.
+/// The names of the built-in scenes about contact, those in which something is worn among them.
 std::vector<std::string> contact_scene_names();
 
 }  // namespace taut::app

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/contact_output.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -87,6 +89,25 @@ TEST(ContactBench, ARunThatBreaksAPromiseIsNamedAndGoesOn) {
   EXPECT_EQ(json["runs"][1]["passed"], false);
   EXPECT_EQ(json["runs"][1]["seed"], 5);
   EXPECT_EQ(json["runs"][1]["first_broken"], trial.runs[1].first_broken);
+}
+
+TEST(ContactBench, HasTheScenesInWhichSomethingIsWorn) {
+  const std::vector<std::string> names = contact_scene_names();
+  for (const char* name : {"tshirt-worn", "tshirt-walk", "tshirt-reach", "needles"}) {
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+  }
+  EXPECT_EQ(std::count(names.begin(), names.end(), "tshirt-gravity"), 0);
+}
+
+TEST(ContactBench, BodiesAreDressedBeforeTheStart) {
+  DrawnScene scene = find_scene("tshirt-worn", std::vector{parse_override("garment.file=\"" TAUT_ASSETS_FOLDER
+                                                                          "/garments/tshirt_1028.obj\"")});
+  load_bodies(scene);
+  const ContactRun dressed = run_of(scene, 1);
+  EXPECT_EQ(dressed.start.crossing_pairs, 0U);
+  EXPECT_EQ(dressed.first_broken, "");
+  scene.body_sources.front().dress = 0;
+  EXPECT_GT(run_of(scene, 0).start.crossing_pairs, 0U) << "on a body that did not grow";
 }
 
 TEST(ContactBench, FactsAreThoseOfAllFrames) {

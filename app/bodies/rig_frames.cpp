@@ -80,6 +80,14 @@ std::size_t clip_asked_for(const Rig& rig, const std::string& name) {
                    "'; expected one of those it has: " + describe_clips(rig));
 }
 
+std::vector<std::string> names_of_clips(const Rig& rig) {
+  std::vector<std::string> names;
+  for (std::size_t clip = 0; clip < rig.clips.size(); ++clip) {
+    names.push_back(name_of(rig, clip));
+  }
+  return names;
+}
+
 std::string describe_clips(const Rig& rig) {
   std::vector<std::string> texts;
   for (std::size_t clip = 0; clip < rig.clips.size(); ++clip) {

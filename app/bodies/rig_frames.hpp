@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/bodies/frame_source.hpp"
 #include "app/bodies/rig_pose.hpp"
@@ -17,6 +19,9 @@ std::unique_ptr<const FrameSource> frames_of_clip(std::shared_ptr<const Rig> rig
 std::size_t clip_asked_for(const Rig& rig, const std::string& name);
 
 inline constexpr std::size_t no_clip = static_cast<std::size_t>(-1);
+
+/// Returns the names of the clips; of one without a name its number, counted from 1.
+std::vector<std::string> names_of_clips(const Rig& rig);
 
 /// Returns "'Walk' (1.2 s), 'Wave' (3 s)", or "none".
 std::string describe_clips(const Rig& rig);

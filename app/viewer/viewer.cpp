@@ -9,6 +9,7 @@
 #include "app/viewer/state/choices.hpp"
 #include "app/viewer/state/key_bindings.hpp"
 #include "app/viewer/state/lost_cloth.hpp"
+#include "app/viewer/state/motion_choices.hpp"
 
 namespace taut::app {
 namespace {
@@ -143,6 +144,7 @@ void Viewer::note_snapshot(SnapshotPtr newest) {
 
 void Viewer::adopt_scene() {
   state_.scene = state_.newest->loaded->scene;
+  state_.motions = motion_choices(state_.scene, state_.motions);
   told_ = ChangeSettings(state_.scene);
   state_.past_frame.reset();
   hands_.drop();

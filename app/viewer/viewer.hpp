@@ -86,7 +86,7 @@ class Viewer {
   void start_or_stop_recording();
   void save_scene();
   void load_asked();
-  void load(DrawnScene scene);
+  void load(DrawnScene scene, const std::vector<std::string>& remarks);
   void collect_settings();
   void note_speed(std::uint64_t advances_before);
   void warn();

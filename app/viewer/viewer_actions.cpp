@@ -11,6 +11,7 @@
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/models/hanger.hpp"
+#include "app/viewer/state/motion_choices.hpp"
 #include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
 
@@ -208,13 +209,16 @@ void Viewer::take_picture(const renderer::Image& picture) {
 void Viewer::load_asked() {
   const std::optional<std::string> name = std::exchange(state_.scene_asked, std::nullopt);
   const auto garment = std::exchange(state_.garment_asked, std::nullopt);
+  const auto motion = std::exchange(state_.motion_asked, std::nullopt);
   try {
     if (name) {
       DrawnScene scene = find_scene(*name, {});
-      for (const std::string& remark : load_bodies(scene)) {
-        tell(remark, false);
-      }
-      load(std::move(scene));
+      const std::vector<std::string> remarks = load_bodies(scene);
+      load(std::move(scene), remarks);
+    } else if (motion) {
+      std::vector<std::string> remarks;
+      DrawnScene scene = with_motion(state_.scene, state_.motions.body, *motion, remarks);
+      load(std::move(scene), remarks);
     } else if (garment) {
       DrawnScene scene = state_.scene;
       // Another cut of the same garment has the same seams to hang from; another garment has not.
@@ -227,14 +231,17 @@ void Viewer::load_asked() {
       take_off_hanger(scene);
       scene.garment.file = *garment;
       scene.garment.start.clear();
-      load(std::move(scene));
+      load(std::move(scene), {});
     }
   } catch (const std::exception& error) {
     tell(error.what(), true);
   }
 }
 
-void Viewer::load(DrawnScene scene) {
+void Viewer::load(DrawnScene scene, const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) {
+    tell(remark, false);
+  }
   tell("loading " + scene.name, false);
   commands_.emplace_back(LoadScene{std::make_shared<const DrawnScene>(std::move(scene))});
 }

@@ -6,6 +6,7 @@
 
 #include "app/scene/promise.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
+#include "app/viewer/state/motion_choices.hpp"
 
 namespace taut::app {
 namespace {
@@ -55,6 +56,27 @@ void lay_out_garment_list(ViewerState& state) {
     ImGui::EndCombo();
   }
   note_place(state, "garment");
+}
+
+void lay_out_motion_list(ViewerState& state) {
+  const auto& [body, file, choices] = state.motions;
+  if (choices.empty()) {
+    return;
+  }
+  const BodySource& source = state.scene.body_sources.at(body);
+  const auto chosen = std::find_if(choices.begin(), choices.end(),
+                                   [&](const Choice& motion) { return is_chosen(motion, source); });
+  const std::string other = source.motion.empty() ? "none" : source.motion.stem().string();
+  if (begin_list("motion", chosen == choices.end() ? other.c_str() : chosen->label.c_str())) {
+    for (auto motion = choices.begin(); motion != choices.end(); ++motion) {
+      if (ImGui::Selectable(motion->label.c_str(), motion == chosen)) {
+        state.motion_asked = *motion;
+      }
+      note_place(state, ("motion." + motion->name).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  note_place(state, "motion");
 }
 
 // Colours that ended at the bound go on ending there; others have to show where it is.
@@ -182,6 +204,7 @@ void lay_out_choices(ViewerState& state) {
   lay_out_presets(state);
   lay_out_scene_list(state);
   lay_out_garment_list(state);
+  lay_out_motion_list(state);
   lay_out_solver(state);
 }
 

@@ -48,6 +48,8 @@ constexpr std::array hints = {
          "Load a scene that comes with the program. Drop a scene's file on the window to load another."},
     Hint{"garment",
          "Put another garment into this scene. Drop a model's file on the window to load another."},
+    Hint{"motion",
+         "Choose how the body moves, over and over. The scene begins anew, and the body is dressed again."},
     Hint{"solver",
          "How springs answer. bounded: ours, keeps its bound on stretch. strong: the paper's. ideal: Hooke's"
          " springs. provot: Hooke's springs, pulled back beyond a threshold."},

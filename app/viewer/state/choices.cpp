@@ -37,11 +37,11 @@ std::vector<Choice> scene_choices() {
   return choices;
 }
 
-std::vector<Choice> garment_choices() {
+std::vector<Choice> files_in(const std::string& folder, const std::string& ending) {
   std::vector<Choice> choices;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(assets_folder() / "garments", error)) {
-    if (entry.path().extension() == ".obj") {
+  for (const auto& entry : fs::directory_iterator(assets_folder() / folder, error)) {
+    if (entry.path().extension() == ending) {
       choices.push_back({entry.path().stem().string(), "", entry.path()});
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/viewer/state/viewer_state.hpp"
@@ -10,7 +11,12 @@ namespace taut::app {
 /// A scene that cannot be read is left out.
 std::vector<Choice> scene_choices();
 
+/// The files with this ending in a folder of those that come with the program, sorted by name.
+std::vector<Choice> files_in(const std::string& folder, const std::string& ending);
+
 /// The garments that come with the program.
-std::vector<Choice> garment_choices();
+inline std::vector<Choice> garment_choices() {
+  return files_in("garments", ".obj");
+}
 
 }  // namespace taut::app

@@ -45,11 +45,19 @@ struct ItemPlace {
   glm::vec2 upper_px{0.0F};
 };
 
-/// A built-in scene or a garment that the user can choose.
+/// A built-in scene, a garment or a motion that the user can choose.
 struct Choice {
   std::string name;
-  std::string label;  ///< figure of the paper, such as "5, left"; otherwise empty
-  std::filesystem::path file;
+  /// Of a scene the figure of the paper, such as "5, left", or empty; of a motion what the list says.
+  std::string label;
+  std::filesystem::path file;  ///< of an animation of the body itself: empty
+};
+
+/// The motions of a body that the user can choose.
+struct MotionChoices {
+  std::size_t body = 0;
+  std::filesystem::path of;  ///< the body's file
+  std::vector<Choice> choices;
 };
 
 /// The item of the panel under the pointer, and for how long.
@@ -94,6 +102,7 @@ struct ViewerState {
   Measurements measurements;
   std::vector<Choice> scenes;
   std::vector<Choice> garments;
+  MotionChoices motions;
   std::vector<Message> messages;
   std::string warning;  ///< shown while it applies; empty: none
   bool is_recording = false;
@@ -102,6 +111,7 @@ struct ViewerState {
   std::vector<Action> asked;
   std::optional<std::string> scene_asked;  ///< a name or a file
   std::optional<std::filesystem::path> garment_asked;
+  std::optional<Choice> motion_asked;
 
   std::optional<Hovered> hovered;
 

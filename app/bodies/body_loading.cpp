@@ -180,6 +180,10 @@ ReadBody read_body(const BodySource& source, const ShownTime& shown) {
   body.remarks = loaded.remarks;
   OpenedMotion motion = open_motion(source, body.rig, loaded.places.placement.up);
   body.remarks.insert(body.remarks.end(), motion.remarks.begin(), motion.remarks.end());
+  if (body.format.find("FBX") != std::string::npos && !body.rig->targets.empty() &&
+      (!motion.frames || !source.motion.empty())) {
+    body.remarks.emplace_back("none of its shapes is mixed in: how much of them is not read from FBX");
+  }
   if (motion.frames || !body.rig->influences.empty()) {
     remark_on_height(loaded.mesh, body.remarks);
   }

@@ -8,6 +8,7 @@
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/bodies/flat_faces.hpp"
 #include "app/bodies/hole_closing.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/adjacency.hpp"
@@ -139,7 +140,12 @@ sim::Mesh closed_mesh(const sim::Mesh& soup, const Placement& placement, std::ve
 
 LoadedMesh make_body_mesh(const BodySource& source, const ImportedModel& model) try {
   LoadedMesh loaded;
-  const sim::Mesh soup{model.positions, model.triangles, {}};
+  sim::Mesh soup{model.positions, model.triangles, {}};
+  const FlatFaces mended = mend_flat_faces(soup);
+  if (mended.left_out + mended.turned > 0) {
+    loaded.remarks.push_back(
+        fmt::format("of its faces without area {} left out and {} turned", mended.left_out, mended.turned));
+  }
   require_area(soup);
   loaded.places.placement = placement_of(source, model, soup, loaded.remarks);
   std::vector<sim::Index> kept;

@@ -144,7 +144,7 @@ ModelArrays read_with_assimp(const std::filesystem::path& path) {
   model.meshes = scene->mNumMeshes;
   read_units(*scene, path, model);
   append_node(*scene, *scene->mRootNode, aiMatrix4x4(), model);
-  model.rig = read_rig(*scene);
+  model.rig = read_rig(*scene, in_lower_case(path.extension().string()) != ".fbx");
   return model;
 }
 

@@ -33,7 +33,7 @@ sim::Vec3 vector_of(const aiVector3D& v) {
 
 class RigReader {
  public:
-  explicit RigReader(const aiScene& scene) : scene_(scene) {}
+  RigReader(const aiScene& scene, bool knows_mixture) : scene_(scene), knows_mixture_(knows_mixture) {}
 
   Rig read() {
     add_node(*scene_.mRootNode, no_node);
@@ -55,6 +55,7 @@ class RigReader {
   std::optional<sim::Index> find(const std::string& name) const;
 
   const aiScene& scene_;
+  bool knows_mixture_;
   Rig rig_;
   std::map<const aiNode*, sim::Index> number_of_;
   std::multimap<std::string, sim::Index> named_;
@@ -113,7 +114,8 @@ void RigReader::add_bones(const aiMesh& mesh, std::size_t first_vertex) {
 
 void RigReader::add_targets(const aiMesh& mesh) {
   for (const aiAnimMesh* shape : std::span(mesh.mAnimMeshes, mesh.mNumAnimMeshes)) {
-    RigTarget target{static_cast<sim::Index>(rig_.parts.size() - 1), shape->mWeight, {}};
+    RigTarget target{
+        static_cast<sim::Index>(rig_.parts.size() - 1), knows_mixture_ ? shape->mWeight : 0.0, {}};
     target.offsets.resize(mesh.mNumVertices, sim::Vec3(0.0));
     if (shape->HasPositions() && shape->mNumVertices != mesh.mNumVertices) {
       throw InputError("the shape '" + std::string(shape->mName.C_Str()) + "' has " +
@@ -206,8 +208,8 @@ std::optional<sim::Index> RigReader::find(const std::string& name) const {
 
 }  // namespace
 
-Rig read_rig(const aiScene& scene) {
-  return can_move(scene) ? RigReader(scene).read() : Rig{};
+Rig read_rig(const aiScene& scene, bool knows_mixture) {
+  return can_move(scene) ? RigReader(scene, knows_mixture).read() : Rig{};
 }
 
 }  // namespace taut::app

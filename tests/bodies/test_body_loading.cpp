@@ -181,6 +181,33 @@ TEST_F(BodyLoading, NamesFacesWithoutAreaAndThoseThatAreThereTwice) {
   EXPECT_CONTAINS(error_of(tetrahedron + "f 1 3 2\n"), "found a triangle that is there twice");
 }
 
+// As remeshing leaves them, and polygons that are split along three corners in a line.
+TEST_F(BodyLoading, MendsFacesWithoutArea) {
+  const sim::BodyMesh body =
+      load(corners + "v 0.5 0 0\nf 1 3 5\nf 5 3 2\nf 1 5 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  EXPECT_EQ(body.data->triangles.size(), 6U);
+  EXPECT_NEAR(volume_m3(*body.data), 1.0 / 6.0, 1e-15);
+  for (const sim::Triangle& t : body.data->triangles) {
+    EXPECT_GT(glm::length(sim::doubled_area_vector(body.data->positions_m, t)), 0.4);
+  }
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_CONTAINS(remarks[0], "of its faces without area 0 left out and 1 turned");
+  // Two in a row, cut along seams.
+  const std::string row = "v 0.25 0 0\nv 0.5 0 0\nv 0 0 0\nv 1 0 0\n";
+  load(corners + row + "f 1 3 5\nf 5 3 6\nf 6 3 2\nf 1 5 6\nf 1 6 2\nf 7 8 4\nf 1 4 3\nf 2 3 4\n");
+  EXPECT_CONTAINS(remarks.at(0), "0 left out and 2 turned");
+}
+
+// The third vertex is there three times, each with triangles all around it.
+TEST_F(BodyLoading, LeavesOutFacesThatArePointsOrLines) {
+  const sim::BodyMesh body = load(
+      corners + "v 0 1 0\nv 0 1 0\nf 1 3 2\nf 1 2 4\nf 1 4 5\nf 2 6 4\nf 3 6 2\nf 3 1 5\nf 3 5 6\nf 6 5 4\n");
+  EXPECT_EQ(body.data->triangles.size(), 4U);
+  EXPECT_EQ(body.data->positions_m.size(), 4U);
+  EXPECT_NEAR(volume_m3(*body.data), 1.0 / 6.0, 1e-15);
+  EXPECT_CONTAINS(remarks.at(0), "of its faces without area 4 left out and 0 turned");
+}
+
 // A Klein bottle as a torus of quads whose last ring is joined to the first the other way around.
 TEST_F(BodyLoading, NamesASurfaceWithOneSide) {
   constexpr int n = 8;

@@ -167,5 +167,58 @@ TEST(Rotations, GoAlongTheShorterArcAtAConstantRate) {
   }
 }
 
+/// A tetrahedron as FBX, with a shape that is `percent` mixed in and moves its first vertex up by 1.
+std::string fbx_with_shape(int percent) {
+  return R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  { FBXVersion: 7400 }
+GlobalSettings:  { Properties70:  {
+    P: "UpAxis", "int", "Integer", "",1
+    P: "UnitScaleFactor", "double", "Number", "",100
+} }
+Objects:  {
+  Geometry: 100, "Geometry::body", "Mesh" {
+    Vertices: *12 { a: 0,0,0,1,0,0,0,1,0,0,0,1 }
+    PolygonVertexIndex: *12 { a: 0,2,-2,0,1,-4,0,3,-3,1,2,-4 }
+  }
+  Geometry: 101, "Geometry::Belly", "Shape" {
+    Indexes: *1 { a: 0 }
+    Vertices: *3 { a: 0,-0.5,0 }
+    Normals: *3 { a: 0,0,0 }
+  }
+  Model: 200, "Model::body", "Mesh" { Version: 232 }
+  Deformer: 300, "Deformer::body", "BlendShape" { Version: 100 }
+  Deformer: 301, "SubDeformer::Belly", "BlendShapeChannel" {
+    Version: 100
+    DeformPercent: )" +
+         std::to_string(percent) + R"(
+    FullWeights: *1 { a: 100 }
+  }
+}
+Connections:  {
+  C: "OO",200,0
+  C: "OO",100,200
+  C: "OO",300,100
+  C: "OO",301,300
+  C: "OO",101,301
+}
+)";
+}
+
+// assimp says of each that all of it is.
+TEST(RigOfFbx, ShapesAreNotMixedInByThemselves) {
+  const test::TemporaryFolder folder;
+  for (const int percent : {0, 40}) {
+    BodySource source;
+    source.file = folder.write("body.fbx", fbx_with_shape(percent));
+    const LoadedBody body = load(source);
+    double lowest_m = 1.0;
+    for (const sim::Vec3& place_m : body.positions_m(0.0)) {
+      lowest_m = std::min(lowest_m, place_m.y);
+    }
+    EXPECT_EQ(lowest_m, 0.0) << percent;
+    EXPECT_CONTAINS(body.said(), "none of its shapes is mixed in: how much of them is not read from FBX");
+  }
+}
+
 }  // namespace
 }  // namespace taut::app

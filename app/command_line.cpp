@@ -79,7 +79,7 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
           "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
           "body-%04d.obj");
   add_key(command, overrides, "--body-clip", "body.clip",
-          "which of its animations is played, or none (default: the first)");
+          "which of its animations is played, or all at once, or none (default: the first)");
   add_key(command, overrides, "--body-fps", "body.frame_rate",
           "frames a second of its motion (default: what the file says, or else 60)");
   add_key_flag(command, overrides, "--body-loop", "body.loop", "true",

@@ -17,6 +17,7 @@
 #include "app/bodies/motion_opening.hpp"
 #include "app/bodies/rig_pose.hpp"
 #include "app/bodies/shape_rig.hpp"
+#include "app/bodies/turned_frames.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -39,11 +40,11 @@ std::shared_ptr<const Rig> take_rig(const std::filesystem::path& file, ImportedM
   return rig;
 }
 
-void remark_on_height(const sim::Mesh& mesh, std::vector<std::string>& remarks) {
+/// Empty of what is as high as a person.
+std::string remark_on_height(const sim::Mesh& mesh) {
   const double height_m = sim::extent_of(mesh.positions).size().y;
-  if (height_m < lowest_person_m || height_m > highest_person_m) {
-    remarks.push_back(fmt::format("it is {:.3g} m high (scale, --body-units)", height_m));
-  }
+  const bool is_person = height_m >= lowest_person_m && height_m <= highest_person_m;
+  return is_person ? "" : fmt::format("it is {:.3g} m high (scale, --body-units)", height_m);
 }
 
 double rate_of(const BodySource& source, const FrameSource& motion, std::vector<std::string>& remarks) {
@@ -103,6 +104,7 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
                                                  std::vector<std::string>& remarks,
                                                  std::optional<RigPose>& pose) {
   require_vertices(source, loaded, motion);
+  motion.frames = in_axes_of(loaded, std::move(motion.frames), remarks);
   if (motion.frames->frames() == 1) {
     remarks.emplace_back("its motion has 1 frame, in which it stays");
   }
@@ -184,12 +186,18 @@ ReadBody read_body(const BodySource& source, const ShownTime& shown) {
       (!motion.frames || !source.motion.empty())) {
     body.remarks.emplace_back("none of its shapes is mixed in: how much of them is not read from FBX");
   }
-  if (motion.frames || !body.rig->influences.empty()) {
-    remark_on_height(loaded.mesh, body.remarks);
+  const std::string height =
+      motion.frames || !body.rig->influences.empty() ? remark_on_height(loaded.mesh) : "";
+  if (!height.empty()) {
+    body.remarks.push_back(height);
   }
   std::optional<RigPose> pose = stored_pose(*body.rig);
   if (motion.frames) {
-    body.mesh.frames = frames_of(source, loaded, std::move(motion), shown.duration_s, body.remarks, pose);
+    try {
+      body.mesh.frames = frames_of(source, loaded, std::move(motion), shown.duration_s, body.remarks, pose);
+    } catch (const InputError& error) {
+      throw InputError(error.what() + (height.empty() ? "" : "; " + height));
+    }
   }
   if (source.dress > 0) {
     body.wearer = wearer_of(source, loaded, pose, shown.frame_rate_hz, body);

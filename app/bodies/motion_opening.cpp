@@ -22,8 +22,10 @@ std::string ending_of(const std::filesystem::path& file) {
   return ending;
 }
 
-OpenedMotion open_clip(const BodySource& source, const std::shared_ptr<const Rig>& rig) try {
+OpenedMotion open_clip(const BodySource& source, const std::shared_ptr<const Rig>& own) try {
   OpenedMotion opened{source.file};
+  const bool plays_all = source.clip == "all" && !own->clips.empty();
+  const std::shared_ptr<const Rig> rig = plays_all ? with_all_clips(*own) : own;
   const std::size_t clip = clip_asked_for(*rig, source.clip);
   if (clip == no_clip) {
     return opened;

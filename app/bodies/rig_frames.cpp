@@ -96,6 +96,19 @@ std::string describe_clips(const Rig& rig) {
   return texts.empty() ? "none" : joined(texts);
 }
 
+std::shared_ptr<const Rig> with_all_clips(const Rig& rig) {
+  auto whole = std::make_shared<Rig>(rig);
+  RigClip all{"all", 0.0, {}, {}, {}};
+  for (const RigClip& clip : rig.clips) {
+    all.duration_s = std::max(all.duration_s, clip.duration_s);
+    all.channels.insert(all.channels.end(), clip.channels.begin(), clip.channels.end());
+    all.targets.insert(all.targets.end(), clip.targets.begin(), clip.targets.end());
+    all.unknown.insert(all.unknown.end(), clip.unknown.begin(), clip.unknown.end());
+  }
+  whole->clips = {std::move(all)};
+  return whole;
+}
+
 void require_playable(const Rig& rig, std::size_t clip) {
   const RigClip& asked = rig.clips[clip];
   const std::string animation = "its animation '" + name_of(rig, clip) + '\'';

@@ -26,6 +26,10 @@ std::vector<std::string> names_of_clips(const Rig& rig);
 /// Returns "'Walk' (1.2 s), 'Wave' (3 s)", or "none".
 std::string describe_clips(const Rig& rig);
 
+/// Returns the rig with one clip, of all of its clips at once; of a node that several move the last of them
+/// holds.
+std::shared_ptr<const Rig> with_all_clips(const Rig& rig);
+
 /// Requires that the clip moves something and nothing that the model does not have. Throws InputError.
 void require_playable(const Rig& rig, std::size_t clip);
 

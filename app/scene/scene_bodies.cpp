@@ -76,9 +76,12 @@ Key<BodyInScene> clip_key() {
   auto write = [](const BodyInScene& entry) {
     return entry.source.clip.empty() ? Json() : Json(entry.source.clip);
   };
-  return {"clip",   "",
-          "a name", "which animation of the model is played; not set: the first; \"none\": none",
-          read,     write};
+  return {"clip",
+          "",
+          "a name",
+          "which animation of the model is played; not set: the first; \"all\": all at once; \"none\": none",
+          read,
+          write};
 }
 
 Key<BodyInScene> dress_key() {

@@ -263,6 +263,36 @@ TEST_F(BodyLoading, ReadsFramesInTheOrderOfTheFile) {
   }
 }
 
+// Blender writes MDD with z up beside OBJ with y up, LightWave in a left-handed system.
+TEST_F(BodyLoading, GuessesTheAxesOfFramesFromTheFirst) {
+  const auto written = [&](auto turned) {
+    std::vector<Frame> frames = {modelled, modelled};
+    for (sim::Vec3& p : frames[1]) {
+      p += sim::Vec3(0.125, 0.25, 0.5);
+    }
+    for (Frame& frame : frames) {
+      std::transform(frame.begin(), frame.end(), frame.begin(), turned);
+    }
+    return pc2(frames);
+  };
+  const auto moved_to = [](const sim::BodyMesh& body) {
+    return frame_of(body, 1)[3] - body.data->positions_m[3];
+  };
+  BodySource at_60_hz;
+  at_60_hz.frame_rate_hz = 60.0;
+  for (const auto& frames : {written([](const sim::Vec3& p) { return sim::Vec3(p.x, -p.z, p.y); }),
+                             written([](const sim::Vec3& p) { return sim::Vec3(p.x, p.z, -p.y); }),
+                             written([](const sim::Vec3& p) { return sim::Vec3(p.x, p.y, -p.z); }),
+                             written([](const sim::Vec3& p) { return sim::Vec3(p.x, p.z, p.y); })}) {
+    EXPECT_EQ(moved_to(load(tetrahedron, frames, at_60_hz)), sim::Vec3(0.125, 0.25, 0.5));
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_CONTAINS(remarks[0],
+                    "its motion is in other axes than it, guessed from its first frame: there (x, ");
+  }
+  load(tetrahedron, written([](const sim::Vec3& p) { return p + sim::Vec3(0.0, 0.3, 0.0); }), at_60_hz);
+  EXPECT_TRUE(remarks.empty()) << "it only begins elsewhere";
+}
+
 TEST_F(BodyLoading, NamesWhatIsWrongWithFrames) {
   const std::string good = pc2({modelled, modelled});
   load(tetrahedron, good);

@@ -167,6 +167,35 @@ TEST(Rotations, GoAlongTheShorterArcAtAConstantRate) {
   }
 }
 
+// Blender writes the joints and the shapes of one action as two animations of glTF.
+TEST(RigClips, AllAreLookedAtAtOnce) {
+  const test::TemporaryFolder folder;
+  GltfModel model = test::tube();
+  model.targets = {std::vector<sim::Vec3>(model.positions.size(), sim::Vec3(0.0, 0.0, 0.25))};
+  model.clips = {{"Joints", {{0, "translation", {0.0F, 1.0F}, {0, 1, 0, 0, 1.5F, 0}}}},
+                 {"Shapes", {{0, "weights", {0.0F, 2.0F}, {0, 1}}}}};
+  BodySource source;
+  source.file = folder.write("body.gltf", gltf_text(model));
+  const auto moved_m = [&](const char* clip, double time_s) {
+    source.clip = clip;
+    return load(source).positions_m(time_s)[0] - model.positions[0];
+  };
+  EXPECT_LT(glm::distance(moved_m("", 1.0), sim::Vec3(0.0, 0.5, 0.0)), tolerance_m);
+  EXPECT_LT(glm::distance(moved_m("all", 1.0), sim::Vec3(0.0, 0.5, 0.125)), tolerance_m);
+  EXPECT_LT(glm::distance(moved_m("all", 9.0), sim::Vec3(0.0, 0.5, 0.25)), tolerance_m) << "the longer";
+}
+
+// Of a file in another unit than its format has.
+TEST(RigClips, AJumpOfABodyThatIsNoPersonsSizeIsSaidWithItsHeight) {
+  const test::TemporaryFolder folder;
+  GltfModel model = test::tube();
+  model.clips = {{"Rise", {{0, "translation", {0.0F, 0.1F}, {0, 1, 0, 0, 1.5F, 0}}}}};
+  BodySource source;
+  source.file = folder.write("body.gltf", gltf_text(model));
+  source.scale = 100.0;
+  EXPECT_CONTAINS(error_of(source), "expected at most 1 m; it is 200 m high (scale, --body-units)");
+}
+
 /// A tetrahedron as FBX, with a shape that is `percent` mixed in and moves its first vertex up by 1.
 std::string fbx_with_shape(int percent) {
   return R"(; FBX 7.4.0 project file

@@ -19,6 +19,10 @@ TEST(JointNames, OfOtherProgramsMeanTheSameParts) {
   EXPECT_EQ(
       parts_of_joints(Names{"pelvis", "thigh_l", "calf.R", "upperarm_l", "Bip01 L UpperArm", "spine_02"}),
       (Names{"hips", "left upleg", "right leg", "left arm", "left arm", "spine1"}));
+  EXPECT_EQ(
+      parts_of_joints(Names{"Armature_mixamorig_Hips", "Armature_mixamorig_LeftForeArm", "Armature_spine"}),
+      (Names{"hips", "left forearm", "spine"}))
+      << "as Blender writes them to Collada";
   EXPECT_EQ(parts_of_joints(Names{"HIPS", "leftupleg", "LEFT_FOOT"}),
             (Names{"hips", "left upleg", "left foot"}));
 }

@@ -15,8 +15,9 @@ constexpr const char* usage =
     "Usage: make_tshirt [PATTERN [FOLDER]]\n"
     "\n"
     "Sews the T-shirt of a pattern file, fits it to a body, reduces it to 10600, 5280 and\n"
-    "1028 triangles and writes tshirt_N.obj and tshirt_N.landmarks.toml. The same pattern\n"
-    "gives the same files, byte for byte.\n"
+    "1028 triangles and writes tshirt_N.obj and tshirt_N.landmarks.toml. Of a pattern that\n"
+    "names its wearer it is tshirt_NAME.obj, of 5280 triangles. The same pattern gives the\n"
+    "same files, byte for byte.\n"
     "\n"
     "  PATTERN  outlines to sew            (default: assets/patterns/tshirt/teagan.toml)\n"
     "  FOLDER   where the garments go      (default: assets/garments)\n"
@@ -48,8 +49,9 @@ std::string header(const Pattern& pattern, std::size_t triangle_count) {
 void make_tshirts(const std::filesystem::path& pattern_file, const std::filesystem::path& folder) {
   const Pattern pattern = read_pattern(pattern_file);
   const auto pieces = cut_pieces(pattern);
+  const Stance stance = stance_of(pattern);
   std::printf("Fitted to the body:\n");
-  const FittedShirt fitted = fit_shirt(pieces, print_strain);
+  const FittedShirt fitted = fit_shirt(pieces, stance, print_strain);
   require_fit(measure_strain(fitted.shirt, fitted.positions));
   const double fine_area_m2 = measure_quality(make_model(fitted.shirt, fitted.positions).mesh).area_m2;
 
@@ -57,15 +59,18 @@ void make_tshirts(const std::filesystem::path& pattern_file, const std::filesyst
   std::printf(
       "\n| triangles | vertices | smallest angle, degrees | shortest / mean / longest edge, mm "
       "| area, %% | strain, %% |\n");
-  for (const std::size_t size : model_sizes) {
-    const FittedShirt reduced = reduce_shirt(pieces, fitted, size);
+  const bool is_first = pattern.wearer.empty();
+  for (const std::size_t size :
+       is_first ? std::vector(model_sizes.begin(), model_sizes.end()) : std::vector{other_size}) {
+    const FittedShirt reduced = reduce_shirt(pieces, fitted, stance, size);
     const Model model = make_model(reduced.shirt, reduced.positions);
     const MeshQuality quality = measure_quality(model.mesh);
     const Strain strain = measure_strain(reduced.shirt, reduced.positions);
     print_quality(quality, strain, fine_area_m2);
     require_quality(quality, size, fine_area_m2);
     require_fit(strain);
-    write_model(model, folder, "tshirt_" + std::to_string(size), header(pattern, size));
+    write_model(model, folder, "tshirt_" + (is_first ? std::to_string(size) : pattern.wearer),
+                header(pattern, size));
   }
 }
 

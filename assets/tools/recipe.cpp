@@ -34,6 +34,10 @@ const std::array<FitLevel, 3>& fit_levels() {
 // its size.
 constexpr FitPhase settling = {.frames = 10, .flexural = 0.02, .air_drag_per_s = 60.0};
 
+// Of the pattern for cisMaleAdult40.
+constexpr double male_half_chest_m = 0.29484;
+constexpr double male_cuff_m = 0.43096;
+
 constexpr double largest_rms_strain = 0.015;
 constexpr double largest_strain = 0.10;
 constexpr double smallest_angle_deg = 10.0;
@@ -52,8 +56,18 @@ Shirt sew(const std::array<Piece, piece_count>& pieces, std::size_t triangle_cou
 
 }  // namespace
 
-FittedShirt fit_shirt(const std::array<Piece, piece_count>& pieces, const FitProgress& progress) {
-  const Stance stance;
+Stance stance_of(const Pattern& pattern) {
+  Stance stance;
+  if (!pattern.wearer.empty()) {
+    stance.neck_point_height_m = pattern.neck_point_height_m;
+    stance.trunk = pattern.front.side_seam.back().x / male_half_chest_m;
+    stance.sleeve = std::abs(pattern.sleeve.cuff.back().x - pattern.sleeve.cuff.front().x) / male_cuff_m;
+  }
+  return stance;
+}
+
+FittedShirt fit_shirt(const std::array<Piece, piece_count>& pieces, const Stance& stance,
+                      const FitProgress& progress) {
   FittedShirt fitted;
   for (const FitLevel& level : fit_levels()) {
     FittedShirt next = {sew(pieces, level.triangles), {}};
@@ -67,10 +81,10 @@ FittedShirt fit_shirt(const std::array<Piece, piece_count>& pieces, const FitPro
 }
 
 FittedShirt reduce_shirt(const std::array<Piece, piece_count>& pieces, const FittedShirt& fitted,
-                         std::size_t triangle_count) {
+                         const Stance& stance, std::size_t triangle_count) {
   FittedShirt reduced = {sew(pieces, triangle_count), {}};
   reduced.positions = lift_onto(reduced.shirt, fitted.shirt, fitted.positions);
-  reduced.positions = relax_on_body(reduced.shirt, reduced.positions, Stance{}, {settling});
+  reduced.positions = relax_on_body(reduced.shirt, reduced.positions, stance, {settling});
   return reduced;
 }
 

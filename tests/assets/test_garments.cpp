@@ -11,6 +11,7 @@
 #include "sim/mesh/topology.hpp"
 #include "tailor/flat/pieces.hpp"
 #include "tailor/quality.hpp"
+#include "tailor/recipe.hpp"
 
 namespace taut::test {
 namespace {
@@ -210,6 +211,32 @@ TEST_P(Garment, IsAboutSymmetrical) {
   }
   EXPECT_LT(glm::length(mean_of("left_cuff") - mirrored(mean_of("right_cuff"))), 0.02);
 }
+
+class OtherSize : public testing::TestWithParam<const char*> {};
+
+TEST_P(OtherSize, IsAsSoundAsTheFirst) {
+  const std::string wearer = GetParam();
+  const sim::Mesh mesh = read_obj(assets / "garments" / ("tshirt_" + wearer + ".obj"));
+  const auto landmarks = read_landmarks(assets / "garments" / ("tshirt_" + wearer + ".landmarks.toml"));
+  const tailor::Pattern pattern =
+      tailor::read_pattern(assets / "patterns/tshirt" / ("teagan_" + wearer + ".toml"));
+  EXPECT_EQ(pattern.wearer, wearer);
+  double flat_area_m2 = 0.0;
+  for (const auto& piece : tailor::cut_pieces(pattern)) {
+    flat_area_m2 += tailor::polygon_area(piece.outline());
+  }
+  EXPECT_NO_THROW(tailor::require_quality(tailor::measure_quality(mesh), tailor::other_size, flat_area_m2));
+  for (const char* line : {"left_shoulder_seam", "right_shoulder_seam", "back_neckline", "front_neckline",
+                           "hem", "left_cuff", "right_cuff", "left_side_seam", "right_side_seam"}) {
+    EXPECT_TRUE(landmarks.contains(line)) << line;
+  }
+  for (const Index v : landmarks.at("left_shoulder_seam")) {
+    EXPECT_NEAR(mesh.positions.at(v).y, pattern.neck_point_height_m, 0.06) << "at the wearer's height";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, OtherSize, testing::Values("female_34", "female_42"),
+                         [](const auto& size) { return std::string(size.param); });
 
 INSTANTIATE_TEST_SUITE_P(TShirt, Garment, testing::Values(10600, 5280, 1028),
                          [](const auto& triangles) { return std::to_string(triangles.param); });

@@ -1,13 +1,17 @@
 // Drafts the T-shirt pattern and writes its outlines to standard output:
 //   npm install && npm run draft
+// or, for the measurements, the name and the ease at the biceps of another wearer,
+//   node draft.mjs cisFemaleAdult34 female_34 0.3
 // Not part of any build: it documents where teagan.toml comes from. FreeSewing drafts offline and always
 // the same. config and plugin-transform are imported by its packages without being declared by them.
-import { cisMaleAdult40 } from '@freesewing/models'
+import * as models from '@freesewing/models'
 import { Teagan } from '@freesewing/teagan'
 
 const FLATNESS_MM = 0.02 // far below the 0.25 mm a cutter can follow: it keeps both sides of a seam equally long
 
-const draft = new Teagan({ measurements: cisMaleAdult40, settings: {}, sa: 0 })
+const [size = 'cisMaleAdult40', wearer, biceps_ease] = process.argv.slice(2)
+const measurements = models[size]
+const draft = new Teagan({ measurements, options: wearer ? { bicepsEase: Number(biceps_ease) } : {}, sa: 0 })
 draft.draft()
 const parts = draft.parts[0]
 
@@ -90,10 +94,15 @@ console.log(`# A T-shirt pattern: the cutting outlines without seam allowance, i
 pattern = "FreeSewing Teagan, a T-shirt"
 package = "@freesewing/teagan"
 version = "4.10.2"
-measurements = "cisMaleAdult40"
+measurements = "${size}"
 homepage = "https://freesewing.eu/"
 licence = "MIT, Copyright (c) 2022 Joost De Cock"
 flatness_mm = ${FLATNESS_MM}`)
+if (wearer) {
+  // As the male shirt's, 2 cm below where the measurements have it.
+  const neck_point_mm = measurements.waistToFloor + measurements.hpsToWaistBack - 20
+  console.log(`\n[wearer]\nname = "${wearer}"\nbiceps_ease = ${biceps_ease}\nneck_point_height_m = ${(neck_point_mm / 1000).toFixed(3)}`)
+}
 const front = body('teagan.front')
 const back = body('teagan.back')
 write('front', front)

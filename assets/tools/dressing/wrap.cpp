@@ -70,8 +70,8 @@ constexpr std::array<Vec2, 9> profile_m = {{{0.000, 0.000},
 
 /// Half the width of the body pieces at a height of the pattern, 0 at the neck point and negative below:
 /// wide at the chest, narrower at the hem.
-double half_width(const Panel& body, double flat_y) {
-  const double chest_y = -0.279;
+double half_width(const Panel& body, double flat_y, const Stance& stance) {
+  const double chest_y = -0.279 * stance.trunk;
   if (flat_y >= chest_y) {
     flat_y = chest_y;
   }
@@ -81,7 +81,7 @@ double half_width(const Panel& body, double flat_y) {
   for (std::size_t i = 0; i < body.outline_count; ++i) {
     const Vec2& p = body.flat_m[i];
     const double off = std::abs(p.y - flat_y);
-    if (p.x > 0.25 && off < nearest) {
+    if (p.x > 0.25 * stance.trunk && off < nearest) {
       nearest = off;
       best = p.x;
     }
@@ -93,9 +93,11 @@ Vec3 wrap_on_trunk(const Panel& panel, const Vec2& flat, const Stance& stance) {
   const double across_m = std::abs(flat.x);
   // The shoulder seam's line through the shirt, level with the neck point at 83 mm from the centre. It begins
   // 128 mm from the centre; carried on to the centre it would put a crease down the middle.
-  const double ridge_y = -stance.shoulder_slope * (std::max(across_m, 0.128) - 0.0833);
-  const Vec2 fall = point_at_fraction(profile_m, std::max(0.0, ridge_y - flat.y) / length_of(profile_m));
-  const Vec2 around = ellipse_of_length(fall.y, half_width(panel, flat.y)).at(across_m);
+  const double ridge_y =
+      -stance.shoulder_slope * (std::max(across_m, stance.trunk * 0.128) - stance.trunk * 0.0833);
+  const double down = std::max(0.0, ridge_y - flat.y) / (stance.trunk * length_of(profile_m));
+  const Vec2 fall = stance.trunk * point_at_fraction(profile_m, down);
+  const Vec2 around = ellipse_of_length(fall.y, half_width(panel, flat.y, stance)).at(across_m);
   const bool is_front = panel.kind == PieceKind::front;
   const bool is_left = (flat.x > 0.0) == is_front;
   return {is_left ? around.x : -around.x, stance.neck_point_height_m + ridge_y - fall.x,
@@ -104,11 +106,11 @@ Vec3 wrap_on_trunk(const Panel& panel, const Vec2& flat, const Stance& stance) {
 
 /// Around a circle as long as the sleeve is wide, its top above the shoulder and its seam below the arm.
 Vec3 wrap_on_arm(const Panel& panel, const Vec2& flat, const Stance& stance) {
-  const double cap_height_m = 0.1618;
-  const double quarter_m = 0.43096 / 4.0;
-  const Vec3 shoulder = {0.226, stance.neck_point_height_m - 0.0344, 0.0};
+  const double cap_height_m = stance.sleeve * 0.1618;
+  const double quarter_m = stance.sleeve * 0.43096 / 4.0;
+  const Vec3 shoulder = {stance.trunk * 0.226, stance.neck_point_height_m - stance.trunk * 0.0344, 0.0};
   const Vec3 up = {-stance.left_arm.y, stance.left_arm.x, 0.0};
-  const double radius_m = ellipse_of_length(0.0686, quarter_m).width_m;
+  const double radius_m = ellipse_of_length(stance.sleeve * 0.0686, quarter_m).width_m;
   const QuarterEllipse circle = {radius_m, radius_m};
   const double arc_m = std::abs(flat.x);
   // Past the side the quarter is walked back from the bottom.

@@ -92,11 +92,18 @@ toml::table parse(const std::filesystem::path& file) {
 
 Pattern read_pattern(const std::filesystem::path& file) {
   const toml::table root = parse(file);
-  Pattern pattern = {read_body(file, root, "front"), read_body(file, root, "back"), read_sleeve(file, root),
+  Pattern pattern = {read_body(file, root, "front"),
+                     read_body(file, root, "back"),
+                     read_sleeve(file, root),
                      root.at_path("source.pattern").value_or(std::string()) + ", " +
                          root.at_path("source.package").value_or(std::string()) + " " +
                          root.at_path("source.version").value_or(std::string()),
-                     root.at_path("source.licence").value_or(std::string())};
+                     root.at_path("source.licence").value_or(std::string()),
+                     root.at_path("wearer.name").value_or(std::string()),
+                     root.at_path("wearer.neck_point_height_m").value_or(0.0)};
+  if (!pattern.wearer.empty() && !(pattern.neck_point_height_m > 0.0)) {
+    fail(file, "wearer.neck_point_height_m is not above 0");
+  }
   const RightSleeve& sleeve = pattern.sleeve;
   check_seam(file, "side seam", pattern.front.side_seam, pattern.back.side_seam);
   check_seam(file, "shoulder seam", pattern.front.shoulder_seam, pattern.back.shoulder_seam);

@@ -27,6 +27,8 @@ struct Pattern {
   RightSleeve sleeve;
   std::string source;  ///< who drafted it; written into the header of the garments
   std::string licence;
+  std::string wearer = {};           ///< the name of the size; empty: the first, a man's
+  double neck_point_height_m = 0.0;  ///< where the wearer's neck and shoulder meet; without a name 0
 };
 
 /// Throws std::runtime_error that names the file and the field if something is missing or malformed. Also

@@ -34,7 +34,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 34> side_par
 constexpr std::array<std::string_view, 10> main_parts = {"hips", "spine", "spine1", "arm",  "forearm",
                                                          "hand", "upleg", "leg",    "foot", "head"};
 
-/// Blender puts the name of the armature before those of joints in Collada, "Armature" if nobody gave another.
+/// Blender puts the name of the armature before those of joints in Collada, "Armature" if nobody gave
+/// another.
 constexpr std::array<std::string_view, 5> prefixes = {"armature", "mixamorig", "bip", "def", "ccbase"};
 
 bool is_upper(char c) {

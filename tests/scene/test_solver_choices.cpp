@@ -50,7 +50,8 @@ void PrintTo(const Chosen& chosen, std::ostream* out) {
 
 std::vector<Chosen> all_choices() {
   std::vector<Chosen> all;
-  for (const char* garment : {"grid", "tshirt_1028", "tshirt_5280", "tshirt_10600"}) {
+  for (const char* garment :
+       {"grid", "tshirt_1028", "tshirt_5280", "tshirt_10600", "tshirt_female_34", "tshirt_female_42"}) {
     for (const sim::SolverKind solver : sim::all_solver_kinds) {
       all.push_back({garment, solver});
     }

@@ -93,7 +93,7 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
   run.seed = seed;
   Judge judge(scene, run);
   try {
-    dress(scene.dressing_frames(), simulation);
+    dress(scene, simulation);
     run.start = judge.judge(simulation, 0, 0.0);
     for (int frame = 1; frame <= frames; ++frame) {
       const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);

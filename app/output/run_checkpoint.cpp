@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::string_view magic = "TAUTRUN\n";
 constexpr std::uint32_t version = 3;
+/// A garment that breaks its bound in so many frames in a row while it is put on is too tight.
+constexpr int most_tight_frames = 3;
 
 template <class Summary, class Field>
 void for_each_field(Summary& summary, const Field& field) {
@@ -136,7 +138,8 @@ void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
   }
 }
 
-void dress(int frames, sim::Simulation& simulation) {
+void dress(const Scene& scene, sim::Simulation& simulation) {
+  const int frames = scene.dressing_frames();
   if (frames == 0) {
     return;
   }
@@ -148,13 +151,22 @@ void dress(int frames, sim::Simulation& simulation) {
   still.forces.wind.speed_m_per_s = 0.0;
   simulation.set_surroundings(still);
   simulation.set_time(-frames * simulation.frame_time_s());
+  int tight_frames = 0;
   for (int frame = 1; frame <= frames; ++frame) {
     throw_if_interrupted();
+    const auto give_up = [&](const std::string& why) {
+      throw PromiseBroken(fmt::format("while it is dressed, in frame {} of {}: {}", frame, frames, why));
+    };
     try {
       simulation.advance_frame();
     } catch (const sim::ContactBlocked& error) {
-      throw PromiseBroken(
-          fmt::format("while it is dressed, in frame {} of {}: {}", frame, frames, error.what()));
+      give_up(error.what());
+    }
+    const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
+    tight_frames = simulation.frame_report().bound_kept ? 0 : tight_frames + 1;
+    if (tight_frames == most_tight_frames && !bounded.allow_exceeding) {
+      give_up(fmt::format("it would have to stretch by more than solver.max_stretch = {:g}",
+                          bounded.max_stretch));
     }
   }
   simulation.set_surroundings(surroundings);
@@ -185,7 +197,7 @@ int go_to_start(const Scene& scene, sim::Simulation& simulation) {
   if (scene.checkpoint.empty()) {
     const std::vector<sim::Vec3> start_m = simulation.state().current;
     try {
-      dress(scene.dressing_frames(), simulation);
+      dress(scene, simulation);
       require_worn(scene, simulation);
     } catch (const PromiseBroken& error) {
       throw PromiseBroken(error.what() + describe_misfit(fit_of(scene, simulation.garment(), start_m)));

@@ -137,9 +137,13 @@ sim::Mesh shirt_with_gap() {
   return sewn({.front = front, .back = in_shirt, .open = open});
 }
 
-sim::Mesh jacket() {
-  const auto front = [](double x, double y) { return in_shirt(x, y) && std::abs(x) > 0.03; };
-  return sewn({.front = front, .back = in_shirt, .open = open_in_shirt});
+sim::Mesh jacket(double hem_m) {
+  const auto back = [hem_m](double x, double y) {
+    return in_shirt(x, y) || in_box(x, y, -hem_m, hem_m, 0.0, 0.12);
+  };
+  const auto front = [&](double x, double y) { return back(x, y) && std::abs(x) > 0.03; };
+  const auto open = [](double x, double y) { return open_in_shirt(x, y) && (y < 0.01 || y > 0.5); };
+  return sewn({.front = front, .back = back, .open = open});
 }
 
 sim::Mesh raised_sleeve() {

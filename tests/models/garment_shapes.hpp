@@ -27,8 +27,9 @@ sim::Mesh sewn(const Cut& cut);
 sim::Mesh shirt();
 /// With a hole along one shoulder, which lies higher than the neckline.
 sim::Mesh shirt_with_gap();
-/// In one piece with the arms stretched out to the sides, open in front from the neck to the hem.
-sim::Mesh jacket();
+/// In one piece with the arms stretched out to the sides, open in front from the neck to the hem, which
+/// reaches so far to each side.
+sim::Mesh jacket(double hem_m = 0.24);
 /// Its left sleeve is raised above the shoulders; it has no neckline.
 sim::Mesh raised_sleeve();
 /// Its neckline is at this height, its straps reach up to 0.9 m.

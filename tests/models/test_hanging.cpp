@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "app/base/errors.hpp"
@@ -83,13 +85,13 @@ TEST(Hanging, HoldsADressWithStrapsOnBothSides) {
 TEST(Hanging, HoldsUnevenStrapsByBothArmholes) {
   sim::Mesh mesh = test::strap_dress(0.15);
   for (sim::Vec3& p : mesh.positions) {
-    p.y += p.y > 0.6 && p.x > 0.0 ? 0.4 * (p.y - 0.6) : 0.0;
+    p.y += p.y > 0.6 && p.x > 0.0 ? 0.6 * (p.y - 0.6) : 0.0;
   }
   const Held armholes = held(mesh);
   EXPECT_EQ(armholes.by, HungBy::two_openings);
   expect_across(armholes, -0.21, 0.21);
   for (sim::Vec3& p : mesh.positions) {
-    p.y += p.y > 0.6 && p.x > 0.0 ? 0.3 * (p.y - 0.6) : 0.0;
+    p.y += p.y > 0.6 && p.x > 0.0 ? 0.15 * (p.y - 0.6) : 0.0;
   }
   EXPECT_NE(held(mesh).by, HungBy::two_openings) << "they are no pair";
 }
@@ -104,9 +106,37 @@ TEST(Hanging, HoldsAHoodByTheNeck) {
 
 TEST(Hanging, TakesNoCollarOrTopForAHood) {
   EXPECT_EQ(held(test::hoodie(0.86)).by, HungBy::top_opening) << "a stand-up collar, too low for a hood";
-  EXPECT_NE(held(test::hoodie(1.08, 0.9)).by, HungBy::neck) << "it has no opening for a face";
-  EXPECT_NE(held(test::hoodie(1.9)).by, HungBy::neck) << "half of it is above its shoulders";
-  EXPECT_NE(held(test::hoodie(1.08, 0.66, 0.2)).by, HungBy::neck) << "it hardly widens below";
+  EXPECT_EQ(held(test::hoodie(1.08, 0.84)).by, HungBy::neck) << "the face is open over half of the hood";
+  EXPECT_NE(held(test::hoodie(1.08, 0.87)).by, HungBy::neck) << "over 0.43 of it";
+  EXPECT_EQ(held(test::hoodie(1.08, 0.66, 0.24)).by, HungBy::neck) << "it is 1.6 times wider below";
+  EXPECT_NE(held(test::hoodie(1.08, 0.66, 0.2)).by, HungBy::neck) << "1.4 times";
+}
+
+TEST(Hanging, TakesForAHoodWhatHasItsHeight) {
+  const auto by = [](double share) {
+    sim::Mesh mesh = test::hoodie();
+    for (sim::Vec3& p : mesh.positions) {
+      // From the shoulders, at 0.72 m, it stays as it is for 9 cm: there it is held.
+      p.y += std::max(0.0, p.y - 0.81) * ((0.72 * share / (1.0 - share) - 0.09) / 0.27 - 1.0);
+    }
+    return held(mesh).by;
+  };
+  EXPECT_NE(by(0.16), HungBy::neck) << "a collar";
+  EXPECT_EQ(by(0.18), HungBy::neck);
+  EXPECT_EQ(by(0.47), HungBy::neck);
+  EXPECT_NE(by(0.54), HungBy::neck) << "a bodice above a skirt";
+}
+
+TEST(Hanging, FindsTheNeckAboveShouldersThatSlope) {
+  const auto by = [](double slope) {
+    sim::Mesh mesh = test::hoodie();
+    for (sim::Vec3& p : mesh.positions) {
+      p.y -= slope * std::max(0.0, std::abs(p.x) - 0.15);
+    }
+    return held(mesh).by;
+  };
+  EXPECT_EQ(by(0.9), HungBy::neck);
+  EXPECT_NE(by(1.4), HungBy::neck) << "it widens too slowly";
 }
 
 TEST(Hanging, HoldsTrousersAndSkirtsByTheWaist) {
@@ -125,6 +155,12 @@ TEST(Hanging, HoldsAJacketByItsShouldersNotByItsSleeves) {
   EXPECT_LT(held(test::raised_sleeve()).range.upper.y, 0.73);
 }
 
+// Short sleeves above a wide hem: they end at 0.41 and 0.39 of its width from the middle.
+TEST(Hanging, TellsSleevesFromArmholesByHowFarOutTheyEnd) {
+  EXPECT_EQ(held(test::jacket(0.51)).by, HungBy::shoulders);
+  EXPECT_EQ(held(test::jacket(0.54)).by, HungBy::highest_band);
+}
+
 TEST(Hanging, HoldsACapeAtItsTop) {
   EXPECT_EQ(held(test::cape()).by, HungBy::highest_band);
   EXPECT_NEAR(held(test::cape()).range.lower.y, 0.84, 1e-9);
@@ -139,27 +175,48 @@ TEST(Hanging, HoldsACircleSkirtThatLiesFlatByItsWaist) {
 
 // Where an opening begins to be one at the top: 0.6 of the height.
 TEST(Hanging, TakesTheEndOfALiningForATopOpeningOnlyIfItIsHigh) {
-  EXPECT_EQ(held(test::lined_bell(0.5)).by, HungBy::highest_band);
-  EXPECT_EQ(held(test::lined_bell(0.7)).by, HungBy::top_opening);
+  EXPECT_EQ(held(test::lined_bell(0.58)).by, HungBy::highest_band);
+  EXPECT_EQ(held(test::lined_bell(0.63)).by, HungBy::top_opening);
 }
 
 TEST(Hanging, TakesALongAndWideOpeningThatCarries) {
   const auto by = [](double height_m, const test::Neck& neck) {
     return held(test::bottle(height_m, neck)).by;
   };
-  EXPECT_EQ(by(1.6, {0.06, 0.06}), HungBy::top_opening);
-  EXPECT_EQ(by(1.6, {0.04, 0.04}), HungBy::highest_band) << "0.16 of the size around";
-  EXPECT_EQ(by(0.8, {0.03, 0.1}), HungBy::top_opening);
-  EXPECT_EQ(by(0.8, {0.015, 0.1}), HungBy::highest_band) << "0.075 of the width";
+  EXPECT_EQ(by(1.6, {0.054, 0.054}), HungBy::top_opening);
+  EXPECT_EQ(by(1.6, {0.048, 0.048}), HungBy::highest_band) << "0.19 of the size around";
+  EXPECT_EQ(by(0.8, {0.022, 0.1}), HungBy::top_opening);
+  EXPECT_EQ(by(0.8, {0.018, 0.1}), HungBy::highest_band) << "0.09 of the width";
   EXPECT_EQ(by(0.8, {0.06, 0.06, 0.075}), HungBy::top_opening);
-  EXPECT_EQ(by(0.8, {0.06, 0.06, 0.095}), HungBy::highest_band) << "0.08 of the width off balance";
+  EXPECT_EQ(by(0.8, {0.06, 0.06, 0.083}), HungBy::highest_band) << "0.06 of the width off balance";
   EXPECT_EQ(by(0.8, {0.06, 0.06, 0.0, 0.14}), HungBy::top_opening) << "it leans";
-  EXPECT_EQ(by(0.8, {0.06, 0.06, 0.0, 0.2}), HungBy::highest_band) << "0.33 of the width off balance";
+  EXPECT_EQ(by(0.8, {0.06, 0.06, 0.0, 0.17}), HungBy::highest_band) << "0.28 of the width off balance";
+}
+
+TEST(Hanging, TakesNoSteepOpeningForOneAtTheTop) {
+  const auto by = [](double steepness) {  // 0.27 k over 1 + 0.135 k of its height
+    sim::Mesh mesh = test::skirt();
+    const double k = steepness / (0.27 - 0.135 * steepness);
+    for (sim::Vec3& p : mesh.positions) {
+      p.y *= 1.0 + k * p.x;
+    }
+    return held(mesh).by;
+  };
+  EXPECT_EQ(by(0.38), HungBy::top_opening);
+  EXPECT_NE(by(0.42), HungBy::top_opening);
 }
 
 TEST(Hanging, FindsWhatLiesFlat) {
-  EXPECT_EQ(held(test::circle_skirt(0.02)).by, HungBy::top_opening);
-  EXPECT_EQ(held(test::circle_skirt(0.04)).by, HungBy::highest_band);
+  EXPECT_EQ(held(test::circle_skirt(0.026)).by, HungBy::top_opening);
+  EXPECT_EQ(held(test::circle_skirt(0.031)).by, HungBy::highest_band);
+}
+
+TEST(Hanging, NamesTwelvePartsAndCountsTheOthers) {
+  const sim::Mesh mesh = test::panels(13, 0.01);
+  const std::vector<std::string> lines = describe(hang(mesh, sim::make_adjacency(mesh)));
+  ASSERT_EQ(lines.size(), 13U);
+  EXPECT_CONTAINS(lines[11], "part 12 of 13: ");
+  EXPECT_EQ(lines[12], "and 1 part more, held likewise");
 }
 
 TEST(Upright, IsWhereAnOpeningCanHoldTheGarment) {
@@ -247,8 +304,8 @@ TEST(Strays, AreNeitherNearNorLarge) {
     return load(folder, test::both(test::shirt(), more)).strays.triangles;
   };
   EXPECT_EQ(left_out(test::button({1.2, 0.4, 0.0}, 0.01)), 0U) << "less than the shirt's size beside it";
-  EXPECT_EQ(left_out(test::button({1.6, 0.4, 0.0}, 0.01)), 8U);
-  EXPECT_EQ(left_out(test::button({1.6, 0.4, 0.0}, 0.055)), 0U) << "0.8 % of the area";
+  EXPECT_EQ(left_out(test::button({1.45, 0.4, 0.0}, 0.01)), 8U);
+  EXPECT_EQ(left_out(test::button({1.6, 0.4, 0.0}, 0.044)), 0U) << "0.6 % of the area";
   EXPECT_EQ(left_out(test::button({1.6, 0.4, 0.0}, 0.035)), 8U) << "0.3 % of the area";
 }
 
@@ -280,7 +337,7 @@ TEST(Trims, GoWithTheClothThatTheyLieOn) {
   EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.006}, 0.02)), 0U) << "it does not lie on the cloth";
   EXPECT_EQ(sewn_on(test::button({0.4, 0.2, front_m}, 0.02)), 0U) << "beside the cloth";
   EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.003}, 0.08)), 1U) << "1.7 % of the area";
-  EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.003}, 0.1)), 0U) << "2.7 % of the area";
+  EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.003}, 0.087)), 0U) << "2.3 % of the area";
 }
 
 TEST(Trims, AreLeftAloneWhereTheSceneSaysWhatIsSewn) {
@@ -379,7 +436,7 @@ TEST_F(OnHanger, SlopesAsItsShouldersDo) {
   const sim::Vec3 middle = std::get<sim::Capsule>(hanger.at(0).shape).start_m;
   EXPECT_NEAR((middle.y - ends_of(hanger).first.y) / (middle.x - ends_of(hanger).first.x), 0.3, 0.05);
   EXPECT_FALSE(load_on_hanger(sloping(0.45)).hanger.empty());
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_on_hanger(sloping(0.7)); }),
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_on_hanger(sloping(0.55)); }),
                   "found no room for a hanger");
 }
 
@@ -424,7 +481,7 @@ TEST(Outside, IsLeftAloneWherePartOfAGarmentIsTurnedDown) {
   EXPECT_EQ(turned(0.4), 0U);
   EXPECT_EQ(turned(-0.4), 0U);
   EXPECT_EQ(turned(-0.6), 0U);
-  EXPECT_GT(turned(-1.2), 0U);
+  EXPECT_GT(turned(-1.0), 0U);
 }
 
 TEST(Remarks, SayThatNoGarmentIsSoLarge) {

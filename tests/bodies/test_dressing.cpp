@@ -93,6 +93,22 @@ TEST_F(Dressing, AMotionBeginsWhenTheBodyHasGrown) {
       << "it grows in the pose that the motion begins with";
 }
 
+// Half a turn: vertices go straight from pose to pose and come no nearer to the joint than by 2 %.
+TEST(TurningBack, GoesThroughPosesThatAreNear) {
+  Rig rig;
+  rig.nodes = {{"Arm", no_node, glm::dmat4(1.0)}, {"Hand", 0, glm::dmat4(1.0)}};
+  RigPose pose = stored_pose(rig);
+  pose.to_model[1][3] = glm::dvec4(1.0, 0.0, 0.0, 1.0);
+  const std::vector<TurnedBone> bones = {{0, 1, {-1.0, 0.01, 0.0}}};
+  std::vector<RigPose> poses = turning_back(rig, pose, bones);
+  ASSERT_EQ(poses.size(), 8U);
+  EXPECT_NEAR(poses[0].to_model[1][3].x, -1.0, 1e-3) << "it begins where it shall point";
+  poses.push_back(pose);
+  for (std::size_t k = 0; k + 1 < poses.size(); ++k) {
+    EXPECT_GT(glm::length(sim::Vec3(0.5 * (poses[k].to_model[1][3] + poses[k + 1].to_model[1][3]))), 0.98);
+  }
+}
+
 TEST_F(Dressing, NeedsJoints) {
   GltfModel model = test::tube();
   model.weights.clear();

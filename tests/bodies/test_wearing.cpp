@@ -38,7 +38,7 @@ struct Wearing : testing::Test {
     scene.garment.file = garment;
     scene.garment.scale = scale;
     scene.garment.up = ModelAxis::y;
-    scene.surroundings.bodies = {{.name = mannequin, .shape = sim::BodyMesh{}}};
+    scene.surroundings.bodies = {{.name = mannequin, .shape = sim::BodyMesh{}, .motion = motion}};
     source.file = assets / "bodies" / ("mannequin_" + mannequin + ".glb");
     source.dress = 90;
     scene.body_sources = {source};
@@ -60,9 +60,25 @@ struct Wearing : testing::Test {
     return folder.write("garment.obj", obj_text(mesh, mesh.positions));
   }
 
+  /// The body stands turned by this angle.
+  void turn(double degrees) {
+    motion.spin = {.turns_per_s = degrees / 360.0, .from_s = -9.0, .until_s = -8.0};
+  }
+  /// What is said when the skirt, which is wider than deep, is put on by a body that stands so.
+  std::string said_of_skirt(const sim::Vec3& at_m, double degrees) {
+    sim::Mesh mesh = test::moved(test::skirt(), at_m);
+    for (sim::Vec3& p : mesh.positions) {
+      p.x += 0.2 * (p.x - at_m.x);
+    }
+    turn(degrees);
+    const Fitting worn = put(written(mesh), "female_34");
+    return worn.said.empty() ? "" : worn.said[0];
+  }
+
   const std::filesystem::path tshirt = assets / "garments/tshirt_1028.obj";
   test::TemporaryFolder folder;
   BodySource source;
+  sim::RigidMotion motion;
 };
 
 TEST_F(Wearing, WhatLiesAboutTheBodyStays) {
@@ -166,7 +182,9 @@ TEST_F(Wearing, EaseIsWhatTheClothIsLarger) {
   EXPECT_CONTAINS(describe(rows), "chest           102.6 cm    113.");
   EXPECT_EQ(describe_misfit(rows), "");
   EXPECT_STREQ(fit_word({"chest", 1.0, 0.99}), "too small");
+  EXPECT_STREQ(fit_word({"chest", 1.0, 1.01}), "tight");
   EXPECT_STREQ(fit_word({"chest", 1.0, 1.03}), "tight");
+  EXPECT_STREQ(fit_word({"chest", 1.0, 1.05}), "fitted");
   EXPECT_STREQ(fit_word({"chest", 1.0, 1.13}), "loose");
 }
 
@@ -179,6 +197,35 @@ TEST_F(Wearing, ASkirtComesToTheWaist) {
   const std::vector<FitRow> rows = worn.fit();
   ASSERT_FALSE(rows.empty());
   EXPECT_EQ(rows.front().name, "waist") << "it does not reach to the chest";
+}
+
+TEST_F(Wearing, WhatIsNearAndFacesAsTheBodyDoesStays) {
+  const Fitting worn = put(written(test::skirt()), "female_34");
+  const double low_m = sim::extent_of(worn.places_m()).lower.y;
+  const sim::Vec3 there_m = {0.0, low_m, worn.scene.wearers[0]->measures.waist_m->z};
+  EXPECT_EQ(said_of_skirt(there_m + sim::Vec3(0.04, 0.0, 0.0), 0.0), "");
+  EXPECT_CONTAINS(said_of_skirt(there_m + sim::Vec3(0.06, 0.0, 0.0), 0.0), "it is moved by 0.06 m");
+  EXPECT_EQ(said_of_skirt(there_m, 40.0), "");
+  EXPECT_CONTAINS(said_of_skirt(there_m, 50.0), "turned about the vertical");
+}
+
+TEST_F(Wearing, WhatIsMovedTurnsAsTheBodyIsTurned) {
+  const std::string turned = "turned about the vertical";
+  EXPECT_EQ(said_of_skirt({3.0, 0.0, 0.0}, 9.0).find(turned), std::string::npos);
+  EXPECT_CONTAINS(said_of_skirt({3.0, 0.0, 0.0}, 14.0), turned);
+}
+
+TEST_F(Wearing, AWaistAtTheEdgeOfAGarmentCounts) {
+  const Fitting worn = put(written(test::skirt()), "female_34");
+  const auto first_row = [&](double lower_m) {
+    std::vector<sim::Vec3> places_m = worn.places_m();
+    for (sim::Vec3& p : places_m) {
+      p.y -= lower_m;
+    }
+    return fit_of(worn.scene, *worn.loaded.garment, places_m).at(0).name;
+  };
+  EXPECT_EQ(first_row(0.015), "waist");
+  EXPECT_EQ(first_row(0.025), "seat");
 }
 
 TEST_F(Wearing, WhatHasNoOpeningStaysAndSaysSo) {

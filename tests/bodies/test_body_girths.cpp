@@ -197,6 +197,7 @@ TEST(ShapeRig, PutsJointsWhereTheyAreInPeople) {
   const sim::Mesh mesh = person(0.36);
   const Surface body = {mesh.positions, mesh.triangles};
   const BodyMeasures measures = measure_body(body, {});
+  ASSERT_NE(girth_of(measures, "thigh"), nullptr);
   EXPECT_NEAR(girth_of(measures, "thigh")->height_m, 0.8, 0.02);
   const std::optional<Rig> rig = rig_by_shape(body, measures);
   ASSERT_TRUE(rig);

@@ -41,6 +41,10 @@ TEST_F(Unreadable, NamesFormatsThatAreNotRead) {
   EXPECT_CONTAINS(error_of("misnamed2.obj", "PXR-USDC"), "it is USD");
   EXPECT_CONTAINS(error_of("a.gltf", R"({"asset": {"version": "1.0"}, "meshes": {}})"),
                   "it is glTF 1.0, which is not read; save it as glTF 2.0");
+  EXPECT_CONTAINS(
+      error_of("b.gltf", "{" + std::string(3'000'000, ' ') + R"("asset": {"version": "1.0"}, "meshes": {}})"),
+      "it is glTF 1.0")
+      << "3 MB from its beginning";
   EXPECT_CONTAINS(error_of("a.glb", std::string("glTF\1\0\0\0\24\0\0\0", 12)), "it is glTF 1.0");
 }
 

@@ -143,9 +143,11 @@ TEST_F(BodyLoading, ClosesSmallHolesAndSaysWhere) {
   EXPECT_NEAR(volume_m3(*body.data), 1e-3, 1e-12) << "closed by triangles that face outwards";
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_CONTAINS(remarks[0], "body 'avatar': 1 hole was closed, it is 0.4 m around at [");
+  load(cube(0.145, ""));
+  EXPECT_EQ(remarks.size(), 1U);
   load(cube(0.1, "f 5 7 8 6\n"));
   EXPECT_TRUE(remarks.empty());
-  EXPECT_CONTAINS(error_of(cube(0.2, "")),
+  EXPECT_CONTAINS(error_of(cube(0.155, "")),
                   "with 1 triangle, expected two at every edge: a body has no holes");
 }
 

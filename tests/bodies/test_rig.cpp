@@ -150,10 +150,14 @@ TEST_F(Rigs, TheHeightOfADollAndOfAHouseIsSaid) {
   GltfModel model = test::tube();
   BodySource source = source_of(model);
   EXPECT_EQ(load(source).said(), "");
-  source.scale = 0.1;
-  EXPECT_CONTAINS(load(source).said(), "it is 0.2 m high (scale, --body-units)");
-  source.scale = 6.0;
-  EXPECT_CONTAINS(load(source).said(), "it is 12 m high (scale, --body-units)");
+  source.scale = 0.3;
+  EXPECT_EQ(load(source).said(), "");
+  source.scale = 0.2;
+  EXPECT_CONTAINS(load(source).said(), "it is 0.4 m high (scale, --body-units)");
+  source.scale = 1.2;
+  EXPECT_EQ(load(source).said(), "");
+  source.scale = 1.3;
+  EXPECT_CONTAINS(load(source).said(), "it is 2.6 m high (scale, --body-units)");
 }
 
 TEST(Rotations, GoAlongTheShorterArcAtAConstantRate) {

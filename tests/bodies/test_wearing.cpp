@@ -234,20 +234,5 @@ TEST_F(Wearing, WhatHasNoOpeningStaysAndSaysSo) {
   EXPECT_CONTAINS(worn.said[0], "it stays where it is: no neck opening and no waist was found on it");
 }
 
-TEST(GarmentMarks, TellShirtsFromTrousers) {
-  const auto marks = [](const sim::Mesh& mesh) {
-    return marks_of(sim::make_garment(mesh), mesh.positions, {});
-  };
-  const GarmentMarks shirt = marks(test::shirt());
-  EXPECT_FALSE(shirt.is_worn_at_waist);
-  EXPECT_EQ(shirt.cuffs_m.size(), 2U);
-  EXPECT_TRUE(shirt.is_front_known);
-  EXPECT_EQ(shirt.front, sim::Vec3(0.0, 0.0, 1.0)) << "where its neckline is lower";
-  const GarmentMarks trousers = marks(test::trousers());
-  EXPECT_TRUE(trousers.is_worn_at_waist);
-  EXPECT_TRUE(trousers.cuffs_m.empty());
-  EXPECT_FALSE(trousers.hem_height_m);
-}
-
 }  // namespace
 }  // namespace taut::app

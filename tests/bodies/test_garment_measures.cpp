@@ -1,0 +1,78 @@
+// What is found on a garment: its neck or waist, hem, cuffs and front, and how far up it goes around a trunk.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <glm/geometric.hpp>
+
+#include "../models/garment_shapes.hpp"
+#include "app/models/garment_measures.hpp"
+
+namespace taut::app {
+namespace {
+
+TEST(GarmentMarks, TellShirtsFromTrousers) {
+  const auto marks = [](const sim::Mesh& mesh) {
+    return marks_of(sim::make_garment(mesh), mesh.positions, {});
+  };
+  const GarmentMarks shirt = marks(test::shirt());
+  EXPECT_FALSE(shirt.is_worn_at_waist);
+  EXPECT_EQ(shirt.cuffs_m.size(), 2U);
+  EXPECT_TRUE(shirt.is_front_known);
+  EXPECT_EQ(shirt.front, sim::Vec3(0.0, 0.0, 1.0)) << "where its neckline is lower";
+  const GarmentMarks trousers = marks(test::trousers());
+  EXPECT_TRUE(trousers.is_worn_at_waist);
+  EXPECT_TRUE(trousers.cuffs_m.empty());
+  EXPECT_FALSE(trousers.hem_height_m);
+}
+
+/// The skirt, a ring of vertices after the other from its hem up, each at this distance from the axis; a
+/// quarter wider than deep.
+sim::Mesh skirt_of(const std::function<double(double height_m)>& radius_m) {
+  sim::Mesh mesh = test::skirt();
+  for (sim::Vec3& p : mesh.positions) {
+    const double wider = radius_m(p.y) / glm::length(sim::Vec3(p.x, 0.0, p.z));
+    p = {1.25 * wider * p.x, p.y, wider * p.z};
+  }
+  return mesh;
+}
+
+TEST(GarmentMarks, KnowTheFrontByHowFarTheNecklineDips) {
+  const auto is_known = [](double slope) {
+    sim::Mesh mesh = skirt_of([](double) { return 0.2; });
+    for (sim::Vec3& p : mesh.positions) {
+      p.y -= p.y > 0.54 ? slope * p.z : 0.0;
+    }
+    return marks_of(sim::make_garment(mesh), mesh.positions, {}).is_front_known;
+  };
+  EXPECT_FALSE(is_known(0.045)) << "0.023 of its width";
+  EXPECT_TRUE(is_known(0.08)) << "0.04";
+}
+
+TEST(GarmentMarks, TakeForAHemWhatIsInTheMiddle) {
+  const auto has_hem = [](double off) {
+    sim::Mesh mesh = skirt_of([](double height_m) { return 0.1 + 0.2 * height_m / 0.55; });
+    for (sim::Vec3& p : mesh.positions) {
+      p.x += off * 0.75 * (1.0 - p.y / 0.55);
+    }
+    return marks_of(sim::make_garment(mesh), mesh.positions, {}).hem_height_m.has_value();
+  };
+  EXPECT_TRUE(has_hem(0.12));
+  EXPECT_FALSE(has_hem(0.18));
+}
+
+TEST(GarmentTube, EndsWhereSleevesBegin) {
+  const auto tube = [](double wider) {
+    sim::Mesh mesh = skirt_of([=](double height_m) { return height_m < 0.28 ? 0.2 : 0.2 * wider; });
+    for (sim::Vec3& p : mesh.positions) {
+      p.y -= p.y > 0.28 ? 0.05 : 0.0;  // at one height
+    }
+    return tube_of({mesh.positions, mesh.triangles});
+  };
+  EXPECT_NEAR(tube(1.15)->lowest_m, 0.5 * 0.5 / 200, 1e-6);
+  EXPECT_NEAR(tube(1.15)->highest_m, 0.25, 0.005);
+  EXPECT_NEAR(tube(1.07)->highest_m, 0.5, 0.005);
+}
+
+}  // namespace
+}  // namespace taut::app

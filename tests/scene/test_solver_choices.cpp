@@ -61,11 +61,15 @@ std::vector<Chosen> all_choices() {
 
 class SolverChoices : public testing::TestWithParam<Chosen> {};
 
-TEST_P(SolverChoices, RunsForASecond) {
+// Springs that are only forces take a hundred times as long on fine meshes: a quarter of a second will do.
+TEST_P(SolverChoices, RunsForASecondOrAQuarter) {
   DrawnScene scene = scene_with(GetParam().garment);
+  const bool is_coarse = GetParam().garment == "grid" || GetParam().garment == "tshirt_1028";
+  const bool has_bound =
+      GetParam().solver == sim::SolverKind::bounded || GetParam().solver == sim::SolverKind::strong;
   LiveSimulation live(scene);
   live.apply(with_solver(scene, GetParam().solver));
-  expect_frames(live, 60, GetParam().garment);
+  expect_frames(live, is_coarse || has_bound ? 60 : 15, GetParam().garment);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SolverChoices, testing::ValuesIn(all_choices()), [](const auto& test) {

@@ -84,7 +84,7 @@ std::size_t turn_once(const Places& places, sim::Mesh& soup) {
     }
     const std::size_t across = both[0] == t ? both[1] : both[0];
     const sim::Triangle& other = soup.triangles[across];
-    const auto far = std::find_if(other.begin(), other.end(), [&](sim::Index v) {
+    const auto far = std::find_if(other.begin(), other.end(), [&, from = from, to = to](sim::Index v) {
       return places[v] != places[from] && places[v] != places[to];
     });
     if (far == other.end()) {

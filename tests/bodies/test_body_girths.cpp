@@ -186,7 +186,8 @@ sim::Mesh person(double arms_m) {
 TEST(BodyGirths, ArmsBeginWhereTheGirthJumps) {
   const auto upper_chest_m = [](double arms_m) {
     const sim::Mesh mesh = person(arms_m);
-    const Girth* const girth = girth_of(measure_body({mesh.positions, mesh.triangles}, {}), "upper chest");
+    const BodyMeasures measures = measure_body({mesh.positions, mesh.triangles}, {});
+    const Girth* const girth = girth_of(measures, "upper chest");
     return girth == nullptr ? 0.0 : girth->height_m;
   };
   EXPECT_EQ(upper_chest_m(0.22), 0.0) << "by 1.15";

@@ -188,7 +188,7 @@ std::optional<LevelTape> level_tape(const Surface& body, double height_m) {
   }
   tape.is_parted = parts > 1;
   tape.girth_m = parts > 1 ? tight_tape_m(points_m) : tape.single_m;
-  tape.middle_m = 0.5 * (box.lower + box.upper);
+  tape.middle_m = box.middle();
   tape.half_width_m = 0.5 * box.size().x;
   tape.front_m = box.upper.z;
   return tape;

@@ -163,6 +163,8 @@ std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMe
     take_joints_of_shape(source, loaded, wearer);
     body.remarks.emplace_back("it has no joints: those that it grows from are guessed from its shape");
   }
+  wearer.stored_joints = joint_places(*wearer.rig, stored_pose(*wearer.rig), wearer.places.placement);
+  wearer.joints = joint_places(*wearer.rig, wearer.pose, wearer.places.placement);
   wearer.frames = growing(wearer);
   return std::make_shared<const Wearer>(std::move(wearer));
 }

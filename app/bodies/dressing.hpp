@@ -27,6 +27,8 @@ struct Wearer {
   double rate_hz = 60.0;                               ///< of the motion
   double duration_s = 0.0;                             ///< of the growth, before 0 s
   BodyMeasures measures = {};                          ///< as it was stored
+  JointPlaces stored_joints = {};                      ///< likewise
+  JointPlaces joints = {};                             ///< in the pose
   std::shared_ptr<const sim::BodyFrames> frames = {};  ///< its growth in the pose, then the motion
 };
 

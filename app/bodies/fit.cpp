@@ -17,11 +17,9 @@ constexpr double edge_m = 0.02;
 
 /// How much higher the body is when the run begins than it was stored, in m.
 double lift_of(const sim::Body& body, const Wearer& wearer) {
-  const JointPlaces stored = joint_places(*wearer.rig, stored_pose(*wearer.rig), wearer.places.placement);
-  const JointPlaces joints = joint_places(*wearer.rig, wearer.pose, wearer.places.placement);
   for (const char* joint : {"neck", "hips"}) {
-    if (joints.contains(joint)) {
-      return sim::pose_at(body.motion, 0.0)(joints.at(joint)).y - stored.at(joint).y;
+    if (wearer.joints.contains(joint)) {
+      return sim::pose_at(body.motion, 0.0)(wearer.joints.at(joint)).y - wearer.stored_joints.at(joint).y;
     }
   }
   return 0.0;

@@ -118,7 +118,7 @@ class Maker {
         foot.add(p);
       }
     }
-    return foot.lower.x > foot.upper.x ? std::nullopt : std::optional(0.5 * (foot.lower + foot.upper));
+    return foot.lower.x > foot.upper.x ? std::nullopt : std::optional(foot.middle());
   }
 
   void follow() {

@@ -41,11 +41,9 @@ sim::Vec3 front_of(const JointPlaces& joints) {
 /// `measured_m` is the base of the neck or the middle of the waist, as the body was stored.
 Wanted wanted_of(const sim::Body& body, const Wearer& wearer, const char* joint,
                  const sim::Vec3& measured_m) {
-  const JointPlaces stored = joint_places(*wearer.rig, stored_pose(*wearer.rig), wearer.places.placement);
-  const JointPlaces joints = joint_places(*wearer.rig, wearer.pose, wearer.places.placement);
-  Wanted wanted{measured_m, front_of(joints)};
-  if (joints.contains(joint)) {
-    wanted.top_m += joints.at(joint) - stored.at(joint);
+  Wanted wanted{measured_m, front_of(wearer.joints)};
+  if (wearer.joints.contains(joint)) {
+    wanted.top_m += wearer.joints.at(joint) - wearer.stored_joints.at(joint);
   }
   const sim::Pose pose = sim::pose_at(body.motion, 0.0);
   return Wanted{pose(wanted.top_m), pose.rotation * wanted.front};
@@ -53,7 +51,7 @@ Wanted wanted_of(const sim::Body& body, const Wearer& wearer, const char* joint,
 
 /// The point of the garment that comes to the wanted one.
 sim::Vec3 held_at(const GarmentMarks& marks) {
-  const sim::Vec3 middle = 0.5 * (marks.top->lower + marks.top->upper);
+  const sim::Vec3 middle = marks.top->middle();
   return {middle.x, marks.is_worn_at_waist ? marks.top_height_m : marks.top->upper.y, middle.z};
 }
 
@@ -159,9 +157,8 @@ sim::Vec3 front_of_dressed(const Scene& scene) {
   if (dressed.wearer == nullptr) {
     return {0.0, 0.0, 1.0};
   }
-  const Wearer& wearer = *dressed.wearer;
   return sim::pose_at(scene.surroundings.bodies[dressed.body].motion, 0.0).rotation *
-         front_of(joint_places(*wearer.rig, wearer.pose, wearer.places.placement));
+         front_of(dressed.wearer->joints);
 }
 
 std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {

@@ -19,10 +19,6 @@ constexpr std::size_t levels_of_garment = 200;
 /// Times the girth one level below, where sleeves begin.
 constexpr double sleeves_begin = 1.1;
 
-sim::Vec3 middle_of(const sim::Extent& range) {
-  return 0.5 * (range.lower + range.upper);
-}
-
 /// The vertices of all landmarks whose names have the word in them.
 std::vector<sim::Index> landmarks_with(const Landmarks& landmarks, const std::string& word) {
   std::vector<sim::Index> vertices;
@@ -53,7 +49,7 @@ struct Finder {
 
   bool is_in_middle(const Opening& opening) const {
     const int across = part.across();
-    return std::abs(middle_of(opening.range)[across] - middle_of(part.range)[across]) <
+    return std::abs(opening.range.middle()[across] - part.range.middle()[across]) <
            in_the_middle * part.width_m();
   }
 
@@ -66,7 +62,7 @@ struct Finder {
     if (vertices.empty() && top != nullptr) {
       vertices = top->vertices;
       const auto above = std::count_if(part.openings.begin(), part.openings.end(), [&](const Opening& o) {
-        return o.mean_height_m > middle_of(part.range).y;
+        return o.mean_height_m > part.range.middle().y;
       });
       marks.is_worn_at_waist = above == 1 && (part.openings.size() == 2 || !marks.hem_height_m);
     }
@@ -82,7 +78,7 @@ struct Finder {
 
   void find_hem_and_cuffs(const Opening* top, GarmentMarks& marks) const {
     for (const Opening& opening : part.openings) {
-      const bool is_hem = is_in_middle(opening) && opening.mean_height_m < middle_of(part.range).y;
+      const bool is_hem = is_in_middle(opening) && opening.mean_height_m < part.range.middle().y;
       if (&opening != top && is_hem && opening.length_m > marks.hem_m) {
         marks.hem_height_m = opening.mean_height_m;
         marks.hem_m = opening.length_m;
@@ -92,7 +88,7 @@ struct Finder {
     }
     // The openings of trousers are no cuffs, nor are more than two or all on one side.
     const int across = part.across();
-    const double middle = middle_of(part.range)[across];
+    const double middle = part.range.middle()[across];
     if (!marks.hem_height_m || marks.cuffs_m.size() != 2 ||
         (marks.cuffs_m[0][across] < middle) == (marks.cuffs_m[1][across] < middle)) {
       marks.cuffs_m.clear();
@@ -111,7 +107,7 @@ struct Finder {
       }
     }
     const int depth = 2 - part.across();
-    const double middle = middle_of(*marks.top)[depth];
+    const double middle = marks.top->middle()[depth];
     std::array<std::vector<sim::Index>, 2> sides;  // behind and before the middle
     for (const sim::Index v : top) {
       sides[positions_m[v][depth] > middle ? 1 : 0].push_back(v);

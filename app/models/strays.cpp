@@ -109,8 +109,7 @@ Strays remove_strays(sim::Mesh& mesh) {
     }
     ++strays.triangles;
     strays.area_share += patches[t].area / area;
-    strays.distance =
-        std::max(strays.distance, glm::distance(patches[t].middle, 0.5 * (bulk.lower + bulk.upper)));
+    strays.distance = std::max(strays.distance, glm::distance(patches[t].middle, bulk.middle()));
   }
   mesh.triangles = std::move(kept);
   return strays;

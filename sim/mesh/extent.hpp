@@ -20,6 +20,7 @@ struct Extent {
     upper = glm::max(upper, point);
   }
   Vec3 size() const { return upper - lower; }
+  Vec3 middle() const { return 0.5 * (lower + upper); }
 };
 
 /// Returns the extent of these points, in their unit.

@@ -49,7 +49,7 @@ Gap gap_of(const NearPair& pair, const Vec3& middle, std::span<const Vec3> posit
 
 std::vector<Gap> find_gaps(const Garment& garment, double width_m, std::span<const Vec3> positions_m) {
   const Extent extent = extent_of(positions_m);
-  const Vec3 middle = 0.5 * (extent.lower + extent.upper);
+  const Vec3 middle = extent.middle();
   Float4Array rows;
   for (const Vec3& position_m : positions_m) {
     rows.push_back(float4_of(position_m - middle));

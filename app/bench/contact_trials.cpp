@@ -10,7 +10,7 @@
 #include "app/base/stopwatch.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/output/frame_verifier.hpp"
-#include "app/output/run_checkpoint.hpp"
+#include "app/output/run_start.hpp"
 #include "app/scene/promise.hpp"
 #include "app/scene/scene_lookup.hpp"
 #include "sim/simulation.hpp"

@@ -24,6 +24,7 @@
 #include "app/output/frame_verifier.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
+#include "app/output/run_start.hpp"
 #include "app/output/statistics_file.hpp"
 
 namespace taut::app {

@@ -9,7 +9,7 @@
 #include "app/models/garment_measures.hpp"
 #include "app/models/obj_writing.hpp"
 #include "app/models/scene_crossings.hpp"
-#include "app/output/run_checkpoint.hpp"
+#include "app/output/run_start.hpp"
 #include "loading.hpp"
 
 namespace taut::app {

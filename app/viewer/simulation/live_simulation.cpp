@@ -9,7 +9,7 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/hanger.hpp"
-#include "app/output/run_checkpoint.hpp"
+#include "app/output/run_start.hpp"
 
 namespace taut::app {
 namespace {

@@ -12,6 +12,7 @@
 #include "app/bodies/fit.hpp"
 #include "app/command_line_bench.hpp"
 #include "app/command_line_help.hpp"
+#include "app/command_line_picture.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/frame_range.hpp"
 #include "app/scene/model_units.hpp"
@@ -116,6 +117,7 @@ template <class Options>
 void add_scene_arguments(CLI::App& command, Options& options, const std::string& scenes) {
   command.add_option("SCENE", options.scene, scenes)->required();
   add_garment_arguments(command, options.overrides);
+  add_wind(command, options.overrides);
   command.add_option(
       "--stats", options.statistics,
       "write measurements of every frame to this file, .jsonl or .csv, as they come (taut help "
@@ -156,19 +158,6 @@ std::function<Command()> add_figures(CLI::App& app) {
   return [options] { return Command(*options); };
 }
 
-void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
-  const auto set = [&overrides](const std::string& text) {
-    const std::string option = "--resolution " + text;
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos) {
-      throw UsageError(option + ": expected WIDTH,HEIGHT in pixels, such as 1280,720");
-    }
-    overrides.push_back({"picture.width", text.substr(0, comma), option});
-    overrides.push_back({"picture.height", text.substr(comma + 1), option});
-  };
-  command.add_option_function<std::string>("--resolution", set, "WIDTH,HEIGHT in pixels (default 1280,720)");
-}
-
 std::function<Command()> add_render(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Simulate a scene and draw pictures of it");
@@ -182,6 +171,8 @@ std::function<Command()> add_render(CLI::App& app) {
   command->add_flag("--resume", options->resume,
                     "draw only those pictures of a sequence that an earlier run did not finish");
   add_resolution(*command, options->overrides);
+  add_side(*command, options->overrides);
+  add_background(*command, options->overrides);
   add_key_flag(*command, options->overrides, "--wireframe", "picture.wireframe", "true",
                "draw the springs over the surface");
   add_key_flag(*command, options->overrides, "--stretch", "picture.surface", "stretch",
@@ -195,7 +186,8 @@ std::function<Command()> add_render(CLI::App& app) {
       "Examples:\n  taut render tshirt-wind-10\n"
       "  taut render cloth-fall --frames 0:120 --output 'frames/frame_{frame:04}.png'\n"
       "  taut render cloth-fall --output fall.mp4\n"
-      "  taut render shirt.obj --set wind.speed=4 --stretch --resolution 1920,1080\n");
+      "  taut render shirt.obj --wind 4@180 --stretch --resolution 4K\n"
+      "  taut render tshirt --view back --background none\n");
   return [options] { return Command(*options); };
 }
 
@@ -236,20 +228,6 @@ std::function<Command()> add_simulate(CLI::App& app) {
   return [options] { return Command(*options); };
 }
 
-renderer::Resized parse_size(const std::string& text) {
-  int width = 0;
-  int height = 0;
-  const char* end = text.data() + text.size();
-  const auto [comma, error] = std::from_chars(text.data(), end, width);
-  const bool has_height = error == std::errc() && comma != end && *comma == ',';
-  const auto [stop, height_error] = std::from_chars(has_height ? comma + 1 : end, end, height);
-  if (height_error != std::errc() || stop != end || width < 1 || height < 1 || width > 16384 ||
-      height > 16384) {
-    throw UsageError("--size " + text + ": expected WIDTH,HEIGHT in pixels, such as 1280,720");
-  }
-  return {width, height};
-}
-
 std::function<Command()> add_view(CLI::App& app) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command =
@@ -257,10 +235,12 @@ std::function<Command()> add_view(CLI::App& app) {
   command->add_option("SCENE", options->scene, scene_help_text);
   add_untangle(*command, options->overrides);
   add_body(*command, options->overrides);
+  add_wind(*command, options->overrides);
+  add_side(*command, options->overrides);
   add_set(*command, options->overrides, "KEY=VALUE, any key of the scene; can be repeated");
   command->add_option_function<std::string>(
-      "--size", [options](const std::string& text) { options->size = parse_size(text); },
-      "WIDTH,HEIGHT of the window (default 1280,720)");
+      "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); },
+      std::string("of the window: ") + size_help);
   command->add_option("--keep", options->keep_folder, "folder for screenshots, videos and saved scenes")
       ->capture_default_str();
   command->add_option("--record", options->record, "write all input to this file, for --script");
@@ -270,7 +250,7 @@ std::function<Command()> add_view(CLI::App& app) {
   command->add_option("--layout", options->layout, "where the panel's parts are after the script, as text");
   add_backend(*command, options->backend);
   command->footer(
-      "Examples:\n  taut view\n  taut view my-dress.obj --set wind.speed=4\n"
+      "Examples:\n  taut view\n  taut view my-dress.obj --wind 4\n"
       "  taut view tshirt-gravity --record session.txt\n"
       "  taut view --headless --script session.txt --screenshot window.png\n");
   return [options] { return Command(*options); };

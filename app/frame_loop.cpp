@@ -4,7 +4,6 @@
 
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
-#include "app/frame_pipeline.hpp"
 
 namespace taut::app {
 namespace {
@@ -100,8 +99,14 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
   FrameStages stages;
   stages.simulate = [&]() -> std::optional<FrameInWork> {
     throw_if_interrupted();
-    return next_frame > last_frame ? std::nullopt
-                                   : std::optional(simulate_frame(simulation, next_frame++, outputs));
+    if (next_frame > last_frame) {
+      return std::nullopt;
+    }
+    FrameInWork work = simulate_frame(simulation, next_frame++, outputs);
+    if (outputs.simulated) {
+      outputs.simulated(work.record);
+    }
+    return work;
   };
   stages.draw = [&](FrameInWork& work) {
     give_up_if_interrupted();
@@ -120,7 +125,9 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
     }
     require_promises_kept(work.broken);
   };
-  if (overlaps) {
+  if (outputs.before_drawing) {
+    run_gathered(stages, outputs.before_drawing);
+  } else if (overlaps) {
     run_overlapped(stages);
   } else {
     run_in_turn(stages);

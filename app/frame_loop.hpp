@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/base/errors.hpp"
+#include "app/frame_pipeline.hpp"
 #include "app/output/frame_record.hpp"
 #include "renderer/page/image.hpp"
 #include "sim/simulation.hpp"
@@ -35,6 +36,11 @@ struct FrameOutputs {
   /// Called first of all, for the start frame too, handed out or not. Returns what promise the frame breaks;
   /// empty: none. A frame that breaks one is reported, but neither drawn nor written.
   std::function<std::string(const sim::Simulation&, FrameRecord&)> verify;
+  /// If set, all frames are simulated before the first is drawn, and handed to this in between; positions are
+  /// empty of frames that are not drawn. Called on the caller's thread.
+  std::function<void(std::span<const FrameInWork>)> before_drawing;
+  /// Called on the simulating thread for every frame, before it is drawn.
+  std::function<void(const FrameRecord&)> simulated;
   /// Later frames are simulated while earlier ones are drawn and written; never changes what comes out.
   bool overlap = true;
 };

@@ -3,6 +3,9 @@
 #include <array>
 #include <exception>
 #include <thread>
+#include <utility>
+
+#include "app/base/errors.hpp"
 
 namespace taut::app {
 namespace {
@@ -27,6 +30,30 @@ void run_in_turn(const FrameStages& stages) {
   while (std::optional<FrameInWork> frame = stages.simulate()) {
     stages.draw(*frame);
     stages.write(*frame);
+  }
+}
+
+void run_gathered(const FrameStages& stages,
+                  const std::function<void(std::span<const FrameInWork>)>& gathered) {
+  std::vector<FrameInWork> frames;
+  std::exception_ptr simulating_failed;
+  try {
+    while (std::optional<FrameInWork> frame = stages.simulate()) {
+      frames.push_back(std::move(*frame));
+    }
+  } catch (const Interrupted&) {
+    throw;
+  } catch (...) {
+    simulating_failed = std::current_exception();
+  }
+  gathered(frames);
+  FrameStages rest = stages;
+  rest.simulate = [next = std::size_t{0}, &frames]() mutable {
+    return next < frames.size() ? std::optional(std::move(frames[next++])) : std::nullopt;
+  };
+  run_overlapped(rest);
+  if (simulating_failed != nullptr) {
+    std::rethrow_exception(simulating_failed);
   }
 }
 

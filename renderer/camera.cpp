@@ -68,6 +68,11 @@ Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const g
   return {0.5F * (right_most - left_most), 0.5F * (right_most + left_most) / tangent};
 }
 
+// Of the picture's height; the width has `aspect` times as much.
+float opening_of(const Framing& framing) {
+  return std::tan(0.5F * framing.vertical_fov_rad) * (1.0F - 2.0F * framing.margin);
+}
+
 void check(const Box& box, const Framing& framing, float aspect) {
   if (!is_near(box)) {
     throw std::invalid_argument("camera framing: the box is inside out, or reaches farther than 1e9 m");
@@ -84,7 +89,7 @@ void check(const Box& box, const Framing& framing, float aspect) {
 Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const glm::vec3& half,
               const Framing& framing, float aspect) {
   const Axes axes = axes_of(framing);
-  const float opening = std::tan(0.5F * framing.vertical_fov_rad) * (1.0F - 2.0F * framing.margin);
+  const float opening = opening_of(framing);
   const Fit vertical = fit_across(points, axes.up, axes.back, opening);
   const Fit horizontal = fit_across(points, axes.right, axes.back, opening * aspect);
   const float distance = std::max(vertical.distance, horizontal.distance);
@@ -136,6 +141,23 @@ Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect) {
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
   const glm::vec3 half = glm::max(0.5F * (box.upper - box.lower), glm::vec3{smallest_half_m});
   return fitted(corners_of({-half, half}), middle, half, framing, aspect);
+}
+
+std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, const Framing& framing,
+                                          float aspect) {
+  const Box box = bounding_box(points);
+  check(box, framing, aspect);
+  const glm::vec3 middle = 0.5F * (box.lower + box.upper);
+  const Axes axes = axes_of(framing);
+  const float opening = opening_of(framing);
+  const auto farthest = [&](const glm::vec3& axis, float tangent) {
+    const glm::vec3 functional = axis + tangent * axes.back;
+    return *std::max_element(points.begin(), points.end(), [&](const glm::vec3& a, const glm::vec3& b) {
+      return glm::dot(a - middle, functional) < glm::dot(b - middle, functional);
+    });
+  };
+  return {farthest(axes.right, aspect * opening), farthest(-axes.right, aspect * opening),
+          farthest(axes.up, opening), farthest(-axes.up, opening)};
 }
 
 Camera fit_camera_to_points(std::span<const glm::vec3> points, const Framing& framing, float aspect) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <span>
@@ -51,6 +52,11 @@ struct Framing {
 /// one millimetre. Throws std::invalid_argument unless is_near(box), aspect is finite and positive, and the
 /// margin is 0 to 0.49.
 Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect);
+
+/// Returns those of the points that decide how fit_camera_to_points places the camera: the ones farthest to
+/// the right, to the left, up and down. Throws std::invalid_argument as it does.
+std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, const Framing& framing,
+                                          float aspect);
 
 /// As fit_camera_to_box, but fits the points themselves, which is closer than their bounding box. Throws
 /// std::invalid_argument also when there are no points.

@@ -101,7 +101,9 @@ Lighting studio_lighting(const Camera& camera);
 struct Backdrop {
   Colour upper_colour = rgb(0xDDE1E6);
   Colour lower_colour = rgb(0xF4F4F2);
-  bool plain = false;  ///< true: lower_colour everywhere, without a ground (a diagram, a cut-out)
+  bool plain = false;  ///< true: lower_colour everywhere, without a ground (a diagram)
+  /// True: the picture has an alpha channel and nothing is behind. Of the floor its shadow stays, as black.
+  bool transparent = false;
 };
 
 /// All that is drawn of one frame (one moment of the simulation).

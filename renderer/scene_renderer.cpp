@@ -192,7 +192,8 @@ void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& blo
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl.Enable(GL_SCISSOR_TEST);
     gl.Scissor(0, 0, static_cast<GLint>(block.viewport.x), static_cast<GLint>(block.viewport.y));
-    gl.ClearColor(colour[0], colour[1], colour[2], 1.0F);
+    const float alpha = frame.backdrop.transparent ? 0.0F : 1.0F;
+    gl.ClearColor(alpha * colour[0], alpha * colour[1], alpha * colour[2], alpha);
     gl.Clear(GL_COLOR_BUFFER_BIT);
     gl.Disable(GL_SCISSOR_TEST);
     return;
@@ -271,6 +272,7 @@ void SceneRenderer::Parts::draw(const FrameView& frame, const PictureSettings& s
   std::future<void> light_gathered = begin(block, frame, settings);
   picture.begin(settings.width_px, settings.height_px);
   if (settings.supersampling > 1) {
+    picture.clear();
     await(light_gathered);
     draw_supersampled(block, frame, settings);
   } else {
@@ -321,7 +323,7 @@ Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& setting
   check_settings(settings);
   parts_->context.make_current();
   parts_->draw(frame, settings);
-  return parts_->picture.read();
+  return frame.backdrop.transparent ? parts_->picture.read_with_alpha() : parts_->picture.read();
 }
 
 bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const PictureSettings& settings) {

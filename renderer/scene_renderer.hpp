@@ -22,7 +22,8 @@ class SceneRenderer {
   /// `scalars`: for surfaces with scalars; else for cloth. Throws as draw does.
   void prepare(const PictureSettings& settings, bool scalars);
 
-  /// Returns an RGB image of settings.width_px by settings.height_px. Throws std::invalid_argument as
+  /// Returns an image of settings.width_px by settings.height_px: RGB, or RGBA where the backdrop is
+  /// transparent. Throws std::invalid_argument as
   /// check_frame and check_settings do, before anything is drawn. Throws ContextError when OpenGL reports an
   /// error, ShaderError when a shader does not compile.
   Image draw(const FrameView& frame, const PictureSettings& settings);

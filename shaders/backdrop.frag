@@ -1,4 +1,5 @@
 #version 330 core
+#include "frame.glsl"
 noperspective in vec3 in_light;
 #ifdef SHADED
 noperspective in vec3 in_shadow;
@@ -7,6 +8,15 @@ uniform vec4 shaded_part;  // texture coordinates of the floor's shadow: xy: sca
 #endif
 layout(location = 0) out vec4 colour;  // encoded
 
+// Half a step of eight bits up or down, in a pattern of four by four pixels (Bayer 1973): gradients as slow as these
+// would show their steps as bands. A pattern that repeats packs better than noise.
+float dither() {
+  ivec2 place = ivec2(gl_FragCoord.xy) & 3;
+  int mixed = place.x ^ place.y;
+  int rank = 8 * (mixed & 1) + 4 * (place.y & 1) + (mixed & 2) + (place.y >> 1);
+  return (float(rank) - 7.5) / (16.0 * 255.0);
+}
+
 void main() {
   vec3 seen = in_light;
 #ifdef SHADED
@@ -14,5 +24,6 @@ void main() {
   // Light adds up in linear light, for which squares do.
   seen = sqrt(mix(in_shadow * in_shadow, seen * seen, lit));
 #endif
-  colour = vec4(seen, 1.0);
+  seen += dither() * step(seen.g, 0.999);
+  colour = backdrop_horizon.z > 0.5 ? vec4(vec3(0.0), 1.0 - seen.g) : vec4(seen, 1.0);
 }

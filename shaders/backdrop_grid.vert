@@ -14,7 +14,7 @@ void main() {
   vec3 spot = eye.xyz + direction * ((ground.y - eye.y) / min(direction.y, -1e-6));
   bool floor_seen = grid.z > 0.5 && direction.y < 0.0;
   vec3 behind = backdrop_colour(direction);
-  in_light = linear_to_srgb_fast(floor_seen ? floor_colour(spot, direction, 1.0) : behind);
-  in_shadow = linear_to_srgb_fast(floor_seen ? floor_colour(spot, direction, 0.0) : behind);
+  in_light = linear_to_srgb(floor_seen ? floor_colour(spot, direction, 1.0) : behind);
+  in_shadow = linear_to_srgb(floor_seen ? floor_colour(spot, direction, 0.0) : behind);
   gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
 }

@@ -16,7 +16,8 @@ layout(std140) uniform Frame {
                             // surfaces, z: on the floor
   vec4 shadow_bounds;       // xy: lower, zw: upper corner of all that casts it, in the shadow map
   vec4 ground_light_area;   // xy: lower x and z, m; zw: 1 / extent, 1/m
-  vec4 backdrop_horizon;    // x: sine of the elevation where the backdrop starts to change; y: where it ends
+  vec4 backdrop_horizon;    // x: sine of the elevation where the backdrop starts to change; y: where it ends;
+                            // z: 1 where nothing but shadows is drawn of backdrop and floor
   vec4 ray_corner;          // xyz: direction from the eye to the tile's lower left corner
   vec4 ray_across;          // xyz: what is added to it for a drawn pixel to the right
   vec4 ray_up;              // xyz: for a drawn pixel upwards

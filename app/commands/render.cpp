@@ -16,6 +16,8 @@
 #include "app/commands/blocked_run.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/fitted_view.hpp"
+#include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/offscreen_renderer.hpp"
 #include "app/frame_loop.hpp"
@@ -75,6 +77,10 @@ class PictureOutput {
   explicit PictureOutput(const RenderJob& job) : job_(job) {
     const std::filesystem::path file = job.output;
     if (is_video(file)) {
+      if (job.scene.picture.background.kind == BackgroundKind::transparent) {
+        throw UsageError("output '" + job.output +
+                         "': a video has no transparency; choose another picture.background");
+      }
       const renderer::PictureSettings& size = job.scene.picture.settings;
       const VideoSettings settings{size.width_px, size.height_px, job.scene.simulation.frame_rate_hz};
       require_video_size(file, settings);
@@ -154,6 +160,17 @@ void compare_with_record(const RenderJob& job, const std::vector<FrameRecord>& r
   }
 }
 
+PictureOrigin origin_of(const RenderOptions& options, const RenderJob& job, OffscreenRenderer& offscreen) {
+  return {command_text(options.arguments), scene_text(job.scene), offscreen.gl_renderer()};
+}
+
+void show_frame(Progress& progress, const std::string& done, const FrameRecord& record,
+                const RenderJob& job) {
+  progress.show(fmt::format("frame {} of {}{}{}, stretch {:.2f} %, of the surface {:.2f} %", record.frame,
+                            job.frames.back(), done.empty() ? "" : " ", done, 100.0 * record.stretch.max,
+                            100.0 * record.surface_stretch.max));
+}
+
 // Why the picture cannot be this frame of the scene; empty: it can.
 std::string obstacle_to_resuming(const std::filesystem::path& file, int frame, const PictureOrigin& origin) {
   try {
@@ -186,18 +203,88 @@ std::vector<int> frames_left(const RenderJob& job, const PictureOutput& output, 
   return left;
 }
 
-std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation, OffscreenRenderer& offscreen,
-                              PictureOutput& output, const PictureOrigin& origin, std::span<const int> frames,
-                              std::optional<StatisticsFile>& statistics, FrameVerifier* verifier,
-                              Progress& progress) {
+// A run that goes on keeps the camera of the pictures that are there.
+void take_camera_of_existing(RenderJob& job, const PictureOutput& output) {
+  std::error_code error;
+  const auto there = std::find_if(job.frames.begin(), job.frames.end(), [&](int frame) {
+    return std::filesystem::exists(output.path_of(frame), error);
+  });
+  if (there != job.frames.end() && is_fitted(job.scene)) {
+    const DrawnScene made = read_picture_record(output.path_of(*there), {}).scene;
+    job.scene.camera = made.camera;
+    job.scene.picture.ground = made.picture.ground;
+  }
+}
+
+// Whether the shapes of all frames fit into a gibibyte, to be seen before the first is drawn.
+bool can_gather(std::size_t frames, std::size_t vertices) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 30U;
+  return frames * vertices * sizeof(sim::Vec3) <= most_bytes;
+}
+
+// Counts frames of which most of the garment is outside the picture.
+class LostGarment {
+ public:
+  explicit LostGarment(std::span<const int> frames) : frames_(frames) {}
+
+  void look(const renderer::Camera& camera, float aspect, std::span<const sim::Vec3> positions) {
+    constexpr float most_of_it = 0.5F;
+    if (share_in_picture(camera, aspect, positions) < most_of_it) {
+      first_ = lost_++ == 0 ? frames_[drawn_] : first_;
+    }
+    ++drawn_;
+  }
+  void tell(const std::string& scene) const {
+    if (lost_ > 0) {
+      fmt::print(stderr,
+                 "taut: warning: {}: most of the garment is outside the picture in {} of {}, first in frame "
+                 "{}; camera.follow=true keeps it there, or camera.box\n",
+                 scene, lost_, counted(drawn_, "frame"), first_);
+    }
+  }
+
+ private:
+  std::span<const int> frames_;
+  std::size_t drawn_ = 0;
+  std::size_t lost_ = 0;
+  int first_ = 0;
+};
+
+std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim::Simulation& simulation,
+                              OffscreenRenderer& offscreen, PictureOutput& output,
+                              std::span<const int> frames, std::optional<StatisticsFile>& statistics,
+                              FrameVerifier* verifier, Progress& progress) {
   progress.begin("preparing the first frame");
-  GarmentPainter painter(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices);
+  std::optional<GarmentPainter> painter;
+  PictureOrigin origin;
+  LostGarment lost(frames);
+  const auto begin_drawing = [&] {
+    painter.emplace(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices);
+    origin = origin_of(options, job, offscreen);
+  };
   FrameOutputs outputs;
+  if (is_fitted(job.scene) && can_gather(frames.size(), simulation.garment().mesh.positions.size())) {
+    outputs.before_drawing = [&](std::span<const FrameInWork> gathered) {
+      FittedView fitted(job.scene, simulation.garment());
+      for (const FrameInWork& frame : gathered) {
+        if (!frame.positions.empty()) {
+          fitted.add(frame.positions, frame.record.time_s);
+        }
+      }
+      fitted.place_camera(job.scene);
+      begin_drawing();
+    };
+    outputs.simulated = [&](const FrameRecord& record) { show_frame(progress, "simulated", record, job); };
+  } else {
+    begin_drawing();
+  }
   outputs.pictures = frames;
   outputs.start_frame = go_to_start(job.scene, simulation);
   require_begun(outputs.start_frame, job.frames.front());
   outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions, double time_s) {
-    return painter.draw(positions, time_s);
+    renderer::Image picture = painter->draw(positions, time_s);
+    lost.look(painter->camera(), aspect_of(job.scene.picture.settings), positions);
+    return picture;
   };
   outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
     output.write(origin, record, picture);
@@ -206,9 +293,7 @@ std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation,
     if (statistics) {
       statistics->add(record);
     }
-    progress.show(fmt::format("frame {} of {}, stretch {:.2f} %, of the surface {:.2f} %", record.frame,
-                              job.frames.back(), 100.0 * record.stretch.max,
-                              100.0 * record.surface_stretch.max));
+    show_frame(progress, outputs.before_drawing ? "drawn" : "", record, job);
   };
   if (verifier != nullptr) {
     const std::string crossings = verifier->begin(simulation);
@@ -222,7 +307,10 @@ std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation,
     output.keep();
   };
   try {
-    return run_frames(simulation, job.frames.back(), outputs);
+    std::vector<FrameRecord> records = run_frames(simulation, job.frames.back(), outputs);
+    progress.hide();
+    lost.tell(job.scene.name);
+    return records;
   } catch (const FrameBlocked& error) {
     keep();
     end_blocked(error, job.scene, simulation, job.output, offscreen);
@@ -259,9 +347,11 @@ int run(const RenderOptions& options) {
   print_body_remarks(job.scene, put_on(loaded, job.scene), stdout);
   print_remarks(job.scene, loaded);
   sim::Simulation simulation = make_simulation(job.scene, loaded);
-  const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene),
-                                offscreen.gl_renderer()};
-  const std::vector<int> frames = options.resume ? frames_left(job, output, origin) : job.frames;
+  if (options.resume) {
+    take_camera_of_existing(job, output);
+  }
+  const std::vector<int> frames =
+      options.resume ? frames_left(job, output, origin_of(options, job, offscreen)) : job.frames;
   if (frames.size() < job.frames.size()) {
     fmt::print("there already: {} of {}\n", job.frames.size() - frames.size(),
                counted(job.frames.size(), "frame"));
@@ -273,7 +363,7 @@ int run(const RenderOptions& options) {
     statistics.emplace(options.statistics, description, std::nullopt);
   }
   FrameVerifier verifier;
-  const std::vector<FrameRecord> records = draw(job, simulation, offscreen, output, origin, frames,
+  const std::vector<FrameRecord> records = draw(options, job, simulation, offscreen, output, frames,
                                                 statistics, options.verify ? &verifier : nullptr, progress);
   RunSummary summary;
   for (const FrameRecord& record : records) {

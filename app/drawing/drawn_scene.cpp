@@ -28,4 +28,13 @@ const char* legend_title(StretchOf shown) {
   return shown == StretchOf::springs ? "stretch of springs" : "stretch of the surface";
 }
 
+renderer::Backdrop backdrop_of(const Background& background) {
+  renderer::Backdrop backdrop;
+  if (background.kind == BackgroundKind::colour) {
+    backdrop.lower_colour = backdrop.upper_colour = background.colour;
+  }
+  backdrop.transparent = background.kind == BackgroundKind::transparent;
+  return backdrop;
+}
+
 }  // namespace taut::app

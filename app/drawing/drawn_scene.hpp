@@ -9,10 +9,18 @@
 
 namespace taut::app {
 
+/// What a camera without a place and a box of its own has in the picture.
+enum class CameraFit {
+  frames,  ///< what the frames that are drawn show
+  reach,   ///< all that the garment can reach, which is known before anything is simulated
+};
+
 /// The camera of a scene's pictures.
 struct CameraSettings {
+  CameraFit fit = CameraFit::frames;
+  bool follow = false;  ///< moves with the garment, by as much as the mean of its vertices
   renderer::Framing framing = {.azimuth_rad = 0.35F, .elevation_rad = 0.17F, .vertical_fov_rad = 0.5F};
-  std::optional<renderer::Box> box;  ///< what has to be in the picture, in metres; empty: expected_reach()
+  std::optional<renderer::Box> box;  ///< what has to be in the picture, in metres; empty: `fit` says
   std::optional<glm::vec3> eye;      ///< in metres; with `target` it replaces framing
   std::optional<glm::vec3> target;   ///< in metres
 };
@@ -28,6 +36,21 @@ enum class SurfaceLook {
 enum class StretchOf {
   springs,  ///< at each vertex the largest of the structural springs there
   surface,  ///< at each vertex the largest of the triangles there
+};
+
+/// What is behind everything in a picture.
+enum class BackgroundKind {
+  studio,       ///< a floor that runs into a wall
+  colour,       ///< one colour; shadows still fall on the floor
+  transparent,  ///< an alpha channel; of the floor the shadows stay
+};
+
+/// The background of a picture.
+struct Background {
+  BackgroundKind kind = BackgroundKind::studio;
+  renderer::Colour colour = renderer::rgb(0xFFFFFF);
+
+  bool operator==(const Background&) const = default;
 };
 
 /// Where the floor of a picture is.
@@ -54,6 +77,7 @@ struct PictureStyle {
   renderer::ColourMap stretch_colours = renderer::ColourMap::viridis;  ///< not a key of the file
   renderer::SurfaceStyle cloth;
   Ground ground;
+  Background background;
   bool rest_outline = false;  ///< draws the garment's borders where they were modelled
   bool show_pins = true;
   bool legend = true;  ///< the colour bar, if the surface shows the stretch
@@ -74,6 +98,9 @@ std::array<double, 2> shown_stretch_range(const DrawnScene& scene);
 std::optional<double> shown_bound(const DrawnScene& scene);
 
 inline constexpr std::array all_stretch_of = {StretchOf::springs, StretchOf::surface};
+
+/// The renderer's backdrop for this background.
+renderer::Backdrop backdrop_of(const Background& background);
 
 /// The name used in files.
 const char* name_of(StretchOf shown);

@@ -32,6 +32,12 @@ void add_camera(Keys& keys) {
   keys.push_back(number("camera.field_of_view", "degrees", {1.0, 120.0},
                         MEMBER(camera.framing.vertical_fov_rad),
                         "from the lower to the upper edge of the picture", degree));
+  keys.push_back(choice_key<DrawnScene, CameraFit>(
+      "camera.fit", {{"frames", CameraFit::frames}, {"reach", CameraFit::reach}}, MEMBER(camera.fit),
+      "what fills a picture without camera.box and camera.eye: the garment in all frames that are drawn, "
+      "which are simulated first; or what it can reach, and pictures come as they are simulated"));
+  keys.push_back(
+      switch_key<DrawnScene>("camera.follow", MEMBER(camera.follow), "the camera moves with the garment"));
   keys.push_back(camera_box_key());
   keys.push_back(camera_eye_key());
   keys.push_back(camera_target_key());
@@ -47,6 +53,7 @@ void add_picture(Keys& keys) {
   keys.push_back(
       switch_key<DrawnScene>("picture.shadows", MEMBER(picture.settings.shadows), "of the key light"));
   keys.push_back(ground_key());
+  keys.push_back(background_key());
   keys.push_back(choice_key<DrawnScene, SurfaceLook>("picture.surface",
                                                      {{"shaded", SurfaceLook::shaded},
                                                       {"stretch", SurfaceLook::stretch},

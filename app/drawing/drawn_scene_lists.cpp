@@ -23,7 +23,16 @@ Json list_of(const glm::vec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
 
+// A file need not say so; a command line takes back with it what a file says.
+bool is_auto(const toml::node& value) {
+  return text_in(value) == "auto";
+}
+
 bool read_camera_box(const toml::node& value, const Source&, DrawnScene& scene) {
+  if (is_auto(value)) {
+    scene.camera.box.reset();
+    return true;
+  }
   const toml::array* list = value.as_array();
   if (list == nullptr || list->size() != 2) {
     return false;
@@ -50,16 +59,14 @@ Key<DrawnScene> camera_point_key(std::string name, std::optional<glm::vec3> Came
                                  std::string meaning) {
   auto read = [member](const toml::node& value, const Source&, DrawnScene& scene) {
     const auto point = three_numbers(value);
-    if (point) {
-      scene.camera.*member = to_vec3(*point);
-    }
-    return point.has_value();
+    scene.camera.*member = point ? std::optional(to_vec3(*point)) : std::nullopt;
+    return point.has_value() || is_auto(value);
   };
   auto write = [member](const DrawnScene& scene) {
     const auto& point = scene.camera.*member;
     return point ? list_of(*point) : Json();
   };
-  return {std::move(name), "m", "three numbers [x, y, z]", std::move(meaning), read, write};
+  return {std::move(name), "m", "three numbers [x, y, z] or \"auto\"", std::move(meaning), read, write};
 }
 
 bool read_ground(const toml::node& value, const Source&, DrawnScene& scene) {
@@ -89,8 +96,8 @@ Json write_ground(const DrawnScene& scene) {
 Key<DrawnScene> camera_box_key() {
   return {"camera.box",
           "m",
-          "two corners [[x, y, z], [x, y, z]], the smaller coordinates first",
-          "what has to be in the picture; not set: all that the garment can reach",
+          "two corners [[x, y, z], [x, y, z]], the smaller coordinates first, or \"auto\"",
+          "what has to be in the picture; not set: what camera.fit says",
           read_camera_box,
           write_camera_box};
 }
@@ -110,6 +117,35 @@ Key<DrawnScene> ground_key() {
           "height of the floor; auto: on a level plane, or else below all there is",
           read_ground,
           write_ground};
+}
+
+Key<DrawnScene> background_key() {
+  auto read = [](const toml::node& value, const Source&, DrawnScene& scene) {
+    Background& background = scene.picture.background;
+    const auto text = text_in(value);
+    if (text == "studio" || text == "none") {
+      background = {text == "none" ? BackgroundKind::transparent : BackgroundKind::studio, {}};
+      return true;
+    }
+    const auto colour = colour_value(value);
+    if (colour) {
+      background = {BackgroundKind::colour, {(*colour)[0], (*colour)[1], (*colour)[2]}};
+    }
+    return colour.has_value();
+  };
+  auto write = [](const DrawnScene& scene) -> Json {
+    const Background& background = scene.picture.background;
+    if (background.kind == BackgroundKind::colour) {
+      return colour_text({background.colour.r, background.colour.g, background.colour.b});
+    }
+    return background.kind == BackgroundKind::transparent ? "none" : "studio";
+  };
+  return {"picture.background",
+          "",
+          "\"studio\", \"none\" or a colour, \"#rrggbb\" or a name such as \"white\"",
+          "what is behind; none: transparent but for shadows; on a colour shadows fall as well",
+          read,
+          write};
 }
 
 Key<DrawnScene> stretch_range_key() {

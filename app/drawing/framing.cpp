@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace taut::app {
 namespace {
@@ -42,10 +43,11 @@ double distance_to_nearest_pin(const sim::Garment& garment, std::span<const sim:
 
 struct ShapeBox {
   const sim::Body& body;
+  double time_s;
 
   std::optional<renderer::Box> operator()(const sim::Plane&) const { return std::nullopt; }
   std::optional<renderer::Box> operator()(const sim::BodyMesh&) const {
-    return renderer::bounding_box(mesh_positions(body, 0.0));
+    return renderer::bounding_box(mesh_positions(body, time_s));
   }
   std::optional<renderer::Box> operator()(const sim::Sphere& ball) const {
     const glm::vec3 centre(ball.centre_m);
@@ -58,11 +60,15 @@ struct ShapeBox {
   }
 };
 
-std::optional<renderer::Box> box_of(const sim::Body& body) {
-  return std::visit(ShapeBox{body}, sim::shape_at(body, 0.0));
+}  // namespace
+
+std::optional<renderer::Box> box_of(const sim::Body& body, double time_s) {
+  return std::visit(ShapeBox{body, time_s}, sim::shape_at(body, time_s));
 }
 
-}  // namespace
+float aspect_of(const renderer::PictureSettings& settings) {
+  return static_cast<float>(settings.width_px) / static_cast<float>(settings.height_px);
+}
 
 float azimuth_of_broad_side(const glm::vec3& size) {
   return size.z > clearly_deeper * size.x ? 0.5F * std::numbers::pi_v<float> : 0.0F;
@@ -87,6 +93,11 @@ std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   return nearest;
 }
 
+glm::vec3 mean_of(std::span<const sim::Vec3> points) {
+  const sim::Vec3 sum = std::accumulate(points.begin(), points.end(), sim::Vec3(0.0));
+  return glm::vec3(sum / static_cast<double>(points.size()));
+}
+
 std::vector<glm::vec3> mesh_positions(const sim::Body& body, double time_s) {
   std::vector<sim::Vec3> positions_m(std::get<sim::BodyMesh>(body.shape).data->positions_m.size());
   sim::positions_at(body, time_s, positions_m);
@@ -102,7 +113,7 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
     reach.lower.y = std::min(reach.lower.y, static_cast<float>(pin.y - distance_m));
   }
   for (const sim::Body& body : scene.surroundings.bodies) {
-    if (const auto box = box_of(body)) {
+    if (const auto box = box_of(body, 0.0)) {
       reach = renderer::united(reach, *box);
     }
   }
@@ -113,12 +124,17 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
   return {reach.lower - swing, reach.upper + swing};
 }
 
-renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect) {
+renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach) {
   renderer::Framing framing = scene.camera.framing;
   if (!scene.garment.file.empty() && framing.azimuth_rad == CameraSettings{}.framing.azimuth_rad) {
     framing.azimuth_rad += azimuth_of_broad_side(reach.upper - reach.lower);
   }
-  renderer::Camera camera = renderer::fit_camera_to_box(scene.camera.box.value_or(reach), framing, aspect);
+  return framing;
+}
+
+renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect) {
+  renderer::Camera camera =
+      renderer::fit_camera_to_box(scene.camera.box.value_or(reach), framing_of(scene, reach), aspect);
   if (scene.camera.eye) {
     camera.eye = *scene.camera.eye;
     camera.target = *scene.camera.target;
@@ -128,6 +144,10 @@ renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reac
     camera.far_m = 20.0F * distance_m;
   }
   return camera;
+}
+
+float ground_below(float lowest_m, float highest_m) {
+  return lowest_m - ground_gap * (highest_m - lowest_m);
 }
 
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach) {
@@ -140,8 +160,7 @@ std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box&
       break;
   }
   const renderer::Box box = scene.camera.box.value_or(reach);
-  const float below = box.lower.y - ground_gap * (box.upper.y - box.lower.y);
-  return level_plane(scene.surroundings.bodies, 0.0).value_or(below);
+  return level_plane(scene.surroundings.bodies, 0.0).value_or(ground_below(box.lower.y, box.upper.y));
 }
 
 }  // namespace taut::app

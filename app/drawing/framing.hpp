@@ -15,6 +15,9 @@ namespace taut::app {
 /// The points in single precision. A coordinate too large for a float becomes the largest float.
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points);
 
+/// The mean of the points, in single precision. At least one point.
+glm::vec3 mean_of(std::span<const sim::Vec3> points);
+
 /// Where the vertices of a body that is a mesh are at this time, in metres.
 std::vector<glm::vec3> mesh_positions(const sim::Body& body, double time_s);
 
@@ -30,6 +33,18 @@ std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_
 /// Returns by how much, in radians, a camera goes around what has this size to see its broad side: 0 from +z,
 /// a quarter turn where it is far deeper than wide.
 float azimuth_of_broad_side(const glm::vec3& size);
+
+/// The box around a body at this time, in metres. Empty for a plane.
+std::optional<renderer::Box> box_of(const sim::Body& body, double time_s);
+
+/// Width over height of a picture.
+float aspect_of(const renderer::PictureSettings& settings);
+
+/// From where a scene is seen that reaches so far.
+renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach);
+
+/// Height in metres of a floor a little below what reaches from lowest_m to highest_m.
+float ground_below(float lowest_m, float highest_m);
 
 /// The camera of a scene's pictures. `aspect` is width over height. Where the scene does not say from where,
 /// a garment from a file is seen from its broad side.

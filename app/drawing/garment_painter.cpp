@@ -115,11 +115,13 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
                                [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
       normals_(garment.mesh.positions.size()) {
   const renderer::Box reach = expected_reach(scene, garment, pins);
-  const auto aspect =
-      static_cast<float>(style_.settings.width_px) / static_cast<float>(style_.settings.height_px);
-  frame_.camera = scene_camera(scene, reach, aspect);
+  frame_.camera = camera_ = scene_camera(scene, reach, aspect_of(style_.settings));
+  if (scene.camera.follow) {
+    followed_from_ = mean_of(garment.mesh.positions);
+  }
   frame_.lighting = renderer::studio_lighting(frame_.camera);
   frame_.ground_height_m = ground_height(scene, reach);
+  frame_.backdrop = backdrop_of(scene.picture.background);
   line_width_px_ = std::max(1.0F, static_cast<float>(style_.settings.height_px) / full_line_height_px);
   pin_radius_m_ = pin_radius_m(reach);
   place_bodies(0.0);
@@ -187,6 +189,11 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
                                             ? sim::vertex_surface_stretch(measured_, positions)
                                             : sim::vertex_stretch(measured_.springs, positions);
     stretch_.assign(stretch.begin(), stretch.end());
+  }
+  if (followed_from_) {
+    const glm::vec3 shift = mean_of(positions) - *followed_from_;
+    frame_.camera.eye = camera_.eye + shift;
+    frame_.camera.target = camera_.target + shift;
   }
   if (bodies_move_ && time_s != bodies_placed_s_) {
     place_bodies(time_s);

@@ -30,6 +30,9 @@ class GarmentPainter {
   /// one.
   renderer::Image draw(const std::vector<sim::Vec3>& positions, double time_s);
 
+  /// The camera of the picture drawn last.
+  const renderer::Camera& camera() const { return frame_.camera; }
+
   /// What `draw` hands to the renderer. It refers to data of the painter and is valid until the next call.
   const renderer::FrameView& view(const std::vector<sim::Vec3>& positions, double time_s);
 
@@ -52,6 +55,8 @@ class GarmentPainter {
   std::vector<renderer::TriangleMesh> obstacles_;
   std::vector<glm::vec3> rest_outline_;
   renderer::FrameView frame_;
+  renderer::Camera camera_;                 ///< at rest; frame_ has the one that follows
+  std::optional<glm::vec3> followed_from_;  ///< the mean of the vertices at rest; empty: it stands still
   float pin_radius_m_ = 0.0F;
   float line_width_px_ = 1.0F;
   // Of the frame at hand.

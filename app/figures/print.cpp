@@ -23,6 +23,7 @@ DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size)
   renderer::PictureSettings& settings = scene.picture.settings;
   settings.width_px = size.width_px;
   settings.height_px = size.height_px;
+  scene.picture.background = {BackgroundKind::colour, renderer::rgb(0xFFFFFF)};
   settings.supersampling = 2;
   settings.shadow_map_px = 4096;
   settings.sky_directions = 64;
@@ -50,55 +51,18 @@ void add_points(const PrintedMoment& moment, const glm::vec3& towards_light, std
   }
 }
 
-// Where points fall on a picture that reaches from -1 to 1 both ways.
-struct Extent {
-  glm::vec2 lower{INFINITY};
-  glm::vec2 upper{-INFINITY};
-};
-
-Extent projected(std::span<const glm::vec3> points, const renderer::Camera& camera, float aspect) {
-  const glm::mat4 to_clip = camera.projection(aspect) * camera.view();
-  Extent extent;
-  for (const glm::vec3& point : points) {
-    const glm::vec4 clip = to_clip * glm::vec4(point, 1.0F);
-    const glm::vec2 place = glm::vec2(clip) / clip.w;
-    extent.lower = glm::min(extent.lower, place);
-    extent.upper = glm::max(extent.upper, place);
-  }
-  return extent;
-}
-
-// Moves the camera sideways and along its view until the points fill the picture.
-renderer::Camera fitted(renderer::Camera camera, std::span<const glm::vec3> points, float aspect) {
-  for (int round = 0; round < 12; ++round) {
-    const Extent extent = projected(points, camera, aspect);
-    const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
-    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
-    const glm::vec3 up = glm::cross(right, forward);
-    const float distance_m = glm::distance(camera.eye, camera.target);
-    const float half_height_m = distance_m * std::tan(0.5F * camera.vertical_fov_rad);
-    const glm::vec2 middle = 0.5F * (extent.lower + extent.upper);
-    const glm::vec3 shift = half_height_m * (aspect * middle.x * right + middle.y * up);
-    const glm::vec2 half = 0.5F * (extent.upper - extent.lower);
-    const float filled = std::max(half.x, half.y) / (1.0F - 2.0F * print_margin);
-    camera.target += shift;
-    camera.eye = camera.target - forward * distance_m * filled;
-  }
-  return camera;
-}
-
 renderer::Camera camera_for(std::span<const PrintedMoment> moments, const PictureSize& size) {
-  const DrawnScene scene = scene_for_print(moments.front(), size);
+  DrawnScene scene = scene_for_print(moments.front(), size);
+  scene.camera.framing.margin = print_margin;
   const renderer::Box reach =
       expected_reach(scene, *moments.front().recording->garment, moments.front().recording->pins);
-  const auto aspect = static_cast<float>(size.width_px) / static_cast<float>(size.height_px);
-  const renderer::Camera first = scene_camera(scene, reach, aspect);
-  const glm::vec3 towards_light = renderer::studio_lighting(first).towards_key;
+  const float aspect = aspect_of(scene.picture.settings);
+  const glm::vec3 towards_light = renderer::studio_lighting(scene_camera(scene, reach, aspect)).towards_key;
   std::vector<glm::vec3> points;
   for (const PrintedMoment& moment : moments) {
     add_points(moment, towards_light, ground_height(scene, reach), points);
   }
-  return fitted(first, points, aspect);
+  return renderer::fit_camera_to_points(points, framing_of(scene, reach), aspect);
 }
 
 void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::vec2& at, float text_px) {

@@ -6,6 +6,22 @@
 #include <cmath>
 
 namespace taut::app {
+namespace {
+
+// Names of CSS Color Module Level 4.
+constexpr std::array<std::pair<const char*, const char*>, 35> named_colours = {{
+    {"black", "#000000"},     {"white", "#ffffff"},     {"grey", "#808080"},   {"gray", "#808080"},
+    {"silver", "#c0c0c0"},    {"red", "#ff0000"},       {"maroon", "#800000"}, {"crimson", "#dc143c"},
+    {"coral", "#ff7f50"},     {"orange", "#ffa500"},    {"gold", "#ffd700"},   {"yellow", "#ffff00"},
+    {"khaki", "#f0e68c"},     {"beige", "#f5f5dc"},     {"ivory", "#fffff0"},  {"olive", "#808000"},
+    {"lime", "#00ff00"},      {"green", "#008000"},     {"teal", "#008080"},   {"turquoise", "#40e0d0"},
+    {"cyan", "#00ffff"},      {"skyblue", "#87ceeb"},   {"blue", "#0000ff"},   {"steelblue", "#4682b4"},
+    {"royalblue", "#4169e1"}, {"navy", "#000080"},      {"indigo", "#4b0082"}, {"purple", "#800080"},
+    {"plum", "#dda0dd"},      {"magenta", "#ff00ff"},   {"pink", "#ffc0cb"},   {"salmon", "#fa8072"},
+    {"brown", "#a52a2a"},     {"chocolate", "#d2691e"}, {"tan", "#d2b48c"},
+}};
+
+}  // namespace
 
 std::string describe(const std::string& what, const Range& range) {
   const bool bounded_below = std::isfinite(range.lowest);
@@ -63,7 +79,13 @@ std::optional<std::array<double, 3>> three_numbers(const toml::node& value) {
 
 std::optional<std::array<float, 3>> colour_value(const toml::node& value) {
   constexpr std::string_view digits = "0123456789abcdef";
-  const std::optional<std::string> text = text_in(value);
+  std::optional<std::string> text = text_in(value);
+  const auto* const named =
+      std::find_if(named_colours.begin(), named_colours.end(),
+                   [&](const std::pair<const char*, const char*>& entry) { return text == entry.first; });
+  if (named != named_colours.end()) {
+    text = named->second;
+  }
   if (!text || text->size() != 7 || text->front() != '#') {
     return std::nullopt;
   }

@@ -179,7 +179,7 @@ Key<T> colour_key(std::string name, Access access, std::string meaning) {
     const auto& colour = access(source);
     return colour_text({colour.x, colour.y, colour.z});
   };
-  return {std::move(name), "", "a colour \"#rrggbb\"", std::move(meaning), read, write};
+  return {std::move(name), "", "a colour, \"#rrggbb\" or a name such as \"navy\"", std::move(meaning), read, write};
 }
 
 /// The choices by their names, for choice_key.

@@ -5,6 +5,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/fitted_view.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/viewer/state/choices.hpp"
 #include "app/viewer/state/key_bindings.hpp"
@@ -15,6 +16,9 @@ namespace taut::app {
 namespace {
 
 namespace keys = renderer::keys;
+
+// Free border around the garment as it begins, share of the picture: wind and hands move it.
+constexpr float window_margin = 0.16F;
 
 bool is_down(const std::set<int>& down, int one, int other) {
   return down.contains(one) || down.contains(other);
@@ -150,9 +154,23 @@ void Viewer::adopt_scene() {
   hands_.drop();
   noted_frame_.reset();
   state_.measurements.forget();
-  const renderer::Box reach =
-      expected_reach(state_.scene, *state_.newest->loaded->garment, state_.newest->loaded->pins);
-  state_.camera = OrbitCamera(scene_camera(state_.scene, reach, scene_area(layout()).aspect()));
+  state_.camera = OrbitCamera(first_camera());
+}
+
+// Fitted to the garment as it begins, with room for what comes.
+renderer::Camera Viewer::first_camera() const {
+  const LoadedScene& loaded = *state_.newest->loaded;
+  const ViewArea area = scene_area(layout());
+  DrawnScene scene = state_.scene;
+  scene.picture.settings.width_px = area.width_px;
+  scene.picture.settings.height_px = area.height_px;
+  if (is_fitted(scene)) {
+    scene.camera.framing.margin = std::max(scene.camera.framing.margin, window_margin);
+    FittedView fitted(scene, *loaded.garment);
+    fitted.add(state_.newest->positions(), state_.newest->checkpoint->state.time_s);
+    fitted.place_camera(scene);
+  }
+  return scene_camera(scene, expected_reach(scene, *loaded.garment, loaded.pins), area.aspect());
 }
 
 // The window may have missed some frames, or time has gone back; the plots must not show it.

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "app/drawing/sides.hpp"
 #include "app/viewer/hands.hpp"
 #include "app/viewer/keeping.hpp"
 #include "app/viewer/panel/panel.hpp"
@@ -71,6 +72,7 @@ class Viewer {
   void take_key(const renderer::KeyChanged& event);
   void note_snapshot(SnapshotPtr newest);
   void adopt_scene();
+  renderer::Camera first_camera() const;
   void note_measurements();
   void choose_shown();
   SnapshotPtr within_present_bound(const SnapshotPtr& past);
@@ -83,6 +85,7 @@ class Viewer {
   void turn_wind(double by_rad);
   void toggle_pin();
   void show_whole_garment();
+  void see_from(const Side& side);
   void start_or_stop_recording();
   void save_scene();
   void load_asked();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "app/base/errors.hpp"
@@ -72,6 +73,11 @@ void Viewer::perform(Action action) {
       return;
     case Action::show_whole_garment:
       return show_whole_garment();
+    case Action::see_front:
+    case Action::see_side:
+    case Action::see_back:
+    case Action::see_three_quarters:
+      return see_from(sides[static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::see_front)]);
     case Action::screenshot:
       screenshot_ = true;
       return;
@@ -140,6 +146,12 @@ void Viewer::toggle_pin() {
 
 void Viewer::show_whole_garment() {
   state_.camera.fit(renderer::bounding_box(to_float(state_.shown->positions())), scene_area(layout()));
+}
+
+void Viewer::see_from(const Side& side) {
+  state_.camera.turn_to(glm::radians(static_cast<float>(side.azimuth_deg)),
+                        glm::radians(static_cast<float>(side.elevation_deg)));
+  show_whole_garment();
 }
 
 void Viewer::save_scene() {

@@ -108,7 +108,9 @@ class GlfwWindow final : public Window {
 
   void watch() {
     glfwSetKeyCallback(handle_, [](GLFWwindow* window, int key, int, int action, int) {
-      if (key != GLFW_KEY_UNKNOWN) note(window, KeyChanged{key, action != GLFW_RELEASE});
+      const bool is_keypad_digit = key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9;
+      const int named = is_keypad_digit ? key - GLFW_KEY_KP_0 + '0' : key;
+      if (key != GLFW_KEY_UNKNOWN) note(window, KeyChanged{named, action != GLFW_RELEASE});
     });
     glfwSetCharCallback(handle_,
                         [](GLFWwindow* window, unsigned character) { note(window, TextTyped{character}); });

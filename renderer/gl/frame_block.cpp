@@ -119,9 +119,12 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   block.towards_key = light(lighting.towards_key, lighting.key);
   block.towards_fill = light(lighting.towards_fill, lighting.fill);
   block.towards_rim = light(lighting.towards_rim, lighting.rim);
-  block.upper_colour = glm::vec4{linear_light(frame.backdrop.upper_colour), lighting.ambient};
-  block.lower_colour =
-      glm::vec4{linear_light(frame.backdrop.lower_colour), frame.backdrop.plain ? 1.0F : 0.0F};
+  const Backdrop& backdrop = frame.backdrop;
+  const Colour white{1.0F};
+  block.upper_colour =
+      glm::vec4{linear_light(backdrop.transparent ? white : backdrop.upper_colour), lighting.ambient};
+  block.lower_colour = glm::vec4{linear_light(backdrop.transparent ? white : backdrop.lower_colour),
+                                 backdrop.plain ? 1.0F : 0.0F};
   set_shadow(block, lighting, settings, casters);
   set_ground(block, frame, casters);
   // The backdrop's gradient starts at the middle of the picture, wherever the camera points.
@@ -129,7 +132,7 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
   const float pitch = std::asin(std::clamp(forward.y, -1.0F, 1.0F));
   block.backdrop_horizon = {
       std::sin(pitch), std::sin(std::min(pitch + gradient_extent * frame.camera.vertical_fov_rad, 1.57F)),
-      0.0F, 0.0F};
+      backdrop.transparent ? 1.0F : 0.0F, 0.0F};
   return block;
 }
 

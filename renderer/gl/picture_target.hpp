@@ -17,6 +17,8 @@ class PictureTarget {
 
   /// Binds the framebuffer at a size in pixels. Its contents are undefined. Throws ContextError.
   void begin(int width_px, int height_px);
+  /// Makes the bound picture transparent.
+  void clear() const;
   /// Binds the framebuffer at its present size.
   void bind() const;
   /// Returns the framebuffer's name.
@@ -25,6 +27,8 @@ class PictureTarget {
   const Texture& texture() const { return *colour_; }
   /// Returns the picture as RGB, top row first.
   Image read() const;
+  /// Returns the picture as RGBA. Its colours, which are premultiplied in linear light, are divided by alpha.
+  Image read_with_alpha() const;
   /// Copies the picture, stretched to width_px by height_px, to the lower left corner of a framebuffer.
   void show(GLuint target, int width_px, int height_px) const;
 

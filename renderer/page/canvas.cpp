@@ -109,8 +109,11 @@ Canvas::Canvas(int width_px, int height_px, Colour background) : surface_(std::m
   surface_->start_image(background);
 }
 
-Canvas::Canvas(const Image& image) : Canvas(image.width_px, image.height_px) {
-  this->image(0.0F, 0.0F, image);
+Canvas::Canvas(const Image& image) : surface_(std::make_unique<Surface>()) {
+  surface_->width_px = image.width_px;
+  surface_->height_px = image.height_px;
+  surface_->surface = to_cairo(image);
+  surface_->start();
 }
 
 Canvas Canvas::scaled(int width_px, int height_px, float scale) {

@@ -36,7 +36,7 @@ class Canvas {
  public:
   /// An empty canvas of the background's colour. Throws std::runtime_error when Cairo cannot make it.
   Canvas(int width_px, int height_px, Colour background = Colour{1.0F});
-  /// A canvas that starts as a copy of the image.
+  /// A canvas that starts as a copy of the image, and has an alpha channel if it has.
   explicit Canvas(const Image& image);
   /// Returns a white canvas with coordinates of width_px by height_px, whose image has `scale` times as many
   /// pixels each way, rounded.

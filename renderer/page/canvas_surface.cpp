@@ -1,5 +1,6 @@
 #include "renderer/page/canvas_surface.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -48,13 +49,20 @@ Image from_cairo(cairo_surface_t* surface) {
   cairo_surface_flush(surface);
   const unsigned char* data = cairo_image_surface_get_data(surface);
   const int stride = cairo_image_surface_get_stride(surface);
-  Image image = make_image(cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface));
+  const bool has_alpha = cairo_image_surface_get_format(surface) == CAIRO_FORMAT_ARGB32;
+  Image image = make_image(cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface),
+                           has_alpha ? 4 : 3);
   for (int y = 0; y < image.height_px; ++y) {
     for (int x = 0; x < image.width_px; ++x) {
       std::uint32_t word = 0;
       std::memcpy(&word, data + static_cast<std::ptrdiff_t>(y) * stride + 4 * x, 4);
       std::uint8_t* pixel = image.at(x, y);
-      for (unsigned i = 0; i < 3; ++i) pixel[i] = static_cast<std::uint8_t>((word >> (16U - 8U * i)) & 255U);
+      const unsigned alpha = has_alpha ? word >> 24U : 255U;
+      for (unsigned i = 0; i < 3; ++i) {
+        const unsigned part = (word >> (16U - 8U * i)) & 255U;
+        pixel[i] = static_cast<std::uint8_t>((part * 255U + alpha / 2U) / std::max(alpha, 1U));
+      }
+      if (has_alpha) pixel[3] = static_cast<std::uint8_t>(alpha);
     }
   }
   return image;

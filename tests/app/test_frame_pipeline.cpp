@@ -117,6 +117,39 @@ TEST(FramePipeline, AFastStageWaitsForASlowOne) {
   EXPECT_LE(furthest_ahead, 10);  // two queues of three, and what the stages hold
 }
 
+TEST(FramePipeline, GathersAllFramesBeforeItDrawsOne) {
+  Trace trace;
+  std::size_t gathered = 0;
+  run_gathered(trace.stages(), [&](std::span<const FrameInWork> frames) {
+    gathered = frames.size();
+    EXPECT_TRUE(trace.drawn.empty());
+  });
+  EXPECT_EQ(gathered, static_cast<std::size_t>(frame_count));
+  EXPECT_EQ(trace.written.size(), gathered);
+  EXPECT_EQ(trace.written.front(), 1);
+}
+
+TEST(FramePipeline, DrawsWhatWasGatheredBeforeASimulationFailed) {
+  Trace trace;
+  trace.failing_stage = "simulate";
+  trace.failing_frame = 17;
+  EXPECT_THROW(run_gathered(trace.stages(), [](std::span<const FrameInWork>) {}), std::runtime_error);
+  EXPECT_EQ(trace.written.size(), 16U);
+}
+
+TEST(FramePipeline, DrawsNothingOfAGatheringThatIsInterrupted) {
+  Trace trace;
+  FrameStages stages = trace.stages();
+  stages.simulate = [next = 0]() mutable -> std::optional<FrameInWork> {
+    if (++next > 3) {
+      throw Interrupted(2);
+    }
+    return FrameInWork();
+  };
+  EXPECT_THROW(run_gathered(stages, [](std::span<const FrameInWork>) { FAIL(); }), Interrupted);
+  EXPECT_TRUE(trace.drawn.empty());
+}
+
 sim::Simulation small_cloth() {
   sim::Mesh mesh = sim::make_grid({.columns = 5, .rows = 5});
   return {sim::share(sim::make_garment(std::move(mesh))), {0, 4}, {}, {}};

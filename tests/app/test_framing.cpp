@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/drawing/fitted_view.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/offscreen_renderer.hpp"
@@ -53,6 +54,73 @@ TEST(Framing, TakesTheEyeAsGiven) {
   const renderer::Camera camera = scene_camera(scene, {{-1, -1, -1}, {1, 1, 1}}, 1.5F);
   EXPECT_EQ(camera.eye, *scene.camera.eye);
   EXPECT_EQ(camera.target, *scene.camera.target);
+}
+
+sim::Garment cloth_of(const DrawnScene& scene) {
+  return sim::make_garment(sim::make_grid(scene.garment.grid));
+}
+
+std::vector<sim::Vec3> moved(std::vector<sim::Vec3> positions, const sim::Vec3& way) {
+  for (sim::Vec3& position : positions) {
+    position += way;
+  }
+  return positions;
+}
+
+TEST(FittedView, SeesTheGarmentInEveryFrameAndNoMore) {
+  DrawnScene scene = horizontal_cloth();
+  const sim::Garment cloth = cloth_of(scene);
+  const std::vector<sim::Vec3> far = moved(cloth.mesh.positions, {3, 1, 0});
+  FittedView both(scene, cloth);
+  both.add(cloth.mesh.positions, 0.0);
+  both.add(far, 0.1);
+  const float aspect = aspect_of(scene.picture.settings);
+  DrawnScene placed = scene;
+  both.place_camera(placed);
+  const renderer::Camera camera = scene_camera(placed, {}, aspect);
+  EXPECT_EQ(share_in_picture(camera, aspect, cloth.mesh.positions), 1.0F);
+  EXPECT_EQ(share_in_picture(camera, aspect, far), 1.0F);
+  EXPECT_LT(placed.picture.ground.height_m, 0.0);
+
+  FittedView one(scene, cloth);
+  one.add(cloth.mesh.positions, 0.0);
+  one.place_camera(scene);
+  const renderer::Camera near = scene_camera(scene, {}, aspect);
+  EXPECT_EQ(share_in_picture(near, aspect, cloth.mesh.positions), 1.0F);
+  EXPECT_EQ(share_in_picture(near, aspect, far), 0.0F);
+}
+
+TEST(FittedView, LeavesACameraThatIsGivenAlone) {
+  DrawnScene scene = horizontal_cloth();
+  EXPECT_TRUE(is_fitted(scene));
+  scene.camera.fit = CameraFit::reach;
+  EXPECT_FALSE(is_fitted(scene));
+  scene.camera = {};
+  scene.camera.box = renderer::Box{};
+  EXPECT_FALSE(is_fitted(scene));
+  scene.camera = {};
+  scene.camera.eye = glm::vec3(1.0F);
+  EXPECT_FALSE(is_fitted(scene));
+}
+
+TEST(FittedView, OfACameraThatFollowsIsThatOfAGarmentThatStays) {
+  DrawnScene scene = horizontal_cloth();
+  scene.camera.follow = true;
+  const sim::Garment cloth = cloth_of(scene);
+  DrawnScene stays = scene;
+  FittedView still(scene, cloth);
+  still.add(cloth.mesh.positions, 0.0);
+  still.place_camera(stays);
+  DrawnScene moves = scene;
+  FittedView moving(scene, cloth);
+  moving.add(moved(cloth.mesh.positions, {30, -7, 2}), 0.0);
+  moving.place_camera(moves);
+  EXPECT_LT(glm::distance(*stays.camera.eye, *moves.camera.eye), 1e-4F);
+
+  OffscreenRenderer offscreen("auto");
+  GarmentPainter painter(offscreen.renderer(), stays, cloth, {});
+  painter.view(moved(cloth.mesh.positions, {30, -7, 2}), 0.0);
+  EXPECT_LT(glm::distance(painter.camera().eye, *stays.camera.eye + glm::vec3(30, -7, 2)), 1e-4F);
 }
 
 TEST(StretchLegend, EndsAtTheBoundWhereTheSceneSaysNothingElse) {

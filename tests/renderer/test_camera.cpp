@@ -86,6 +86,20 @@ TEST(FitCameraToPoints, FillsThePictureUpToTheMargin) {
   }
 }
 
+TEST(FitCameraToPoints, FourPointsDecideIt) {
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < 400; ++i) {
+    const auto t = static_cast<float>(i);
+    points.emplace_back(std::sin(1.7F * t), 0.6F * std::sin(2.9F * t), 0.8F * std::sin(0.31F * t));
+  }
+  const Framing framing{0.7F, 0.3F, 0.4F, 0.1F};
+  const Camera all = fit_camera_to_points(points, framing, 1.6F);
+  const Camera four = fit_camera_to_points(outermost_points(points, framing, 1.6F), framing, 1.6F);
+  EXPECT_LT(glm::distance(all.eye, four.eye), 1e-4F);
+  const auto view = [](const Camera& camera) { return glm::normalize(camera.target - camera.eye); };
+  EXPECT_LT(glm::distance(view(all), view(four)), 1e-4F);
+}
+
 TEST(FitCameraToPoints, TakesOnePointAndRefusesNone) {
   EXPECT_TRUE(std::isfinite(fit_camera_to_points(std::array{glm::vec3{1.0F}}, {}, 1.0F).eye.z));
   EXPECT_THROW(fit_camera_to_points({}, {}, 1.0F), std::invalid_argument);

@@ -39,6 +39,17 @@ TEST(Canvas, KeepsAnImageAndCoversWholePixels) {
   }
 }
 
+TEST(Canvas, KeepsTheAlphaOfAnImage) {
+  Image image = make_image(2, 1, 4);
+  const std::array<std::uint8_t, 8> pixels{200, 100, 0, 255, 120, 60, 30, 100};
+  image.pixels.assign(pixels.begin(), pixels.end());
+  const Image kept = Canvas(image).to_image();
+  ASSERT_EQ(kept.channels, 4);
+  EXPECT_EQ(kept.at(0, 0)[0], 200);
+  EXPECT_EQ(kept.at(1, 0)[3], 100);
+  EXPECT_NEAR(kept.at(1, 0)[0], 120, 2) << "Cairo keeps what is left of it by the alpha";
+}
+
 TEST(Canvas, PlacesImagesSideBySide) {
   Image red = make_image(4, 4);
   for (std::size_t i = 0; i < red.pixels.size(); i += 3) red.pixels[i] = 255;

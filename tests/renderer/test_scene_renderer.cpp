@@ -70,6 +70,73 @@ TEST_F(SceneRendererTest, DrawingStraightToATargetLeavesTheRestOfItAndGivesTheSa
   }
 }
 
+// A triangle over a floor, lit from above.
+FrameView shadow_frame() {
+  FrameView frame = triangle_frame();
+  frame.backdrop = {};
+  frame.ground_height_m = -1.2F;
+  frame.camera.eye = {0.0F, 1.5F, 4.0F};
+  frame.lighting = Lighting{};
+  frame.lighting.towards_key = {0.0F, 1.0F, 0.4F};
+  return frame;
+}
+
+// Over white, what is transparent is the picture before white.
+TEST_F(SceneRendererTest, ATransparentBackgroundKeepsClothAndShadow) {
+  FrameView frame = shadow_frame();
+  frame.backdrop.upper_colour = frame.backdrop.lower_colour = rgb(0xFFFFFF);
+  for (const int samples : {1, 4}) {
+    for (const int supersampling : {1, 2}) {
+      PictureSettings settings = small_picture();
+      settings.samples = samples;
+      settings.supersampling = supersampling;
+      frame.backdrop.transparent = false;
+      const Image white = renderer.draw(frame, settings);
+      frame.backdrop.transparent = true;
+      const Image drawn = renderer.draw(frame, settings);
+      ASSERT_EQ(drawn.channels, 4);
+      int clear = 0;
+      int shadow = 0;
+      int cloth = 0;
+      for (int y = 0; y < drawn.height_px; ++y) {
+        for (int x = 0; x < drawn.width_px; ++x) {
+          const std::uint8_t* pixel = drawn.at(x, y);
+          clear += pixel[3] == 0 ? 1 : 0;
+          shadow += pixel[3] > 40 && pixel[3] < 200 && pixel[1] == 0 ? 1 : 0;
+          cloth += pixel[3] == 255 ? 1 : 0;
+          if (pixel[3] == 255 || pixel[1] == 0) {
+            const int over_white = (pixel[1] * pixel[3] + 255 * (255 - pixel[3])) / 255;
+            ASSERT_NEAR(over_white, white.at(x, y)[1], 3) << x << "," << y << " of " << samples;
+          }
+        }
+      }
+      EXPECT_GT(clear, 1000);
+      EXPECT_GT(shadow, 50);
+      EXPECT_GT(cloth, 300);
+    }
+  }
+}
+
+// A slow gradient in eight bits has bands: columns of pixels that change all at once.
+TEST_F(SceneRendererTest, GradientsHaveNoBands) {
+  FrameView frame = triangle_frame();
+  frame.surfaces.clear();
+  frame.backdrop = {rgb(0xE0E0E0), rgb(0xE4E4E4)};
+  PictureSettings settings = small_picture();
+  settings.height_px = 256;
+  const Image drawn = renderer.draw(frame, settings);
+  int mixed_rows = 0;
+  for (int y = 0; y < drawn.height_px; ++y) {
+    const std::uint8_t* row = drawn.at(0, y);
+    mixed_rows +=
+        std::any_of(row, row + 3 * drawn.width_px, [&](std::uint8_t c) { return c != row[0]; }) ? 1 : 0;
+  }
+  EXPECT_GT(mixed_rows, 60);
+  frame.backdrop = {rgb(0x808080), rgb(0x808080)};
+  const Image even = renderer.draw(frame, settings);
+  EXPECT_TRUE(std::all_of(even.pixels.begin(), even.pixels.end(), [](std::uint8_t c) { return c == 0x80; }));
+}
+
 // Near a silhouette the near side is the steeper one.
 TEST_F(SceneRendererTest, NothingOfTheFarSideShowsAlongASilhouette) {
   const TriangleMesh ball = make_sphere({0.0F, 0.0F, 0.0F}, 0.9F, 40);

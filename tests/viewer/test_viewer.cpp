@@ -201,8 +201,8 @@ TEST(Window, AnySolverOfTheListGoesOnAfterADivergence) {
 TEST(Window, ClothThatHasLeftIsSaidAndWhatToDo) {
   Person person("pinned-9x9-5", {parse_override("gravity.acceleration=[0, -500, 0]")});
   EXPECT_EQ(person.viewer.state().warning, "");
-  person.press('1');
-  person.press('2');
+  person.press('J');
+  person.press('K');
   person.wait(20);
   EXPECT_NE(person.viewer.state().warning.find("F looks at it"), std::string::npos);
   person.press(keys::space);
@@ -212,6 +212,20 @@ TEST(Window, ClothThatHasLeftIsSaidAndWhatToDo) {
   person.press('R');
   person.wait(1);
   EXPECT_EQ(person.viewer.state().newest->record.frame, 0);
+}
+
+TEST(Window, KeysLookFromTheSides) {
+  Person person("pinned-9x9-5", {});
+  const auto looks_along = [&](char key) {
+    person.press(key);
+    person.wait(1);
+    const renderer::Camera camera = person.viewer.state().camera.camera();
+    return glm::normalize(camera.target - camera.eye);
+  };
+  EXPECT_LT(looks_along('1').z, -0.99F);
+  EXPECT_LT(looks_along('3').x, -0.99F);
+  EXPECT_GT(looks_along('7').z, 0.99F);
+  EXPECT_LT(looks_along('9').x, -0.5F);
 }
 
 TEST(Window, CanBeDrawnBeforeItsFirstFrame) {

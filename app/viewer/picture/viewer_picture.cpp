@@ -116,6 +116,7 @@ void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, c
   renderer::FrameView frame =
       painter_for(state, area).view(state.shown->positions(), state.shown->checkpoint->state.time_s);
   frame.camera = state.camera.camera();
+  frame.backdrop.transparent = false;
   frame.lighting = renderer::studio_lighting(frame.camera);
   if (state.show_springs) {
     add_springs(state, frame);

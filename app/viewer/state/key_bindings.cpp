@@ -7,7 +7,7 @@ namespace {
 
 namespace keys = renderer::keys;
 
-constexpr std::array<KeyBinding, 25> bindings = {{
+constexpr std::array<KeyBinding, 29> bindings = {{
     {"Left drag", "on cloth: pull it; elsewhere: orbit"},
     {"Right drag", "move the view"},
     {"Wheel", "nearer to what is under the pointer, farther"},
@@ -20,9 +20,13 @@ constexpr std::array<KeyBinding, 25> bindings = {{
     {"Time bar", "back in time; Space goes on from there"},
     {"R", "start again, with the scene's pins", 'R', Action::reset},
     {"P", "pin or free the cloth under the pointer", 'P', Action::toggle_pin},
-    {"1, 2", "let go the left, the right corner", '1', Action::release_left},
-    {"", "", '2', Action::release_right},
+    {"J, K", "let go the left, the right corner", 'J', Action::release_left},
+    {"", "", 'K', Action::release_right},
     {"F", "look at the whole garment", 'F', Action::show_whole_garment},
+    {"1, 3, 7, 9", "from the front, the side, behind, three quarters", '1', Action::see_front},
+    {"", "", '3', Action::see_side},
+    {"", "", '7', Action::see_back},
+    {"", "", '9', Action::see_three_quarters},
     {"F12", "picture of the scene, without the panel", keys::f12, Action::screenshot},
     {"F10", "record the scene, stop recording", keys::f10, Action::record},
     {"S", "save the settings as a scene file", 'S', Action::save_scene},

@@ -37,6 +37,11 @@ void OrbitCamera::orbit(const glm::vec2& way_px, const ViewArea& area) {
   elevation_rad_ = std::clamp(elevation_rad_ + way_px.y * rad_per_px, -steepest_rad, steepest_rad);
 }
 
+void OrbitCamera::turn_to(float azimuth_rad, float elevation_rad) {
+  azimuth_rad_ = azimuth_rad;
+  elevation_rad_ = std::clamp(elevation_rad, -steepest_rad, steepest_rad);
+}
+
 void OrbitCamera::pan(const glm::vec2& way_px, const ViewArea& area) {
   const renderer::Camera seen = camera();
   const glm::vec3 forward = glm::normalize(seen.target - seen.eye);

@@ -35,6 +35,8 @@ class OrbitCamera {
 
   /// Turns by a movement of the pointer. The height of the area is half a turn.
   void orbit(const glm::vec2& way_px, const ViewArea& area);
+  /// Turns to this direction.
+  void turn_to(float azimuth_rad, float elevation_rad);
   /// Moves the target so that points at its depth follow the pointer.
   void pan(const glm::vec2& way_px, const ViewArea& area);
   /// Moves nearer for positive notches of the wheel. What is seen at `point_px` stays there.

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "app/scene/scene_file.hpp"
+#include "renderer/context/window_event.hpp"
+
+namespace taut::app {
+
+// Options that stand for keys of the scene, written as a person would say them. Each call adds one to the
+// command; `overrides` must live as long as it does.
+
+/// `--wind SPEED[@ANGLE]`.
+void add_wind(CLI::App& command, std::vector<Override>& overrides);
+/// `--view NAME`: from where.
+void add_side(CLI::App& command, std::vector<Override>& overrides);
+/// `--background NAME`.
+void add_background(CLI::App& command, std::vector<Override>& overrides);
+/// `--resolution SIZE`, as parse_size reads it.
+void add_resolution(CLI::App& command, std::vector<Override>& overrides);
+
+/// What `--resolution` and `--size` take, for --help.
+extern const char* const size_help;
+
+/// Reads a size in pixels: "1280x720", "1280,720", or a name such as "1080p" or "4K". Throws UsageError with
+/// the option's name in front.
+renderer::Resized parse_size(const std::string& text, const std::string& option);
+
+}  // namespace taut::app

@@ -1,0 +1,74 @@
+#include "app/drawing/fitted_view.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "app/drawing/framing.hpp"
+
+namespace taut::app {
+namespace {
+
+void add_box(const renderer::Box& box, std::vector<glm::vec3>& points) {
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    points.emplace_back((corner & 1U) != 0 ? box.upper.x : box.lower.x,
+                        (corner & 2U) != 0 ? box.upper.y : box.lower.y,
+                        (corner & 4U) != 0 ? box.upper.z : box.lower.z);
+  }
+}
+
+}  // namespace
+
+bool is_fitted(const DrawnScene& scene) {
+  return scene.camera.fit == CameraFit::frames && !scene.camera.box && !scene.camera.eye;
+}
+
+FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
+    : scene_(scene),
+      garment_(garment),
+      framing_(framing_of(scene, renderer::bounding_box(to_float(garment.mesh.positions)))),
+      aspect_(aspect_of(scene.picture.settings)) {}
+
+void FittedView::add(std::span<const sim::Vec3> positions, double time_s) {
+  std::vector<glm::vec3> points = to_float({positions.begin(), positions.end()});
+  for (const sim::Body& body : scene_.surroundings.bodies) {
+    if (const std::optional<renderer::Box> box = box_of(body, time_s)) {
+      add_box(*box, points);
+    }
+  }
+  const glm::vec3 shift =
+      scene_.camera.follow ? mean_of(positions) - mean_of(garment_.mesh.positions) : glm::vec3(0.0F);
+  for (glm::vec3& point : points) {
+    lowest_m_ = std::min(lowest_m_, point.y);
+    highest_m_ = std::max(highest_m_, point.y);
+    point -= shift;
+  }
+  const auto outermost = renderer::outermost_points(points, framing_, aspect_);
+  outermost_.insert(outermost_.end(), outermost.begin(), outermost.end());
+}
+
+void FittedView::place_camera(DrawnScene& scene) const {
+  if (outermost_.empty()) {
+    return;
+  }
+  const renderer::Camera camera = renderer::fit_camera_to_points(outermost_, framing_, aspect_);
+  scene.camera.eye = camera.eye;
+  scene.camera.target = camera.target;
+  Ground& ground = scene.picture.ground;
+  if (ground.kind == GroundKind::automatic && !level_plane(scene.surroundings.bodies, 0.0)) {
+    ground = {GroundKind::fixed, static_cast<double>(ground_below(lowest_m_, highest_m_))};
+  }
+}
+
+float share_in_picture(const renderer::Camera& camera, float aspect, std::span<const sim::Vec3> positions) {
+  const glm::mat4 to_clip = camera.projection(aspect) * camera.view();
+  const auto is_seen = [&](const sim::Vec3& position) {
+    const glm::vec4 clip = to_clip * glm::vec4(glm::vec3(position), 1.0F);
+    return clip.w > 0.0F && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
+  };
+  const auto seen = std::count_if(positions.begin(), positions.end(), is_seen);
+  return static_cast<float>(seen) / static_cast<float>(std::max<std::size_t>(positions.size(), 1));
+}
+
+}  // namespace taut::app

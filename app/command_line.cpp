@@ -314,9 +314,11 @@ std::function<Command()> add_import_model(CLI::App& app) {
 }
 
 std::function<Command()> add_scenes(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes");
-  command->footer("Example:\n  taut scenes\n");
-  return [] { return Command(ScenesOptions{}); };
+  auto options = std::make_shared<ScenesOptions>();
+  CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes, or print one to start from");
+  command->add_option("--show", options->show, "print this scene's file, each key with what it means");
+  command->footer("Examples:\n  taut scenes\n  taut scenes --show tshirt > my.toml\n");
+  return [options] { return Command(*options); };
 }
 
 // At once where it is asked for, before values are read: what is wrong with them may be why help is needed.

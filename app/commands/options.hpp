@@ -117,8 +117,10 @@ struct ImportModelOptions {
   ImportLimits limits;
 };
 
-/// `taut scenes` has no options.
-struct ScenesOptions {};
+/// Options of `taut scenes`.
+struct ScenesOptions {
+  std::string show;  ///< a scene whose file is to be printed; empty: list them
+};
 
 /// What `taut help` was asked about.
 struct HelpOptions {

@@ -79,6 +79,23 @@ std::filesystem::path assets_folder() {
   return find_assets().folder;
 }
 
+std::optional<std::filesystem::path> find_asset(const std::filesystem::path& file) {
+  const fs::path assets = assets_folder();
+  if (assets.empty() || file.empty() || file.is_absolute()) {
+    return std::nullopt;
+  }
+  std::error_code error;
+  for (const char* folder : {"", "garments", "garments/contact", "bodies", "motions"}) {
+    for (const char* ending : {"", ".obj", ".glb", ".bvh"}) {
+      const fs::path candidate = assets / folder / (file.string() + ending);
+      if (fs::is_regular_file(candidate, error)) {
+        return candidate;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 void set_garment(const std::filesystem::path& file, Scene& scene) {
   scene.title = file.filename().string();
   scene.garment.file = file;
@@ -92,10 +109,14 @@ FoundScene locate_scene(const std::string& name) {
   if (built_in != scenes.end()) {
     return {name, built_in->file, false};
   }
-  const fs::path path = name;
+  fs::path path = name;
   std::error_code error;
   if (!fs::exists(path, error)) {
-    fail_unknown(name);
+    const std::optional<fs::path> asset = find_asset(name);
+    if (!asset) {
+      fail_unknown(name);
+    }
+    path = *asset;
   }
   return {path.stem().string(), path, path.extension() != ".toml"};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ std::vector<BuiltInScene> built_in_scenes();
 /// The first of these folders that holds scenes: $TAUT_ASSETS; that of the installed program; that of the
 /// source tree. Empty if there is none.
 std::filesystem::path assets_folder();
+
+/// A file that comes with the program: "garments/tshirt_1028.obj", or by its name alone, with its ending or
+/// without. Empty if there is none.
+std::optional<std::filesystem::path> find_asset(const std::filesystem::path& file);
 
 /// What the argument SCENE means.
 struct FoundScene {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/base/errors.hpp"
+#include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {
 namespace {
@@ -127,7 +128,9 @@ bool is_list_of_tables(const toml::node& value) {
 std::filesystem::path beside(const Source& source, const std::filesystem::path& file) {
   const auto folder =
       source.is_command_line ? std::filesystem::path() : std::filesystem::path(source.name).parent_path();
-  return (folder / file).lexically_normal();
+  const std::filesystem::path named = (folder / file).lexically_normal();
+  std::error_code ignored;
+  return std::filesystem::exists(named, ignored) ? named : find_asset(file).value_or(named);
 }
 
 Json::json_pointer pointer_to(std::string key) {

@@ -70,6 +70,18 @@ TEST(SceneLookup, MakesASceneOfAGarment) {
   EXPECT_EQ(scene.surroundings.forces.wind.speed_m_per_s, 3.0);
 }
 
+TEST(SceneLookup, FindsWhatComesAlongByNameUnlessAFileIsNearer) {
+  const TemporaryFolder folder;
+  const auto scene = folder.write("mine.toml", "[garment]\nfile = \"tshirt_1028\"\n");
+  EXPECT_EQ(find_scene(scene.string(), {}).garment.file, assets_folder() / "garments/tshirt_1028.obj");
+  const auto own = folder.write("tshirt_1028", triangle);
+  EXPECT_EQ(find_scene(scene.string(), {}).garment.file, own);
+  EXPECT_EQ(find_asset("motions/walk.bvh"), assets_folder() / "motions/walk.bvh");
+  EXPECT_EQ(find_asset("mannequin_female_34"), assets_folder() / "bodies/mannequin_female_34.glb");
+  EXPECT_FALSE(find_asset("no_such_shirt").has_value());
+  EXPECT_TRUE(locate_scene("tshirt_5280").is_garment);
+}
+
 TEST(SceneLookup, ListsTheScenesForAnUnknownName) {
   const std::string error = message_of<InputError>([] { find_scene("cloth-fal", {}); });
   EXPECT_CONTAINS(error, "did you mean 'cloth-fall'?");

@@ -51,7 +51,6 @@ struct SurfaceView {
   std::optional<ScalarColours> scalars;
   std::optional<Wireframe> wireframe;
   bool casts_shadow = true;
-  bool filled = true;  ///< false: only the wireframe is drawn, and no shadow
 };
 
 /// Line segments. A segment that lies on a surface is drawn in front of it.

@@ -28,6 +28,22 @@ const char* legend_title(StretchOf shown) {
   return shown == StretchOf::springs ? "stretch of springs" : "stretch of the surface";
 }
 
+const char* name_of(WhichSprings which) {
+  switch (which) {
+    case WhichSprings::none:
+      return "none";
+    case WhichSprings::structural:
+      return "structural";
+    case WhichSprings::shear:
+      return "shear";
+    case WhichSprings::flexural:
+      return "flexural";
+    case WhichSprings::all:
+      break;
+  }
+  return "all";
+}
+
 renderer::Backdrop backdrop_of(const Background& background) {
   renderer::Backdrop backdrop;
   if (background.kind == BackgroundKind::colour) {

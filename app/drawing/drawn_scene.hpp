@@ -29,13 +29,43 @@ struct CameraSettings {
 enum class SurfaceLook {
   shaded,
   stretch,    ///< coloured by stretch
-  wireframe,  ///< the springs alone; surfaces are not drawn
+  wireframe,  ///< structural springs over a pale surface, which hides those behind it
 };
 
 /// Of what the stretch is shown as colours.
 enum class StretchOf {
   springs,  ///< at each vertex the largest of the structural springs there
   surface,  ///< at each vertex the largest of the triangles there
+};
+
+/// Which springs are drawn over the surface.
+enum class WhichSprings { none, structural, shear, flexural, all };
+
+inline constexpr std::array all_which_springs = {WhichSprings::none, WhichSprings::structural,
+                                                 WhichSprings::shear, WhichSprings::flexural,
+                                                 WhichSprings::all};
+
+/// What the colours of springs mean.
+enum class SpringColours {
+  kind,
+  order,  ///< in which the paper's sweep corrects them, from dark to bright
+};
+
+/// A ball, in metres, of the garment at rest.
+struct SpringBall {
+  sim::Vec3 middle_m{0.0};
+  double radius_m = 0.0;
+
+  bool operator==(const SpringBall&) const = default;
+};
+
+/// The springs that a picture shows.
+struct ShownSprings {
+  WhichSprings which = WhichSprings::none;
+  SpringColours colours = SpringColours::kind;
+  std::optional<SpringBall> patch = std::nullopt;  ///< those with both ends in it; empty: everywhere
+
+  bool operator==(const ShownSprings&) const = default;
 };
 
 /// What is behind everything in a picture.
@@ -78,6 +108,7 @@ struct PictureStyle {
   renderer::SurfaceStyle cloth;
   Ground ground;
   Background background;
+  ShownSprings springs;
   bool rest_outline = false;  ///< draws the garment's borders where they were modelled
   bool show_pins = true;
   bool legend = true;  ///< the colour bar, if the surface shows the stretch
@@ -102,7 +133,8 @@ inline constexpr std::array all_stretch_of = {StretchOf::springs, StretchOf::sur
 /// The renderer's backdrop for this background.
 renderer::Backdrop backdrop_of(const Background& background);
 
-/// The name used in files.
+/// The names used in files.
+const char* name_of(WhichSprings which);
 const char* name_of(StretchOf shown);
 
 /// The title of the colours' legend.

@@ -61,6 +61,15 @@ void add_picture(Keys& keys) {
                                                      MEMBER(picture.surface), "what the cloth shows"));
   keys.push_back(switch_key<DrawnScene>("picture.wireframe", MEMBER(picture.wireframe),
                                         "draws the structural springs over the surface"));
+  keys.push_back(choice_key<DrawnScene>("picture.springs", named(all_which_springs),
+                                        MEMBER(picture.springs.which),
+                                        "which springs are drawn over the surface"));
+  keys.push_back(choice_key<DrawnScene, SpringColours>(
+      "picture.springs_by", {{"kind", SpringColours::kind}, {"order", SpringColours::order}},
+      MEMBER(picture.springs.colours),
+      "what their colours mean: their kind, or the order in which the paper's sweep corrects them, from dark "
+      "to bright"));
+  keys.push_back(spring_patch_key());
   keys.push_back(choice_key<DrawnScene>(
       "picture.stretch_of", named(all_stretch_of), MEMBER(picture.stretch_of),
       "what the colours show the stretch of: at each vertex the largest of the springs there, or of the "

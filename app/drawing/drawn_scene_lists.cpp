@@ -148,6 +148,34 @@ Key<DrawnScene> background_key() {
           write};
 }
 
+Key<DrawnScene> spring_patch_key() {
+  auto read = [](const toml::node& value, const Source&, DrawnScene& scene) {
+    const toml::array* list = value.as_array();
+    std::array<double, 4> numbers{};
+    bool are_numbers = list != nullptr && list->size() == numbers.size();
+    for (std::size_t i = 0; are_numbers && i < numbers.size(); ++i) {
+      are_numbers = store(finite_number((*list)[i]), numbers[i]);
+    }
+    if (are_numbers && numbers[3] > 0.0) {
+      scene.picture.springs.patch = SpringBall{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+    } else {
+      scene.picture.springs.patch.reset();
+    }
+    return scene.picture.springs.patch.has_value() || is_auto(value);
+  };
+  auto write = [](const DrawnScene& scene) {
+    const std::optional<SpringBall>& patch = scene.picture.springs.patch;
+    return patch ? Json::array({patch->middle_m.x, patch->middle_m.y, patch->middle_m.z, patch->radius_m})
+                 : Json();
+  };
+  return {"picture.springs_patch",
+          "m",
+          "four numbers [x, y, z, radius], or \"auto\"",
+          "springs are shown within this ball of the garment at rest; auto: everywhere",
+          read,
+          write};
+}
+
 Key<DrawnScene> stretch_range_key() {
   auto read = [](const toml::node& value, const Source&, DrawnScene& scene) {
     return store(two_rising_numbers(value), scene.picture.stretch_range);

@@ -12,6 +12,7 @@ Key<DrawnScene> camera_eye_key();
 Key<DrawnScene> camera_target_key();
 Key<DrawnScene> ground_key();
 Key<DrawnScene> background_key();
+Key<DrawnScene> spring_patch_key();
 Key<DrawnScene> stretch_range_key();
 
 }  // namespace taut::app

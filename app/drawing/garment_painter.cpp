@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/drawing/framing.hpp"
+#include "app/drawing/spring_colours.hpp"
 #include "renderer/mesh_normals.hpp"
 #include "renderer/page/canvas.hpp"
 #include "sim/measures.hpp"
@@ -22,6 +23,13 @@ constexpr float full_line_height_px = 600.0F;
 // With more pins than this, pins throw no shadow. The gaps between the shadows of a whole row would streak
 // the cloth.
 constexpr std::size_t most_pins_with_shadows = 8;
+
+// Of lines that show springs, in units of line_width_px.
+constexpr float spring_width = 1.2F;
+
+float line_width_px(const renderer::PictureSettings& settings) {
+  return std::max(1.0F, static_cast<float>(settings.height_px) / full_line_height_px);
+}
 
 std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
   std::vector<std::uint32_t> indices;
@@ -110,6 +118,8 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       triangles_(flat(garment.mesh.triangles)),
       rest_positions_(to_float(garment.mesh.positions)),
       structural_edges_(structural_edges(garment.springs)),
+      line_width_px_(line_width_px(style_.settings)),
+      spring_lines_(garment, style_.springs, spring_width * line_width_px_),
       bodies_(scene.surroundings.bodies),
       bodies_move_(std::any_of(bodies_.begin(), bodies_.end(),
                                [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
@@ -122,12 +132,12 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
   frame_.lighting = renderer::studio_lighting(frame_.camera);
   frame_.ground_height_m = ground_height(scene, reach);
   frame_.backdrop = backdrop_of(scene.picture.background);
-  line_width_px_ = std::max(1.0F, static_cast<float>(style_.settings.height_px) / full_line_height_px);
   pin_radius_m_ = pin_radius_m(reach);
   place_bodies(0.0);
   if (style_.rest_outline) {
     add_rest_outline(garment);
   }
+  outlines_ = frame_.lines.size();
 }
 
 void GarmentPainter::place_bodies(double time_s) {
@@ -170,11 +180,15 @@ renderer::SurfaceView GarmentPainter::garment_view() const {
   surface.triangles = triangles_;
   surface.material_coordinates = rest_positions_;
   surface.style = style_.cloth;
-  surface.filled = style_.surface != SurfaceLook::wireframe;
+  const bool is_wireframe = style_.surface == SurfaceLook::wireframe;
+  if (is_wireframe || style_.springs.which != WhichSprings::none) {
+    surface.style.outside_colour = pale_outside;
+    surface.style.inside_colour = pale_inside;
+  }
   if (style_.surface == SurfaceLook::stretch) {
     surface.scalars = renderer::ScalarColours{stretch_, legend_.minimum, legend_.maximum, legend_.map};
   }
-  if (style_.wireframe || !surface.filled) {
+  if (style_.wireframe || is_wireframe) {
     surface.wireframe = renderer::Wireframe{.edges = structural_edges_, .width_px = line_width_px_};
   }
   return surface;
@@ -200,6 +214,8 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
   }
   frame_.surfaces.resize(obstacles_.size());
   frame_.surfaces.push_back(garment_view());
+  frame_.lines.resize(outlines_);
+  spring_lines_.add(positions_, frame_);
   frame_.spheres.clear();
   if (style_.show_pins && !pins_.empty()) {
     pin_positions_.clear();

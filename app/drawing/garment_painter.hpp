@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
+#include "app/drawing/spring_lines.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"
 #include "renderer/page/legend.hpp"
@@ -49,16 +50,18 @@ class GarmentPainter {
   std::vector<std::uint32_t> triangles_;
   std::vector<glm::vec3> rest_positions_;
   std::vector<std::uint32_t> structural_edges_;
+  float line_width_px_;
+  SpringLines spring_lines_;
   std::vector<sim::Body> bodies_;
   bool bodies_move_;
   double bodies_placed_s_ = 0.0;  ///< the time that `obstacles_` are of
   std::vector<renderer::TriangleMesh> obstacles_;
   std::vector<glm::vec3> rest_outline_;
+  std::size_t outlines_ = 0;  ///< lines of frame_ that stay
   renderer::FrameView frame_;
   renderer::Camera camera_;                 ///< at rest; frame_ has the one that follows
   std::optional<glm::vec3> followed_from_;  ///< the mean of the vertices at rest; empty: it stands still
   float pin_radius_m_ = 0.0F;
-  float line_width_px_ = 1.0F;
   // Of the frame at hand.
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;

@@ -14,6 +14,7 @@
 #include "app/drawing/inspection_marks.hpp"
 #include "app/drawing/inspection_views.hpp"
 #include "app/drawing/offscreen_renderer.hpp"
+#include "app/drawing/spring_colours.hpp"
 
 namespace taut::app {
 namespace {
@@ -27,14 +28,12 @@ constexpr auto panel_px = static_cast<float>(inspection_panel_px);
 constexpr std::size_t legend_columns = 3;
 constexpr float page_px = 2.0F * border_px + 2.0F * panel_px + gap_px;
 
-const renderer::Colour outside_colour = renderer::rgb(0xE8EDF2);
-const renderer::Colour inside_colour = renderer::rgb(0xF3DFC0);
 const renderer::Colour pin_colour = renderer::rgb(0xC0392B);
 
 renderer::Image draw_side(OffscreenRenderer& offscreen, DrawnScene& scene, const LoadedGarment& loaded,
                           const std::vector<InspectionMarks>& all) {
-  scene.picture.cloth.outside_colour = outside_colour;
-  scene.picture.cloth.inside_colour = inside_colour;
+  scene.picture.cloth.outside_colour = pale_outside;
+  scene.picture.cloth.inside_colour = pale_inside;
   GarmentPainter painter(offscreen.renderer(), scene, *loaded.garment, loaded.pins);
   renderer::FrameView frame = painter.view(loaded.garment->mesh.positions, 0.0);
   frame.backdrop.plain = true;
@@ -128,8 +127,8 @@ std::vector<LegendRow> legend_of(const std::vector<InspectionMarks>& all, std::s
     rows.push_back({fmt::format("held: {}", counted(pins, "vertex", "vertices")), pin_colour,
                     LegendRow::Sample::dot, 16.0F});
   }
-  rows.push_back({"outside", outside_colour, LegendRow::Sample::area});
-  rows.push_back({"inside", inside_colour, LegendRow::Sample::area});
+  rows.push_back({"outside", pale_outside, LegendRow::Sample::area});
+  rows.push_back({"inside", pale_inside, LegendRow::Sample::area});
   return rows;
 }
 

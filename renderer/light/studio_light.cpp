@@ -38,7 +38,7 @@ std::optional<Box> box_around(std::span<const SurfaceView* const> casters) {
 std::vector<const SurfaceView*> casters_among(std::span<const SurfaceView> surfaces) {
   std::vector<const SurfaceView*> casters;
   for (const SurfaceView& surface : surfaces) {
-    if (surface.casts_shadow && surface.filled && !surface.triangles.empty()) casters.push_back(&surface);
+    if (surface.casts_shadow && !surface.triangles.empty()) casters.push_back(&surface);
   }
   return casters;
 }

@@ -59,7 +59,6 @@ SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFil
 void SurfacePass::upload_positions(std::span<const SurfaceView> surfaces) {
   corner_positions_.clear();
   for (const SurfaceView& surface : surfaces) {
-    if (!surface.filled) continue;
     for (const std::uint32_t corner : surface.triangles)
       corner_positions_.push_back(surface.positions[corner]);
   }
@@ -71,7 +70,6 @@ void SurfacePass::gather(std::span<const SurfaceView> surfaces, StudioLight& lig
   surface_buffers_.clear();
   any_scalars_ = false;
   for (const SurfaceView& surface : surfaces) {
-    if (!surface.filled) continue;
     light.gather(surface, surface_light_);
     surface_buffers_.add(surface, surface_light_,
                          surface.scalars ? colour_maps_.row_of(surface.scalars->map) : -1);

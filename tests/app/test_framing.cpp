@@ -4,6 +4,7 @@
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/offscreen_renderer.hpp"
+#include "app/drawing/spring_lines.hpp"
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 
@@ -121,6 +122,29 @@ TEST(FittedView, OfACameraThatFollowsIsThatOfAGarmentThatStays) {
   GarmentPainter painter(offscreen.renderer(), stays, cloth, {});
   painter.view(moved(cloth.mesh.positions, {30, -7, 2}), 0.0);
   EXPECT_LT(glm::distance(painter.camera().eye, *stays.camera.eye + glm::vec3(30, -7, 2)), 1e-4F);
+}
+
+TEST(SpringLines, ShowOneKindOrAPatchInOneColourOrInTheOrderOfTheSweep) {
+  const sim::Garment cloth = cloth_of(horizontal_cloth());
+  const std::vector<glm::vec3> positions = to_float(cloth.mesh.positions);
+  const auto lines_of = [&](const ShownSprings& shown) {
+    SpringLines lines(cloth, shown, 1.0F);
+    renderer::FrameView frame;
+    lines.add(positions, frame);
+    std::vector<std::pair<std::size_t, std::size_t>> counts;
+    for (const renderer::LineView& line : frame.lines) {
+      counts.emplace_back(line.points.size() / 2, line.colours.size());
+    }
+    return counts;
+  };
+  using Counts = std::vector<std::pair<std::size_t, std::size_t>>;
+  EXPECT_EQ(lines_of({}), Counts{});
+  EXPECT_EQ(lines_of({.which = WhichSprings::structural}), (Counts{{12, 1}}));
+  EXPECT_EQ(lines_of({.which = WhichSprings::all}), (Counts{{6, 1}, {8, 1}, {12, 1}}));
+  EXPECT_EQ(lines_of({.which = WhichSprings::shear, .colours = SpringColours::order}), (Counts{{8, 16}}));
+  const sim::Vec3 corner = cloth.mesh.positions.front();
+  EXPECT_EQ(lines_of({.which = WhichSprings::structural, .patch = SpringBall{corner, 0.6}}),
+            (Counts{{2, 1}}));
 }
 
 TEST(StretchLegend, EndsAtTheBoundWhereTheSceneSaysNothingElse) {

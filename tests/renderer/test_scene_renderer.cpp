@@ -278,7 +278,6 @@ TEST_F(SceneRendererTest, SkyDarkensTheFloorUnderneath) {
   const Sheet sheet;
   FrameView frame = sheet.frame();
   frame.lighting.towards_key = {-1.0F, 0.05F, 0.0F};  // its shadow falls far outside the picture
-  frame.surfaces[0].filled = true;
   frame.camera.eye = {0.0F, 0.35F, 4.0F};  // looks under the sheet
   frame.camera.target = {0.0F, 0.25F, 0.0F};
   PictureSettings settings = small_picture();

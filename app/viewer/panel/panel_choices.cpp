@@ -108,10 +108,12 @@ void choose_solver(ViewerState& state, sim::SolverKind kind) {
   }
 }
 
-// A list of the kinds; each entry is placed at the name of the list, a full stop and its own name.
+// A list of the kinds; each entry is placed at the name of the list, a full stop and its own name. `closed`
+// is shown instead of the one that is chosen.
 template <class Kinds, class Kind>
-void kind_list(ViewerState& state, const char* label, const char* name, const Kinds& kinds, Kind& chosen) {
-  if (begin_list(label, name_of(chosen))) {
+void kind_list(ViewerState& state, const char* label, const char* name, const Kinds& kinds, Kind& chosen,
+               const char* closed = nullptr) {
+  if (begin_list(label, closed != nullptr ? closed : name_of(chosen))) {
     for (const Kind kind : kinds) {
       if (ImGui::Selectable(name_of(kind), kind == chosen)) {
         chosen = kind;
@@ -230,9 +232,11 @@ void lay_out_looks(ViewerState& state) {
   radio("wireframe", SurfaceLook::wireframe, "look.wireframe");
   check("shadows", picture.settings.shadows, "look.shadows");
   ImGui::SameLine(start + third);
-  check("springs", state.show_springs, "look.springs");
-  ImGui::SameLine(start + 2.0F * third);
   check("normals", state.show_normals, "look.normals");
+  ImGui::SameLine(start + 2.0F * third);
+  ImGui::SetNextItemWidth(third);
+  kind_list(state, "##springs", "look.springs", all_which_springs, picture.springs.which,
+            picture.springs.which == WhichSprings::none ? "springs" : nullptr);
   if (picture.surface == SurfaceLook::stretch) {
     kind_list(state, "stretch of", "look.stretch_of", all_stretch_of, picture.stretch_of);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/drawing/spring_colours.hpp"
+#include "app/drawing/spring_lines.hpp"
 #include "app/scene/promise.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 #include "app/viewer/panel/user_interface.hpp"
@@ -186,6 +187,9 @@ void legend_of_stretch(const ViewerState& state, float scale) {
 
 void legend_of_springs(const ViewerState& state, float scale) {
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
+    if (!shows(state.scene.picture.springs, kind)) {
+      continue;
+    }
     const std::size_t count = state.newest->loaded->garment->springs.count(kind);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float y = corner.y + 0.5F * ImGui::GetTextLineHeight();
@@ -201,7 +205,8 @@ void legend_of_springs(const ViewerState& state, float scale) {
 
 void lay_out_legends(const ViewerState& state, float scale) {
   const bool stretch = state.scene.picture.surface == SurfaceLook::stretch;
-  if (!stretch && !state.show_springs) {
+  const bool springs = state.scene.picture.springs.which != WhichSprings::none;
+  if (!stretch && !springs) {
     return;
   }
   ImGui::SetNextWindowPos({10.0F * scale, 10.0F * scale});
@@ -212,7 +217,7 @@ void lay_out_legends(const ViewerState& state, float scale) {
       ImGui::Dummy({1.0F, 3.0F * scale});
       legend_of_stretch(state, scale);
     }
-    if (state.show_springs) {
+    if (springs) {
       legend_of_springs(state, scale);
     }
   }

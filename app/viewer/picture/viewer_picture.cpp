@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "app/drawing/spring_colours.hpp"
 #include "app/scene/promise.hpp"
 #include "renderer/gl/colour_target.hpp"
 #include "sim/mesh/extent.hpp"
@@ -15,8 +14,6 @@ namespace {
 
 // A smaller target is a window being closed, and nothing is drawn.
 constexpr int smallest_side_px = 8;
-// Width of lines that show springs.
-constexpr float spring_width_px = 1.2F;
 constexpr renderer::Colour normal_colour = renderer::rgb(0x2E7D32);
 // Length of lines that show normals, as a fraction of the diagonal of the garment at rest.
 constexpr float normal_length = 0.012F;
@@ -33,9 +30,14 @@ ViewerPicture::ViewerPicture(renderer::Context& context)
 GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewArea& area) {
   const Snapshot& shown = *state.shown;
   const PictureStyle& picture = state.scene.picture;
-  PaintedAs wanted{
-      shown.loaded,      shown.pins,    picture.surface, picture.stretch_of, shown_stretch_range(state.scene),
-      picture.wireframe, area.height_px};
+  PaintedAs wanted{shown.loaded,
+                   shown.pins,
+                   picture.surface,
+                   picture.stretch_of,
+                   shown_stretch_range(state.scene),
+                   picture.wireframe,
+                   picture.springs,
+                   area.height_px};
   if (!painter_ || wanted != painted_as_) {
     DrawnScene scene = state.scene;
     scene.picture.settings.width_px = area.width_px;
@@ -44,28 +46,6 @@ GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewA
     painted_as_ = std::move(wanted);
   }
   return *painter_;
-}
-
-void ViewerPicture::add_springs(const ViewerState& state, renderer::FrameView& frame) {
-  static const std::array<renderer::Colour, 3> colours = {spring_colour(sim::SpringKind::structural),
-                                                          spring_colour(sim::SpringKind::shear),
-                                                          spring_colour(sim::SpringKind::flexural)};
-  const sim::Springs& springs = state.shown->loaded->garment->springs;
-  const std::span<const glm::vec3> positions = frame.surfaces.back().positions;
-  // Flexural springs lie under the structural ones they skip along: wider, they show on both sides.
-  for (const std::size_t k : {2U, 1U, 0U}) {
-    const sim::SpringKind kind = sim::all_spring_kinds[k];
-    std::vector<glm::vec3>& points = spring_points_[k];
-    points.clear();
-    for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
-      points.push_back(positions[springs.ends[s][0]]);
-      points.push_back(positions[springs.ends[s][1]]);
-    }
-    if (!points.empty()) {
-      const float width_px = kind == sim::SpringKind::flexural ? 2.5F * spring_width_px : spring_width_px;
-      frame.lines.push_back({.points = points, .colours = std::span(&colours[k], 1), .width_px = width_px});
-    }
-  }
 }
 
 void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& frame) {
@@ -93,7 +73,7 @@ ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const 
           shown_stretch_range(state.scene),
           picture.wireframe,
           picture.settings.shadows,
-          state.show_springs,
+          picture.springs,
           state.show_normals,
           hand_thread(state, area),
           area.width_px,
@@ -118,9 +98,6 @@ void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, c
   frame.camera = state.camera.camera();
   frame.backdrop.transparent = false;
   frame.lighting = renderer::studio_lighting(frame.camera);
-  if (state.show_springs) {
-    add_springs(state, frame);
-  }
   if (state.show_normals) {
     add_normals(state, frame);
   }

@@ -51,7 +51,7 @@ class ViewerPicture {
     std::array<double, 2> stretch_range = {0.0, 0.0};
     bool wireframe = false;
     bool shadows = true;
-    bool springs = false;
+    ShownSprings springs;
     bool normals = false;
     std::optional<HandThread> thread;
     int width_px = 0;
@@ -65,7 +65,6 @@ class ViewerPicture {
   void draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
                   const PictureQuality& quality, bool keep);
   GarmentPainter& painter_for(const ViewerState& state, const ViewArea& area);
-  void add_springs(const ViewerState& state, renderer::FrameView& frame);
   void add_normals(const ViewerState& state, renderer::FrameView& frame);
 
   // What a painter was made for.
@@ -76,6 +75,7 @@ class ViewerPicture {
     StretchOf stretch_of = StretchOf::springs;
     std::array<double, 2> stretch_range = {0.0, 0.0};
     bool wireframe = false;
+    ShownSprings springs;
     int height_px = 0;
 
     bool operator==(const PaintedAs&) const = default;
@@ -91,7 +91,6 @@ class ViewerPicture {
   bool has_picture_ = false;  ///< `picture` has drawn the scene that the next `draw` shows
   PaintedAs painted_as_;
   std::optional<GarmentPainter> painter_;
-  std::array<std::vector<glm::vec3>, sim::all_spring_kinds.size()> spring_points_;
   std::vector<glm::vec3> normal_points_;
   std::optional<HandThread> thread_;
 };

@@ -90,7 +90,6 @@ enum class RecordingKind { video, pictures };
 struct ViewerState {
   DrawnScene scene;
   OrbitCamera camera;
-  bool show_springs = false;  ///< coloured by their kind
   bool show_normals = false;
   bool show_panel = true;
   bool show_keys = false;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/drawing/drawn_scene.hpp"
+#include "renderer/frame_view.hpp"
+#include "sim/garment.hpp"
+
+namespace taut::app {
+
+/// The springs of a garment as lines over its surface.
+class SpringLines {
+ public:
+  /// `width_px` is that of structural and shear springs, in pixels of the picture.
+  SpringLines(const sim::Garment& garment, const ShownSprings& shown, float width_px);
+
+  /// Adds the lines for these positions, in metres, one per vertex. They refer to this object and are valid
+  /// until its next call.
+  void add(std::span<const glm::vec3> positions, renderer::FrameView& frame);
+
+ private:
+  struct Lines {
+    std::vector<sim::Edge> springs;
+    std::vector<renderer::Colour> colours;  ///< two per spring, or one for all
+    float width_px = 1.0F;
+    std::vector<glm::vec3> points;
+  };
+
+  std::vector<Lines> lines_;  ///< in the order in which they are drawn
+};
+
+/// Whether springs of this kind are shown.
+bool shows(const ShownSprings& shown, sim::SpringKind kind);
+
+}  // namespace taut::app

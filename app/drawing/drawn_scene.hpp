@@ -111,7 +111,8 @@ struct PictureStyle {
   ShownSprings springs;
   bool rest_outline = false;  ///< draws the garment's borders where they were modelled
   bool show_pins = true;
-  bool legend = true;  ///< the colour bar, if the surface shows the stretch
+  bool show_wind = false;  ///< as arrows
+  bool legend = true;      ///< the colour bar, if the surface shows the stretch
 };
 
 /// A scene and how it is drawn: all that a scene file can say.

@@ -82,6 +82,8 @@ void add_picture(Keys& keys) {
   keys.push_back(switch_key<DrawnScene>("picture.rest_outline", MEMBER(picture.rest_outline),
                                         "draws the garment's borders where they were modelled"));
   keys.push_back(switch_key<DrawnScene>("picture.show_pins", MEMBER(picture.show_pins), "as red balls"));
+  keys.push_back(switch_key<DrawnScene>("picture.show_wind", MEMBER(picture.show_wind),
+                                        "as arrows on the side it comes from, longer for more"));
   keys.push_back(switch_key<DrawnScene>("picture.legend", MEMBER(picture.legend),
                                         "a colour bar where the cloth shows its stretch"));
 }

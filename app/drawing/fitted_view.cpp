@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 
 #include "app/drawing/framing.hpp"
+#include "app/drawing/wind_arrows.hpp"
 
 namespace taut::app {
 namespace {
@@ -52,7 +53,13 @@ void FittedView::place_camera(DrawnScene& scene) const {
   if (outermost_.empty()) {
     return;
   }
-  const renderer::Camera camera = renderer::fit_camera_to_points(outermost_, framing_, aspect_);
+  std::vector<glm::vec3> points = outermost_;
+  if (scene_.picture.show_wind) {
+    const std::vector<glm::vec3> arrows = wind_arrows(
+        scene_.surroundings.forces.wind, renderer::bounding_box(to_float(garment_.mesh.positions)));
+    points.insert(points.end(), arrows.begin(), arrows.end());
+  }
+  const renderer::Camera camera = renderer::fit_camera_to_points(points, framing_, aspect_);
   scene.camera.eye = camera.eye;
   scene.camera.target = camera.target;
   Ground& ground = scene.picture.ground;

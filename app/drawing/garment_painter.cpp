@@ -6,6 +6,7 @@
 
 #include "app/drawing/framing.hpp"
 #include "app/drawing/spring_colours.hpp"
+#include "app/drawing/wind_arrows.hpp"
 #include "renderer/mesh_normals.hpp"
 #include "renderer/page/canvas.hpp"
 #include "sim/measures.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 const renderer::Colour obstacle_colour = renderer::rgb(0xB9B4AC);
 const renderer::Colour outline_colour = renderer::rgb(0xC0392B);
+const renderer::Colour wind_colour = renderer::rgb(0x6B7785);
 
 // Up to this height of the picture lines are one pixel wide. Above it they grow with the picture, so that a
 // large picture looks like a small one.
@@ -137,6 +139,9 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
   if (style_.rest_outline) {
     add_rest_outline(garment);
   }
+  if (style_.show_wind) {
+    add_wind(scene, garment);
+  }
   outlines_ = frame_.lines.size();
 }
 
@@ -171,6 +176,15 @@ void GarmentPainter::add_rest_outline(const sim::Garment& garment) {
   outline.width_px = 1.5F * line_width_px_;
   outline.hidden_by_surfaces = false;
   frame_.lines.push_back(outline);
+}
+
+void GarmentPainter::add_wind(const DrawnScene& scene, const sim::Garment& garment) {
+  wind_arrows_ =
+      wind_arrows(scene.surroundings.forces.wind, renderer::bounding_box(to_float(garment.mesh.positions)));
+  if (!wind_arrows_.empty()) {
+    frame_.lines.push_back(
+        {.points = wind_arrows_, .colours = std::span(&wind_colour, 1), .width_px = 2.0F * line_width_px_});
+  }
 }
 
 renderer::SurfaceView GarmentPainter::garment_view() const {

@@ -39,6 +39,7 @@ class GarmentPainter {
 
  private:
   void add_rest_outline(const sim::Garment& garment);
+  void add_wind(const DrawnScene& scene, const sim::Garment& garment);
   void place_bodies(double time_s);
   renderer::SurfaceView garment_view() const;
 
@@ -57,6 +58,7 @@ class GarmentPainter {
   double bodies_placed_s_ = 0.0;  ///< the time that `obstacles_` are of
   std::vector<renderer::TriangleMesh> obstacles_;
   std::vector<glm::vec3> rest_outline_;
+  std::vector<glm::vec3> wind_arrows_;
   std::size_t outlines_ = 0;  ///< lines of frame_ that stay
   renderer::FrameView frame_;
   renderer::Camera camera_;                 ///< at rest; frame_ has the one that follows

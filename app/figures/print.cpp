@@ -11,6 +11,7 @@
 
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
+#include "app/drawing/wind_arrows.hpp"
 
 namespace taut::app {
 namespace {
@@ -23,6 +24,7 @@ DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size)
   renderer::PictureSettings& settings = scene.picture.settings;
   settings.width_px = size.width_px;
   settings.height_px = size.height_px;
+  scene.picture.show_wind = true;
   scene.picture.background = {BackgroundKind::colour, renderer::rgb(0xFFFFFF)};
   settings.supersampling = 2;
   settings.shadow_map_px = 4096;
@@ -60,6 +62,10 @@ renderer::Camera camera_for(std::span<const PrintedMoment> moments, const Pictur
   const glm::vec3 towards_light = renderer::studio_lighting(scene_camera(scene, reach, aspect)).towards_key;
   std::vector<glm::vec3> points;
   for (const PrintedMoment& moment : moments) {
+    const std::vector<glm::vec3> arrows =
+        wind_arrows(moment.recording->scene.surroundings.forces.wind,
+                    renderer::bounding_box(to_float(moment.recording->garment->mesh.positions)));
+    points.insert(points.end(), arrows.begin(), arrows.end());
     add_points(moment, towards_light, ground_height(scene, reach), points);
   }
   return renderer::fit_camera_to_points(points, framing_of(scene, reach), aspect);

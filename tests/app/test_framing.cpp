@@ -5,6 +5,7 @@
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/offscreen_renderer.hpp"
 #include "app/drawing/spring_lines.hpp"
+#include "app/drawing/wind_arrows.hpp"
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 
@@ -122,6 +123,23 @@ TEST(FittedView, OfACameraThatFollowsIsThatOfAGarmentThatStays) {
   GarmentPainter painter(offscreen.renderer(), stays, cloth, {});
   painter.view(moved(cloth.mesh.positions, {30, -7, 2}), 0.0);
   EXPECT_LT(glm::distance(painter.camera().eye, *stays.camera.eye + glm::vec3(30, -7, 2)), 1e-4F);
+}
+
+TEST(WindArrows, ComeFromWhereItBlowsAndGrowWithIt) {
+  const renderer::Box box{{-1, -1, -1}, {1, 1, 1}};
+  sim::Wind wind;
+  wind.direction = {2, 0, 0};
+  wind.speed_m_per_s = 0.0;
+  EXPECT_TRUE(wind_arrows(wind, box).empty());
+  const auto length_at = [&](double speed_m_per_s) {
+    wind.speed_m_per_s = speed_m_per_s;
+    const std::vector<glm::vec3> arrows = wind_arrows(wind, box);
+    EXPECT_LT(arrows[1].x, -1.0F) << "before the box";
+    EXPECT_EQ(arrows[0].y, arrows[1].y);
+    return arrows[1].x - arrows[0].x;
+  };
+  EXPECT_NEAR(length_at(20.0), 2.0F * length_at(10.0), 1e-5F);
+  EXPECT_EQ(length_at(50.0), length_at(20.0));
 }
 
 TEST(SpringLines, ShowOneKindOrAPatchInOneColourOrInTheOrderOfTheSweep) {

@@ -52,6 +52,7 @@ class SurfacePass {
   std::vector<std::vector<std::string_view>> variant_defines_;
   std::vector<LazyProgram> shading_;  // by what defines() has
   ColourMapTexture colour_maps_;
+  BaseColourMapTexture base_colour_maps_;
   SurfaceBuffers surface_buffers_;
   CoveredSquares squares_;
   VertexArray square_arrays_;

@@ -187,11 +187,12 @@ std::vector<int> frames_left(const RenderJob& job, const PictureOutput& output, 
 }
 
 std::vector<FrameRecord> draw(const RenderJob& job, sim::Simulation& simulation, OffscreenRenderer& offscreen,
-                              PictureOutput& output, const PictureOrigin& origin, std::span<const int> frames,
-                              std::optional<StatisticsFile>& statistics, FrameVerifier* verifier,
-                              Progress& progress) {
+                              const DrawnColours& colours, PictureOutput& output, const PictureOrigin& origin,
+                              std::span<const int> frames, std::optional<StatisticsFile>& statistics,
+                              FrameVerifier* verifier, Progress& progress) {
   progress.begin("preparing the first frame");
-  GarmentPainter painter(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices);
+  GarmentPainter painter(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices,
+                         colours);
   FrameOutputs outputs;
   outputs.pictures = frames;
   outputs.start_frame = go_to_start(job.scene, simulation);
@@ -258,6 +259,7 @@ int run(const RenderOptions& options) {
   put_on_hanger(loaded, job.scene);
   print_body_remarks(job.scene, put_on(loaded, job.scene), stdout);
   print_remarks(job.scene, loaded);
+  const DrawnColours colours = drawn_colours(job.scene, loaded);
   sim::Simulation simulation = make_simulation(job.scene, loaded);
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene),
                                 offscreen.gl_renderer()};
@@ -273,7 +275,7 @@ int run(const RenderOptions& options) {
     statistics.emplace(options.statistics, description, std::nullopt);
   }
   FrameVerifier verifier;
-  const std::vector<FrameRecord> records = draw(job, simulation, offscreen, output, origin, frames,
+  const std::vector<FrameRecord> records = draw(job, simulation, offscreen, colours, output, origin, frames,
                                                 statistics, options.verify ? &verifier : nullptr, progress);
   RunSummary summary;
   for (const FrameRecord& record : records) {

@@ -12,5 +12,6 @@ Key<DrawnScene> camera_eye_key();
 Key<DrawnScene> camera_target_key();
 Key<DrawnScene> ground_key();
 Key<DrawnScene> stretch_range_key();
+Key<DrawnScene> texture_key();
 
 }  // namespace taut::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/drawing/framing.hpp"
 #include "renderer/mesh_normals.hpp"
@@ -101,13 +102,15 @@ float pin_radius_m(const renderer::Box& reach) {
 }
 
 GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene,
-                               const sim::Garment& garment, std::span<const sim::Index> pins)
+                               const sim::Garment& garment, std::span<const sim::Index> pins,
+                               DrawnColours colours)
     : renderer_(renderer),
       style_(scene.picture),
       legend_(stretch_legend(scene)),
       measured_(part_measured(garment, scene.picture)),
       pins_(pins.begin(), pins.end()),
       triangles_(flat(garment.mesh.triangles)),
+      colours_(std::move(colours)),
       rest_positions_(to_float(garment.mesh.positions)),
       structural_edges_(structural_edges(garment.springs)),
       bodies_(scene.surroundings.bodies),
@@ -168,6 +171,9 @@ renderer::SurfaceView GarmentPainter::garment_view() const {
   surface.triangles = triangles_;
   surface.material_coordinates = rest_positions_;
   surface.style = style_.cloth;
+  surface.corner_coordinates = colours_.corner_coordinates;
+  surface.base_colours = colours_.base_colours;
+  surface.base_colour_of_triangle = colours_.base_colour_of_triangle;
   surface.filled = style_.surface != SurfaceLook::wireframe;
   if (style_.surface == SurfaceLook::stretch) {
     surface.scalars = renderer::ScalarColours{stretch_, legend_.minimum, legend_.maximum, legend_.map};

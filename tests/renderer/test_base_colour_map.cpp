@@ -56,11 +56,11 @@ TEST_F(BaseColourMapTest, StandsUprightOverTheColourOfTheCloth) {
 
 TEST_F(BaseColourMapTest, IsFilteredInLinearLightAndRepeated) {
   Square square;
-  // Black and white by turns; far away that is half of the light.
-  square.colours = {{rgb(0xFF0000), rgb(0xFF0000), map_of(2, 1, {0, 0, 0, 255, 255, 255, 255, 255})}};
+  // Black and half of the light by turns; far away that is a quarter of it.
+  square.colours = {{rgb(0xFF0000), rgb(0xFF0000), map_of(2, 1, {0, 0, 0, 255, 188, 188, 188, 255})}};
   for (glm::vec2& place : square.places) place *= 200.0F;
   Square grey;
-  grey.colours = {{rgb(0xBCBCBC), rgb(0xBCBCBC), {}}};
+  grey.colours = {{rgb(0x898989), rgb(0x898989), {}}};
   const Image far = renderer.draw(square.frame(), small_picture());
   const Image same = renderer.draw(grey.frame(), small_picture());
   for (int x = 30; x < 66; x += 7) EXPECT_NEAR(far.at(x, 32)[1], same.at(x, 32)[1], 2);

@@ -66,10 +66,10 @@ TEST_F(BaseColourMapTest, IsFilteredInLinearLightAndRepeated) {
   for (int x = 30; x < 66; x += 7) EXPECT_NEAR(far.at(x, 32)[1], same.at(x, 32)[1], 2);
 }
 
-TEST_F(BaseColourMapTest, TransparentPixelsDoNotDarkenEdges) {
+TEST_F(BaseColourMapTest, TransparentPixelsDoNotTintEdges) {
   Square square;
-  // White beside what is transparent and would be black.
-  square.colours = {{rgb(0xFFFFFF), rgb(0xFFFFFF), map_of(2, 1, {255, 255, 255, 255, 0, 0, 0, 0})}};
+  // The cloth's own colour beside what is transparent and would be white.
+  square.colours = {{rgb(0x808080), rgb(0x808080), map_of(2, 1, {128, 128, 128, 255, 255, 255, 255, 0})}};
   const Image image = renderer.draw(square.frame(), small_picture());
   for (int x = 20; x < 76; ++x) EXPECT_NEAR(image.at(x, 32)[0], image.at(20, 32)[0], 2) << x;
 }

@@ -213,6 +213,22 @@ TEST(SurfaceColours, APrintNeedsCoordinatesAndAnImage) {
                   "8961 x 8961 pixels, more than");
 }
 
+TEST(SurfaceColours, OfTheTShirtAreToScale) {
+  const LoadedGarment loaded =
+      load_garment(scene_of(std::string(TAUT_ASSETS_FOLDER) + "/garments/tshirt_1028.obj"));
+  EXPECT_EQ(loaded.metres_per_uv, 1.5);
+  EXPECT_NEAR(metres_per_uv(loaded.garment->mesh, loaded.colours.corner_uv), 1.5, 0.01);
+  EXPECT_EQ(metres_per_uv(loaded.garment->mesh, {}), 0.0);
+}
+
+TEST(SurfaceColours, AnImpossibleScaleIsRefused) {
+  const TemporaryFolder folder;
+  const DrawnScene scene = scene_of(folder.write("cube.obj", cube_text));
+  folder.write("cube.landmarks.toml", "# scale\nmetres_per_uv = 0\n");
+  EXPECT_CONTAINS(message_of<InputError>([&] { load_garment(scene); }),
+                  "cube.landmarks.toml:2: metres_per_uv: found 0, expected a number above 0");
+}
+
 // Coordinates of glTF count from the top; its colours are linear.
 TEST(SurfaceColours, OfAGltfComeFromWithinIt) {
   const TemporaryFolder folder;

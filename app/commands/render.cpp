@@ -260,6 +260,9 @@ int run(const RenderOptions& options) {
   print_body_remarks(job.scene, put_on(loaded, job.scene), stdout);
   print_remarks(job.scene, loaded);
   const DrawnColours colours = drawn_colours(job.scene, loaded);
+  for (const std::string& remark : colours.remarks) {
+    fmt::print(stderr, "taut: warning: {}: {}\n", job.scene.garment.file.filename().string(), remark);
+  }
   sim::Simulation simulation = make_simulation(job.scene, loaded);
   const PictureOrigin origin = {command_text(options.arguments), scene_text(job.scene),
                                 offscreen.gl_renderer()};

@@ -29,7 +29,7 @@ DrawnColours print(const PictureStyle& style, const SurfaceColours& colours) {
 
 renderer::BaseColour colour_of(const SurfaceMaterial& material, const SurfaceColours& colours,
                                const renderer::Colour& inside_colour) {
-  if (material.map == no_map) {
+  if (material.map == no_map || colours.corner_uv.empty()) {
     return {material.base_colour, material.base_colour, {}};
   }
   return {material.base_colour, inside_colour, map_of(colours.maps[material.map])};
@@ -37,7 +37,7 @@ renderer::BaseColour colour_of(const SurfaceMaterial& material, const SurfaceCol
 
 DrawnColours own(const PictureStyle& style, const SurfaceColours& colours) {
   const renderer::SurfaceStyle plain;
-  DrawnColours drawn{colours.corner_uv, {}, colours.material_of_face};
+  DrawnColours drawn{colours.corner_uv, {}, colours.material_of_face, colours.remarks};
   for (const SurfaceMaterial& material : colours.materials) {
     drawn.base_colours.push_back(colour_of(
         material, colours,
@@ -47,9 +47,8 @@ DrawnColours own(const PictureStyle& style, const SurfaceColours& colours) {
 }
 
 bool has_own(const SurfaceColours& colours) {
-  return !colours.corner_uv.empty() &&
-         std::any_of(colours.materials.begin(), colours.materials.end(),
-                     [](const SurfaceMaterial& material) { return material.map != no_map; });
+  return std::any_of(colours.materials.begin(), colours.materials.end(),
+                     [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
 }
 
 }  // namespace

@@ -129,7 +129,6 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
     lines.push_back(counted(loaded.turned_outside_out, "triangle") +
                     " of surfaces that faced inwards turned");
   }
-  lines.insert(lines.end(), loaded.colours.remarks.begin(), loaded.colours.remarks.end());
   if (!loaded.hanger.empty()) {
     lines.push_back(describe(loaded.hanger));
   }

@@ -33,6 +33,7 @@ SurfaceMaterial take_material(ArrayReader& in) {
   material.name = in.take_list<std::string>();
   material.base_colour = in.take<glm::vec3>();
   material.map = in.take<sim::Index>();
+  material.map_file = in.take_list<std::string>();
   return material;
 }
 
@@ -87,6 +88,7 @@ void encode(const SurfaceColours& colours, ArrayWriter& out) {
     out.put_list(material.name);
     out.put(material.base_colour);
     out.put(material.map);
+    out.put_list(material.map_file);
   });
   put_all(colours.maps, out, [&](const TextureImage& image) {
     out.put(image.width_px);

@@ -30,8 +30,8 @@ struct SurfaceMaterial {
   std::string name = {};
   glm::vec3 base_colour = glm::vec3(1.0F);  ///< sRGB, 0 to 1
   sim::Index map = no_map;                  ///< index into SurfaceColours::maps, which replaces it
+  std::string map_file = {};                ///< the image, as the model names it; empty: none
   // Until the images are read.
-  std::string map_file = {};             ///< as the model names it; empty: no image
   glm::vec3 map_tint = glm::vec3(1.0F);  ///< sRGB; the image is multiplied by it
   bool map_is_opaque = false;            ///< its alpha means nothing
 };

@@ -8,7 +8,6 @@
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_colours.hpp"
 #include "app/models/garment_import.hpp"
-#include "app/models/garment_remarks.hpp"
 #include "app/models/import_process.hpp"
 #include "app/models/obj_reading.hpp"
 #include "app/models/obj_writing.hpp"
@@ -184,17 +183,20 @@ TEST(SurfaceColours, GiveWayToWhatTheSceneAsksFor) {
 
 TEST(SurfaceColours, SayWhichImageIsMissingAndWhereItWasLookedFor) {
   const TemporaryFolder folder;
-  const DrawnScene scene = scene_of(
-      write_two(folder, "newmtl blue\nmap_Kd stripes/fine.png\nnewmtl red cotton\nmap_Kd two.mtl\n"));
+  const DrawnScene scene = scene_of(write_two(
+      folder, "newmtl blue\nKd 0 0 1\nmap_Kd stripes/fine.png\nnewmtl red cotton\nmap_Kd two.mtl\n"));
   const LoadedGarment loaded = load_garment(scene);
   ASSERT_EQ(loaded.colours.remarks.size(), 2U);
-  const std::string said = remarks_of(loaded).at(0) + remarks_of(loaded).at(1);
+  const std::string said = loaded.colours.remarks[0] + loaded.colours.remarks[1];
   EXPECT_CONTAINS(
       said,
       "the image 'stripes/fine.png' of its material 'blue' is not drawn, its base colour is: it is neither");
   EXPECT_CONTAINS(said, (folder / "textures/fine.png").string());
   EXPECT_CONTAINS(said, "the image 'two.mtl' of its material 'red cotton' is not drawn");
-  EXPECT_TRUE(drawn_colours(scene, loaded).base_colours.empty());
+  const DrawnColours drawn = drawn_colours(scene, loaded);
+  EXPECT_EQ(drawn.remarks.size(), 2U);
+  ASSERT_EQ(drawn.base_colours.size(), 2U);
+  EXPECT_EQ(drawn.base_colours[1].outside_colour, glm::vec3(0, 0, 1));
 }
 
 TEST(SurfaceColours, APrintNeedsCoordinatesAndAnImage) {

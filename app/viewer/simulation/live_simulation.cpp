@@ -90,6 +90,9 @@ void LiveSimulation::perform(const LoadScene& asked) {
 }
 
 void LiveSimulation::tell_of_start() {
+  for (const std::string& remark : loaded_->drawn_colours.remarks) {
+    tell(remark, false);
+  }
   for (const std::string& remark : remarks_on_start(loaded_->scene, *loaded_)) {
     tell(remark, false);
   }

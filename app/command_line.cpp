@@ -97,6 +97,12 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
   add_key(command, overrides, "--body-up", "body.up", "the body's direction that is up, as --up");
 }
 
+void add_texture(CLI::App& command, std::vector<Override>& overrides) {
+  add_key(command, overrides, "--texture", "picture.texture",
+          "an image to lay on the garment's texture coordinates, such as a print, or none for a model's own "
+          "too");
+}
+
 void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) {
   const auto set_units = [&overrides](const std::string& text) {
     overrides.push_back({"garment.scale", unit_value(text), "--units " + text});
@@ -177,6 +183,7 @@ std::function<Command()> add_render(CLI::App& app) {
                "draw the springs over the surface");
   add_key_flag(*command, options->overrides, "--stretch", "picture.surface", "stretch",
                "colour the surface by its stretch");
+  add_texture(*command, options->overrides);
   add_key(*command, options->overrides, "--samples", "picture.samples",
           "samples in a pixel, 1 to 16 (default 4)");
   add_key(*command, options->overrides, "--supersampling", "picture.supersampling",
@@ -237,6 +244,7 @@ std::function<Command()> add_view(CLI::App& app) {
   add_body(*command, options->overrides);
   add_wind(*command, options->overrides);
   add_side(*command, options->overrides);
+  add_texture(*command, options->overrides);
   add_set(*command, options->overrides, "KEY=VALUE, any key of the scene; can be repeated");
   command->add_option_function<std::string>(
       "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); },
@@ -310,6 +318,7 @@ std::function<Command()> add_import_model(CLI::App& app) {
   command->add_option("MODEL", options->model)->required();
   command->add_option("--memory", options->limits.memory_mib)->check(CLI::Range(64, 1 << 20));
   command->add_option("--seconds", options->limits.seconds)->check(CLI::Range(1, 86400));
+  command->add_option("--parts", options->parts)->check(CLI::Range(0, static_cast<int>(ReadParts::image)));
   return [options] { return Command(*options); };
 }
 

@@ -48,6 +48,37 @@ void check_colours(const std::string& part, std::span<const Colour> colours, std
   check_finite(part, "colour", colours);
 }
 
+void check_map(const std::string& part, const SurfaceView& surface, const BaseColourMap& map) {
+  if (map.rgba == nullptr) return;
+  if (surface.corner_coordinates.empty()) fail(part, "a base colour map without corner coordinates");
+  if (map.width_px < 1 || map.width_px > 16384 || map.height_px < 1 || map.height_px > 16384) {
+    fail(part, "a base colour map of " + std::to_string(map.width_px) + " x " +
+                   std::to_string(map.height_px) + " pixels, expected 1 to 16384 each");
+  }
+  check_count(
+      part, "bytes of a base colour map", map.rgba->size(),
+      std::size_t{4} * static_cast<std::size_t>(map.width_px) * static_cast<std::size_t>(map.height_px));
+}
+
+void check_base_colours(const std::string& part, const SurfaceView& surface) {
+  if (!surface.corner_coordinates.empty()) {
+    check_count(part, "corner coordinates", surface.corner_coordinates.size(), surface.triangles.size());
+  }
+  for (const glm::vec2& place : surface.corner_coordinates) {
+    if (!std::isfinite(place.x) || !std::isfinite(place.y)) fail(part, "a corner coordinate is not finite");
+  }
+  for (const BaseColour& colour : surface.base_colours) check_map(part, surface, colour.map);
+  if (surface.base_colour_of_triangle.empty()) return;
+  check_count(part, "base colours of triangles", surface.base_colour_of_triangle.size(),
+              surface.triangles.size() / 3);
+  for (const std::uint32_t colour : surface.base_colour_of_triangle) {
+    if (colour >= surface.base_colours.size()) {
+      fail(part, "a triangle has base colour " + std::to_string(colour) + ", there are " +
+                     std::to_string(surface.base_colours.size()));
+    }
+  }
+}
+
 void check_surface(const std::string& part, const SurfaceView& surface) {
   const std::size_t count = surface.positions.size();
   check_finite(part, "position", surface.positions);
@@ -58,6 +89,7 @@ void check_surface(const std::string& part, const SurfaceView& surface) {
     check_finite(part, "material coordinate", surface.material_coordinates);
   }
   check_indices(part, "triangles", surface.triangles, 3, count);
+  check_base_colours(part, surface);
   if (surface.wireframe) check_indices(part, "wireframe edges", surface.wireframe->edges, 2, count);
   if (surface.scalars) {
     check_count(part, "scalars", surface.scalars->values.size(), count);

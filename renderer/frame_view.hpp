@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,6 +24,24 @@ struct SurfaceStyle {
   float sheen = 0.4F;          ///< 0 to 1; brightness of the fringe at grazing angles, as cotton has
   float translucency = 0.12F;  ///< 0 to 1; share of the key light that passes through
   float weave = 1.0F;          ///< 0 to 1; contrast of the knit, 0 for none; needs material coordinates
+};
+
+/// An image of base colours that is laid on a surface, over its colour where it is transparent. Copies share
+/// the pixels, which must not change: the renderer keeps those of the last frame.
+struct BaseColourMap {
+  int width_px = 0;   ///< 1 to 16384
+  int height_px = 0;  ///< 1 to 16384
+  /// RGBA, 8 bits each: rows from top to bottom, sRGB, alpha not premultiplied.
+  std::shared_ptr<const std::vector<std::uint8_t>> rgba;
+
+  bool operator==(const BaseColourMap&) const = default;
+};
+
+/// The colours of some triangles of a surface.
+struct BaseColour {
+  Colour outside_colour = rgb(0xFFFFFF);
+  Colour inside_colour = rgb(0xFFFFFF);
+  BaseColourMap map = {};  ///< shines through to the inside; without pixels: none. Needs corner coordinates
 };
 
 /// One scalar per vertex, shown through a colour map on both sides instead of the style's colours.
@@ -47,6 +67,13 @@ struct SurfaceView {
   std::span<const std::uint32_t> triangles;  ///< three vertex indices per triangle, each below n
   /// n or none, metres: the rest position of each vertex, at which the weave is evaluated. None: no weave.
   std::span<const glm::vec3> material_coordinates;
+  /// Three per triangle, one for each of its corners, or none: places on base colour maps. x to the right, y
+  /// up; a map reaches from 0 to 1 and is repeated beyond.
+  std::span<const glm::vec2> corner_coordinates;
+  /// Instead of the style's colours; none: those.
+  std::span<const BaseColour> base_colours;
+  /// Indices into base_colours, one per triangle; none: all have the first.
+  std::span<const std::uint32_t> base_colour_of_triangle;
   SurfaceStyle style;
   std::optional<ScalarColours> scalars;
   std::optional<Wireframe> wireframe;

@@ -17,6 +17,9 @@ uniform vec4 samples_y;
 uniform usampler2D visibility_buffer;
 #endif
 uniform sampler2D scalar_maps;  // one row each
+#ifdef BASE_COLOUR_MAPS
+#include "base_colour_map.glsl"
+#endif
 layout(location = 0) out vec4 colour;  // linear, premultiplied; encoded with one sample
 
 // One spot of a triangle, and how its material moves from pixel to pixel.
@@ -27,6 +30,9 @@ struct Spot {
   vec3 material_across;
   vec3 material_up;
   vec2 sky;  // x: outside, y: inside
+  vec2 share;  // of the second and the third corner
+  vec2 share_across;
+  vec2 share_up;
 };
 
 #ifdef HALVED
@@ -70,6 +76,9 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   spot.material_across = across.x * mb.xyz + across.y * mc.xyz;
   spot.material_up = up.x * mb.xyz + up.y * mc.xyz;
   spot.sky = vec2(n.w, m.w);
+  spot.share = place;
+  spot.share_across = across;
+  spot.share_up = up;
   return spot;
 }
 
@@ -80,7 +89,8 @@ vec3 scalar_colour(float scalar, float row) {
 }
 
 // Linear light.
-vec3 shaded(uvec4 corners, bool front, vec3 ray) {
+vec3 shaded(int triangle, bool front, vec3 ray) {
+  uvec4 corners = texelFetch(triangle_data, triangle);
   Spot spot = spot_on(corners.xyz, ray);
   int material = 3 * int(corners.w >> 2u);
   uint key = corners.w & 3u;
@@ -100,6 +110,13 @@ vec3 shaded(uvec4 corners, bool front, vec3 ray) {
   Light light = gathered(normal, towards_eye, lit, front ? spot.sky.x : spot.sky.y,
                          Finish(outside.w, inside.w, rest.x));
   vec3 base = front ? outside.rgb : inside.rgb;
+#ifdef BASE_COLOUR_MAPS
+  if (rest.w >= 0.0) {
+    vec4 laid_on = base_colour(triangle, spot.share, spot.share_across, spot.share_up, rest.w) *
+                   (front ? 1.0 : shines_through);
+    base = base * (1.0 - laid_on.a) + laid_on.rgb;
+  }
+#endif
   vec3 cloth =
       base * light.diffuse * weave_brightness(spot.material, spot.material_across, spot.material_up, rest.y) +
       mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
@@ -138,7 +155,7 @@ void main() {
     uvec4 corners = texelFetch(triangle_data, max(triangle_of(first), 0));
     bvec4 same = bvec4(continues(left.x, first, corners.xyz), continues(left.y, first, corners.xyz),
                        continues(left.z, first, corners.xyz), continues(left.w, first, corners.xyz));
-    sum += 0.25 * dot(vec4(same), vec4(1.0)) * vec4(shaded(corners, is_front(first), ray), 1.0);
+    sum += 0.25 * dot(vec4(same), vec4(1.0)) * vec4(shaded(max(triangle_of(first), 0), is_front(first), ray), 1.0);
     left *= uvec4(not(same));
   } while (left != uvec4(0u));
   colour = sum;
@@ -160,7 +177,7 @@ void main() {
 #endif
   if (visible == 0u) discard;
   vec3 ray = ray_through(vec2(pixel) + 0.5);
-  vec3 light = shaded(texelFetch(triangle_data, triangle_of(visible)), is_front(visible), ray);
+  vec3 light = shaded(triangle_of(visible), is_front(visible), ray);
   colour = vec4(linear_to_srgb_fast(light), 1.0);
 }
 #endif

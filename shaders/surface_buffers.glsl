@@ -5,7 +5,10 @@ uniform usamplerBuffer triangle_data;  // three vertices, and four times the sur
                                         // shadow, 1 in the light, 2 for pixels to find out
 uniform samplerBuffer material_data;       // three texels a surface: outside colour (linear) and roughness, inside
                                         // colour and sheen, translucency, strength of the weave, row of the colour
-                                        // map or -1 for cloth
+                                        // map or -1 for cloth, layer of the base colour map or -1
+#ifdef BASE_COLOUR_MAPS
+uniform samplerBuffer corner_data;     // a texel for each corner of a triangle: where it is on a base colour map
+#endif
 
 // What was seen in a sample: nothing, or a triangle and one of its sides.
 bool is_front(uint visible) { return (visible & 1u) == 1u; }

@@ -115,6 +115,7 @@ struct FitOptions {
 struct ImportModelOptions {
   std::filesystem::path model;
   ImportLimits limits;
+  int parts = 0;  ///< a ReadParts
 };
 
 /// Options of `taut scenes`.

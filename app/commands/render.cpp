@@ -251,15 +251,17 @@ class LostGarment {
 };
 
 std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim::Simulation& simulation,
-                              OffscreenRenderer& offscreen, PictureOutput& output,
-                              std::span<const int> frames, std::optional<StatisticsFile>& statistics,
-                              FrameVerifier* verifier, Progress& progress) {
+                              OffscreenRenderer& offscreen, const DrawnColours& colours,
+                              PictureOutput& output, std::span<const int> frames,
+                              std::optional<StatisticsFile>& statistics, FrameVerifier* verifier,
+                              Progress& progress) {
   progress.begin("preparing the first frame");
   std::optional<GarmentPainter> painter;
   PictureOrigin origin;
   LostGarment lost(frames);
   const auto begin_drawing = [&] {
-    painter.emplace(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices);
+    painter.emplace(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices,
+                    colours);
     origin = origin_of(options, job, offscreen);
   };
   FrameOutputs outputs;
@@ -346,6 +348,10 @@ int run(const RenderOptions& options) {
   put_on_hanger(loaded, job.scene);
   print_body_remarks(job.scene, put_on(loaded, job.scene), stdout);
   print_remarks(job.scene, loaded);
+  const DrawnColours colours = drawn_colours(job.scene, loaded);
+  for (const std::string& remark : colours.remarks) {
+    fmt::print(stderr, "taut: warning: {}: {}\n", job.scene.garment.file.filename().string(), remark);
+  }
   sim::Simulation simulation = make_simulation(job.scene, loaded);
   if (options.resume) {
     take_camera_of_existing(job, output);
@@ -363,7 +369,7 @@ int run(const RenderOptions& options) {
     statistics.emplace(options.statistics, description, std::nullopt);
   }
   FrameVerifier verifier;
-  const std::vector<FrameRecord> records = draw(options, job, simulation, offscreen, output, frames,
+  const std::vector<FrameRecord> records = draw(options, job, simulation, offscreen, colours, output, frames,
                                                 statistics, options.verify ? &verifier : nullptr, progress);
   RunSummary summary;
   for (const FrameRecord& record : records) {

@@ -79,9 +79,10 @@ class ShapeOutput {
     prepare_folder_of(pattern_.path_of(range_.first));
   }
 
-  void write(int frame, const sim::Simulation& moment) const {
+  void write(int frame, const sim::Simulation& moment, std::span<const glm::vec2> corner_uv) const {
     if (range_.contains(frame)) {
-      write_text_file(pattern_.path_of(frame), obj_text(moment.garment().mesh, moment.state().current));
+      write_text_file(pattern_.path_of(frame),
+                      obj_text(moment.garment().mesh, moment.state().current, corner_uv));
     }
   }
 
@@ -96,9 +97,9 @@ class ShapeOutput {
   FrameRange range_;
 };
 
-/// The simulation of the scene's garment, which gets the hanger that it asks for, with what was guessed and
-/// repaired said on `remarks`, where there is one.
-sim::Simulation prepare(DrawnScene& scene, Progress& progress, std::FILE* remarks) {
+/// The scene's garment, with the hanger that it asks for, with what was guessed and repaired said on
+/// `remarks`, where there is one.
+LoadedGarment load(DrawnScene& scene, Progress& progress, std::FILE* remarks) {
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   progress.hide();
   put_on_hanger(loaded, scene);
@@ -107,7 +108,7 @@ sim::Simulation prepare(DrawnScene& scene, Progress& progress, std::FILE* remark
     print_remarks(scene, loaded, remarks);
   }
   progress.begin("frame 1");
-  return make_simulation(scene, loaded);
+  return loaded;
 }
 
 /// What crosses in the checkpoint that a scene begins with. Of other starts it was said as a remark.
@@ -233,13 +234,18 @@ int run(const SimulateOptions& options) {
   FrameOutputs outputs;
   if (!options.shapes.empty()) {
     shapes.emplace(options.shapes, range);
-    outputs.write_shape = [&](int frame, const sim::Simulation& moment) { shapes->write(frame, moment); };
   }
   statistics_format(options.statistics);
   try_outputs(options);
 
   Progress progress(scene.name);
-  sim::Simulation simulation = prepare(scene, progress, remarks);
+  const LoadedGarment loaded = load(scene, progress, remarks);
+  sim::Simulation simulation = make_simulation(scene, loaded);
+  if (shapes) {
+    outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
+      shapes->write(frame, moment, loaded.colours.corner_uv);
+    };
+  }
   FrameVerifier verifier;
   RunCheckpoint begun = begin(options, scene, verifier, simulation);
   require_begun(begun.frame, range.last);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 
 #include "app/scene/scene.hpp"
@@ -96,6 +97,14 @@ struct Ground {
   double height_m = 0.0;
 };
 
+/// Means no texture, where PictureStyle::texture is this.
+inline constexpr const char* no_texture = "none";
+
+/// Whether this names an image.
+inline bool names_image(const std::filesystem::path& texture) {
+  return !texture.empty() && texture != no_texture;
+}
+
 /// How a scene's pictures are drawn.
 struct PictureStyle {
   renderer::PictureSettings settings;
@@ -106,6 +115,7 @@ struct PictureStyle {
   std::optional<std::array<double, 2>> stretch_range;
   renderer::ColourMap stretch_colours = renderer::ColourMap::viridis;  ///< not a key of the file
   renderer::SurfaceStyle cloth;
+  std::filesystem::path texture;  ///< an image on the cloth; empty: the model's own colours; or no_texture
   Ground ground;
   Background background;
   ShownSprings springs;

@@ -26,7 +26,11 @@ Json scene_settings(const DrawnScene& scene) {
 }
 
 std::string scene_text(const DrawnScene& scene, GarmentNaming naming) {
-  return text_of(scene_settings(scene), scene, naming);
+  Json settings = scene_settings(scene);
+  if (names_image(scene.picture.texture)) {
+    settings["picture"]["texture"] = name_in_scene(scene.picture.texture, naming);
+  }
+  return text_of(std::move(settings), scene, naming);
 }
 
 std::string scene_help() {

@@ -176,6 +176,29 @@ Key<DrawnScene> spring_patch_key() {
           write};
 }
 
+Key<DrawnScene> texture_key() {
+  auto read = [](const toml::node& value, const Source& source, DrawnScene& scene) {
+    const auto text = text_in(value);
+    if (text) {
+      const bool is_file = !text->empty() && *text != no_texture;
+      scene.picture.texture = is_file ? beside(source, *text) : std::filesystem::path(*text);
+    }
+    return text.has_value();
+  };
+  auto write = [](const DrawnScene& scene) {
+    const std::filesystem::path& texture = scene.picture.texture;
+    return texture.empty() ? Json() : Json(texture.string());
+  };
+  return {
+      "picture.texture",
+      "",
+      "a file name or \"none\"",
+      "an image on the garment's texture coordinates, relative to the scene file, over the cloth's colours; "
+      "not set: the model's own images, where it has any and outside_colour is not set",
+      read,
+      write};
+}
+
 Key<DrawnScene> stretch_range_key() {
   auto read = [](const toml::node& value, const Source&, DrawnScene& scene) {
     return store(two_rising_numbers(value), scene.picture.stretch_range);

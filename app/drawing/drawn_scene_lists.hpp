@@ -14,5 +14,6 @@ Key<DrawnScene> ground_key();
 Key<DrawnScene> background_key();
 Key<DrawnScene> spring_patch_key();
 Key<DrawnScene> stretch_range_key();
+Key<DrawnScene> texture_key();
 
 }  // namespace taut::app

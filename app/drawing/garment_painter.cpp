@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/drawing/framing.hpp"
 #include "app/drawing/spring_colours.hpp"
@@ -111,13 +112,15 @@ float pin_radius_m(const renderer::Box& reach) {
 }
 
 GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene,
-                               const sim::Garment& garment, std::span<const sim::Index> pins)
+                               const sim::Garment& garment, std::span<const sim::Index> pins,
+                               DrawnColours colours)
     : renderer_(renderer),
       style_(scene.picture),
       legend_(stretch_legend(scene)),
       measured_(part_measured(garment, scene.picture)),
       pins_(pins.begin(), pins.end()),
       triangles_(flat(garment.mesh.triangles)),
+      colours_(std::move(colours)),
       rest_positions_(to_float(garment.mesh.positions)),
       structural_edges_(structural_edges(garment.springs)),
       line_width_px_(line_width_px(style_.settings)),
@@ -198,6 +201,10 @@ renderer::SurfaceView GarmentPainter::garment_view() const {
   if (is_wireframe || style_.springs.which != WhichSprings::none) {
     surface.style.outside_colour = pale_outside;
     surface.style.inside_colour = pale_inside;
+  } else {
+    surface.corner_coordinates = colours_.corner_coordinates;
+    surface.base_colours = colours_.base_colours;
+    surface.base_colour_of_triangle = colours_.base_colour_of_triangle;
   }
   if (style_.surface == SurfaceLook::stretch) {
     surface.scalars = renderer::ScalarColours{stretch_, legend_.minimum, legend_.maximum, legend_.map};

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "app/drawing/drawn_colours.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/spring_lines.hpp"
 #include "renderer/frame_view.hpp"
@@ -25,7 +26,7 @@ class GarmentPainter {
  public:
   /// `renderer` must outlive the painter. `scene` and `garment` are copied as far as they are needed.
   GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
-                 std::span<const sim::Index> pins);
+                 std::span<const sim::Index> pins, DrawnColours colours = {});
 
   /// Returns the picture, with bodies where they are at this time and with a legend if the scene asks for
   /// one.
@@ -49,6 +50,7 @@ class GarmentPainter {
   sim::Garment measured_;  ///< what the stretch that is shown is measured from, and nothing else
   std::vector<sim::Index> pins_;
   std::vector<std::uint32_t> triangles_;
+  DrawnColours colours_;
   std::vector<glm::vec3> rest_positions_;
   std::vector<std::uint32_t> structural_edges_;
   float line_width_px_;

@@ -78,4 +78,22 @@ class ArrayReader {
   std::size_t at_ = 0;
 };
 
+/// Writes how many items there are, then each by `put`.
+template <class Items, class Put>
+void put_all(const Items& items, ArrayWriter& out, const Put& put) {
+  out.put(static_cast<std::uint64_t>(items.size()));
+  for (const auto& item : items) {
+    put(item);
+  }
+}
+
+/// Reads what put_all wrote. Each item must take four bytes or more.
+template <class Items, class Take>
+void take_all(Items& items, ArrayReader& in, const Take& take) {
+  items.resize(in.take_count(4));
+  for (auto& item : items) {
+    take(item);
+  }
+}
+
 }  // namespace taut::app

@@ -48,14 +48,16 @@ std::string expectation(const std::string& reason) {
 
 }  // namespace
 
-ImportedModel import_garment(const std::filesystem::path& path, const ImportLimits& limits) {
+ImportedModel import_garment(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts) {
   require_file(path);
   try {
-    ModelArrays arrays = read_model_in_process(path, limits);
+    ModelArrays arrays = read_model_in_process(path, limits, parts);
     require_size(arrays);
     ImportedModel model;
     count_faces(arrays, model);
     model.triangles = sim::cut_into_triangles({arrays.positions, arrays.corner_counts, arrays.corners});
+    model.colours =
+        cut_colours(std::move(arrays.colours), arrays.corner_counts, arrays.corners, model.triangles);
     model.positions = std::move(arrays.positions);
     model.position_of_vertex = std::move(arrays.position_of_vertex);
     model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);

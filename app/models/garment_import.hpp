@@ -28,6 +28,7 @@ struct ImportedModel {
   std::optional<double> metres_per_unit;  ///< empty if neither the file nor its format says
   std::optional<ModelAxis> up;            ///< empty if neither the file nor its format says
   Rig rig;                                ///< as in ModelArrays
+  SurfaceColours colours;                 ///< of `triangles`
 };
 
 /// Limit on the triangles of a model. More would not fit into memory with their springs.
@@ -35,6 +36,7 @@ inline constexpr std::size_t most_triangles = 4'000'000;
 
 /// Reads a model in a child process (import_process.hpp) and cuts its faces into triangles. Takes OBJ and
 /// every format of the assimp library. Throws InputError that names the file and the reason; Interrupted.
-ImportedModel import_garment(const std::filesystem::path& path, const ImportLimits& limits = {});
+ImportedModel import_garment(const std::filesystem::path& path, const ImportLimits& limits = {},
+                             ReadParts parts = ReadParts::shape);
 
 }  // namespace taut::app

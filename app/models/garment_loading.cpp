@@ -92,7 +92,8 @@ void join_and_turn(const GarmentSource& source, sim::Mesh& mesh, LoadedGarment& 
 
 sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const StageReport& begin) {
   tell(begin, "reading " + source.file.filename().string());
-  ImportedModel& model = loaded.model.emplace(import_garment(source.file));
+  ImportedModel& model = loaded.model.emplace(import_garment(source.file, {}, ReadParts::model));
+  const std::vector<sim::Triangle> imported = model.triangles;
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   loaded.strays = remove_strays(soup);
   PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
@@ -104,9 +105,10 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
     sim::ValidatedMesh valid =
         sim::weld_and_validate(soup, repair_settings(source, loaded.placement->scale), kept);
     loaded.repairs = valid.report;
-    loaded.file_vertices = vertices_of_file(model, kept);
     require_one_size(valid.mesh);
     join_and_turn(source, valid.mesh, loaded);
+    loaded.colours = kept_colours(std::move(model.colours), imported, kept, valid.mesh.triangles);
+    loaded.file_vertices = vertices_of_file(model, kept);
     if (!source.up && !model.up) {
       hints.up_by_openings = up_by_openings(valid.mesh, sim::make_adjacency(valid.mesh));
       loaded.placement = place_model(soup, hints);
@@ -115,6 +117,8 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
     for (sim::Vec3& position : valid.mesh.positions) {
       position = (*loaded.placement)(position);
     }
+    loaded.metres_per_uv =
+        known_metres_per_uv(source.file).value_or(metres_per_uv(valid.mesh, loaded.colours.corner_uv));
     return std::move(valid.mesh);
   } catch (const std::invalid_argument& error) {
     throw InputError("cannot use the garment '" + source.file.string() + "': " + error.what());
@@ -248,6 +252,9 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded);
   loaded.moving_pins = choose_moving_pins(scene, mesh, loaded);
   sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
+  for (int i = 0; i < scene.garment.subdivisions; ++i) {
+    loaded.colours = subdivided_colours(std::move(loaded.colours));
+  }
   loaded.garment = sim::share(sim::make_garment(std::move(pinned.mesh), scene.mapping, scene.material));
   loaded.pins = std::move(pinned.pins);
   for (const sim::MovingPins& group : loaded.moving_pins) {

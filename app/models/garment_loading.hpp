@@ -31,6 +31,10 @@ struct GarmentInScene {
   std::optional<std::vector<sim::Vec3>> start_m;  ///< positions at the start, per vertex; empty: as modelled
   FileVertices file_vertices;  ///< For the mesh before subdivision. Of a grid: all its vertices.
   std::vector<sim::MovingPins> moving_pins = {};  ///< vertices of the mesh
+  SurfaceColours colours = {};                    ///< of the mesh's triangles
+  /// Of the cloth at rest, for one unit of texture coordinates: what the landmarks' file says, or the median
+  /// of the triangles; 0 without coordinates.
+  double metres_per_uv = 0.0;
   /// Of what crossed at the start; empty if nothing did, or the scene does not ask for it.
   std::optional<Untangling> untangling = {};
 };

@@ -21,6 +21,7 @@
 
 #include "app/base/child_process.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
 #include "app/models/model_reading.hpp"
 
@@ -55,7 +56,7 @@ struct Importer {
   ChildProcess process;
 };
 
-Importer start_importer(const fs::path& model, const ImportLimits& limits) {
+Importer start_importer(const fs::path& model, const ImportLimits& limits, ReadParts parts) {
   // A program that does not know the command would start itself again and again.
   if (std::getenv(nested) != nullptr) {
     throw InputError("the importer was started by itself");
@@ -68,12 +69,13 @@ Importer start_importer(const fs::path& model, const ImportLimits& limits) {
     }
     Descriptor ours(ends[0]);
     const Descriptor its(ends[1]);
-    return {std::move(ours),
-            ChildProcess({.arguments = {fs::absolute(program).string(), "import-model", "--memory",
-                                        std::to_string(limits.memory_mib), "--seconds",
-                                        std::to_string(limits.seconds), fs::absolute(model).string()},
-                          .variable = std::string(nested) + "=1",
-                          .output = its.number()})};
+    return {std::move(ours), ChildProcess({.arguments = {fs::absolute(program).string(), "import-model",
+                                                         "--memory", std::to_string(limits.memory_mib),
+                                                         "--seconds", std::to_string(limits.seconds),
+                                                         "--parts", std::to_string(static_cast<int>(parts)),
+                                                         fs::absolute(model).string()},
+                                           .variable = std::string(nested) + "=1",
+                                           .output = its.number()})};
   } catch (const std::system_error& error) {
     throw InputError("the importer '" + program.string() + "' does not start: " + error.code().message());
   }
@@ -184,9 +186,9 @@ std::string reason_of(const std::exception& error, const ImportLimits& limits) {
 
 }  // namespace
 
-ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limits) {
+ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limits, ReadParts parts) {
   const auto deadline = Clock::now() + std::chrono::seconds(limits.seconds);
-  Importer importer = start_importer(path, limits);
+  Importer importer = start_importer(path, limits, parts);
   const std::optional<std::string> bytes = read_all(importer.output, deadline);
   if (!bytes) {
     throw InputError(Clock::now() < deadline ? "it is larger than anything that can be simulated"
@@ -203,12 +205,27 @@ ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limi
   return decode(*content);
 }
 
-int serve_import(const fs::path& path, const ImportLimits& limits) {
+TextureImage read_image(const fs::path& path) {
+  require_file(path);
+  try {
+    ModelArrays answer = read_model_in_process(path, {}, ReadParts::image);
+    if (answer.colours.maps.size() != 1) {
+      throw InputError("nothing came of it");
+    }
+    return std::move(answer.colours.maps.front());
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError("cannot read an image from '" + path.string() + "': " + error.what());
+  }
+}
+
+int serve_import(const fs::path& path, const ImportLimits& limits, ReadParts parts) {
   const int output = take_standard_output();
   keep_to(limits);
   std::string answer;
   try {
-    answer = framed(Kind::arrays, encode(read_model(path)));
+    answer = framed(Kind::arrays, encode(read_model(path, parts)));
   } catch (const std::exception& error) {
     answer = framed(Kind::reason, reason_of(error, limits));
   }

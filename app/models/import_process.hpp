@@ -32,10 +32,14 @@ struct ImportLimits {
 /// The child runs `taut import-model FILE`. The program is $TAUT_IMPORTER if that is set; else this program
 /// if it is taut; else the one in the build folder. Throws InputError with the reason, without the name of
 /// the file; Interrupted.
-ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& limits);
+ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& limits,
+                                  ReadParts parts);
+
+/// Reads an image in the same way. Throws InputError that names the file and the reason; Interrupted.
+TextureImage read_image(const std::filesystem::path& path);
 
 /// Runs in the child process. Sets the limits, reads the model and writes its arrays to standard output, or
 /// the reason for failure. Returns the exit code.
-int serve_import(const std::filesystem::path& path, const ImportLimits& limits);
+int serve_import(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts);
 
 }  // namespace taut::app

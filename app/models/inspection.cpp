@@ -71,6 +71,15 @@ void find_crossings(const LoadedGarment& loaded, Inspection& result) {
   result.crossings_text = result.crossings.empty() ? "none" : describe(start, result.crossings);
 }
 
+std::string describe_texture(const LoadedGarment& loaded) {
+  const SurfaceColours& colours = loaded.colours;
+  if (colours.corner_uv.empty()) {
+    return "no coordinates";
+  }
+  return fmt::format("a unit of its coordinates is {:.3g} m of cloth; {}, {}", loaded.metres_per_uv,
+                     counted(colours.materials.size(), "material"), counted(colours.maps.size(), "image"));
+}
+
 void remark(Inspection& result) {
   const double size_m = glm::length(result.upper_m - result.lower_m);
   if (size_m > 10.0 || size_m < 0.05) {
@@ -162,6 +171,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   result.model = *loaded.model;
   result.model.positions.clear();
   result.model.triangles.clear();
+  result.model.colours = {};
   result.repairs = *loaded.repairs;
   result.placement = *loaded.placement;
   if (loaded.hanging) {
@@ -178,6 +188,8 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   measure_edges(garment, result);
   measure_surface(loaded, result);
   find_crossings(loaded, result);
+  result.texture = describe_texture(loaded);
+  result.remarks = loaded.colours.remarks;
   result.topology = sim::measure_topology(garment.mesh, garment.adjacency);
   result.structural_springs = garment.springs.count(sim::SpringKind::structural);
   result.shear_springs = garment.springs.count(sim::SpringKind::shear);
@@ -197,6 +209,7 @@ std::string describe(const Inspection& i) {
   text += describe_topology(i.topology);
   text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs,
                       i.shear_springs, i.flexural_springs);
+  text += fmt::format("texture     {}\n", i.texture);
   text += fmt::format("crossings   {}\n", i.crossings_text);
   text += i.untangling ? "untangled   " + describe(*i.untangling) + '\n' : "";
   text += i.start ? describe_start(*i.start) : "";

@@ -45,6 +45,7 @@ struct Inspection {
   std::vector<CrossingPair> crossings;   ///< in the shape it begins in
   std::string crossings_text;            ///< the same for people
   std::optional<Untangling> untangling;  ///< of what crossed before; empty if nothing was moved apart
+  std::string texture;                   ///< texture coordinates and images, for people
   sim::Topology topology;
   std::size_t structural_springs = 0;
   std::size_t shear_springs = 0;

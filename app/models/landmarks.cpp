@@ -65,6 +65,13 @@ std::vector<sim::Index> find_vertices(const std::string& name, const toml::array
   return found;
 }
 
+/// The table in a file; an empty one where there is no file.
+toml::table file_at(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error) ? read_toml_text(read_text_file(path), path.string())
+                                              : toml::table();
+}
+
 // Landmarks may stand in tables, whose names do not matter.
 void collect(const toml::table& table, const Search& search, Landmarks& landmarks) {
   for (const auto& [name, value] : entries_of(table)) {
@@ -87,13 +94,23 @@ Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& 
                          const sim::Mesh& mesh, const FileVertices& file_vertices) {
   const std::filesystem::path path = landmarks_path(garment);
   Landmarks landmarks;
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    return landmarks;
-  }
-  const toml::table file = read_toml_text(read_text_file(path), path.string());
-  collect(file, {{path.string(), false}, mesh.positions, file_vertices, placement}, landmarks);
+  collect(file_at(path), {{path.string(), false}, mesh.positions, file_vertices, placement}, landmarks);
   return landmarks;
+}
+
+std::optional<double> known_metres_per_uv(const std::filesystem::path& garment) {
+  const std::filesystem::path path = landmarks_path(garment);
+  const toml::table file = file_at(path);
+  const toml::node* value = file.get("metres_per_uv");
+  if (value == nullptr) {
+    return std::nullopt;
+  }
+  const std::optional<double> metres = finite_number(*value);
+  if (!metres || !(*metres > 0.0)) {
+    fail({path.string(), false}, line_of(*value),
+         "metres_per_uv: found " + to_text(*value) + ", expected a number above 0");
+  }
+  return metres;
 }
 
 }  // namespace taut::app

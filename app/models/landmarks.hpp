@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,5 +24,9 @@ std::filesystem::path landmarks_path(const std::filesystem::path& garment);
 /// found.
 Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement,
                          const sim::Mesh& mesh, const FileVertices& file_vertices);
+
+/// What the same file says of the garment's texture coordinates: metres_per_uv = 1.5. Empty if it says
+/// nothing. Throws InputError that names the file and the line if it is not a number above 0.
+std::optional<double> known_metres_per_uv(const std::filesystem::path& garment);
 
 }  // namespace taut::app

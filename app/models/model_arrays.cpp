@@ -28,6 +28,7 @@ std::string encode(const ModelArrays& model) {
   out.put(model.metres_per_unit.value_or(0.0));
   out.put(model.up ? static_cast<std::uint8_t>(*model.up) : no_axis);
   encode(model.rig, out);
+  encode(model.colours, out);
   return std::move(out.bytes);
 }
 
@@ -45,6 +46,7 @@ ModelArrays decode(const std::string& bytes) {
   const auto unit = reader.take<double>();
   const auto axis = reader.take<std::uint8_t>();
   model.rig = decode_rig(reader);
+  model.colours = decode_colours(reader, model.corners.size(), model.corner_counts.size());
   const auto is_position = [&](sim::Index index) { return index < model.positions.size(); };
   const bool has_positions =
       std::all_of(model.position_of_vertex.begin(), model.position_of_vertex.end(), is_position);

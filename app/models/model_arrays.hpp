@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/models/rig.hpp"
+#include "app/models/surface_colours.hpp"
 #include "app/scene/model_units.hpp"
 #include "sim/mesh/types.hpp"
 
@@ -26,6 +27,14 @@ struct ModelArrays {
   std::optional<double> metres_per_unit;  ///< empty if neither the file nor its format says
   std::optional<ModelAxis> up;            ///< empty if neither the file nor its format says
   Rig rig;                                ///< of the same vertices as `positions`
+  SurfaceColours colours;                 ///< of the same faces as `corners`
+};
+
+/// What is read of a file.
+enum class ReadParts {
+  shape,  ///< all but colours and texture coordinates
+  model,  ///< all of a model
+  image,  ///< the file is an image: SurfaceColours::maps holds it and all else is empty
 };
 
 /// The model as bytes, for another process of this program.

@@ -4,11 +4,15 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/models/image_reading.hpp"
+#include "app/models/material_reading.hpp"
 #include "app/models/obj_reading.hpp"
 #include "app/models/rig_reading.hpp"
 #include "app/models/unit_of_3mf.hpp"
@@ -16,7 +20,7 @@
 namespace taut::app {
 namespace {
 
-void append_face(const aiFace& face, sim::Index first, bool mirrored, ModelArrays& model) {
+void append_face(const aiFace& face, const aiMesh& mesh, bool mirrored, ModelArrays& model) {
   switch (face.mNumIndices) {
     case 0:
       return;
@@ -30,15 +34,19 @@ void append_face(const aiFace& face, sim::Index first, bool mirrored, ModelArray
       break;
   }
   model.corner_counts.push_back(face.mNumIndices);
-  model.corners.push_back(first + face.mIndices[0]);
-  for (unsigned k = 1; k < face.mNumIndices; ++k) {
+  model.colours.material_of_face.push_back(mesh.mMaterialIndex);
+  const auto first = static_cast<sim::Index>(model.positions.size()) - mesh.mNumVertices;
+  for (unsigned k = 0; k < face.mNumIndices; ++k) {
     // A mirrored node would turn the garment inside out.
-    model.corners.push_back(first + face.mIndices[mirrored ? face.mNumIndices - k : k]);
+    const unsigned v = face.mIndices[mirrored && k > 0 ? face.mNumIndices - k : k];
+    model.corners.push_back(first + v);
+    model.colours.corner_uv.push_back(
+        mesh.HasTextureCoords(0) ? glm::vec2(mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y)
+                                 : glm::vec2(0.0F));
   }
 }
 
 void append_mesh(const aiMesh& mesh, const aiMatrix4x4& to_world, ModelArrays& model) {
-  const auto first = static_cast<sim::Index>(model.positions.size());
   if (mesh.mNumVertices > 0 && mesh.mVertices == nullptr) {
     throw InputError("one of its meshes has no positions");
   }
@@ -55,7 +63,7 @@ void append_mesh(const aiMesh& mesh, const aiMatrix4x4& to_world, ModelArrays& m
                          std::to_string(mesh.mNumVertices));
       }
     }
-    append_face(face, first, mirrored, model);
+    append_face(face, mesh, mirrored, model);
   }
 }
 
@@ -129,7 +137,45 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
-ModelArrays read_with_assimp(const std::filesystem::path& path) {
+/// The bytes of an image within the scene; assimp keeps those that are compressed as one row of them.
+std::optional<std::string_view> embedded_image(const aiScene& scene, const std::string& name) {
+  const aiTexture* texture = scene.GetEmbeddedTexture(name.c_str());
+  if (texture == nullptr || texture->mHeight != 0) {
+    return std::nullopt;
+  }
+  return std::string_view(reinterpret_cast<const char*>(texture->pcData), texture->mWidth);
+}
+
+void read_colours(const aiScene& scene, const std::filesystem::path& folder, ModelArrays& model) {
+  SurfaceColours& colours = model.colours;
+  if (std::none_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes,
+                   [](const aiMesh* mesh) { return mesh->HasTextureCoords(0); })) {
+    colours.corner_uv.clear();
+  }
+  colours.materials = materials_of(scene, contains(model.format, "glTF"));
+  for (const sim::Index material : colours.material_of_face) {
+    if (material >= colours.materials.size()) {
+      colours.material_of_face.clear();
+      break;
+    }
+  }
+  read_maps(
+      folder, [&](const std::string& name) { return embedded_image(scene, name); }, colours);
+}
+
+void read_colours_of_obj(const std::filesystem::path& folder, SurfaceColours& colours) {
+  for (const std::string& library : colours.libraries) {
+    try {
+      read_mtl(read_text_file(folder / library), colours);
+    } catch (const InputError& error) {
+      colours.remarks.push_back("its materials are not read: " + std::string(error.what()));
+    }
+  }
+  read_maps(
+      folder, [](const std::string&) { return std::nullopt; }, colours);
+}
+
+ModelArrays read_with_assimp(const std::filesystem::path& path, ReadParts parts) {
   // Never destroyed: of some files (3MF with textures) it reads all there is and crashes while clearing away.
   Assimp::Importer& importer = *new Assimp::Importer;
   const aiScene* scene = importer.ReadFile(path.string(), 0);
@@ -145,18 +191,34 @@ ModelArrays read_with_assimp(const std::filesystem::path& path) {
   read_units(*scene, path, model);
   append_node(*scene, *scene->mRootNode, aiMatrix4x4(), model);
   model.rig = read_rig(*scene, in_lower_case(path.extension().string()) != ".fbx");
+  if (parts == ReadParts::model) {
+    read_colours(*scene, path.parent_path(), model);
+  }
   return model;
 }
 
 }  // namespace
 
-ModelArrays read_model(const std::filesystem::path& path) {
+ModelArrays read_model(const std::filesystem::path& path, ReadParts parts) {
+  if (parts == ReadParts::image) {
+    ModelArrays image;
+    image.colours.maps.push_back(fitted_to(decode_image(read_text_file(path)), most_print_side_px));
+    return image;
+  }
+  std::optional<ModelArrays> model;
   if (in_lower_case(path.extension().string()) == ".obj") {
-    if (std::optional<ModelArrays> model = read_obj(read_text_file(path))) {
-      return std::move(*model);
+    model = read_obj(read_text_file(path));
+    if (model && parts == ReadParts::model) {
+      read_colours_of_obj(path.parent_path(), model->colours);
     }
   }
-  return read_with_assimp(path);
+  if (!model) {
+    model = read_with_assimp(path, parts);
+  }
+  if (parts == ReadParts::shape) {
+    model->colours = {};
+  }
+  return std::move(*model);
 }
 
 }  // namespace taut::app

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\v\f";
 constexpr std::string_view line_ends = "\r\n";
+constexpr sim::Index unnamed = std::numeric_limits<sim::Index>::max();
 
 /// The next word of a line, which loses it; empty at the end of the line and where a comment begins.
 std::string_view take_word(std::string_view& line) {
@@ -37,6 +38,9 @@ class ObjReader {
   void read_face(std::string_view line);
   double coordinate(std::string_view word) const;
   sim::Index vertex(std::string_view word) const;
+  sim::Index texture_vertex(std::string_view word) const;
+  void use_material(std::string_view name);
+  void place_texture();
   void require_vertices() const;
   [[noreturn]] void reject(std::string_view found, const std::string& expected) const;
 
@@ -46,6 +50,10 @@ class ObjReader {
   std::size_t lines_taken_ = 0;
   bool group_begins_ = true;
   std::vector<sim::Index> face_;
+  std::vector<sim::Index> face_texture_;
+  std::vector<glm::vec2> texture_vertices_;
+  std::vector<sim::Index> corner_texture_;  ///< per corner, of those; `unnamed` where a face names none
+  sim::Index material_ = 0;
   sim::Index highest_ = 0;
   std::size_t line_of_highest_ = 0;
   ModelArrays model_;
@@ -108,10 +116,35 @@ sim::Index ObjReader::vertex(std::string_view word) const {
   return static_cast<sim::Index>(number > 0 ? number - 1 : so_far + number);
 }
 
+// What is damaged here names none: a garment is more than its print.
+sim::Index ObjReader::texture_vertex(std::string_view word) const {
+  const std::size_t slash = word.find('/');
+  long long number = 0;
+  if (slash != std::string_view::npos) {
+    std::from_chars(word.data() + slash + 1, word.data() + word.size(), number);
+  }
+  number = number < 0 ? static_cast<long long>(texture_vertices_.size()) + number + 1 : number;
+  return number > 0 && number < static_cast<long long>(unnamed) ? static_cast<sim::Index>(number - 1)
+                                                                : unnamed;
+}
+
+// Faces before the first name have a material without one.
+void ObjReader::use_material(std::string_view name) {
+  std::vector<SurfaceMaterial>& all = model_.colours.materials;
+  const auto known = std::find_if(all.begin(), all.end(),
+                                  [&](const SurfaceMaterial& material) { return material.name == name; });
+  material_ = static_cast<sim::Index>(known - all.begin());
+  if (known == all.end()) {
+    all.push_back({.name = std::string(name)});
+  }
+}
+
 void ObjReader::read_face(std::string_view line) {
   face_.clear();
+  face_texture_.clear();
   for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
     face_.push_back(vertex(word));
+    face_texture_.push_back(texture_vertex(word));
     if (face_.back() >= highest_) {
       highest_ = face_.back();
       line_of_highest_ = line_;
@@ -125,6 +158,11 @@ void ObjReader::read_face(std::string_view line) {
   model_.meshes += std::exchange(group_begins_, false) ? 1 : 0;
   model_.corner_counts.push_back(static_cast<std::uint32_t>(face_.size()));
   model_.corners.insert(model_.corners.end(), face_.begin(), face_.end());
+  corner_texture_.insert(corner_texture_.end(), face_texture_.begin(), face_texture_.end());
+  if (model_.colours.materials.empty()) {
+    use_material("");
+  }
+  model_.colours.material_of_face.push_back(material_);
 }
 
 std::size_t count_words(std::string_view line) {
@@ -133,6 +171,20 @@ std::size_t count_words(std::string_view line) {
     ++count;
   }
   return count;
+}
+
+/// A texture coordinate; 0 where it is damaged.
+float share_of(std::string_view word) {
+  double value = 0.0;
+  word.remove_prefix(word.starts_with('+') ? 1 : 0);
+  std::from_chars(word.data(), word.data() + word.size(), value);
+  return static_cast<float>(value);
+}
+
+/// The rest of a line as one name, which may hold blanks.
+std::string_view name_in(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  return line.substr(0, line.find_last_not_of(blanks) + 1);
 }
 
 void ObjReader::read_line(std::string_view line) {
@@ -147,8 +199,32 @@ void ObjReader::read_line(std::string_view line) {
     model_.ignored_lines += std::max<std::size_t>(count_words(line), 1) - 1;
   } else if (kind == "p") {
     model_.ignored_points += count_words(line);
+  } else if (kind == "vt") {
+    const float u = share_of(take_word(line));
+    texture_vertices_.emplace_back(u, share_of(take_word(line)));
+  } else if (kind == "mtllib") {
+    model_.colours.libraries.emplace_back(name_in(line));
   } else if (kind == "o" || kind == "g" || kind == "usemtl") {
     group_begins_ = true;
+    if (kind == "usemtl") {
+      use_material(name_in(line));
+    }
+  }
+}
+
+// At the end too. A file that names no material says nothing of colours.
+void ObjReader::place_texture() {
+  SurfaceColours& colours = model_.colours;
+  const auto is_named = [](sim::Index texture) { return texture != unnamed; };
+  if (std::any_of(corner_texture_.begin(), corner_texture_.end(), is_named)) {
+    for (const sim::Index texture : corner_texture_) {
+      colours.corner_uv.push_back(texture < texture_vertices_.size() ? texture_vertices_[texture]
+                                                                     : glm::vec2(0.0F));
+    }
+  }
+  if (colours.materials.size() == 1 && colours.materials.front().name.empty()) {
+    colours.materials.clear();
+    colours.material_of_face.clear();
   }
 }
 
@@ -192,6 +268,7 @@ std::optional<ModelArrays> ObjReader::read() {
     return std::nullopt;
   }
   require_vertices();
+  place_texture();
   number_by_first_use(model_);
   model_.format = "Wavefront OBJ";
   return std::move(model_);

@@ -13,23 +13,6 @@ void require(bool is_so) {
   }
 }
 
-template <class Items, class Put>
-void put_all(const Items& items, ArrayWriter& out, const Put& put) {
-  out.put(static_cast<std::uint64_t>(items.size()));
-  for (const auto& item : items) {
-    put(item);
-  }
-}
-
-/// Each item begins with a length or a number of eight bytes or more.
-template <class Items, class Take>
-void take_all(Items& items, ArrayReader& in, const Take& take) {
-  items.resize(in.take_count(4));
-  for (auto& item : items) {
-    take(item);
-  }
-}
-
 void put_keys(const RigKeys& keys, ArrayWriter& out) {
   out.put_list(keys.times_s);
   out.put_list(keys.values);

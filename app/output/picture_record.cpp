@@ -73,6 +73,10 @@ DrawnScene read_scene(const std::string& text, const std::filesystem::path& file
   for (std::size_t k = 0; k < scene.body_sources.size(); ++k) {
     find_models(settings["bodies"][k], body_files, file.parent_path(), scene.body_sources[k]);
   }
+  if (names_image(scene.picture.texture)) {
+    scene.picture.texture =
+        find_model(*settings["picture"]["texture"].value<std::string>(), file.parent_path());
+  }
   scene.name = file.stem().string();
   return scene;
 }

@@ -301,6 +301,7 @@ std::string inspection_json(const Inspection& i) {
        {"edge_length_m", {{"min", i.shortest_edge_m}, {"mean", i.mean_edge_m}, {"max", i.longest_edge_m}}},
        {"smallest_angle_degrees", i.smallest_angle_rad * 180.0 / std::numbers::pi},
        {"triangles_without_surface", i.without_surface},
+       {"texture", i.texture},
        {"start", start_json(i.start)},
        {"crossings", crossings_json(i.crossings)},
        {"untangling", untangling_json(i.untangling)},

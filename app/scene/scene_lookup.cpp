@@ -85,8 +85,8 @@ std::optional<std::filesystem::path> find_asset(const std::filesystem::path& fil
     return std::nullopt;
   }
   std::error_code error;
-  for (const char* folder : {"", "garments", "garments/contact", "bodies", "motions"}) {
-    for (const char* ending : {"", ".obj", ".glb", ".bvh"}) {
+  for (const char* folder : {"", "garments", "garments/contact", "bodies", "motions", "textures"}) {
+    for (const char* ending : {"", ".obj", ".glb", ".bvh", ".png"}) {
       const fs::path candidate = assets / folder / (file.string() + ending);
       if (fs::is_regular_file(candidate, error)) {
         return candidate;

@@ -29,27 +29,27 @@ void append_section(std::string& text, const std::string& section, const Json& t
   }
 }
 
-std::filesystem::path model_name(const std::filesystem::path& model, GarmentNaming naming) {
-  const std::filesystem::path full = std::filesystem::absolute(model).lexically_normal();
-  if (naming == GarmentNaming::full_path) {
-    return full;
-  }
-  const std::filesystem::path assets = assets_folder();
-  const std::filesystem::path relative = full.lexically_relative(assets);
-  const bool is_inside = !assets.empty() && !relative.empty() && *relative.begin() != "..";
-  return is_inside ? relative : full;
-}
-
 template <class Files, class Models>
 void name_files(const Files& files, const Models& models, GarmentNaming naming, Json& table) {
   for (const auto& [key, member] : files) {
     if (table.contains(key) && !table[key].is_null()) {
-      table[key] = model_name(models.*member, naming).string();
+      table[key] = name_in_scene(models.*member, naming);
     }
   }
 }
 
 }  // namespace
+
+std::string name_in_scene(const std::filesystem::path& file, GarmentNaming naming) {
+  const std::filesystem::path full = std::filesystem::absolute(file).lexically_normal();
+  if (naming == GarmentNaming::full_path) {
+    return full.string();
+  }
+  const std::filesystem::path assets = assets_folder();
+  const std::filesystem::path relative = full.lexically_relative(assets);
+  const bool is_inside = !assets.empty() && !relative.empty() && *relative.begin() != "..";
+  return (is_inside ? relative : full).string();
+}
 
 std::string text_of(Json settings, const Scene& scene, GarmentNaming naming) {
   if (!scene.checkpoint.empty() && naming == GarmentNaming::in_assets) {

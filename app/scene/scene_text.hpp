@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -11,6 +12,9 @@ namespace taut::app {
 /// assets_folder(), the same on every machine. `full_path`: readable by any program. Others always have their
 /// full path.
 enum class GarmentNaming { in_assets, full_path };
+
+/// The name under which a scene file names a file.
+std::string name_in_scene(const std::filesystem::path& file, GarmentNaming naming);
 
 /// The scene as a scene file, from its settings (scene_format.hpp). It holds every key, so that a change of a
 /// default does not change the scene. Reading it gives the same bits. ASCII only.

@@ -17,6 +17,26 @@ std::int64_t to_micrometres(double metres) {
   return static_cast<std::int64_t>(std::floor(metres * micrometres_per_metre + 0.5));
 }
 
+/// Where the origin of a piece's plane is in the square of texture coordinates, in metres. The origin of
+/// front and back is on the fold, a little above the neck; a sleeve's is between its armpits.
+Vec2 place_of(PieceKind kind) {
+  const double middle = kind == PieceKind::front || kind == PieceKind::left_sleeve ? 0.25 : 0.75;
+  const bool is_body = kind == PieceKind::front || kind == PieceKind::back;
+  return {middle * metres_per_uv, is_body ? 1.45 : 0.35};
+}
+
+std::vector<glm::vec2> texture_coordinates(const Shirt& shirt) {
+  std::vector<glm::vec2> corner_uv;
+  for (const Panel& panel : shirt.panels) {
+    for (const Triangle& t : panel.triangles) {
+      for (const Index point : t) {
+        corner_uv.emplace_back((place_of(panel.kind) + panel.flat_m[point]) / metres_per_uv);
+      }
+    }
+  }
+  return corner_uv;
+}
+
 /// The seams walked one after the other; a closed walk does not repeat its first vertex.
 Landmark walk(const Shirt& shirt, const std::string& name, const std::vector<std::string>& seams) {
   Landmark landmark = {name, {}};
@@ -48,7 +68,8 @@ std::vector<Landmark> find_landmarks(const Shirt& shirt) {
 std::string landmarks_text(const std::vector<Landmark>& landmarks, const std::string& name) {
   std::ostringstream out;
   out << "# Vertices of " << name << ".obj, counted from 0, in order along each seam or border.\n"
-      << "# Left and right are the wearer's.\n";
+      << "# Left and right are the wearer's. Texture coordinates are the pieces as they are cut, to scale.\n"
+      << "metres_per_uv = " << metres_per_uv << '\n';
   for (const Landmark& landmark : landmarks) {
     out << landmark.name << " = [";
     for (std::size_t i = 0; i < landmark.vertices.size(); ++i) {
@@ -80,6 +101,7 @@ Model make_model(const Shirt& shirt, const std::vector<Vec3>& positions) {
     }
     model.mesh.triangles.push_back(t);
   }
+  model.corner_uv = texture_coordinates(shirt);
   model.landmarks = find_landmarks(shirt);
   for (Landmark& landmark : model.landmarks) {
     for (Index& v : landmark.vertices) {
@@ -92,7 +114,7 @@ Model make_model(const Shirt& shirt, const std::vector<Vec3>& positions) {
 void write_model(const Model& model, const std::filesystem::path& folder, const std::string& name,
                  const std::string& header) {
   app::write_text_file(folder / (name + ".obj"),
-                       app::obj_text(model.mesh, model.mesh.positions, header, "{:.6f}"));
+                       app::obj_text(model.mesh, model.mesh.positions, model.corner_uv, header, "{:.6f}"));
   app::write_text_file(folder / (name + ".landmarks.toml"), landmarks_text(model.landmarks, name));
 }
 

@@ -16,9 +16,16 @@ struct Landmark {
   std::vector<Index> vertices;
 };
 
+/// Metres of flat cloth for a unit of texture coordinates, for every size of the shirt.
+inline constexpr double metres_per_uv = 1.5;
+
 /// What is written: a mesh, with positions rounded to micrometres, and its landmarks.
 struct Model {
   sim::Mesh mesh;
+  /// Texture coordinates, three per triangle: the pieces as they are cut, seen from outside and upright, side
+  /// by side in the square from 0 to 1. The folds of front and back are at u = 0.25 and 0.75, so that a print
+  /// is as large and as far below the neck on every size.
+  std::vector<glm::vec2> corner_uv;
   std::vector<Landmark> landmarks;
 };
 

@@ -12,6 +12,8 @@ void bind_shared_inputs(const Program& program) {
   program.set("drawn", static_cast<int>(drawn_unit));
   program.set("visibility_buffer", static_cast<int>(visibility_unit));
   program.set("halved", static_cast<int>(halved_unit));
+  program.set("base_colour_maps", static_cast<int>(base_colour_maps_unit));
+  program.set("corner_data", static_cast<int>(corner_data_unit));
   program.set("floor_shadow", static_cast<int>(floor_shadow_unit));
   program.set("vertex_data", static_cast<int>(vertex_data_unit));
   program.set("triangle_data", static_cast<int>(triangle_data_unit));

@@ -26,7 +26,11 @@ glm::vec3 material_of(const SurfaceView& surface, std::size_t vertex) {
 }  // namespace
 
 SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
-    : gl_(&context), vertex_data_(context), triangle_data_(context), material_data_(context) {
+    : gl_(&context),
+      vertex_data_(context),
+      triangle_data_(context),
+      material_data_(context),
+      corner_data_(context) {
   GLint most = 0;
   gl_->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   most_texels_ = static_cast<std::size_t>(std::max(most, 0));
@@ -36,9 +40,34 @@ void SurfaceBuffers::clear() {
   vertices_.clear();
   triangles_.clear();
   materials_.clear();
+  corners_.clear();
 }
 
-void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row) {
+void SurfaceBuffers::add_materials(const SurfaceView& surface, float row, BaseColourMapTexture& maps) {
+  const SurfaceStyle& style = surface.style;
+  const float weave = surface.material_coordinates.empty() ? 0.0F : style.weave;
+  const auto add_one = [&](const BaseColour& colour) {
+    const float layer =
+        surface.scalars || !colour.map.rgba ? -1.0F : static_cast<float>(maps.layer_of(colour.map));
+    materials_.push_back({{linear_light(colour.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
+                          {linear_light(colour.inside_colour), style.sheen},
+                          {style.translucency, weave, row, layer}});
+    return layer >= 0.0F;
+  };
+  bool has_map = false;
+  for (const BaseColour& colour : surface.base_colours) has_map = add_one(colour) || has_map;
+  if (surface.base_colours.empty()) add_one({style.outside_colour, style.inside_colour});
+  if (has_map) add_corners(surface);
+}
+
+// Triangles before these, which have no map, have corners that nobody looks at.
+void SurfaceBuffers::add_corners(const SurfaceView& surface) {
+  corners_.resize(3 * triangles_.size() - surface.corner_coordinates.size());
+  corners_.insert(corners_.end(), surface.corner_coordinates.begin(), surface.corner_coordinates.end());
+}
+
+void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row,
+                         BaseColourMapTexture& maps) {
   const auto first = static_cast<std::uint32_t>(vertices_.size());
   const auto own = static_cast<std::uint32_t>(materials_.size());
   for (std::size_t i = 0; i < surface.positions.size(); ++i) {
@@ -47,22 +76,19 @@ void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, 
                          {material_of(surface, i), light.sky[i].y}});
   }
   for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {
+    const std::uint32_t colour =
+        surface.base_colour_of_triangle.empty() ? 0 : surface.base_colour_of_triangle[i / 3];
     triangles_.emplace_back(first + surface.triangles[i], first + surface.triangles[i + 1],
                             first + surface.triangles[i + 2],
-                            4 * own + static_cast<std::uint32_t>(light.key[i / 3]));
+                            4 * (own + colour) + static_cast<std::uint32_t>(light.key[i / 3]));
   }
-  const SurfaceStyle& style = surface.style;
-  const float weave = surface.material_coordinates.empty() ? 0.0F : style.weave;
-  const float row = surface.scalars ? static_cast<float>(colour_map_row) : -1.0F;
-  materials_.push_back({{linear_light(style.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
-                        {linear_light(style.inside_colour), style.sheen},
-                        {style.translucency, weave, row, 0.0F}});
+  add_materials(surface, surface.scalars ? static_cast<float>(colour_map_row) : -1.0F, maps);
 }
 
 template <typename Row>
 void SurfaceBuffers::upload_rows(BufferTexture& target, GLenum format, const std::vector<Row>& rows,
                                  unsigned unit) const {
-  const std::size_t texels = rows.size() * sizeof(Row) / sizeof(glm::vec4);
+  const std::size_t texels = rows.size() * std::max<std::size_t>(sizeof(Row) / sizeof(glm::vec4), 1);
   if (texels > most_texels_) {
     throw ContextError("the surfaces of a frame are too large for this OpenGL: " + std::to_string(texels) +
                        " texels in a buffer, at most " + std::to_string(most_texels_));
@@ -76,12 +102,14 @@ void SurfaceBuffers::upload() {
   upload_rows(vertex_data_, GL_RGBA32F, vertices_, vertex_data_unit);
   upload_rows(triangle_data_, GL_RGBA32UI, triangles_, triangle_data_unit);
   upload_rows(material_data_, GL_RGBA32F, materials_, material_data_unit);
+  if (has_maps()) upload_rows(corner_data_, GL_RG32F, corners_, corner_data_unit);
 }
 
 void SurfaceBuffers::bind() const {
   bind_texture(*gl_, vertex_data_unit, GL_TEXTURE_BUFFER, vertex_data_.texture);
   bind_texture(*gl_, triangle_data_unit, GL_TEXTURE_BUFFER, triangle_data_.texture);
   bind_texture(*gl_, material_data_unit, GL_TEXTURE_BUFFER, material_data_.texture);
+  if (has_maps()) bind_texture(*gl_, corner_data_unit, GL_TEXTURE_BUFFER, corner_data_.texture);
 }
 
 }  // namespace taut::renderer

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/frame_view.hpp"
+#include "renderer/gl/base_colour_map_texture.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/light/shadow_classifier.hpp"
 
@@ -32,13 +33,16 @@ class SurfaceBuffers {
   /// Removes all surfaces.
   void clear();
   /// Adds a surface with its light. `colour_map_row`: row of its colour map in ColourMapTexture; ignored
-  /// without scalars.
-  void add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row);
+  /// without scalars. `maps` is asked for the layers of its base colour maps.
+  void add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row,
+           BaseColourMapTexture& maps);
   /// Uploads all surfaces. Throws ContextError when they exceed the context's largest buffer texture.
   void upload();
 
   /// Binds the buffer textures to their units.
   void bind() const;
+  /// Returns whether a surface has a base colour map.
+  bool has_maps() const { return !corners_.empty(); }
   /// Returns whether there are no triangles.
   bool empty() const { return triangles_.empty(); }
 
@@ -63,6 +67,8 @@ class SurfaceBuffers {
     Buffer buffer;
     Texture texture;
   };
+  void add_materials(const SurfaceView& surface, float row, BaseColourMapTexture& maps);
+  void add_corners(const SurfaceView& surface);
   template <typename Row>
   void upload_rows(BufferTexture& target, GLenum format, const std::vector<Row>& rows, unsigned unit) const;
 
@@ -70,9 +76,11 @@ class SurfaceBuffers {
   BufferTexture vertex_data_;
   BufferTexture triangle_data_;
   BufferTexture material_data_;
+  BufferTexture corner_data_;
   std::vector<Vertex> vertices_;
   std::vector<glm::uvec4> triangles_;
   std::vector<Material> materials_;
+  std::vector<glm::vec2> corners_;  // three per triangle up to the last that has a map
   std::size_t most_texels_ = 0;
 };
 

@@ -19,7 +19,8 @@ constexpr std::size_t scalars = 2;
 constexpr std::size_t partial_shadow = 4;
 // Instead of several samples.
 constexpr std::size_t halved = 8;
-constexpr std::size_t variants = 16;
+constexpr std::size_t base_colour_maps = 16;
+constexpr std::size_t variants = 32;
 
 std::vector<std::string_view> defines(std::size_t variant) {
   std::vector<std::string_view> names;
@@ -27,6 +28,7 @@ std::vector<std::string_view> defines(std::size_t variant) {
   if ((variant & scalars) != 0) names.emplace_back("SCALARS");
   if ((variant & partial_shadow) != 0) names.emplace_back("PARTIAL_SHADOW");
   if ((variant & halved) != 0) names.emplace_back("HALVED");
+  if ((variant & base_colour_maps) != 0) names.emplace_back("BASE_COLOUR_MAPS");
   return names;
 }
 
@@ -38,6 +40,7 @@ SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFil
       corner_arrays_(context),
       corner_buffer_(context),
       colour_maps_(context),
+      base_colour_maps_(context),
       surface_buffers_(context),
       square_arrays_(context),
       square_corners_(context),
@@ -68,17 +71,20 @@ void SurfacePass::upload_positions(std::span<const SurfaceView> surfaces) {
 
 void SurfacePass::gather(std::span<const SurfaceView> surfaces, StudioLight& light) {
   surface_buffers_.clear();
+  base_colour_maps_.clear();
   any_scalars_ = false;
   for (const SurfaceView& surface : surfaces) {
     light.gather(surface, surface_light_);
     surface_buffers_.add(surface, surface_light_,
-                         surface.scalars ? colour_maps_.row_of(surface.scalars->map) : -1);
+                         surface.scalars ? colour_maps_.row_of(surface.scalars->map) : -1, base_colour_maps_);
     any_scalars_ = any_scalars_ || surface.scalars;
   }
 }
 
 void SurfacePass::upload_surfaces() {
-  if (!surface_buffers_.empty()) surface_buffers_.upload();
+  if (surface_buffers_.empty()) return;
+  surface_buffers_.upload();
+  if (surface_buffers_.has_maps()) base_colour_maps_.upload();
 }
 
 void SurfacePass::draw_visibility(bool under_marks) {
@@ -102,8 +108,9 @@ void SurfacePass::shade_squares(std::size_t kind, const VisibilityBuffer& visibi
                                 const glm::ivec2& corner_px) {
   for (const bool partial : {false, true}) {
     if (squares_.corners(partial).empty()) continue;
-    const Program& program =
-        shading_[kind + (any_scalars_ ? scalars : 0) + (partial ? partial_shadow : 0)].use();
+    const Program& program = shading_[kind + (any_scalars_ ? scalars : 0) + (partial ? partial_shadow : 0) +
+                                      (surface_buffers_.has_maps() ? base_colour_maps : 0)]
+                                 .use();
     program.set("corner", glm::ivec4{corner_px, 0, 0});
     program.set("samples_x", visibility.samples_x());
     program.set("samples_y", visibility.samples_y());
@@ -156,6 +163,9 @@ void SurfacePass::shade(const VisibilityBuffer& visibility, GLuint framebuffer, 
   surface_buffers_.bind();
   // The map is made when it is first asked for, in the unit that happens to be active.
   if (any_scalars_) bind_texture(*gl_, scalar_maps_unit, GL_TEXTURE_2D, colour_maps_.texture());
+  if (surface_buffers_.has_maps()) {
+    bind_texture(*gl_, base_colour_maps_unit, GL_TEXTURE_2D_ARRAY, base_colour_maps_.texture());
+  }
   visibility.bind();
   gl_->Disable(GL_DEPTH_TEST);
   // A single sample covers its pixel or does not: it is encoded by the shader, which is cheaper.

@@ -23,7 +23,7 @@ class SurfacePass {
   /// The context must be current and outlive this object. `files`: all shaders.
   SurfacePass(const GladGLContext& context, std::span<const ShaderFile> files);
 
-  /// Uploads the corners of all filled surfaces, which draw_visibility() needs.
+  /// Uploads the corners of all surfaces, which draw_visibility() needs.
   void upload_positions(std::span<const SurfaceView> surfaces);
   /// Draws the triangle numbers into the bound visibility buffer. `under_marks`: pushes surfaces back a
   /// little, so that marks on them are in front.
@@ -52,6 +52,7 @@ class SurfacePass {
   std::vector<std::vector<std::string_view>> variant_defines_;
   std::vector<LazyProgram> shading_;  // by what defines() has
   ColourMapTexture colour_maps_;
+  BaseColourMapTexture base_colour_maps_;
   SurfaceBuffers surface_buffers_;
   CoveredSquares squares_;
   VertexArray square_arrays_;

@@ -27,10 +27,15 @@ sim::Mesh read_obj(const std::filesystem::path& file) {
   return mesh;
 }
 
+std::vector<glm::vec2> read_corner_uv(const std::filesystem::path& file) {
+  return app::read_obj(app::read_text_file(file)).value().colours.corner_uv;
+}
+
 std::map<std::string, std::vector<sim::Index>> read_landmarks(const std::filesystem::path& file) {
   std::map<std::string, std::vector<sim::Index>> landmarks;
   for (const auto& [name, value] : toml::parse_file(file.string())) {
-    for (const toml::node& vertex : *value.as_array()) {
+    const toml::array none;
+    for (const toml::node& vertex : name == "metres_per_uv" ? none : *value.as_array()) {
       landmarks[std::string(name.str())].push_back(
           static_cast<sim::Index>(vertex.value<std::int64_t>().value()));
     }

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <set>
 
 #include "garment_file.hpp"
 #include "sim/mesh/adjacency.hpp"
+#include "sim/mesh/groups.hpp"
 #include "sim/mesh/topology.hpp"
 #include "tailor/flat/pieces.hpp"
+#include "tailor/model_file.hpp"
 #include "tailor/quality.hpp"
 #include "tailor/recipe.hpp"
 
@@ -22,6 +26,105 @@ using sim::Triangle;
 using sim::Vec3;
 
 const std::filesystem::path assets = TAUT_ASSETS_DIR;
+
+/// The flat pieces of a garment: its triangles, and where their corners are in the square of texture
+/// coordinates.
+struct FlatPieces {
+  explicit FlatPieces(const std::string& name)
+      : mesh(read_obj(assets / "garments" / (name + ".obj"))),
+        adjacency(sim::make_adjacency(mesh)),
+        corner_uv(read_corner_uv(assets / "garments" / (name + ".obj"))) {}
+
+  const glm::vec2& place(Index triangle, Index vertex) const {
+    const Triangle& t = mesh.triangles[triangle];
+    return corner_uv.at(3 * triangle + (t[1] == vertex ? 1 : t[2] == vertex ? 2 : 0));
+  }
+  double area_m2(Index triangle) const {
+    const glm::dvec2 a(corner_uv[3 * triangle]), b(corner_uv[3 * triangle + 1]),
+        c(corner_uv[3 * triangle + 2]);
+    return 0.5 * tailor::metres_per_uv * tailor::metres_per_uv * tailor::doubled_area(a, b, c);
+  }
+  /// The edges at which it was sewn: their ends lie elsewhere in the two triangles.
+  std::vector<Edge> seams() const {
+    std::vector<Edge> edges;
+    for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+      const auto pair = adjacency.edge_triangles[e];
+      const auto [a, b] = adjacency.edges[e];
+      if (pair.size() == 2 &&
+          (place(pair[0], a) != place(pair[1], a) || place(pair[0], b) != place(pair[1], b))) {
+        edges.push_back(adjacency.edges[e]);
+      }
+    }
+    return edges;
+  }
+
+  sim::Mesh mesh;
+  sim::Adjacency adjacency;
+  std::vector<glm::vec2> corner_uv;
+};
+
+class Texture : public testing::TestWithParam<const char*> {
+ protected:
+  FlatPieces pieces{std::string("tshirt_") + GetParam()};
+};
+
+TEST_P(Texture, ShowsThePiecesUprightAndToScale) {
+  ASSERT_EQ(pieces.corner_uv.size(), 3 * pieces.mesh.triangles.size());
+  double flat_m2 = 0.0;
+  for (Index t = 0; t < pieces.mesh.triangles.size(); ++t) {
+    const double area_m2 =
+        0.5 * glm::length(sim::doubled_area_vector(pieces.mesh.positions, pieces.mesh.triangles[t]));
+    EXPECT_NEAR(pieces.area_m2(t) / area_m2, 1.0, 0.06) << "triangle " << t;
+    flat_m2 += pieces.area_m2(t);
+  }
+  EXPECT_NEAR(flat_m2 / sim::surface_area(pieces.mesh), 1.0, 0.01);
+  for (std::size_t c = 0; c < pieces.corner_uv.size(); ++c) {
+    const glm::vec2& uv = pieces.corner_uv[c];
+    EXPECT_TRUE(uv.x > 0.0F && uv.x < 1.0F && uv.y > 0.0F && uv.y < 1.0F);
+    // The front, from in front: to the right is the wearer's left, and up is up.
+    const Vec3& p = pieces.mesh.positions[pieces.mesh.triangles[c / 3][c % 3]];
+    if (uv.x < 0.45F && uv.y > 0.55F && std::abs(p.x) < 0.1) {
+      EXPECT_NEAR(p.x, tailor::metres_per_uv * (static_cast<double>(uv.x) - 0.25), 0.03);
+      EXPECT_GT(p.z, 0.0);
+    }
+  }
+}
+
+// On each side the armhole, and from it the shoulder seam to the neck, the side seam to the hem and the
+// underarm seam to the cuff.
+TEST_P(Texture, IsCutAtTheSeamsAlone) {
+  const std::vector<Edge> seams = pieces.seams();
+  std::map<Index, std::vector<Index>> ends;
+  sim::Groups groups(pieces.mesh.positions.size());
+  for (const auto& [a, b] : seams) {
+    ends[a].push_back(b);
+    ends[b].push_back(a);
+    groups.join(a, b);
+  }
+  std::set<Index> sides;
+  std::size_t loose = 0;
+  for (const auto& [vertex, others] : ends) {
+    sides.insert(groups.find(vertex));
+    loose += others.size() == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(sides.size(), 2U);
+  EXPECT_EQ(loose, 6U);
+  EXPECT_EQ(seams.size(), ends.size()) << "one closed line on each side";
+  const auto landmarks =
+      read_landmarks(assets / "garments" / (std::string("tshirt_") + GetParam() + ".landmarks.toml"));
+  for (const char* name :
+       {"left_shoulder_seam", "right_shoulder_seam", "left_side_seam", "right_side_seam"}) {
+    const std::vector<Index>& walk = landmarks.at(name);
+    for (std::size_t i = 1; i < walk.size(); ++i) {
+      EXPECT_TRUE(std::binary_search(seams.begin(), seams.end(),
+                                     Edge{std::min(walk[i - 1], walk[i]), std::max(walk[i - 1], walk[i])}))
+          << name;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(TShirt, Texture, testing::Values("10600", "5280", "1028", "female_34", "female_42"),
+                         [](const auto& size) { return std::string(size.param); });
 
 class Garment : public testing::TestWithParam<std::size_t> {
  protected:

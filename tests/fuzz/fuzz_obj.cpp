@@ -1,5 +1,5 @@
-// Any text as an OBJ file and as the model part of a 3MF file: nothing but InputError may come of it, and
-// faces that are read name vertices that are there.
+// Any text as an OBJ file, as its materials and as the model part of a 3MF file: nothing but InputError may
+// come of it, and faces that are read name vertices that are there.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/base/errors.hpp"
+#include "app/models/material_reading.hpp"
 #include "app/models/obj_reading.hpp"
 #include "app/models/unit_of_3mf.hpp"
 
@@ -17,6 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (const auto metres = unit_of_model_part(text); metres && !(*metres > 0.0)) {
     std::abort();
   }
+  SurfaceColours named{.materials = {{.name = "m"}}};
+  read_mtl(text, named);
   try {
     const std::optional<ModelArrays> model = read_obj(text);
     if (!model) {
@@ -26,6 +29,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (corner >= model->positions.size()) {
         std::abort();
       }
+    }
+    const SurfaceColours& colours = model->colours;
+    if ((!colours.corner_uv.empty() && colours.corner_uv.size() != model->corners.size()) ||
+        (!colours.material_of_face.empty() &&
+         colours.material_of_face.size() != model->corner_counts.size())) {
+      std::abort();
     }
     if (std::accumulate(model->corner_counts.begin(), model->corner_counts.end(), std::size_t{0}) !=
         model->corners.size()) {

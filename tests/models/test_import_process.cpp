@@ -87,6 +87,11 @@ ModelArrays some_arrays() {
   model.meshes = 7;
   model.up = ModelAxis::minus_z;
   model.metres_per_unit = 0.01;
+  model.colours.corner_uv = {{0, 0}, {0.5F, 0}, {0, 2}};
+  model.colours.material_of_face = {0};
+  model.colours.materials = {{.name = "silk", .base_colour = {0, 0.5F, 1}, .map = 0}};
+  model.colours.maps = {{1, 2, std::make_shared<const std::vector<std::uint8_t>>(8, std::uint8_t{7})}};
+  model.colours.remarks = {"no lace"};
   return model;
 }
 
@@ -100,6 +105,12 @@ TEST(ModelArrays, AreTheSameAfterwards) {
   EXPECT_EQ(again.meshes, 7U);
   EXPECT_EQ(again.up, ModelAxis::minus_z);
   EXPECT_EQ(again.metres_per_unit, 0.01);
+  EXPECT_EQ(again.colours.corner_uv, model.colours.corner_uv);
+  EXPECT_EQ(again.colours.material_of_face, model.colours.material_of_face);
+  EXPECT_EQ(again.colours.materials.at(0).base_colour, model.colours.materials[0].base_colour);
+  EXPECT_EQ(again.colours.materials.at(0).map, 0U);
+  EXPECT_EQ(*again.colours.maps.at(0).rgba, *model.colours.maps[0].rgba);
+  EXPECT_EQ(again.colours.remarks, model.colours.remarks);
 }
 
 TEST(ModelArrays, RefuseEveryPrefixAndAnythingBehind) {
@@ -108,12 +119,22 @@ TEST(ModelArrays, RefuseEveryPrefixAndAnythingBehind) {
     EXPECT_THROW(decode(bytes.substr(0, length)), std::runtime_error) << length;
   }
   EXPECT_THROW(decode(bytes + '\0'), std::runtime_error);
-  std::string no_axis = bytes;
-  no_axis.back() = 6;
-  EXPECT_THROW(decode(no_axis), std::runtime_error);
+  ModelArrays no_axis = some_arrays();
+  no_axis.up = static_cast<ModelAxis>(6);
+  EXPECT_THROW(decode(encode(no_axis)), std::runtime_error);
   ModelArrays beyond = some_arrays();
   beyond.position_of_vertex.back() = 3;
   EXPECT_THROW(decode(encode(beyond)), std::runtime_error);
+  const auto refuses = [](const auto& change) {
+    ModelArrays model = some_arrays();
+    change(model.colours);
+    EXPECT_THROW(decode(encode(model)), std::runtime_error);
+  };
+  refuses([](SurfaceColours& colours) { colours.corner_uv.pop_back(); });
+  refuses([](SurfaceColours& colours) { colours.material_of_face = {1}; });
+  refuses([](SurfaceColours& colours) { colours.material_of_face = {0, 0}; });
+  refuses([](SurfaceColours& colours) { colours.materials[0].map = 1; });
+  refuses([](SurfaceColours& colours) { colours.maps[0].width_px = 2; });
 }
 
 }  // namespace

@@ -50,6 +50,19 @@ TEST(PictureRecord, BuiltInScenesReadBackAsTheyWere) {
   }
 }
 
+TEST(PictureRecord, AnImageOnTheClothIsFoundInTheAssetsOfAnyMachine) {
+  const TemporaryFolder folder;
+  DrawnScene scene = find_scene("tshirt", {});
+  for (const std::filesystem::path& texture :
+       {assets_folder() / "textures/print.png", std::filesystem::path(no_texture), std::filesystem::path()}) {
+    scene.picture.texture = texture;
+    EXPECT_EQ(read_picture_record(write_record(folder, scene), {}).scene.picture.texture, texture);
+    EXPECT_EQ(scene_text(scene).find(assets_folder().string()), std::string::npos);
+  }
+  const Override print = {"picture.texture", "prints/sun.png", "--texture prints/sun.png"};
+  EXPECT_EQ(find_scene("tshirt", std::span(&print, 1)).picture.texture, "prints/sun.png");
+}
+
 constexpr const char* all_kinds = R"(
 title = "quotes \" and \\, Größe, tab \t, line \n"
 [garment.grid]

@@ -8,6 +8,7 @@ namespace {
 struct CoveredSquaresTest : testing::Test {
   std::unique_ptr<Context> context = create_context();
   SurfaceBuffers surfaces{context->gl()};
+  BaseColourMapTexture maps{context->gl()};
   CoveredSquares squares;
 
   void find(const std::array<glm::vec3, 3>& positions, KeyVisibility key,
@@ -17,7 +18,7 @@ struct CoveredSquaresTest : testing::Test {
     surface.normals = up_normals;
     surface.triangles = triangle_indices;
     surfaces.clear();
-    surfaces.add(surface, {{key}, std::vector<glm::vec2>(3)}, -1);
+    surfaces.add(surface, {{key}, std::vector<glm::vec2>(3)}, -1, maps);
     squares.find(surfaces, to_clip, {96, 64});
   }
   // Of what is covered, in squares.

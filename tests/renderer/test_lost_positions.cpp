@@ -162,6 +162,7 @@ TEST(LostPositions, ACameraFitsOrTheBoxIsRefused) {
 
 struct LostPicturesTest : SceneRendererTest {
   SurfaceBuffers surfaces{context->gl()};
+  BaseColourMapTexture maps{context->gl()};
 };
 
 TEST_F(LostPicturesTest, CoveredSquaresStayInTheTile) {
@@ -170,7 +171,8 @@ TEST_F(LostPicturesTest, CoveredSquaresStayInTheTile) {
   CoveredSquares squares;
   for_each_runaway([&](const Runaway& cloth) {
     surfaces.clear();
-    surfaces.add(cloth.view(), {{KeyVisibility::lit, KeyVisibility::partial}, std::vector<glm::vec2>(4)}, -1);
+    surfaces.add(cloth.view(), {{KeyVisibility::lit, KeyVisibility::partial}, std::vector<glm::vec2>(4)}, -1,
+                 maps);
     for (const glm::mat4& matrix : {to_clip, glm::mat4{1.0F}}) {
       squares.find(surfaces, matrix, {96, 64});
       for (const bool partial : {false, true}) {

@@ -42,7 +42,8 @@ GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewA
     DrawnScene scene = state.scene;
     scene.picture.settings.width_px = area.width_px;
     scene.picture.settings.height_px = area.height_px;
-    painter_.emplace(scene_renderer_, scene, *shown.loaded->garment, *shown.pins);
+    painter_.emplace(scene_renderer_, scene, *shown.loaded->garment, *shown.pins,
+                     shown.loaded->drawn_colours);
     painted_as_ = std::move(wanted);
   }
   return *painter_;

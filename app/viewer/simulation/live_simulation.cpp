@@ -19,7 +19,9 @@ std::shared_ptr<const LoadedScene> load(const DrawnScene& scene, std::uint64_t g
   DrawnScene hung = scene;
   put_on_hanger(loaded, hung);
   put_on(loaded, hung);
-  return std::make_shared<const LoadedScene>(LoadedScene{std::move(loaded), std::move(hung), generation});
+  DrawnColours colours = drawn_colours(hung, loaded);
+  return std::make_shared<const LoadedScene>(
+      LoadedScene{std::move(loaded), std::move(hung), std::move(colours), generation});
 }
 
 // The outer third on one side of what the pins extend over, across.
@@ -88,6 +90,9 @@ void LiveSimulation::perform(const LoadScene& asked) {
 }
 
 void LiveSimulation::tell_of_start() {
+  for (const std::string& remark : loaded_->drawn_colours.remarks) {
+    tell(remark, false);
+  }
   for (const std::string& remark : remarks_on_start(loaded_->scene, *loaded_)) {
     tell(remark, false);
   }

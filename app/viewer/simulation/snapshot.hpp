@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing/drawn_scene.hpp"
+#include "app/drawing/drawn_colours.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_record.hpp"
 #include "sim/checkpoint.hpp"
@@ -17,6 +17,7 @@ namespace taut::app {
 /// A scene with its garment, as it was loaded.
 struct LoadedScene : GarmentInScene {
   DrawnScene scene;
+  DrawnColours drawn_colours;
   std::uint64_t generation = 0;  ///< a new number for each load
 };
 

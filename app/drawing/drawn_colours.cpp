@@ -1,0 +1,66 @@
+#include "app/drawing/drawn_colours.hpp"
+
+#include <algorithm>
+
+#include "app/base/errors.hpp"
+#include "app/models/import_process.hpp"
+
+namespace taut::app {
+namespace {
+
+// Of cloth that is printed or dyed on its outside.
+constexpr renderer::Colour undyed_colour = renderer::rgb(0xE6E2DC);
+
+renderer::BaseColourMap map_of(const TextureImage& image) {
+  return {static_cast<int>(image.width_px), static_cast<int>(image.height_px), image.rgba};
+}
+
+DrawnColours print(const PictureStyle& style, const SurfaceColours& colours) {
+  if (colours.corner_uv.empty()) {
+    throw InputError(
+        "picture.texture: '" + style.texture.string() +
+        "' cannot be drawn, as the garment has no texture coordinates; expected a model that has, "
+        "such as an OBJ file with vt lines");
+  }
+  return {colours.corner_uv,
+          {{style.cloth.outside_colour, style.cloth.inside_colour, map_of(read_image(style.texture))}},
+          {}};
+}
+
+renderer::BaseColour colour_of(const SurfaceMaterial& material, const SurfaceColours& colours,
+                               const renderer::Colour& inside_colour) {
+  if (material.map == no_map || colours.corner_uv.empty()) {
+    return {material.base_colour, material.base_colour, {}};
+  }
+  return {material.base_colour, inside_colour, map_of(colours.maps[material.map])};
+}
+
+DrawnColours own(const PictureStyle& style, const SurfaceColours& colours) {
+  const renderer::SurfaceStyle plain;
+  DrawnColours drawn{colours.corner_uv, {}, colours.material_of_face, colours.remarks};
+  for (const SurfaceMaterial& material : colours.materials) {
+    drawn.base_colours.push_back(colour_of(
+        material, colours,
+        style.cloth.inside_colour == plain.inside_colour ? undyed_colour : style.cloth.inside_colour));
+  }
+  return drawn;
+}
+
+bool has_own(const SurfaceColours& colours) {
+  return std::any_of(colours.materials.begin(), colours.materials.end(),
+                     [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
+}
+
+}  // namespace
+
+DrawnColours drawn_colours(const DrawnScene& scene, const GarmentInScene& loaded) {
+  const PictureStyle& style = scene.picture;
+  if (names_image(style.texture)) {
+    return print(style, loaded.colours);
+  }
+  const bool is_coloured = style.cloth.outside_colour != renderer::SurfaceStyle().outside_colour;
+  return style.texture == no_texture || is_coloured || !has_own(loaded.colours) ? DrawnColours{}
+                                                                                : own(style, loaded.colours);
+}
+
+}  // namespace taut::app

@@ -1,0 +1,174 @@
+#include "app/models/image_reading.hpp"
+
+#include <fmt/core.h>
+#include <stb_image.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/models/srgb.hpp"
+
+namespace taut::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Half as wide and high, without a last odd row or column. Colours count by their alpha.
+TextureImage halved(const TextureImage& image) {
+  TextureImage half{std::max(image.width_px / 2, 1U), std::max(image.height_px / 2, 1U), nullptr};
+  std::vector<std::uint8_t> rgba(std::size_t{4} * half.width_px * half.height_px);
+  for (std::uint32_t y = 0; y < half.height_px; ++y) {
+    for (std::uint32_t x = 0; x < half.width_px; ++x) {
+      std::array<unsigned, 3> sums{};
+      unsigned alphas = 0, pixels = 0;
+      for (const std::uint32_t row : {2 * y, std::min(2 * y + 1, image.height_px - 1)}) {
+        for (const std::uint32_t column : {2 * x, std::min(2 * x + 1, image.width_px - 1)}) {
+          const std::uint8_t* pixel = image.rgba->data() + 4 * (std::size_t{row} * image.width_px + column);
+          for (std::size_t k = 0; k < 3; ++k) {
+            sums[k] += unsigned{pixel[k]} * pixel[3];
+          }
+          alphas += pixel[3];
+          ++pixels;
+        }
+      }
+      std::uint8_t* to = rgba.data() + 4 * (std::size_t{y} * half.width_px + x);
+      for (std::size_t k = 0; k < 3; ++k) {
+        to[k] = static_cast<std::uint8_t>((sums[k] + alphas / 2) / std::max(alphas, 1U));
+      }
+      to[3] = static_cast<std::uint8_t>((alphas + pixels / 2) / pixels);
+    }
+  }
+  half.rgba = std::make_shared<const std::vector<std::uint8_t>>(std::move(rgba));
+  return half;
+}
+
+/// The largest side that this many square images may have.
+std::uint32_t most_side_px(std::size_t images) {
+  std::uint32_t side_px = 4096;
+  while (side_px > 64 && images * 4 * side_px * side_px > most_map_bytes) {
+    side_px /= 2;
+  }
+  return side_px;
+}
+
+/// The image times a colour, in linear light.
+TextureImage tinted(const TextureImage& image, const glm::vec3& tint, bool is_opaque) {
+  std::array<std::array<std::uint8_t, 256>, 3> channels{};
+  for (int k = 0; k < 3; ++k) {
+    for (std::size_t value = 0; value < 256; ++value) {
+      const float light = srgb_to_linear(static_cast<float>(value) / 255.0F) * srgb_to_linear(tint[k]);
+      channels[static_cast<std::size_t>(k)][value] =
+          static_cast<std::uint8_t>(255.0F * linear_to_srgb(light) + 0.5F);
+    }
+  }
+  std::vector<std::uint8_t> rgba = *image.rgba;
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      rgba[i + k] = channels[k][rgba[i + k]];
+    }
+    rgba[i + 3] = is_opaque ? 255 : rgba[i + 3];
+  }
+  return {image.width_px, image.height_px,
+          std::make_shared<const std::vector<std::uint8_t>>(std::move(rgba))};
+}
+
+/// Where an image may be: as it is named, or else by its last name beside the model. Models often name the
+/// place on the machine that they were made on.
+std::vector<fs::path> places_of(const std::string& name, const fs::path& folder) {
+  std::string slashed = name;
+  std::replace(slashed.begin(), slashed.end(), '\\', '/');
+  const fs::path last = fs::path(slashed).filename();
+  return {folder / slashed, folder / last, folder / "textures" / last};
+}
+
+std::string read_file_of(const std::string& name, const fs::path& folder) {
+  const std::vector<fs::path> places = places_of(name, folder);
+  for (const fs::path& place : places) {
+    std::error_code error;
+    if (fs::is_regular_file(place, error)) {
+      return read_text_file(place);
+    }
+  }
+  throw InputError(fmt::format("it is neither '{}' nor '{}' nor '{}'", places[0].lexically_normal().string(),
+                               places[1].lexically_normal().string(), places[2].lexically_normal().string()));
+}
+
+TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, const EmbeddedImage& embedded,
+                      std::uint32_t most_px) {
+  const std::optional<std::string_view> inside = embedded(material.map_file);
+  const TextureImage image = fitted_to(
+      decode_image(inside ? std::string(*inside) : read_file_of(material.map_file, folder)), most_px);
+  const bool is_tinted = material.map_tint != glm::vec3(1.0F);
+  return is_tinted || material.map_is_opaque ? tinted(image, material.map_tint, material.map_is_opaque)
+                                             : image;
+}
+
+}  // namespace
+
+TextureImage fitted_to(TextureImage image, std::uint32_t most_px) {
+  while (std::max(image.width_px, image.height_px) > most_px) {
+    image = halved(image);
+  }
+  return image;
+}
+
+TextureImage decode_image(std::string_view bytes) {
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), 1U << 30U));
+  int width_px = 0, height_px = 0, channels = 0;
+  if (stbi_info_from_memory(data, size, &width_px, &height_px, &channels) == 0) {
+    throw InputError(
+        fmt::format("it is no image that can be read, such as PNG or JPEG ({})", stbi_failure_reason()));
+  }
+  if (std::size_t(width_px) * std::size_t(height_px) > most_pixels) {
+    throw InputError(fmt::format("it has {} x {} pixels, more than the {} that are read", width_px, height_px,
+                                 most_pixels));
+  }
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(data, size, &width_px, &height_px, &channels, 4), stbi_image_free);
+  if (pixels == nullptr) {
+    throw InputError(fmt::format("it is damaged ({})", stbi_failure_reason()));
+  }
+  const std::size_t count = std::size_t{4} * std::size_t(width_px) * std::size_t(height_px);
+  return {static_cast<std::uint32_t>(width_px), static_cast<std::uint32_t>(height_px),
+          std::make_shared<const std::vector<std::uint8_t>>(pixels.get(), pixels.get() + count)};
+}
+
+void read_maps(const fs::path& folder, const EmbeddedImage& embedded, SurfaceColours& colours) {
+  // What looks the same is read once: by name, tint and whether alpha counts.
+  using Look = std::tuple<std::string, float, float, float, bool>;
+  std::map<Look, sim::Index> known;
+  const auto look_of = [](const SurfaceMaterial& material) {
+    const glm::vec3& tint = material.map_tint;
+    return Look(material.map_file, tint.x, tint.y, tint.z, material.map_is_opaque);
+  };
+  for (const SurfaceMaterial& material : colours.materials) {
+    known.emplace(look_of(material), no_map);
+  }
+  const std::uint32_t most_px = most_side_px(known.size());
+  for (SurfaceMaterial& material : colours.materials) {
+    if (material.map_file.empty()) {
+      continue;
+    }
+    sim::Index& map = known[look_of(material)];
+    try {
+      if (map == no_map) {
+        colours.maps.push_back(read_map(material, folder, embedded, most_px));
+        map = static_cast<sim::Index>(colours.maps.size() - 1);
+      }
+      material.map = map;
+    } catch (const InputError& error) {
+      colours.remarks.push_back(
+          fmt::format("the image '{}' of its material '{}' is not drawn, its base colour is: {}",
+                      material.map_file, material.name, error.what()));
+    }
+  }
+}
+
+}  // namespace taut::app

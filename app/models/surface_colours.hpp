@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/models/array_coding.hpp"
+#include "sim/mesh/mesh.hpp"
+
+namespace taut::app {
+
+/// Stands for "no map".
+inline constexpr sim::Index no_map = std::numeric_limits<sim::Index>::max();
+
+/// An image in memory. Copies share its pixels.
+struct TextureImage {
+  std::uint32_t width_px = 0;
+  std::uint32_t height_px = 0;
+  /// RGBA, 8 bits each: rows from top to bottom, sRGB, alpha not premultiplied. Never null.
+  std::shared_ptr<const std::vector<std::uint8_t>> rgba;
+};
+
+/// What a model says of how some of its faces look.
+struct SurfaceMaterial {
+  std::string name = {};
+  glm::vec3 base_colour = glm::vec3(1.0F);  ///< sRGB, 0 to 1
+  sim::Index map = no_map;                  ///< index into SurfaceColours::maps, which replaces it
+  std::string map_file = {};                ///< the image, as the model names it; empty: none
+  // Until the images are read.
+  glm::vec3 map_tint = glm::vec3(1.0F);  ///< sRGB; the image is multiplied by it
+  bool map_is_opaque = false;            ///< its alpha means nothing
+};
+
+/// Texture coordinates and base colours of faces. Coordinates are those of OBJ: u to the right, v up, the
+/// image from 0 to 1, repeated beyond.
+struct SurfaceColours {
+  std::vector<glm::vec2> corner_uv;          ///< one per corner of the faces, or none; (0, 0) where unknown
+  std::vector<sim::Index> material_of_face;  ///< indices into `materials`, one per face, or none
+  std::vector<SurfaceMaterial> materials;
+  std::vector<TextureImage> maps;
+  std::vector<std::string>
+      libraries;                     ///< the files of an OBJ that say more of its materials, as it names them
+  std::vector<std::string> remarks;  ///< which images are missing, one line each
+};
+
+void encode(const SurfaceColours& colours, ArrayWriter& out);
+/// Throws std::runtime_error on lengths or indices that do not fit, which `corners` and `faces` say.
+SurfaceColours decode_colours(ArrayReader& in, std::size_t corners, std::size_t faces);
+
+/// Returns the colours of `triangles`, into which faces with these corners were cut: each face into two fewer
+/// than it has corners, one face after the other.
+SurfaceColours cut_colours(SurfaceColours colours, std::span<const std::uint32_t> corner_counts,
+                           std::span<const sim::Index> corners, std::span<const sim::Triangle> triangles);
+
+/// Returns the colours of what became of `before`. `kept` says which vertex of `after` stands for each vertex
+/// (sim/mesh/welding.hpp). A triangle is recognised by its vertices, so that triangles may have been dropped,
+/// turned or moved. New ones have no coordinates and the first material.
+SurfaceColours kept_colours(SurfaceColours colours, std::span<const sim::Triangle> before,
+                            std::span<const sim::Index> kept, std::span<const sim::Triangle> after);
+
+/// Returns the colours of triangles that sim::subdivide made four of each.
+SurfaceColours subdivided_colours(SurfaceColours colours);
+
+/// Returns how many metres of the cloth a unit of texture coordinates is: the median over the triangles that
+/// have an area in both; 0 if none has.
+double metres_per_uv(const sim::Mesh& mesh, std::span<const glm::vec2> corner_uv);
+
+}  // namespace taut::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "renderer/frame_view.hpp"
+#include "renderer/gl/gl_objects.hpp"
+
+namespace taut::renderer {
+
+/// The base colour maps of a frame as layers of one array texture, in premultiplied linear light. Smaller
+/// maps are enlarged to the size of the largest. It is uploaded when other maps are asked for than before.
+class BaseColourMapTexture {
+ public:
+  /// The context must be current and outlive this object.
+  explicit BaseColourMapTexture(const GladGLContext& context) : gl_(&context) {}
+
+  /// Begins a frame.
+  void clear() { maps_.clear(); }
+  /// Returns the layer of a map, counted from 0. Calls no OpenGL.
+  int layer_of(const BaseColourMap& map);
+  /// Uploads what was asked for since clear(), unless it is there.
+  void upload();
+  /// Returns the texture of the last upload(), which must have been called.
+  const Texture& texture() const { return *made_; }
+
+ private:
+  const GladGLContext* gl_;
+  std::vector<BaseColourMap> maps_;
+  std::vector<BaseColourMap> uploaded_;
+  std::optional<Texture> made_;
+};
+
+}  // namespace taut::renderer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -40,6 +41,16 @@ struct Wireframe {
   float opacity = 0.6F;   ///< 0 to 1
 };
 
+/// The coarser mesh that a surface was refined from, at which light is gathered. Its vertices are the first
+/// ones of the surface.
+struct Refinement {
+  std::size_t coarse_vertices = 0;
+  std::span<const std::uint32_t> coarse_triangles;  ///< three vertices per triangle
+  /// For each vertex that was added, in this order, two that come before it: the light is their mean.
+  std::span<const std::array<std::uint32_t, 2>> parents;
+  std::span<const std::uint32_t> parent_triangles;  ///< one per triangle: the coarse one it lies in
+};
+
 /// Triangles with smooth normals. n = number of vertices = positions.size().
 struct SurfaceView {
   std::span<const glm::vec3> positions;      ///< n, metres, world space
@@ -50,9 +61,21 @@ struct SurfaceView {
   SurfaceStyle style;
   std::optional<ScalarColours> scalars;
   std::optional<Wireframe> wireframe;
+  std::optional<Refinement> refinement;
   bool casts_shadow = true;
   bool filled = true;  ///< false: only the wireframe is drawn, and no shadow
 };
+
+/// Returns the coarser mesh of a refined surface, or the surface itself: what light and shadow are found for.
+inline SurfaceView coarse_of(const SurfaceView& surface) {
+  SurfaceView coarse = surface;
+  if (surface.refinement) {
+    coarse.positions = surface.positions.first(surface.refinement->coarse_vertices);
+    coarse.normals = surface.normals.first(surface.refinement->coarse_vertices);
+    coarse.triangles = surface.refinement->coarse_triangles;
+  }
+  return coarse;
+}
 
 /// Line segments. A segment that lies on a surface is drawn in front of it.
 struct LineView {

@@ -54,6 +54,9 @@ void add_picture(Keys& keys) {
                                                      MEMBER(picture.surface), "what the cloth shows"));
   keys.push_back(switch_key<DrawnScene>("picture.wireframe", MEMBER(picture.wireframe),
                                         "draws the structural springs over the surface"));
+  keys.push_back(switch_key<DrawnScene>(
+      "picture.smooth", MEMBER(picture.smooth),
+      "draws a smooth surface through the simulated vertices; false: the simulated triangles"));
   keys.push_back(choice_key<DrawnScene>(
       "picture.stretch_of", named(all_stretch_of), MEMBER(picture.stretch_of),
       "what the colours show the stretch of: at each vertex the largest of the springs there, or of the "

@@ -1,7 +1,7 @@
 #include "app/drawing/garment_painter.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "app/drawing/framing.hpp"
@@ -30,6 +30,16 @@ std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
     indices.insert(indices.end(), t.begin(), t.end());
   }
   return indices;
+}
+
+// Half of what is kept between layers of cloth stays theirs. Where nothing is kept apart, folds are as round
+// as the mesh says.
+float most_bulge_m(const DrawnScene& scene, const sim::Garment& garment, float edge_m) {
+  const SolverChoice& solver = scene.simulation.solver;
+  const bool kept_apart = solver.kind == sim::SolverKind::bounded && solver.bounded.contact;
+  return kept_apart || !scene.surroundings.bodies.empty()
+             ? 0.45F * static_cast<float>(garment.material.thickness_m)
+             : 0.1F * edge_m;
 }
 
 std::vector<std::uint32_t> structural_edges(const sim::Springs& springs) {
@@ -107,18 +117,16 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       legend_(stretch_legend(scene)),
       measured_(part_measured(garment, scene.picture)),
       pins_(pins.begin(), pins.end()),
-      triangles_(flat(garment.mesh.triangles)),
-      rest_positions_(to_float(garment.mesh.positions)),
+      surface_(garment),
       structural_edges_(structural_edges(garment.springs)),
       bodies_(scene.surroundings.bodies),
       bodies_move_(std::any_of(bodies_.begin(), bodies_.end(),
-                               [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
-      normals_(garment.mesh.positions.size()) {
+                               [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })) {
   const renderer::Box reach = expected_reach(scene, garment, pins);
+  surface_.limit_bulge(most_bulge_m(scene, garment, surface_.edge_m()));
   const auto aspect =
       static_cast<float>(style_.settings.width_px) / static_cast<float>(style_.settings.height_px);
-  frame_.camera = scene_camera(scene, reach, aspect);
-  frame_.lighting = renderer::studio_lighting(frame_.camera);
+  look_from(scene_camera(scene, reach, aspect), style_.smooth);
   frame_.ground_height_m = ground_height(scene, reach);
   line_width_px_ = std::max(1.0F, static_cast<float>(style_.settings.height_px) / full_line_height_px);
   pin_radius_m_ = pin_radius_m(reach);
@@ -161,32 +169,39 @@ void GarmentPainter::add_rest_outline(const sim::Garment& garment) {
   frame_.lines.push_back(outline);
 }
 
-renderer::SurfaceView GarmentPainter::garment_view() const {
-  renderer::SurfaceView surface;
-  surface.positions = positions_;
-  surface.normals = normals_;
-  surface.triangles = triangles_;
-  surface.material_coordinates = rest_positions_;
+void GarmentPainter::look_from(const renderer::Camera& camera, bool smooth) {
+  frame_.camera = camera;
+  frame_.lighting = renderer::studio_lighting(camera);
+  const float seen_m =
+      2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
+  const float edge_px = surface_.edge_m() * static_cast<float>(style_.settings.height_px) / seen_m;
+  const bool refined = smooth && style_.smooth && style_.surface != SurfaceLook::wireframe;
+  surface_.refine(refined ? renderer::refinement_levels(edge_px, surface_.triangle_count()) : 0);
+}
+
+renderer::SurfaceView GarmentPainter::garment_view() {
+  renderer::SurfaceView surface = surface_.view();
   surface.style = style_.cloth;
   surface.filled = style_.surface != SurfaceLook::wireframe;
   if (style_.surface == SurfaceLook::stretch) {
     surface.scalars = renderer::ScalarColours{stretch_, legend_.minimum, legend_.maximum, legend_.map};
   }
   if (style_.wireframe || !surface.filled) {
-    surface.wireframe = renderer::Wireframe{.edges = structural_edges_, .width_px = line_width_px_};
+    wireframe_ = surface_.refined_edges(structural_edges_);
+    surface.wireframe = renderer::Wireframe{.edges = wireframe_, .width_px = line_width_px_};
   }
   return surface;
 }
 
 const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
-  assert(positions.size() == rest_positions_.size());
   positions_ = to_float(positions);
-  renderer::vertex_normals(positions_, triangles_, normals_);
+  surface_.place(positions_);
   if (style_.surface == SurfaceLook::stretch) {
     const std::vector<double> stretch = style_.stretch_of == StretchOf::surface
                                             ? sim::vertex_surface_stretch(measured_, positions)
                                             : sim::vertex_stretch(measured_.springs, positions);
     stretch_.assign(stretch.begin(), stretch.end());
+    surface_.interpolate(stretch_);
   }
   if (bodies_move_ && time_s != bodies_placed_s_) {
     place_bodies(time_s);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
+#include "app/drawing/garment_surface.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"
 #include "renderer/page/legend.hpp"
@@ -26,6 +27,10 @@ class GarmentPainter {
   GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
                  std::span<const sim::Index> pins);
 
+  /// Looks from another camera than the scene's, with light that follows it. How fine the surface is depends
+  /// on how near it is. smooth: false draws the simulated triangles as they are, which is faster.
+  void look_from(const renderer::Camera& camera, bool smooth);
+
   /// Returns the picture, with bodies where they are at this time and with a legend if the scene asks for
   /// one.
   renderer::Image draw(const std::vector<sim::Vec3>& positions, double time_s);
@@ -36,15 +41,14 @@ class GarmentPainter {
  private:
   void add_rest_outline(const sim::Garment& garment);
   void place_bodies(double time_s);
-  renderer::SurfaceView garment_view() const;
+  renderer::SurfaceView garment_view();
 
   renderer::SceneRenderer& renderer_;
   PictureStyle style_;
   renderer::Legend legend_;
   sim::Garment measured_;  ///< what the stretch that is shown is measured from, and nothing else
   std::vector<sim::Index> pins_;
-  std::vector<std::uint32_t> triangles_;
-  std::vector<glm::vec3> rest_positions_;
+  GarmentSurface surface_;
   std::vector<std::uint32_t> structural_edges_;
   std::vector<sim::Body> bodies_;
   bool bodies_move_;
@@ -56,7 +60,7 @@ class GarmentPainter {
   float line_width_px_ = 1.0F;
   // Of the frame at hand.
   std::vector<glm::vec3> positions_;
-  std::vector<glm::vec3> normals_;
+  std::vector<std::uint32_t> wireframe_;
   std::vector<float> stretch_;
   std::vector<glm::vec3> pin_positions_;
 };

@@ -6,6 +6,7 @@
 
 #include "renderer/context/context.hpp"
 #include "renderer/gl/bindings.hpp"
+#include "renderer/surface/refined_mesh.hpp"
 
 namespace taut::renderer {
 
@@ -24,6 +25,14 @@ glm::vec3 material_of(const SurfaceView& surface, std::size_t vertex) {
 }
 
 }  // namespace
+
+void spread(const Refinement& refinement, SurfaceLight& light) {
+  interpolate(refinement.parents, light.sky);
+  std::vector<KeyVisibility> key;
+  key.reserve(refinement.parent_triangles.size());
+  for (const std::uint32_t parent : refinement.parent_triangles) key.push_back(light.key[parent]);
+  light.key = std::move(key);
+}
 
 SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
     : gl_(&context), vertex_data_(context), triangle_data_(context), material_data_(context) {

@@ -16,6 +16,9 @@ struct SurfaceLight {
   std::vector<glm::vec2> sky;      ///< ambient, one per vertex; x outside, y inside
 };
 
+/// Replaces the light at the coarse mesh of a surface by that at the surface.
+void spread(const Refinement& refinement, SurfaceLight& light);
+
 /// All surfaces of one frame in buffer textures, laid out as shaders/surface_buffers.glsl says.
 class SurfaceBuffers {
  public:

@@ -69,7 +69,7 @@ void ViewerPicture::add_springs(const ViewerState& state, renderer::FrameView& f
 }
 
 void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& frame) {
-  const renderer::SurfaceView& surface = frame.surfaces.back();
+  const renderer::SurfaceView surface = renderer::coarse_of(frame.surfaces.back());
   const sim::Vec3 size_m = sim::extent_of(state.shown->loaded->garment->mesh.positions).size();
   const float length_m = normal_length * static_cast<float>(glm::length(size_m));
   normal_points_.clear();
@@ -113,10 +113,9 @@ bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layou
 // A scene that stands still is drawn once more to be kept; one that moves would be kept for nothing.
 void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
                                const PictureQuality& quality, bool keep) {
-  renderer::FrameView frame =
-      painter_for(state, area).view(state.shown->positions(), state.shown->checkpoint->state.time_s);
-  frame.camera = state.camera.camera();
-  frame.lighting = renderer::studio_lighting(frame.camera);
+  GarmentPainter& painter = painter_for(state, area);
+  painter.look_from(state.camera.camera(), quality.smooth && !state.show_springs);
+  renderer::FrameView frame = painter.view(state.shown->positions(), state.shown->checkpoint->state.time_s);
   if (state.show_springs) {
     add_springs(state, frame);
   }

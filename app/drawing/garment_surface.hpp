@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "renderer/frame_view.hpp"
+#include "renderer/surface/smooth_surface.hpp"
+#include "sim/garment.hpp"
+
+namespace taut::app {
+
+/// The surface that is drawn of a garment: finer than what is simulated, and through its vertices. All that
+/// is measured stays with the simulated triangles.
+class GarmentSurface {
+ public:
+  explicit GarmentSurface(const sim::Garment& garment);
+
+  /// As of renderer::SmoothSurface.
+  void limit_bulge(float most_bulge_m) { most_bulge_m_ = most_bulge_m; }
+
+  /// Mean length of the simulated edges at rest.
+  float edge_m() const { return edge_m_; }
+  std::size_t triangle_count() const { return triangles_.size() / 3; }
+
+  /// Each level halves the edges once more (renderer::refinement_levels). Takes some milliseconds where it
+  /// changes.
+  void refine(int levels);
+  /// Moves the surface to these positions of the simulated vertices, in metres.
+  void place(std::span<const glm::vec3> positions);
+  /// What is drawn, without a style. Valid until the next call of any other function.
+  renderer::SurfaceView view() const;
+  /// Returns pairs of vertices of view() for pairs of simulated ones: the edges between, along the surface.
+  std::vector<std::uint32_t> refined_edges(std::span<const std::uint32_t> edges) const;
+  /// Appends to values at the simulated vertices those of all others of view().
+  void interpolate(std::vector<float>& values) const;
+
+ private:
+  std::vector<std::uint32_t> triangles_;
+  std::vector<glm::vec3> rest_positions_;
+  float edge_m_;
+  float most_bulge_m_ = 0.0F;
+  std::optional<renderer::SmoothSurface> surface_;
+  std::vector<glm::vec3> material_coordinates_;
+  std::vector<std::uint32_t> parent_triangles_;
+};
+
+}  // namespace taut::app

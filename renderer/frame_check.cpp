@@ -72,6 +72,9 @@ void check_surface(const std::string& part, const SurfaceView& surface) {
   }
   check_indices(part, "triangles", surface.triangles, 3, count);
   if (surface.refinement) check_refinement(part, surface);
+  for (const TrimmedTriangle& trim : surface.trims) {
+    check_indices(part, "trims", std::span(&trim.triangle, 1), 1, surface.triangles.size() / 3);
+  }
   if (surface.wireframe) check_indices(part, "wireframe edges", surface.wireframe->edges, 2, count);
   if (surface.scalars) {
     check_count(part, "scalars", surface.scalars->values.size(), count);

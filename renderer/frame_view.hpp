@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -51,6 +52,19 @@ struct Refinement {
   std::span<const std::uint32_t> parent_triangles;  ///< one per triangle: the coarse one it lies in
 };
 
+/// A triangle near what is sewn: hems, bands and seams are drawn where the corners say. Lengths are those of
+/// the cloth at rest.
+struct TrimmedTriangle {
+  std::uint32_t triangle = 0;
+  /// At each corner: distance from the border in metres, below 0 beyond it; place along the border in
+  /// stitches; distance from a seam in metres, below 0 on its right; place along it in stitches.
+  std::array<glm::vec4, 3> corners{};
+  float band_m = 0.0F;  ///< width of the hem; 0: none
+  bool ribbed = false;  ///< the band is knitted across instead
+  float thickness_m = 0.001F;
+  float stitch_m = 0.004F;
+};
+
 /// Triangles with smooth normals. n = number of vertices = positions.size().
 struct SurfaceView {
   std::span<const glm::vec3> positions;      ///< n, metres, world space
@@ -62,6 +76,7 @@ struct SurfaceView {
   std::optional<ScalarColours> scalars;
   std::optional<Wireframe> wireframe;
   std::optional<Refinement> refinement;
+  std::span<const TrimmedTriangle> trims;  ///< ascending
   bool casts_shadow = true;
   bool filled = true;  ///< false: only the wireframe is drawn, and no shadow
 };

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/drawing/framing.hpp"
+#include "app/drawing/mesh_arrays.hpp"
 #include "renderer/mesh_normals.hpp"
 #include "renderer/page/canvas.hpp"
 #include "sim/measures.hpp"
@@ -22,15 +23,6 @@ constexpr float full_line_height_px = 600.0F;
 // With more pins than this, pins throw no shadow. The gaps between the shadows of a whole row would streak
 // the cloth.
 constexpr std::size_t most_pins_with_shadows = 8;
-
-std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(triangles.size() * 3);
-  for (const sim::Triangle& t : triangles) {
-    indices.insert(indices.end(), t.begin(), t.end());
-  }
-  return indices;
-}
 
 // Half of what is kept between layers of cloth stays theirs. Where nothing is kept apart, folds are as round
 // as the mesh says.
@@ -174,9 +166,8 @@ void GarmentPainter::look_from(const renderer::Camera& camera, bool smooth) {
   frame_.lighting = renderer::studio_lighting(camera);
   const float seen_m =
       2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
-  const float edge_px = surface_.edge_m() * static_cast<float>(style_.settings.height_px) / seen_m;
-  const bool refined = smooth && style_.smooth && style_.surface != SurfaceLook::wireframe;
-  surface_.refine(refined ? renderer::refinement_levels(edge_px, surface_.triangle_count()) : 0);
+  surface_.set_detail(static_cast<float>(style_.settings.height_px) / seen_m,
+                      smooth && style_.smooth && style_.surface != SurfaceLook::wireframe);
 }
 
 renderer::SurfaceView GarmentPainter::garment_view() {

@@ -4,18 +4,14 @@
 #include <glm/geometric.hpp>
 
 #include "app/drawing/framing.hpp"
+#include "app/drawing/mesh_arrays.hpp"
 
 namespace taut::app {
 namespace {
 
-std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(triangles.size() * 3);
-  for (const sim::Triangle& t : triangles) {
-    indices.insert(indices.end(), t.begin(), t.end());
-  }
-  return indices;
-}
+// A rim that is thinner in the picture, and stitches that are shorter, pixels, are not drawn.
+constexpr float least_rim_px = 0.7F;
+constexpr float least_stitch_px = 0.8F;
 
 float mean_edge_m(const sim::Garment& garment) {
   double sum_m = 0.0;
@@ -31,20 +27,32 @@ float mean_edge_m(const sim::Garment& garment) {
 GarmentSurface::GarmentSurface(const sim::Garment& garment)
     : triangles_(flat(garment.mesh.triangles)),
       rest_positions_(to_float(garment.mesh.positions)),
-      edge_m_(mean_edge_m(garment)) {
-  refine(0);
+      edge_m_(mean_edge_m(garment)),
+      sewing_(sewing_of(garment)) {}
+
+void GarmentSurface::set_detail(float pixels_per_m, bool smooth) {
+  Detail wanted;
+  if (smooth) {
+    wanted.levels = renderer::refinement_levels(edge_m_ * pixels_per_m, triangles_.size() / 3);
+    wanted.rim = 2.0F * sewing_.rim_radius_m * pixels_per_m > least_rim_px;
+    wanted.sewn = sewing_.stitch_m * pixels_per_m > least_stitch_px;
+  }
+  if (!surface_ || wanted != detail_) {
+    detail_ = wanted;
+    make();
+  }
 }
 
-void GarmentSurface::refine(int levels) {
-  if (surface_ && surface_->mesh().levels().size() == static_cast<std::size_t>(levels)) {
-    return;
-  }
-  surface_.emplace(rest_positions_, triangles_, levels, most_bulge_m_);
+void GarmentSurface::make() {
+  surface_.emplace(rest_positions_, triangles_, detail_.levels, most_bulge_m_,
+                   detail_.rim ? sewing_.rim_radius_m : 0.0F);
   surface_->place(rest_positions_);
   material_coordinates_ = surface_->positions();
-  parent_triangles_.resize(surface_->mesh().triangles().size() / 3);
-  for (std::size_t t = 0; t < parent_triangles_.size(); ++t) {
-    parent_triangles_[t] = static_cast<std::uint32_t>(t >> (2 * levels));
+  trims_.clear();
+  if (detail_.sewn) {
+    trims_ = renderer::trimmed_triangles(
+        *surface_, material_coordinates_,
+        {sewing_.bands, sewing_.seams, sewing_.stitch_m, sewing_.rim_radius_m});
   }
 }
 
@@ -57,10 +65,11 @@ renderer::SurfaceView GarmentSurface::view() const {
   renderer::SurfaceView view;
   view.positions = surface_->positions();
   view.normals = surface_->normals();
-  view.triangles = mesh.triangles();
+  view.triangles = surface_->triangles();
   view.material_coordinates = material_coordinates_;
-  view.refinement =
-      renderer::Refinement{mesh.coarse_vertex_count(), triangles_, mesh.parents(), parent_triangles_};
+  view.refinement = renderer::Refinement{mesh.coarse_vertex_count(), triangles_, surface_->parents(),
+                                         surface_->parent_triangles()};
+  view.trims = trims_;
   return view;
 }
 
@@ -69,7 +78,7 @@ std::vector<std::uint32_t> GarmentSurface::refined_edges(std::span<const std::ui
 }
 
 void GarmentSurface::interpolate(std::vector<float>& values) const {
-  renderer::interpolate(std::span(surface_->mesh().parents()), values);
+  renderer::interpolate(std::span(surface_->parents()), values);
 }
 
 }  // namespace taut::app

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "app/drawing/garment_sewing.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/surface/smooth_surface.hpp"
 #include "sim/garment.hpp"
@@ -13,7 +14,7 @@
 namespace taut::app {
 
 /// The surface that is drawn of a garment: finer than what is simulated, and through its vertices. All that
-/// is measured stays with the simulated triangles.
+/// is measured stays with the simulated triangles. Its borders are as thick as cloth, with hems and seams.
 class GarmentSurface {
  public:
   explicit GarmentSurface(const sim::Garment& garment);
@@ -23,11 +24,10 @@ class GarmentSurface {
 
   /// Mean length of the simulated edges at rest.
   float edge_m() const { return edge_m_; }
-  std::size_t triangle_count() const { return triangles_.size() / 3; }
 
-  /// Each level halves the edges once more (renderer::refinement_levels). Takes some milliseconds where it
-  /// changes.
-  void refine(int levels);
+  /// Makes the surface as fine as it shows at so many pixels of the picture for a metre, with what is sewn.
+  /// smooth: false draws the simulated triangles alone. Takes some milliseconds where something changes.
+  void set_detail(float pixels_per_m, bool smooth);
   /// Moves the surface to these positions of the simulated vertices, in metres.
   void place(std::span<const glm::vec3> positions);
   /// What is drawn, without a style. Valid until the next call of any other function.
@@ -38,13 +38,23 @@ class GarmentSurface {
   void interpolate(std::vector<float>& values) const;
 
  private:
+  struct Detail {
+    int levels = 0;
+    bool rim = false;
+    bool sewn = false;
+    bool operator==(const Detail&) const = default;
+  };
+  void make();
+
   std::vector<std::uint32_t> triangles_;
   std::vector<glm::vec3> rest_positions_;
   float edge_m_;
   float most_bulge_m_ = 0.0F;
+  GarmentSewing sewing_;
+  Detail detail_;
   std::optional<renderer::SmoothSurface> surface_;
   std::vector<glm::vec3> material_coordinates_;
-  std::vector<std::uint32_t> parent_triangles_;
+  std::vector<renderer::TrimmedTriangle> trims_;
 };
 
 }  // namespace taut::app

@@ -19,7 +19,8 @@ inline constexpr unsigned triangle_data_unit = 7;
 inline constexpr unsigned material_data_unit = 8;
 inline constexpr unsigned floor_shadow_unit = 9;
 inline constexpr unsigned halved_unit = 10;
-inline constexpr unsigned unit_count = 11;
+inline constexpr unsigned trim_data_unit = 11;
+inline constexpr unsigned unit_count = 12;
 
 /// Sets the uniform block and the samplers of a program to these bindings and leaves the program in use.
 void bind_shared_inputs(const Program& program);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "renderer/context/context.hpp"
 #include "renderer/gl/bindings.hpp"
@@ -11,6 +13,13 @@
 namespace taut::renderer {
 
 namespace {
+
+// What a triangle's last number counts in, besides the key light: surfaces and trims.
+constexpr std::uint32_t surface_unit = 4;
+constexpr std::uint32_t trim_unit = 1U << 14;
+constexpr std::size_t most_surfaces = trim_unit / surface_unit;
+// More are not drawn; they would be of a very large picture.
+constexpr std::size_t most_trims = 1U << 18;
 
 // Below 0 for not a number.
 float share_of_range(const ScalarColours& scalars, std::size_t vertex) {
@@ -26,8 +35,13 @@ glm::vec3 material_of(const SurfaceView& surface, std::size_t vertex) {
 
 }  // namespace
 
-void spread(const Refinement& refinement, SurfaceLight& light) {
+void spread(const SurfaceView& surface, SurfaceLight& light) {
+  const Refinement& refinement = *surface.refinement;
   interpolate(refinement.parents, light.sky);
+  for (std::size_t i = refinement.coarse_vertices; i < light.sky.size(); ++i) {
+    const glm::vec3& parent = surface.normals[refinement.parents[i - refinement.coarse_vertices][0]];
+    if (glm::dot(surface.normals[i], parent) < 0.0F) std::swap(light.sky[i].x, light.sky[i].y);
+  }
   std::vector<KeyVisibility> key;
   key.reserve(refinement.parent_triangles.size());
   for (const std::uint32_t parent : refinement.parent_triangles) key.push_back(light.key[parent]);
@@ -35,7 +49,11 @@ void spread(const Refinement& refinement, SurfaceLight& light) {
 }
 
 SurfaceBuffers::SurfaceBuffers(const GladGLContext& context)
-    : gl_(&context), vertex_data_(context), triangle_data_(context), material_data_(context) {
+    : gl_(&context),
+      vertex_data_(context),
+      triangle_data_(context),
+      material_data_(context),
+      trim_data_(context) {
   GLint most = 0;
   gl_->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   most_texels_ = static_cast<std::size_t>(std::max(most, 0));
@@ -45,20 +63,31 @@ void SurfaceBuffers::clear() {
   vertices_.clear();
   triangles_.clear();
   materials_.clear();
+  trims_.assign(1, {});  // of those without
 }
 
 void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, int colour_map_row) {
   const auto first = static_cast<std::uint32_t>(vertices_.size());
   const auto own = static_cast<std::uint32_t>(materials_.size());
+  if (own >= most_surfaces) {
+    throw ContextError("a frame has more than " + std::to_string(most_surfaces) + " surfaces");
+  }
   for (std::size_t i = 0; i < surface.positions.size(); ++i) {
     vertices_.push_back({{surface.positions[i], 0.0F},
                          {surface.normals[i], light.sky[i].x},
                          {material_of(surface, i), light.sky[i].y}});
   }
+  const std::size_t first_triangle = triangles_.size();
   for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {
     triangles_.emplace_back(first + surface.triangles[i], first + surface.triangles[i + 1],
                             first + surface.triangles[i + 2],
-                            4 * own + static_cast<std::uint32_t>(light.key[i / 3]));
+                            own * surface_unit + static_cast<std::uint32_t>(light.key[i / 3]));
+  }
+  for (const TrimmedTriangle& trim : surface.trims) {
+    if (trims_.size() >= most_trims) break;
+    triangles_[first_triangle + trim.triangle].w += static_cast<std::uint32_t>(trims_.size()) * trim_unit;
+    trims_.push_back(
+        {trim.corners, {trim.band_m, trim.ribbed ? 1.0F : 0.0F, trim.thickness_m, trim.stitch_m}});
   }
   const SurfaceStyle& style = surface.style;
   const float weave = surface.material_coordinates.empty() ? 0.0F : style.weave;
@@ -85,12 +114,14 @@ void SurfaceBuffers::upload() {
   upload_rows(vertex_data_, GL_RGBA32F, vertices_, vertex_data_unit);
   upload_rows(triangle_data_, GL_RGBA32UI, triangles_, triangle_data_unit);
   upload_rows(material_data_, GL_RGBA32F, materials_, material_data_unit);
+  upload_rows(trim_data_, GL_RGBA32F, trims_, trim_data_unit);
 }
 
 void SurfaceBuffers::bind() const {
   bind_texture(*gl_, vertex_data_unit, GL_TEXTURE_BUFFER, vertex_data_.texture);
   bind_texture(*gl_, triangle_data_unit, GL_TEXTURE_BUFFER, triangle_data_.texture);
   bind_texture(*gl_, material_data_unit, GL_TEXTURE_BUFFER, material_data_.texture);
+  bind_texture(*gl_, trim_data_unit, GL_TEXTURE_BUFFER, trim_data_.texture);
 }
 
 }  // namespace taut::renderer

@@ -73,7 +73,7 @@ void SurfacePass::gather(std::span<const SurfaceView> surfaces, StudioLight& lig
   for (const SurfaceView& surface : surfaces) {
     if (!surface.filled) continue;
     light.gather(coarse_of(surface), surface_light_);
-    if (surface.refinement) spread(*surface.refinement, surface_light_);
+    if (surface.refinement) spread(surface, surface_light_);
     surface_buffers_.add(surface, surface_light_,
                          surface.scalars ? colour_maps_.row_of(surface.scalars->map) : -1);
     any_scalars_ = any_scalars_ || surface.scalars;

@@ -17,32 +17,8 @@ constexpr float shortest_split_px = 5.0F;
 constexpr std::size_t most_triangles = 400'000;
 constexpr int most_levels = 4;
 
-// A side of a triangle, the lower vertex first.
-struct Side {
-  VertexPair ends;
-  std::uint32_t number;  // three times the triangle plus the corner where it starts
-
-  bool operator<(const Side& other) const {
-    return ends != other.ends ? ends < other.ends : number < other.number;
-  }
-};
-
 VertexPair sorted(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
-}
-
-std::uint32_t next_corner(std::uint32_t side) {
-  return side % 3 == 2 ? side - 2 : side + 1;
-}
-
-std::vector<Side> sorted_sides(std::span<const std::uint32_t> triangles) {
-  std::vector<Side> sides;
-  sides.reserve(triangles.size());
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    sides.push_back({sorted(triangles[i], triangles[next_corner(i)]), i});
-  }
-  std::sort(sides.begin(), sides.end());
-  return sides;
 }
 
 // The only edge that starts (end 0) or ends (end 1) at each vertex.
@@ -84,9 +60,21 @@ void connect(std::vector<BorderEdge>& border, std::span<const glm::vec3> rest_po
 
 }  // namespace
 
+std::vector<TriangleSide> sorted_sides(std::span<const std::uint32_t> triangles) {
+  std::vector<TriangleSide> sides;
+  sides.reserve(triangles.size());
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    sides.push_back({sorted(triangles[i], triangles[next_corner(i)]), i});
+  }
+  std::sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+    return a.ends != b.ends ? a.ends < b.ends : a.number < b.number;
+  });
+  return sides;
+}
+
 std::vector<BorderEdge> border_edges(std::span<const glm::vec3> rest_positions,
                                      std::span<const std::uint32_t> triangles) {
-  const std::vector<Side> sides = sorted_sides(triangles);
+  const std::vector<TriangleSide> sides = sorted_sides(triangles);
   std::vector<std::uint32_t> single;
   for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
     while (end < sides.size() && sides[end].ends == sides[first].ends) ++end;
@@ -117,7 +105,7 @@ void RefinedMesh::split() {
   Level& level = levels_.emplace_back();
   level.first_vertex = static_cast<std::uint32_t>(vertex_count_);
   std::vector<std::uint32_t> midpoints(triangles_.size());  // of each side of each triangle
-  for (const Side& side : sorted_sides(triangles_)) {
+  for (const TriangleSide& side : sorted_sides(triangles_)) {
     if (level.edges.empty() || level.edges.back() != side.ends) level.edges.push_back(side.ends);
     midpoints[side.number] = level.first_vertex + static_cast<std::uint32_t>(level.edges.size()) - 1;
   }

@@ -12,6 +12,21 @@ namespace taut::renderer {
 /// Two vertices, in any order unless said otherwise.
 using VertexPair = std::array<std::uint32_t, 2>;
 
+/// A side of a triangle.
+struct TriangleSide {
+  VertexPair ends;           ///< the lower vertex first
+  std::uint32_t number = 0;  ///< three times the triangle plus the corner where it starts
+};
+
+/// Returns the corner after this one in its triangle; three corners for each.
+inline std::uint32_t next_corner(std::uint32_t corner) {
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+/// Returns the sides of all triangles in the order of their ends, those with the same ends in that of their
+/// numbers. `triangles` holds three vertices each.
+std::vector<TriangleSide> sorted_sides(std::span<const std::uint32_t> triangles);
+
 /// An edge of one triangle alone, and how the border goes on from there.
 struct BorderEdge {
   static constexpr std::uint32_t none = ~0U;

@@ -45,12 +45,25 @@ glm::vec3 border_shift(const RefinedMesh::BorderCurve& curve, std::span<const gl
 }  // namespace
 
 SmoothSurface::SmoothSurface(std::span<const glm::vec3> rest_positions,
-                             std::span<const std::uint32_t> triangles, int levels, float most_bulge)
+                             std::span<const std::uint32_t> triangles, int levels, float most_bulge,
+                             float rim_radius)
     : coarse_triangles_(triangles.begin(), triangles.end()),
       mesh_(rest_positions, triangles, levels),
       most_bulge_(most_bulge),
-      positions_(mesh_.vertex_count()),
-      normals_(mesh_.vertex_count()) {}
+      triangles_(mesh_.triangles()),
+      parents_(mesh_.parents()) {
+  for (std::size_t t = 0; t < triangles_.size() / 3; ++t) {
+    parent_triangles_.push_back(static_cast<std::uint32_t>(t >> (2 * levels)));
+  }
+  if (rim_radius > 0.0F) {
+    rim_.emplace(mesh_, rim_radius);
+    triangles_.insert(triangles_.end(), rim_->triangles().begin(), rim_->triangles().end());
+    parents_.insert(parents_.end(), rim_->parents().begin(), rim_->parents().end());
+    for (const std::uint32_t at : rim_->at_triangles()) parent_triangles_.push_back(parent_triangles_[at]);
+  }
+  positions_.resize(mesh_.coarse_vertex_count() + parents_.size());
+  normals_.resize(positions_.size());
+}
 
 void SmoothSurface::place(std::span<const glm::vec3> coarse_positions) {
   const std::size_t count = mesh_.coarse_vertex_count();
@@ -62,6 +75,7 @@ void SmoothSurface::place(std::span<const glm::vec3> coarse_positions) {
     place(level, share_of_split * left);
     left -= share_of_split * left;
   }
+  if (rim_) rim_->place(positions_, normals_);
 }
 
 void SmoothSurface::place(const RefinedMesh::Level& level, float most_bulge) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "renderer/surface/refined_mesh.hpp"
+#include "renderer/surface/rim.hpp"
 
 namespace taut::renderer {
 
@@ -15,16 +17,24 @@ namespace taut::renderer {
 class SmoothSurface {
  public:
   /// most_bulge: how far the surface may leave the coarse triangles, in the unit of positions; along a border
-  /// within the surface it may be more. Two surfaces twice that apart do not meet.
+  /// within the surface it may be more. Two surfaces twice that apart do not meet. rim_radius: of the lip
+  /// along the border; 0: none.
   SmoothSurface(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
-                int levels, float most_bulge);
+                int levels, float most_bulge, float rim_radius = 0.0F);
 
+  /// Without the rim.
   const RefinedMesh& mesh() const { return mesh_; }
+  /// Those of mesh() and then those of the rim, three vertices each.
+  const std::vector<std::uint32_t>& triangles() const { return triangles_; }
+  /// For each triangle, the coarse one it lies in or, of the rim, at whose border it is.
+  const std::vector<std::uint32_t>& parent_triangles() const { return parent_triangles_; }
+  /// For each vertex that was added, in this order, two that come before it, of the rim twice the same.
+  const std::vector<VertexPair>& parents() const { return parents_; }
 
   /// Fills positions and normals for coarse vertices at these positions, one for each. Coarse vertices are
   /// taken over as they are.
   void place(std::span<const glm::vec3> coarse_positions);
-  /// One for each vertex of mesh(); the normals have unit length.
+  /// One for each vertex of mesh() and then of the rim; the normals have unit length.
   const std::vector<glm::vec3>& positions() const { return positions_; }
   const std::vector<glm::vec3>& normals() const { return normals_; }
 
@@ -34,6 +44,10 @@ class SmoothSurface {
   std::vector<std::uint32_t> coarse_triangles_;
   RefinedMesh mesh_;
   float most_bulge_;
+  std::optional<Rim> rim_;
+  std::vector<std::uint32_t> triangles_;
+  std::vector<std::uint32_t> parent_triangles_;
+  std::vector<VertexPair> parents_;
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
 };

@@ -19,7 +19,8 @@ namespace taut::renderer {
 /// The material of a surface.
 struct SurfaceStyle {
   Colour outside_colour = rgb(0x3F6FA8);  ///< of the side from which triangles are counter-clockwise
-  Colour inside_colour = rgb(0xD9A066);   ///< of the other side
+  /// Of the other side. None: that of the outside's reverse (reverse_of).
+  std::optional<Colour> inside_colour;
   float roughness = 0.75F;                ///< of the highlight; 0.05 glossy to 1 matt, clamped
   float sheen = 0.4F;          ///< 0 to 1; brightness of the fringe at grazing angles, as cotton has
   float translucency = 0.12F;  ///< 0 to 1; share of the key light that passes through

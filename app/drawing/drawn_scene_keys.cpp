@@ -64,8 +64,7 @@ void add_picture(Keys& keys) {
   keys.push_back(stretch_range_key());
   keys.push_back(colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour),
                                         "of the cloth's outside"));
-  keys.push_back(colour_key<DrawnScene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour),
-                                        "of the cloth's inside"));
+  keys.push_back(inside_colour_key());
   keys.push_back(switch_key<DrawnScene>("picture.rest_outline", MEMBER(picture.rest_outline),
                                         "draws the garment's borders where they were modelled"));
   keys.push_back(switch_key<DrawnScene>("picture.show_pins", MEMBER(picture.show_pins), "as red balls"));

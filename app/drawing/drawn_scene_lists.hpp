@@ -11,6 +11,7 @@ Key<DrawnScene> camera_box_key();
 Key<DrawnScene> camera_eye_key();
 Key<DrawnScene> camera_target_key();
 Key<DrawnScene> ground_key();
+Key<DrawnScene> inside_colour_key();
 Key<DrawnScene> stretch_range_key();
 
 }  // namespace taut::app

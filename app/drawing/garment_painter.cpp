@@ -139,7 +139,8 @@ void GarmentPainter::place_bodies(double time_s) {
     surface.positions = obstacle.positions;
     surface.normals = obstacle.normals;
     surface.triangles = obstacle.triangles;
-    surface.style.outside_colour = surface.style.inside_colour = obstacle_colour;
+    surface.style.outside_colour = obstacle_colour;
+    surface.style.inside_colour = obstacle_colour;
     surface.style.translucency = 0.0F;
     frame_.surfaces.push_back(surface);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "renderer/surface/trims.hpp"
@@ -16,7 +18,8 @@ struct GarmentSewing {
 };
 
 /// Finds it by the garment at rest. Openings get hems, and one around the neck a ribbed band: narrower ones
-/// where the garment is small. A grid is plain cloth without any.
-GarmentSewing sewing_of(const sim::Garment& garment);
+/// where the garment is small. A grid is plain cloth without any. corner_coordinates: texture coordinates,
+/// three for each triangle; they differ at seams. Without them, long sharp edges are seams.
+GarmentSewing sewing_of(const sim::Garment& garment, std::span<const glm::vec2> corner_coordinates = {});
 
 }  // namespace taut::app

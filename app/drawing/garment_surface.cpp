@@ -50,9 +50,9 @@ void GarmentSurface::make() {
   material_coordinates_ = surface_->positions();
   trims_.clear();
   if (detail_.sewn) {
-    trims_ = renderer::trimmed_triangles(
-        *surface_, material_coordinates_,
-        {sewing_.bands, sewing_.seams, sewing_.stitch_m, sewing_.rim_radius_m});
+    trims_ =
+        renderer::trimmed_triangles(*surface_, material_coordinates_,
+                                    {sewing_.bands, sewing_.seams, sewing_.stitch_m, sewing_.rim_radius_m});
   }
 }
 

@@ -92,9 +92,10 @@ void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, 
   const SurfaceStyle& style = surface.style;
   const float weave = surface.material_coordinates.empty() ? 0.0F : style.weave;
   const float row = surface.scalars ? static_cast<float>(colour_map_row) : -1.0F;
-  materials_.push_back({{linear_light(style.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
-                        {linear_light(style.inside_colour), style.sheen},
-                        {style.translucency, weave, row, 0.0F}});
+  materials_.push_back(
+      {{linear_light(style.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
+       {linear_light(style.inside_colour.value_or(reverse_of(style.outside_colour))), style.sheen},
+       {style.translucency, weave, row, 0.0F}});
 }
 
 template <typename Row>

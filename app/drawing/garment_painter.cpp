@@ -177,6 +177,7 @@ renderer::SurfaceView GarmentPainter::garment_view() {
   surface.filled = style_.surface != SurfaceLook::wireframe;
   if (style_.surface == SurfaceLook::stretch) {
     surface.scalars = renderer::ScalarColours{stretch_, legend_.minimum, legend_.maximum, legend_.map};
+    surface.trims = {};  // their shades would be read as numbers
   }
   if (style_.wireframe || !surface.filled) {
     wireframe_ = surface_.refined_edges(structural_edges_);

@@ -21,9 +21,9 @@ struct PictureQuality {
 
 /// From best to cheapest. First the sky's shadow and the size of the shadow map are reduced, then samples,
 /// then the resolution of shading.
-inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 16, 24, 1, true, 2.6},
-                                                                     {4, 1024, 16, 12, 1, true, 2.3},
-                                                                     {1, 1024, 8, 6, 1, true, 1.5},
+inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 16, 24, 1, true, 2.9},
+                                                                     {4, 1024, 16, 12, 1, true, 2.6},
+                                                                     {1, 1024, 8, 6, 1, true, 1.75},
                                                                      {1, 512, 6, 6, 2, false, 1.2},
                                                                      {1, 256, 6, 4, 2, false, 1.1},
                                                                      {1, 256, 4, 0, 2, false, 1.0}}};

@@ -27,7 +27,7 @@ constexpr std::array<RingVertex, 4> ring{{{-0.5F, 0.866F, 0.5F, 0.866F},
 
 glm::vec3 normalised(const glm::vec3& v) {
   const float squared = glm::dot(v, v);
-  return squared > 0.0F ? v / std::sqrt(squared) : v;
+  return squared > 0.0F && std::isfinite(squared) ? v / std::sqrt(squared) : glm::vec3{0.0F};
 }
 
 }  // namespace

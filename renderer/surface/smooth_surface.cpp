@@ -17,9 +17,13 @@ constexpr float share_of_split = 0.75F;
 // How far a midpoint of a border may move within the surface, share of its edge. Less leaves necklines
 // polygons, more turns needles around.
 constexpr float most_border_shift = 0.15F;
+// Beyond this lengths are not squared any more.
+constexpr float farthest = 1e18F;
 
+// Cloth that is lost may be so far away that lengths overflow: it is drawn flat.
 glm::vec3 shortened(const glm::vec3& v, float longest) {
   const float squared = glm::dot(v, v);
+  if (!std::isfinite(squared)) return glm::vec3{0.0F};
   return squared > longest * longest ? v * (longest / std::sqrt(squared)) : v;
 }
 
@@ -85,20 +89,21 @@ void SmoothSurface::place(const RefinedMesh::Level& level, float most_bulge) {
     const glm::vec3& from = normals_[edge[0]];
     const glm::vec3& to = normals_[edge[1]];
     const glm::vec3 bulge = (glm::dot(way, to) * to - glm::dot(way, from) * from) / 8.0F;
-    positions_[middle] = 0.5F * (positions_[edge[0]] + positions_[edge[1]]) + shortened(bulge, most_bulge);
+    positions_[middle] =
+        0.5F * positions_[edge[0]] + 0.5F * positions_[edge[1]] + shortened(bulge, most_bulge);
     // Linear, because normals that follow the curve show every unevenness of simulated cloth as a wrinkle.
     normals_[middle] = normalised(from + to, from);
     ++middle;
   }
   for (const RefinedMesh::BorderCurve& curve : level.curves) {
     const glm::vec3& normal = normals_[curve.middle];
-    const glm::vec3 shift = border_shift(curve, positions_);
+    const glm::vec3 shift = shortened(border_shift(curve, positions_), farthest);
     const float bulge = glm::dot(shift, normal);
     const glm::vec3& start = positions_[curve.start];
     const glm::vec3& end = positions_[curve.end];
     positions_[curve.middle] =
-        0.5F * (start + end) + std::clamp(bulge, -most_bulge, most_bulge) * normal +
-        shortened(shift - bulge * normal, most_border_shift * glm::distance(start, end));
+        0.5F * start + 0.5F * end + std::clamp(bulge, -most_bulge, most_bulge) * normal +
+        shortened(shift - bulge * normal, most_border_shift * std::min(glm::distance(start, end), farthest));
   }
 }
 

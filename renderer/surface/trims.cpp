@@ -62,7 +62,6 @@ struct Trimming {
   // Distance in metres and place in stitches, such that they go on evenly from corner to corner.
   glm::vec2 place_of(std::uint32_t vertex, const NearestOnLine& main) const {
     const Lines::Segment& segment = lines.segments[main.segment];
-    const Lines::Chain& chain = lines.chains[segment.chain];
     const float scale = stitches_per_m[segment.chain];
     const glm::vec3 start = rest_positions[segment.ends[0]];
     const glm::vec3 way = rest_positions[segment.ends[1]] - start;
@@ -71,11 +70,9 @@ struct Trimming {
     const float straight = segment.start + glm::dot(to, way) / length;
     const NearestOnLine& own = nearest[vertex];
     if (own.segment != NearestOnLine::none && lines.segments[own.segment].chain == segment.chain) {
-      const float turns = chain.is_closed ? std::round((main.along - own.along) / chain.length) : 0.0F;
-      const float along = own.along + turns * chain.length;
       const float most = most_curved * std::abs(straight - main.along) + most_shifted * length;
-      if (std::abs(along - straight) < most) {
-        return {own.distance, scale * along};
+      if (std::abs(own.along - straight) < most) {
+        return {own.distance, scale * own.along};
       }
     }
     return {own.distance, scale * straight};

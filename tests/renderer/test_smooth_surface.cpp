@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "renderer/primitives.hpp"
@@ -94,6 +95,24 @@ TEST(SmoothSurface, CornersStayCorners) {
   for (const BorderEdge& edge : smooth.mesh().border()) {
     const glm::vec3& place = smooth.positions()[edge.ends[0]];
     EXPECT_TRUE(place.x * place.y * (2.0F - place.x) * (2.0F - place.y) == 0.0F) << place.x << ' ' << place.y;
+  }
+}
+
+TEST(SmoothSurface, LostClothStaysFinite) {
+  const Disc disc(7);
+  SmoothSurface smooth(disc.positions, disc.triangles, 2, 0.001F, 0.001F);
+  std::vector<glm::vec3> lost = disc.positions;
+  for (std::size_t i = 0; i < lost.size(); ++i) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    lost[i] = i % 3 == 0   ? glm::vec3{largest, 0, -largest}
+              : i % 3 == 1 ? glm::vec3{-largest}
+                           : glm::vec3{1e20F};
+  }
+  smooth.place(lost);
+  for (const auto* values : {&smooth.positions(), &smooth.normals()}) {
+    for (const glm::vec3& value : *values) {
+      EXPECT_TRUE(std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z));
+    }
   }
 }
 

@@ -118,7 +118,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
   surface_.limit_bulge(most_bulge_m(scene, garment, surface_.edge_m()));
   const auto aspect =
       static_cast<float>(style_.settings.width_px) / static_cast<float>(style_.settings.height_px);
-  look_from(scene_camera(scene, reach, aspect), style_.smooth);
+  look_from(scene_camera(scene, reach, aspect));
   frame_.ground_height_m = ground_height(scene, reach);
   line_width_px_ = std::max(1.0F, static_cast<float>(style_.settings.height_px) / full_line_height_px);
   pin_radius_m_ = pin_radius_m(reach);
@@ -162,13 +162,14 @@ void GarmentPainter::add_rest_outline(const sim::Garment& garment) {
   frame_.lines.push_back(outline);
 }
 
-void GarmentPainter::look_from(const renderer::Camera& camera, bool smooth) {
+void GarmentPainter::look_from(const renderer::Camera& camera, float shortest_edge_px) {
   frame_.camera = camera;
   frame_.lighting = renderer::studio_lighting(camera);
   const float seen_m =
       2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
+  const bool is_smooth = style_.smooth && style_.surface != SurfaceLook::wireframe;
   surface_.set_detail(static_cast<float>(style_.settings.height_px) / seen_m,
-                      smooth && style_.smooth && style_.surface != SurfaceLook::wireframe);
+                      is_smooth ? std::optional(shortest_edge_px) : std::nullopt);
 }
 
 renderer::SurfaceView GarmentPainter::garment_view() {

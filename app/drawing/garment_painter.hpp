@@ -27,9 +27,9 @@ class GarmentPainter {
   GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
                  std::span<const sim::Index> pins);
 
-  /// Looks from another camera than the scene's, with light that follows it. How fine the surface is depends
-  /// on how near it is. smooth: false draws the simulated triangles as they are, which is faster.
-  void look_from(const renderer::Camera& camera, bool smooth);
+  /// Looks from another camera than the scene's, with light that follows it. The surface is finer the nearer
+  /// it is; edges shorter than shortest_edge_px in the picture stay, which is faster the longer they are.
+  void look_from(const renderer::Camera& camera, float shortest_edge_px = renderer::shortest_split_px);
 
   /// Returns the picture, with bodies where they are at this time and with a legend if the scene asks for
   /// one.

@@ -30,10 +30,11 @@ GarmentSurface::GarmentSurface(const sim::Garment& garment)
       edge_m_(mean_edge_m(garment)),
       sewing_(sewing_of(garment)) {}
 
-void GarmentSurface::set_detail(float pixels_per_m, bool smooth) {
+void GarmentSurface::set_detail(float pixels_per_m, std::optional<float> shortest_edge_px) {
   Detail wanted;
-  if (smooth) {
-    wanted.levels = renderer::refinement_levels(edge_m_ * pixels_per_m, triangles_.size() / 3);
+  if (shortest_edge_px) {
+    wanted.levels =
+        renderer::refinement_levels(edge_m_ * pixels_per_m, triangles_.size() / 3, *shortest_edge_px);
     wanted.rim = 2.0F * sewing_.rim_radius_m * pixels_per_m > least_rim_px;
     wanted.sewn = sewing_.stitch_m * pixels_per_m > least_stitch_px;
   }

@@ -26,8 +26,9 @@ class GarmentSurface {
   float edge_m() const { return edge_m_; }
 
   /// Makes the surface as fine as it shows at so many pixels of the picture for a metre, with what is sewn.
-  /// smooth: false draws the simulated triangles alone. Takes some milliseconds where something changes.
-  void set_detail(float pixels_per_m, bool smooth);
+  /// Edges shorter than shortest_edge_px are not halved; none: the simulated triangles alone, without hems.
+  /// Takes some milliseconds where something changes.
+  void set_detail(float pixels_per_m, std::optional<float> shortest_edge_px);
   /// Moves the surface to these positions of the simulated vertices, in metres.
   void place(std::span<const glm::vec3> positions);
   /// What is drawn, without a style. Valid until the next call of any other function.

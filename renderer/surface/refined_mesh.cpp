@@ -11,8 +11,6 @@ namespace {
 
 // Cosine of the turn of a border at rest from which it has a corner.
 constexpr float corner_cosine = 0.7071F;
-// Edges shorter than this in the picture, pixels, are not split: what is drawn finer is not seen.
-constexpr float shortest_split_px = 5.0F;
 // More triangles than this are not made: their pictures would take longer than they are worth.
 constexpr std::size_t most_triangles = 400'000;
 constexpr int most_levels = 4;
@@ -170,9 +168,9 @@ std::vector<std::uint32_t> RefinedMesh::refined_edges(std::span<const std::uint3
   return pairs;
 }
 
-int refinement_levels(float edge_px, std::size_t triangles) {
+int refinement_levels(float edge_px, std::size_t triangles, float shortest_px) {
   int levels = 0;
-  while (levels < most_levels && edge_px > shortest_split_px && 4 * triangles <= most_triangles) {
+  while (levels < most_levels && edge_px > shortest_px && 4 * triangles <= most_triangles) {
     edge_px *= 0.5F;
     triangles *= 4;
     ++levels;

@@ -121,8 +121,11 @@ std::vector<Value> refined_corner_values(std::span<const Value> corners, int lev
   return values;
 }
 
+/// Edges shorter than this in the picture need not be halved: what is drawn finer is not seen.
+inline constexpr float shortest_split_px = 5.0F;
+
 /// Returns how often edges of this length in pixels of the picture have to be halved, for a mesh of so many
 /// triangles.
-int refinement_levels(float edge_px, std::size_t triangles);
+int refinement_levels(float edge_px, std::size_t triangles, float shortest_px = shortest_split_px);
 
 }  // namespace taut::renderer

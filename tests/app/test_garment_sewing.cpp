@@ -59,18 +59,22 @@ TEST(GarmentSurface, IsAsFineAsItShows) {
   const sim::Garment garment = sim::make_garment(test::shirt());
   GarmentSurface surface(garment);
   surface.limit_bulge(0.0004F);
-  surface.set_detail(10.0F, true);
+  surface.set_detail(10.0F, 5.0F);
   EXPECT_EQ(surface.view().triangles.size(), 3 * garment.mesh.triangles.size())
       << "an edge is less than a pixel";
   EXPECT_TRUE(surface.view().trims.empty());
-  surface.set_detail(1000.0F, true);
+  surface.set_detail(1000.0F, 5.0F);
   EXPECT_GT(surface.view().triangles.size(), 48 * garment.mesh.triangles.size());
   EXPECT_FALSE(surface.view().trims.empty());
+  surface.set_detail(1000.0F, 1000.0F);
+  EXPECT_FALSE(surface.view().trims.empty()) << "hems need no finer triangles";
+  EXPECT_LT(surface.view().triangles.size(), 6 * garment.mesh.triangles.size());
   std::vector<float> values(garment.mesh.positions.size(), 0.25F);
   surface.interpolate(values);
   EXPECT_EQ(values, std::vector<float>(surface.view().positions.size(), 0.25F));
-  surface.set_detail(1000.0F, false);
+  surface.set_detail(1000.0F, std::nullopt);
   EXPECT_EQ(surface.view().triangles.size(), 3 * garment.mesh.triangles.size());
+  EXPECT_TRUE(surface.view().trims.empty());
 }
 
 }  // namespace

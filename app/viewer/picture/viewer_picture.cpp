@@ -114,7 +114,8 @@ bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layou
 void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
                                const PictureQuality& quality, bool keep) {
   GarmentPainter& painter = painter_for(state, area);
-  painter.look_from(state.camera.camera(), quality.smooth && !state.show_springs);
+  // Springs lie on the simulated triangles.
+  painter.look_from(state.camera.camera(), state.show_springs ? INFINITY : quality.shortest_edge_px);
   renderer::FrameView frame = painter.view(state.shown->positions(), state.shown->checkpoint->state.time_s);
   if (state.show_springs) {
     add_springs(state, frame);

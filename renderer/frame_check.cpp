@@ -79,6 +79,19 @@ void check_base_colours(const std::string& part, const SurfaceView& surface) {
   }
 }
 
+void check_refinement(const std::string& part, const SurfaceView& surface) {
+  const Refinement& refinement = *surface.refinement;
+  check_count(part, "coarse vertices and vertices with parents",
+              refinement.coarse_vertices + refinement.parents.size(), surface.positions.size());
+  check_indices(part, "coarse triangles", refinement.coarse_triangles, 3, refinement.coarse_vertices);
+  for (std::size_t i = 0; i < refinement.parents.size(); ++i) {
+    check_indices(part, "parents", refinement.parents[i], 2, refinement.coarse_vertices + i);
+  }
+  check_count(part, "parent triangles", refinement.parent_triangles.size(), surface.triangles.size() / 3);
+  check_indices(part, "parent triangles", refinement.parent_triangles, 1,
+                refinement.coarse_triangles.size() / 3);
+}
+
 void check_surface(const std::string& part, const SurfaceView& surface) {
   const std::size_t count = surface.positions.size();
   check_finite(part, "position", surface.positions);
@@ -90,6 +103,10 @@ void check_surface(const std::string& part, const SurfaceView& surface) {
   }
   check_indices(part, "triangles", surface.triangles, 3, count);
   check_base_colours(part, surface);
+  if (surface.refinement) check_refinement(part, surface);
+  for (const TrimmedTriangle& trim : surface.trims) {
+    check_indices(part, "trims", std::span(&trim.triangle, 1), 1, surface.triangles.size() / 3);
+  }
   if (surface.wireframe) check_indices(part, "wireframe edges", surface.wireframe->edges, 2, count);
   if (surface.scalars) {
     check_count(part, "scalars", surface.scalars->values.size(), count);

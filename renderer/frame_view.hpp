@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,8 +21,9 @@ namespace taut::renderer {
 /// The material of a surface.
 struct SurfaceStyle {
   Colour outside_colour = rgb(0x3F6FA8);  ///< of the side from which triangles are counter-clockwise
-  Colour inside_colour = rgb(0xD9A066);   ///< of the other side
-  float roughness = 0.75F;                ///< of the highlight; 0.05 glossy to 1 matt, clamped
+  /// Of the other side. None: that of the outside's reverse (reverse_of).
+  std::optional<Colour> inside_colour;
+  float roughness = 0.75F;     ///< of the highlight; 0.05 glossy to 1 matt, clamped
   float sheen = 0.4F;          ///< 0 to 1; brightness of the fringe at grazing angles, as cotton has
   float translucency = 0.12F;  ///< 0 to 1; share of the key light that passes through
   float weave = 1.0F;          ///< 0 to 1; contrast of the knit, 0 for none; needs material coordinates
@@ -60,6 +63,29 @@ struct Wireframe {
   float opacity = 0.6F;   ///< 0 to 1
 };
 
+/// The coarser mesh that a surface was refined from, at which light is gathered. Its vertices are the first
+/// ones of the surface.
+struct Refinement {
+  std::size_t coarse_vertices = 0;
+  std::span<const std::uint32_t> coarse_triangles;  ///< three vertices per triangle
+  /// For each vertex that was added, in this order, two that come before it: the light is their mean.
+  std::span<const std::array<std::uint32_t, 2>> parents;
+  std::span<const std::uint32_t> parent_triangles;  ///< one per triangle: the coarse one it lies in
+};
+
+/// A triangle near what is sewn: hems, bands and seams are drawn where the corners say. Lengths are those of
+/// the cloth at rest.
+struct TrimmedTriangle {
+  std::uint32_t triangle = 0;
+  /// At each corner: distance from the border in metres, below 0 beyond it; place along the border in
+  /// stitches; distance from a seam in metres, below 0 on its right; place along it in stitches.
+  std::array<glm::vec4, 3> corners{};
+  float band_m = 0.0F;  ///< width of the hem; 0: none
+  bool ribbed = false;  ///< the band is knitted across instead
+  float thickness_m = 0.001F;
+  float stitch_m = 0.004F;
+};
+
 /// Triangles with smooth normals. n = number of vertices = positions.size().
 struct SurfaceView {
   std::span<const glm::vec3> positions;      ///< n, metres, world space
@@ -77,8 +103,21 @@ struct SurfaceView {
   SurfaceStyle style;
   std::optional<ScalarColours> scalars;
   std::optional<Wireframe> wireframe;
+  std::optional<Refinement> refinement;
+  std::span<const TrimmedTriangle> trims;  ///< ascending
   bool casts_shadow = true;
 };
+
+/// Returns the coarser mesh of a refined surface, or the surface itself: what light and shadow are found for.
+inline SurfaceView coarse_of(const SurfaceView& surface) {
+  SurfaceView coarse = surface;
+  if (surface.refinement) {
+    coarse.positions = surface.positions.first(surface.refinement->coarse_vertices);
+    coarse.normals = surface.normals.first(surface.refinement->coarse_vertices);
+    coarse.triangles = surface.refinement->coarse_triangles;
+  }
+  return coarse;
+}
 
 /// Line segments. A segment that lies on a surface is drawn in front of it.
 struct LineView {

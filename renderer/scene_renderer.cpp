@@ -75,6 +75,7 @@ struct SceneRenderer::Parts {
   Buffer block_buffer;
   std::vector<TriangleMesh> sphere_meshes;
   std::vector<SurfaceView> surfaces;  // those of the frame and the sphere meshes
+  std::vector<SurfaceView> casters;   // the same, coarser: nothing finer shows in a shadow
 
   explicit Parts(Context& made);
   void draw(const FrameView& frame, const PictureSettings& settings);
@@ -250,7 +251,9 @@ std::future<void> SceneRenderer::Parts::begin(FrameBlock& block, const FrameView
   reset_state();
   sphere_meshes.clear();
   collect_surfaces(frame);
-  light.begin(block, frame, surfaces, settings);
+  casters.clear();
+  std::transform(surfaces.begin(), surfaces.end(), std::back_inserter(casters), coarse_of);
+  light.begin(block, frame, casters, settings);
   std::future<void> light_gathered = std::async(std::launch::async, [this, own = block] {
     light.draw_maps(own);
     surface_pass.gather(surfaces, light);

@@ -2,6 +2,7 @@
 #include "frame.glsl"
 #include "surface_buffers.glsl"
 #include "weave.glsl"
+#include "trims.glsl"
 #ifdef PARTIAL_SHADOW  // some triangle here may be in light and shadow
 #include "shadow.glsl"
 #endif
@@ -30,9 +31,9 @@ struct Spot {
   vec3 material_across;
   vec3 material_up;
   vec2 sky;  // x: outside, y: inside
-  vec2 share;  // of the second and the third corner
-  vec2 share_across;
-  vec2 share_up;
+  vec3 ab;   // sides of the triangle
+  vec3 ac;
+  mat3x2 place;  // on the triangle, and what is added to the right and upwards
 };
 
 #ifdef HALVED
@@ -57,6 +58,9 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   vec2 place = middle.xy / middle.z;
   vec2 across = right.xy / right.z - place;
   vec2 up = above.xy / above.z - place;
+  Spot spot;
+  spot.ab = ab;
+  spot.ac = ac;
   // It does, but for rounding.
   place = clamp(place, 0.0, 1.0);
   place /= max(place.x + place.y, 1.0);
@@ -69,16 +73,13 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   vec4 mc = texelFetch(vertex_data, first.z + 2) - ma;
   vec4 n = na + place.x * nb + place.y * nc;
   vec4 m = ma + place.x * mb + place.y * mc;
-  Spot spot;
+  spot.place = mat3x2(place, across, up);
   spot.world = a.xyz + place.x * ab + place.y * ac;
   spot.normal = normalize(n.xyz);
   spot.material = m.xyz;
   spot.material_across = across.x * mb.xyz + across.y * mc.xyz;
   spot.material_up = up.x * mb.xyz + up.y * mc.xyz;
   spot.sky = vec2(n.w, m.w);
-  spot.share = place;
-  spot.share_across = across;
-  spot.share_up = up;
   return spot;
 }
 
@@ -92,13 +93,28 @@ vec3 scalar_colour(float scalar, float row) {
 vec3 shaded(int triangle, bool front, vec3 ray) {
   uvec4 corners = texelFetch(triangle_data, triangle);
   Spot spot = spot_on(corners.xyz, ray);
-  int material = 3 * int(corners.w >> 2u);
+  int material = 3 * surface_of(corners.w);
   uint key = corners.w & 3u;
   vec4 outside = texelFetch(material_data, material);
   vec4 inside = texelFetch(material_data, material + 1);
   vec4 rest = texelFetch(material_data, material + 2);
+  Sewing sewing = Sewing(vec3(0.0), 1.0, 0.0);
+  // A loop, as in weave.glsl.
+  for (int i = 0; i < (trim_of(corners.w) > 0 ? 1 : 0); ++i) {
+    sewing = sewn(trim_of(corners.w), front, spot.ab, spot.ac, spot.place[0], spot.place[1], spot.place[2]);
+  }
   vec3 towards_eye = normalize(eye.xyz - spot.world);
-  vec3 normal = front ? spot.normal : -spot.normal;
+  // A hem is folded to the inside: what is seen of it there is the cloth's outside.
+  vec3 base = mix(outside.rgb, inside.rgb, front ? 0.0 : 1.0 - sewing.doubled);
+#ifdef BASE_COLOUR_MAPS
+  if (rest.w >= 0.0) {
+    vec4 laid_on = base_colour(triangle, spot.place[0], spot.place[1], spot.place[2], rest.w) *
+                   (front ? 1.0 : mix(shines_through, 1.0, sewing.doubled));
+    base = base * (1.0 - laid_on.a) + laid_on.rgb;
+  }
+#endif
+  base *= sewing.brightness;
+  vec3 normal = normalize((front ? spot.normal : -spot.normal) - sewing.slope);
   // Near a silhouette an interpolated normal can turn away from the eye; it is brought back to grazing.
   normal = normalize(normal - towards_eye * min(dot(normal, towards_eye), 0.0));
   float lit = float(key);
@@ -109,14 +125,6 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
 #endif
   Light light = gathered(normal, towards_eye, lit, front ? spot.sky.x : spot.sky.y,
                          Finish(outside.w, inside.w, rest.x));
-  vec3 base = front ? outside.rgb : inside.rgb;
-#ifdef BASE_COLOUR_MAPS
-  if (rest.w >= 0.0) {
-    vec4 laid_on = base_colour(triangle, spot.share, spot.share_across, spot.share_up, rest.w) *
-                   (front ? 1.0 : shines_through);
-    base = base * (1.0 - laid_on.a) + laid_on.rgb;
-  }
-#endif
   vec3 cloth =
       base * light.diffuse * weave_brightness(spot.material, spot.material_across, spot.material_up, rest.y) +
       mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);

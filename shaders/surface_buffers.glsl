@@ -1,8 +1,8 @@
 // All surfaces of a frame; filled by renderer/light/surface_buffers.cpp.
 uniform samplerBuffer vertex_data;     // three texels a vertex: position (m), normal and sky light outside,
                                         // material coordinate (m) or in x the scalar, and sky light inside
-uniform usamplerBuffer triangle_data;  // three vertices, and four times the surface plus its key light: 0 in the
-                                        // shadow, 1 in the light, 2 for pixels to find out
+uniform usamplerBuffer triangle_data;  // three vertices, and in one number its key light (2 bits: 0 in the shadow,
+                                        // 1 in the light, 2 for pixels to find out), surface (12) and trim (18)
 uniform samplerBuffer material_data;       // three texels a surface: outside colour (linear) and roughness, inside
                                         // colour and sheen, translucency, strength of the weave, row of the colour
                                         // map or -1 for cloth, layer of the base colour map or -1
@@ -13,3 +13,5 @@ uniform samplerBuffer corner_data;     // a texel for each corner of a triangle:
 // What was seen in a sample: nothing, or a triangle and one of its sides.
 bool is_front(uint visible) { return (visible & 1u) == 1u; }
 int triangle_of(uint visible) { return int(visible >> 1u) - 1; }
+int surface_of(uint numbers) { return int((numbers >> 2u) & 4095u); }
+int trim_of(uint numbers) { return int(numbers >> 14u); }

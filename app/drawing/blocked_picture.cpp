@@ -55,8 +55,9 @@ std::vector<std::string> wrapped(const renderer::Canvas& canvas, const std::stri
   return lines;
 }
 
-renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene& scene,
+renderer::Image draw_marked(renderer::SceneRenderer& renderer, DrawnScene scene,
                             const sim::Simulation& simulation, const std::vector<InspectionMarks>& marks) {
+  scene.picture.smooth = false;
   GarmentPainter painter(renderer, scene, simulation.garment(), simulation.pins().vertices);
   renderer::FrameView frame = painter.view(simulation.state().current, simulation.state().time_s);
   add_marks(marks, frame);

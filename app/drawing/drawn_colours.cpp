@@ -11,6 +11,10 @@ namespace {
 // Of cloth that is printed or dyed on its outside.
 constexpr renderer::Colour undyed_colour = renderer::rgb(0xE6E2DC);
 
+renderer::Colour inside_of(const renderer::SurfaceStyle& cloth) {
+  return cloth.inside_colour.value_or(renderer::reverse_of(cloth.outside_colour));
+}
+
 renderer::BaseColourMap map_of(const TextureImage& image) {
   return {static_cast<int>(image.width_px), static_cast<int>(image.height_px), image.rgba};
 }
@@ -23,7 +27,7 @@ DrawnColours print(const PictureStyle& style, const SurfaceColours& colours) {
         "such as an OBJ file with vt lines");
   }
   return {colours.corner_uv,
-          {{style.cloth.outside_colour, style.cloth.inside_colour, map_of(read_image(style.texture))}},
+          {{style.cloth.outside_colour, inside_of(style.cloth), map_of(read_image(style.texture))}},
           {}};
 }
 
@@ -36,12 +40,10 @@ renderer::BaseColour colour_of(const SurfaceMaterial& material, const SurfaceCol
 }
 
 DrawnColours own(const PictureStyle& style, const SurfaceColours& colours) {
-  const renderer::SurfaceStyle plain;
   DrawnColours drawn{colours.corner_uv, {}, colours.material_of_face, colours.remarks};
   for (const SurfaceMaterial& material : colours.materials) {
-    drawn.base_colours.push_back(colour_of(
-        material, colours,
-        style.cloth.inside_colour == plain.inside_colour ? undyed_colour : style.cloth.inside_colour));
+    drawn.base_colours.push_back(
+        colour_of(material, colours, style.cloth.inside_colour.value_or(undyed_colour)));
   }
   return drawn;
 }
@@ -59,8 +61,10 @@ DrawnColours drawn_colours(const DrawnScene& scene, const GarmentInScene& loaded
     return print(style, loaded.colours);
   }
   const bool is_coloured = style.cloth.outside_colour != renderer::SurfaceStyle().outside_colour;
-  return style.texture == no_texture || is_coloured || !has_own(loaded.colours) ? DrawnColours{}
-                                                                                : own(style, loaded.colours);
+  if (style.texture == no_texture || is_coloured || !has_own(loaded.colours)) {
+    return {loaded.colours.corner_uv, {}, {}};
+  }
+  return own(style, loaded.colours);
 }
 
 }  // namespace taut::app

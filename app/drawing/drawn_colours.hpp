@@ -11,7 +11,8 @@
 
 namespace taut::app {
 
-/// Base colours on the triangles of a garment, as renderer::SurfaceView has them. Empty: the cloth's colours.
+/// Base colours on the triangles of a garment, as renderer::SurfaceView has them. No base colours: those of
+/// the cloth. Its texture coordinates, if it has any, say where it is sewn too.
 struct DrawnColours {
   std::vector<glm::vec2> corner_coordinates;
   std::vector<renderer::BaseColour> base_colours;

@@ -70,6 +70,9 @@ void add_picture(Keys& keys) {
       "what their colours mean: their kind, or the order in which the paper's sweep corrects them, from dark "
       "to bright"));
   keys.push_back(spring_patch_key());
+  keys.push_back(switch_key<DrawnScene>(
+      "picture.smooth", MEMBER(picture.smooth),
+      "draws a smooth surface through the simulated vertices; false: the simulated triangles"));
   keys.push_back(choice_key<DrawnScene>(
       "picture.stretch_of", named(all_stretch_of), MEMBER(picture.stretch_of),
       "what the colours show the stretch of: at each vertex the largest of the springs there, or of the "
@@ -77,8 +80,7 @@ void add_picture(Keys& keys) {
   keys.push_back(stretch_range_key());
   keys.push_back(colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour),
                                         "of the cloth's outside"));
-  keys.push_back(colour_key<DrawnScene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour),
-                                        "of the cloth's inside"));
+  keys.push_back(inside_colour_key());
   keys.push_back(texture_key());
   keys.push_back(switch_key<DrawnScene>("picture.rest_outline", MEMBER(picture.rest_outline),
                                         "draws the garment's borders where they were modelled"));

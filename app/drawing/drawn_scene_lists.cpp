@@ -119,6 +119,26 @@ Key<DrawnScene> ground_key() {
           write_ground};
 }
 
+Key<DrawnScene> inside_colour_key() {
+  auto read = [](const toml::node& value, const Source&, DrawnScene& scene) {
+    const auto colour = colour_value(value);
+    if (colour) {
+      scene.picture.cloth.inside_colour.emplace((*colour)[0], (*colour)[1], (*colour)[2]);
+    }
+    return colour.has_value();
+  };
+  auto write = [](const DrawnScene& scene) {
+    const auto& colour = scene.picture.cloth.inside_colour;
+    return colour ? Json(colour_text({colour->x, colour->y, colour->z})) : Json();
+  };
+  return {"picture.inside_colour",
+          "",
+          "a colour, \"#rrggbb\" or a name such as \"navy\"",
+          "of the cloth's inside; not set: a paler and greyer shade of its outside",
+          read,
+          write};
+}
+
 Key<DrawnScene> background_key() {
   auto read = [](const toml::node& value, const Source&, DrawnScene& scene) {
     Background& background = scene.picture.background;

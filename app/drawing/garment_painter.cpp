@@ -1,11 +1,12 @@
 #include "app/drawing/garment_painter.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/drawing/framing.hpp"
+#include "app/drawing/mesh_arrays.hpp"
 #include "app/drawing/spring_colours.hpp"
 #include "app/drawing/wind_arrows.hpp"
 #include "renderer/mesh_normals.hpp"
@@ -34,13 +35,14 @@ float line_width_px(const renderer::PictureSettings& settings) {
   return std::max(1.0F, static_cast<float>(settings.height_px) / full_line_height_px);
 }
 
-std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(triangles.size() * 3);
-  for (const sim::Triangle& t : triangles) {
-    indices.insert(indices.end(), t.begin(), t.end());
-  }
-  return indices;
+// Half of what is kept between layers of cloth stays theirs. Where nothing is kept apart, folds are as round
+// as the mesh says.
+float most_bulge_m(const DrawnScene& scene, const sim::Garment& garment, float edge_m) {
+  const SolverChoice& solver = scene.simulation.solver;
+  const bool kept_apart = solver.kind == sim::SolverKind::bounded && solver.bounded.contact;
+  return kept_apart || !scene.surroundings.bodies.empty()
+             ? 0.45F * static_cast<float>(garment.material.thickness_m)
+             : 0.1F * edge_m;
 }
 
 std::vector<std::uint32_t> structural_edges(const sim::Springs& springs) {
@@ -119,22 +121,21 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       legend_(stretch_legend(scene)),
       measured_(part_measured(garment, scene.picture)),
       pins_(pins.begin(), pins.end()),
-      triangles_(flat(garment.mesh.triangles)),
       colours_(std::move(colours)),
-      rest_positions_(to_float(garment.mesh.positions)),
+      surface_(garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
       structural_edges_(structural_edges(garment.springs)),
       line_width_px_(line_width_px(style_.settings)),
       spring_lines_(garment, style_.springs, spring_width * line_width_px_),
       bodies_(scene.surroundings.bodies),
       bodies_move_(std::any_of(bodies_.begin(), bodies_.end(),
-                               [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
-      normals_(garment.mesh.positions.size()) {
+                               [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })) {
   const renderer::Box reach = expected_reach(scene, garment, pins);
-  frame_.camera = camera_ = scene_camera(scene, reach, aspect_of(style_.settings));
+  surface_.limit_bulge(most_bulge_m(scene, garment, surface_.edge_m()));
+  camera_ = scene_camera(scene, reach, aspect_of(style_.settings));
+  look_from(camera_);
   if (scene.camera.follow) {
     followed_from_ = mean_of(garment.mesh.positions);
   }
-  frame_.lighting = renderer::studio_lighting(frame_.camera);
   frame_.ground_height_m = ground_height(scene, reach);
   frame_.backdrop = backdrop_of(scene.picture.background);
   pin_radius_m_ = pin_radius_m(reach);
@@ -159,7 +160,8 @@ void GarmentPainter::place_bodies(double time_s) {
     surface.positions = obstacle.positions;
     surface.normals = obstacle.normals;
     surface.triangles = obstacle.triangles;
-    surface.style.outside_colour = surface.style.inside_colour = obstacle_colour;
+    surface.style.outside_colour = obstacle_colour;
+    surface.style.inside_colour = obstacle_colour;
     surface.style.translucency = 0.0F;
     frame_.surfaces.push_back(surface);
   }
@@ -190,40 +192,49 @@ void GarmentPainter::add_wind(const DrawnScene& scene, const sim::Garment& garme
   }
 }
 
-renderer::SurfaceView GarmentPainter::garment_view() const {
-  renderer::SurfaceView surface;
-  surface.positions = positions_;
-  surface.normals = normals_;
-  surface.triangles = triangles_;
-  surface.material_coordinates = rest_positions_;
+void GarmentPainter::look_from(const renderer::Camera& camera, float shortest_edge_px) {
+  frame_.camera = camera;
+  frame_.lighting = renderer::studio_lighting(camera);
+  const float seen_m =
+      2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
+  // Springs lie on the simulated triangles.
+  const bool is_smooth =
+      style_.smooth && style_.surface != SurfaceLook::wireframe && style_.springs.which == WhichSprings::none;
+  surface_.set_detail(static_cast<float>(style_.settings.height_px) / seen_m,
+                      is_smooth ? std::optional(shortest_edge_px) : std::nullopt);
+}
+
+renderer::SurfaceView GarmentPainter::garment_view() {
+  renderer::SurfaceView surface = surface_.view();
   surface.style = style_.cloth;
   const bool is_wireframe = style_.surface == SurfaceLook::wireframe;
   if (is_wireframe || style_.springs.which != WhichSprings::none) {
     surface.style.outside_colour = pale_outside;
     surface.style.inside_colour = pale_inside;
+    surface.base_colour_of_triangle = {};
   } else {
-    surface.corner_coordinates = colours_.corner_coordinates;
     surface.base_colours = colours_.base_colours;
-    surface.base_colour_of_triangle = colours_.base_colour_of_triangle;
   }
   if (style_.surface == SurfaceLook::stretch) {
     surface.scalars = renderer::ScalarColours{stretch_, legend_.minimum, legend_.maximum, legend_.map};
+    surface.trims = {};  // their shades would be read as numbers
   }
   if (style_.wireframe || is_wireframe) {
-    surface.wireframe = renderer::Wireframe{.edges = structural_edges_, .width_px = line_width_px_};
+    wireframe_ = surface_.refined_edges(structural_edges_);
+    surface.wireframe = renderer::Wireframe{.edges = wireframe_, .width_px = line_width_px_};
   }
   return surface;
 }
 
 const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
-  assert(positions.size() == rest_positions_.size());
   positions_ = to_float(positions);
-  renderer::vertex_normals(positions_, triangles_, normals_);
+  surface_.place(positions_);
   if (style_.surface == SurfaceLook::stretch) {
     const std::vector<double> stretch = style_.stretch_of == StretchOf::surface
                                             ? sim::vertex_surface_stretch(measured_, positions)
                                             : sim::vertex_stretch(measured_.springs, positions);
     stretch_.assign(stretch.begin(), stretch.end());
+    surface_.interpolate(stretch_);
   }
   if (followed_from_) {
     const glm::vec3 shift = mean_of(positions) - *followed_from_;

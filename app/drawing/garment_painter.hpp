@@ -6,6 +6,7 @@
 
 #include "app/drawing/drawn_colours.hpp"
 #include "app/drawing/drawn_scene.hpp"
+#include "app/drawing/garment_surface.hpp"
 #include "app/drawing/spring_lines.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"
@@ -28,6 +29,10 @@ class GarmentPainter {
   GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene, const sim::Garment& garment,
                  std::span<const sim::Index> pins, DrawnColours colours = {});
 
+  /// Looks from another camera than the scene's, with light that follows it. The surface is finer the nearer
+  /// it is; edges shorter than shortest_edge_px in the picture stay, which is faster the longer they are.
+  void look_from(const renderer::Camera& camera, float shortest_edge_px = renderer::shortest_split_px);
+
   /// Returns the picture, with bodies where they are at this time and with a legend if the scene asks for
   /// one.
   renderer::Image draw(const std::vector<sim::Vec3>& positions, double time_s);
@@ -42,16 +47,15 @@ class GarmentPainter {
   void add_rest_outline(const sim::Garment& garment);
   void add_wind(const DrawnScene& scene, const sim::Garment& garment);
   void place_bodies(double time_s);
-  renderer::SurfaceView garment_view() const;
+  renderer::SurfaceView garment_view();
 
   renderer::SceneRenderer& renderer_;
   PictureStyle style_;
   renderer::Legend legend_;
   sim::Garment measured_;  ///< what the stretch that is shown is measured from, and nothing else
   std::vector<sim::Index> pins_;
-  std::vector<std::uint32_t> triangles_;
   DrawnColours colours_;
-  std::vector<glm::vec3> rest_positions_;
+  GarmentSurface surface_;
   std::vector<std::uint32_t> structural_edges_;
   float line_width_px_;
   SpringLines spring_lines_;
@@ -68,7 +72,7 @@ class GarmentPainter {
   float pin_radius_m_ = 0.0F;
   // Of the frame at hand.
   std::vector<glm::vec3> positions_;
-  std::vector<glm::vec3> normals_;
+  std::vector<std::uint32_t> wireframe_;
   std::vector<float> stretch_;
   std::vector<glm::vec3> pin_positions_;
 };

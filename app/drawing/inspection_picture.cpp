@@ -34,6 +34,7 @@ renderer::Image draw_side(OffscreenRenderer& offscreen, DrawnScene& scene, const
                           const std::vector<InspectionMarks>& all) {
   scene.picture.cloth.outside_colour = pale_outside;
   scene.picture.cloth.inside_colour = pale_inside;
+  scene.picture.smooth = false;
   GarmentPainter painter(offscreen.renderer(), scene, *loaded.garment, loaded.pins);
   renderer::FrameView frame = painter.view(loaded.garment->mesh.positions, 0.0);
   frame.backdrop.plain = true;

@@ -18,6 +18,7 @@ void bind_shared_inputs(const Program& program) {
   program.set("vertex_data", static_cast<int>(vertex_data_unit));
   program.set("triangle_data", static_cast<int>(triangle_data_unit));
   program.set("material_data", static_cast<int>(material_data_unit));
+  program.set("trim_data", static_cast<int>(trim_data_unit));
 }
 
 }  // namespace taut::renderer

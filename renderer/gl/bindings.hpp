@@ -21,7 +21,8 @@ inline constexpr unsigned floor_shadow_unit = 9;
 inline constexpr unsigned halved_unit = 10;
 inline constexpr unsigned base_colour_maps_unit = 11;
 inline constexpr unsigned corner_data_unit = 12;
-inline constexpr unsigned unit_count = 13;
+inline constexpr unsigned trim_data_unit = 13;
+inline constexpr unsigned unit_count = 14;
 
 /// Sets the uniform block and the samplers of a program to these bindings and leaves the program in use.
 void bind_shared_inputs(const Program& program);

@@ -17,6 +17,10 @@ struct SurfaceLight {
   std::vector<glm::vec2> sky;      ///< ambient, one per vertex; x outside, y inside
 };
 
+/// Replaces the light at the coarse mesh of a refined surface by that at the surface. A vertex that faces
+/// away from those it is between has their other side's.
+void spread(const SurfaceView& surface, SurfaceLight& light);
+
 /// All surfaces of one frame in buffer textures, laid out as shaders/surface_buffers.glsl says.
 class SurfaceBuffers {
  public:
@@ -48,7 +52,7 @@ class SurfaceBuffers {
 
   /// Returns the vertices of all surfaces.
   std::span<const Vertex> all_vertices() const { return vertices_; }
-  /// Returns one element per triangle: xyz its vertices, w = 4 * surface + KeyVisibility.
+  /// Returns one element per triangle: xyz its vertices, w as shaders/surface_buffers.glsl says.
   std::span<const glm::uvec4> all_triangles() const { return triangles_; }
   /// Returns whether a triangle's KeyVisibility is partial.
   static bool is_partial(const glm::uvec4& triangle) {
@@ -56,6 +60,11 @@ class SurfaceBuffers {
   }
 
  private:
+  // Of a triangle that is trimmed.
+  struct Trim {
+    std::array<glm::vec4, 3> corners;
+    glm::vec4 band;
+  };
   struct Material {
     glm::vec4 outside;
     glm::vec4 inside;
@@ -77,10 +86,12 @@ class SurfaceBuffers {
   BufferTexture triangle_data_;
   BufferTexture material_data_;
   BufferTexture corner_data_;
+  BufferTexture trim_data_;
   std::vector<Vertex> vertices_;
   std::vector<glm::uvec4> triangles_;
   std::vector<Material> materials_;
   std::vector<glm::vec2> corners_;  // three per triangle up to the last that has a map
+  std::vector<Trim> trims_;
   std::size_t most_texels_ = 0;
 };
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <span>
 
 namespace taut::renderer {
@@ -36,6 +38,13 @@ float linear_to_srgb(float linear) {
 
 glm::vec3 linear_light(const Colour& colour) {
   return {srgb_to_linear(colour.r), srgb_to_linear(colour.g), srgb_to_linear(colour.b)};
+}
+
+Colour reverse_of(const Colour& outside) {
+  constexpr float greyer = 0.25F;
+  constexpr float paler = 0.25F;
+  const Colour grey{glm::dot(outside, glm::vec3{0.2126F, 0.7152F, 0.0722F})};
+  return glm::mix(glm::mix(outside, grey, greyer), Colour{1.0F}, paler);
 }
 
 Colour colour_at(ColourMap map, float t) {

@@ -23,6 +23,9 @@ float linear_to_srgb(float linear);
 /// Returns the colour in linear light, each channel 0 to 1.
 glm::vec3 linear_light(const Colour& colour);
 
+/// Returns the colour of the reverse of cloth that is this colour on its outside: paler and greyer.
+Colour reverse_of(const Colour& outside);
+
 /// Colour maps ordered by lightness, so that they can be read in grey and by colour-blind readers.
 enum class ColourMap {
   viridis,      ///< dark violet to yellow, lightness rises throughout

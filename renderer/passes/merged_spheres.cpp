@@ -31,7 +31,8 @@ SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres) {
   view.positions = mesh.positions;
   view.normals = mesh.normals;
   view.triangles = mesh.triangles;
-  view.style.outside_colour = view.style.inside_colour = spheres.colour;
+  view.style.outside_colour = spheres.colour;
+  view.style.inside_colour = spheres.colour;
   view.style.roughness = 0.45F;
   view.style.sheen = 0.0F;
   view.style.translucency = 0.0F;

@@ -74,7 +74,8 @@ void SurfacePass::gather(std::span<const SurfaceView> surfaces, StudioLight& lig
   base_colour_maps_.clear();
   any_scalars_ = false;
   for (const SurfaceView& surface : surfaces) {
-    light.gather(surface, surface_light_);
+    light.gather(coarse_of(surface), surface_light_);
+    if (surface.refinement) spread(surface, surface_light_);
     surface_buffers_.add(surface, surface_light_,
                          surface.scalars ? colour_maps_.row_of(surface.scalars->map) : -1, base_colour_maps_);
     any_scalars_ = any_scalars_ || surface.scalars;

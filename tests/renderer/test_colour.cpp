@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/page/colour.hpp"
@@ -25,6 +26,17 @@ TEST(Srgb, BothWaysGiveTheByteBack) {
 float lightness(const Colour& colour) {
   return 0.2126F * srgb_to_linear(colour.r) + 0.7152F * srgb_to_linear(colour.g) +
          0.0722F * srgb_to_linear(colour.b);
+}
+
+TEST(Reverse, IsPalerAndGreyer) {
+  const auto range = [](const Colour& colour) {
+    return std::max({colour.r, colour.g, colour.b}) - std::min({colour.r, colour.g, colour.b});
+  };
+  for (const Colour& outside : {rgb(0x3F6FA8), rgb(0xA63D40), rgb(0x4F7F5B), rgb(0x101010)}) {
+    EXPECT_GT(lightness(reverse_of(outside)), 1.2F * lightness(outside));
+    EXPECT_LE(range(reverse_of(outside)), 0.6F * range(outside) + 1e-6F);
+  }
+  EXPECT_EQ(reverse_of(rgb(0xFFFFFF)), rgb(0xFFFFFF));
 }
 
 TEST(ColourMap, SequentialMapGetsLighterAllTheWay) {

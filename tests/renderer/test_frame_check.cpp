@@ -46,6 +46,16 @@ TEST_F(FrameCheckTest, BadFramesAreRefusedByName) {
   frame.surfaces[0].material_coordinates = unbounded;
   EXPECT_NE(refusal(draw).find("material coordinate 1"), std::string::npos) << refusal(draw);
 
+  frame = triangle_frame();
+  constexpr std::array<std::array<std::uint32_t, 2>, 1> parents{{{0, 2}}};
+  constexpr std::array<std::uint32_t, 1> parent_triangles{0};
+  frame.surfaces[0].refinement = Refinement{2, {}, parents, parent_triangles};
+  EXPECT_NE(refusal(draw).find("index 2 in parents, there are 2"), std::string::npos) << refusal(draw);
+  frame = triangle_frame();
+  const TrimmedTriangle trim{.triangle = 1};
+  frame.surfaces[0].trims = std::span(&trim, 1);
+  EXPECT_NE(refusal(draw).find("index 1 in trims"), std::string::npos) << refusal(draw);
+
   PictureSettings settings = small_picture();
   settings.width_px = 0;
   const auto draw_nothing = [&] { renderer.draw(triangle_frame(), settings); };

@@ -50,7 +50,7 @@ GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewA
 }
 
 void ViewerPicture::add_normals(const ViewerState& state, renderer::FrameView& frame) {
-  const renderer::SurfaceView& surface = frame.surfaces.back();
+  const renderer::SurfaceView surface = renderer::coarse_of(frame.surfaces.back());
   const sim::Vec3 size_m = sim::extent_of(state.shown->loaded->garment->mesh.positions).size();
   const float length_m = normal_length * static_cast<float>(glm::length(size_m));
   normal_points_.clear();
@@ -94,11 +94,10 @@ bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layou
 // A scene that stands still is drawn once more to be kept; one that moves would be kept for nothing.
 void ViewerPicture::draw_scene(unsigned framebuffer, const ViewerState& state, const ViewArea& area,
                                const PictureQuality& quality, bool keep) {
-  renderer::FrameView frame =
-      painter_for(state, area).view(state.shown->positions(), state.shown->checkpoint->state.time_s);
-  frame.camera = state.camera.camera();
+  GarmentPainter& painter = painter_for(state, area);
+  painter.look_from(state.camera.camera(), quality.shortest_edge_px);
+  renderer::FrameView frame = painter.view(state.shown->positions(), state.shown->checkpoint->state.time_s);
   frame.backdrop.transparent = false;
-  frame.lighting = renderer::studio_lighting(frame.camera);
   if (state.show_normals) {
     add_normals(state, frame);
   }

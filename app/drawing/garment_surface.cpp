@@ -1,0 +1,120 @@
+#include "app/drawing/garment_surface.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/drawing/framing.hpp"
+#include "app/drawing/mesh_arrays.hpp"
+
+namespace taut::app {
+namespace {
+
+// A rim that is thinner in the picture, and stitches that are shorter, pixels, are not drawn.
+constexpr float least_rim_px = 0.7F;
+constexpr float least_stitch_px = 0.8F;
+
+float mean_edge_m(const sim::Garment& garment) {
+  double sum_m = 0.0;
+  for (const sim::Edge& edge : garment.adjacency.edges) {
+    sum_m += glm::distance(garment.mesh.positions[edge[0]], garment.mesh.positions[edge[1]]);
+  }
+  return static_cast<float>(sum_m /
+                            static_cast<double>(std::max<std::size_t>(garment.adjacency.edges.size(), 1)));
+}
+
+}  // namespace
+
+GarmentSurface::GarmentSurface(const sim::Garment& garment, std::vector<glm::vec2> corner_coordinates,
+                               std::vector<std::uint32_t> colour_of_triangle)
+    : triangles_(flat(garment.mesh.triangles)),
+      rest_positions_(to_float(garment.mesh.positions)),
+      corner_coordinates_(std::move(corner_coordinates)),
+      colour_of_triangle_(std::move(colour_of_triangle)),
+      edge_m_(mean_edge_m(garment)),
+      sewing_(sewing_of(garment, corner_coordinates_)) {}
+
+void GarmentSurface::set_detail(float pixels_per_m, std::optional<float> shortest_edge_px) {
+  Detail wanted;
+  if (shortest_edge_px) {
+    wanted.levels =
+        renderer::refinement_levels(edge_m_ * pixels_per_m, triangles_.size() / 3, *shortest_edge_px);
+    wanted.rim = 2.0F * sewing_.rim_radius_m * pixels_per_m > least_rim_px;
+    wanted.sewn = sewing_.stitch_m * pixels_per_m > least_stitch_px;
+  }
+  if (!surface_ || wanted != detail_) {
+    detail_ = wanted;
+    make();
+  }
+}
+
+void GarmentSurface::make() {
+  surface_.emplace(rest_positions_, triangles_, detail_.levels, most_bulge_m_,
+                   detail_.rim ? sewing_.rim_radius_m : 0.0F);
+  surface_->place(rest_positions_);
+  material_coordinates_ = surface_->positions();
+  fine_corner_coordinates_ = fine_corner_coordinates();
+  fine_colour_of_triangle_.clear();
+  if (!colour_of_triangle_.empty()) {
+    for (const std::uint32_t parent : surface_->parent_triangles()) {
+      fine_colour_of_triangle_.push_back(colour_of_triangle_[parent]);
+    }
+  }
+  trims_.clear();
+  if (detail_.sewn) {
+    trims_ =
+        renderer::trimmed_triangles(*surface_, material_coordinates_,
+                                    {sewing_.bands, sewing_.seams, sewing_.stitch_m, sewing_.rim_radius_m});
+  }
+}
+
+// The rim has the coordinates of the border that it is at.
+std::vector<glm::vec2> GarmentSurface::fine_corner_coordinates() const {
+  if (corner_coordinates_.empty()) {
+    return {};
+  }
+  std::vector<glm::vec2> fine =
+      renderer::refined_corner_values(std::span<const glm::vec2>(corner_coordinates_), detail_.levels);
+  const std::vector<std::uint32_t>& triangles = surface_->triangles();
+  std::vector<glm::vec2> at_vertex(surface_->positions().size(), glm::vec2(0.0F));
+  for (std::size_t corner = 0; corner < fine.size(); ++corner) {
+    at_vertex[triangles[corner]] = fine[corner];
+  }
+  const std::size_t coarse = surface_->mesh().coarse_vertex_count();
+  for (std::size_t v = surface_->mesh().vertex_count(); v < at_vertex.size(); ++v) {
+    at_vertex[v] = at_vertex[surface_->parents()[v - coarse][0]];
+  }
+  for (std::size_t corner = fine.size(); corner < triangles.size(); ++corner) {
+    fine.push_back(at_vertex[triangles[corner]]);
+  }
+  return fine;
+}
+
+void GarmentSurface::place(std::span<const glm::vec3> positions) {
+  surface_->place(positions);
+}
+
+renderer::SurfaceView GarmentSurface::view() const {
+  const renderer::RefinedMesh& mesh = surface_->mesh();
+  renderer::SurfaceView view;
+  view.positions = surface_->positions();
+  view.normals = surface_->normals();
+  view.triangles = surface_->triangles();
+  view.material_coordinates = material_coordinates_;
+  view.refinement = renderer::Refinement{mesh.coarse_vertex_count(), triangles_, surface_->parents(),
+                                         surface_->parent_triangles()};
+  view.corner_coordinates = fine_corner_coordinates_;
+  view.base_colour_of_triangle = fine_colour_of_triangle_;
+  view.trims = trims_;
+  return view;
+}
+
+std::vector<std::uint32_t> GarmentSurface::refined_edges(std::span<const std::uint32_t> edges) const {
+  return surface_->mesh().refined_edges(edges);
+}
+
+void GarmentSurface::interpolate(std::vector<float>& values) const {
+  renderer::interpolate(std::span(surface_->parents()), values);
+}
+
+}  // namespace taut::app

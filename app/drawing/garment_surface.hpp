@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/drawing/garment_sewing.hpp"
+#include "renderer/frame_view.hpp"
+#include "renderer/surface/smooth_surface.hpp"
+#include "sim/garment.hpp"
+
+namespace taut::app {
+
+/// The surface that is drawn of a garment: finer than what is simulated, and through its vertices. All that
+/// is measured stays with the simulated triangles. Its borders are as thick as cloth, with hems and seams.
+class GarmentSurface {
+ public:
+  /// corner_coordinates: three per triangle or none; colour_of_triangle: one per triangle or none. Both are
+  /// those of renderer::SurfaceView, of the simulated triangles. Where corner_coordinates differ across an
+  /// edge is a seam.
+  explicit GarmentSurface(const sim::Garment& garment, std::vector<glm::vec2> corner_coordinates = {},
+                          std::vector<std::uint32_t> colour_of_triangle = {});
+
+  /// As of renderer::SmoothSurface.
+  void limit_bulge(float most_bulge_m) { most_bulge_m_ = most_bulge_m; }
+
+  /// Mean length of the simulated edges at rest.
+  float edge_m() const { return edge_m_; }
+
+  /// Makes the surface as fine as it shows at so many pixels of the picture for a metre, with what is sewn.
+  /// Edges shorter than shortest_edge_px are not halved; none: the simulated triangles alone, without hems.
+  /// Takes some milliseconds where something changes.
+  void set_detail(float pixels_per_m, std::optional<float> shortest_edge_px);
+  /// Moves the surface to these positions of the simulated vertices, in metres.
+  void place(std::span<const glm::vec3> positions);
+  /// What is drawn, without a style. Valid until the next call of any other function.
+  renderer::SurfaceView view() const;
+  /// Returns pairs of vertices of view() for pairs of simulated ones: the edges between, along the surface.
+  std::vector<std::uint32_t> refined_edges(std::span<const std::uint32_t> edges) const;
+  /// Appends to values at the simulated vertices those of all others of view().
+  void interpolate(std::vector<float>& values) const;
+
+ private:
+  struct Detail {
+    int levels = 0;
+    bool rim = false;
+    bool sewn = false;
+    bool operator==(const Detail&) const = default;
+  };
+  void make();
+  std::vector<glm::vec2> fine_corner_coordinates() const;
+
+  std::vector<std::uint32_t> triangles_;
+  std::vector<glm::vec3> rest_positions_;
+  std::vector<glm::vec2> corner_coordinates_;
+  std::vector<std::uint32_t> colour_of_triangle_;
+  float edge_m_;
+  float most_bulge_m_ = 0.0F;
+  GarmentSewing sewing_;
+  Detail detail_;
+  std::optional<renderer::SmoothSurface> surface_;
+  std::vector<glm::vec3> material_coordinates_;
+  std::vector<glm::vec2> fine_corner_coordinates_;
+  std::vector<std::uint32_t> fine_colour_of_triangle_;
+  std::vector<renderer::TrimmedTriangle> trims_;
+};
+
+}  // namespace taut::app

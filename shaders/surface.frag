@@ -82,7 +82,7 @@ vec3 scalar_colour(float scalar, float row) {
 // Linear light.
 vec3 shaded(uvec4 corners, bool front, vec3 ray) {
   Spot spot = spot_on(corners.xyz, ray);
-  int material = 3 * int(corners.w >> 2u);
+  int material = 4 * int(corners.w >> 2u);
   uint key = corners.w & 3u;
   vec4 outside = texelFetch(material_data, material);
   vec4 inside = texelFetch(material_data, material + 1);
@@ -99,9 +99,11 @@ vec3 shaded(uvec4 corners, bool front, vec3 ray) {
 #endif
   Light light = gathered(normal, towards_eye, lit, front ? spot.sky.x : spot.sky.y,
                          Finish(outside.w, inside.w, rest.x));
-  vec3 base = front ? outside.rgb : inside.rgb;
+  vec4 thread = texelFetch(material_data, material + 3);
+  Weave weave = weave_at(spot.material, spot.material_across, spot.material_up, rest.y, int(thread.x), thread.y);
+  vec3 base = mix(inside.rgb, outside.rgb, front ? 1.0 - weave.other_side : weave.other_side);
   vec3 cloth =
-      base * light.diffuse * weave_brightness(spot.material, spot.material_across, spot.material_up, rest.y) +
+      base * light.diffuse * weave.brightness +
       mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
 #ifdef SCALARS
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.

@@ -56,7 +56,8 @@ void SurfaceBuffers::add(const SurfaceView& surface, const SurfaceLight& light, 
   const float row = surface.scalars ? static_cast<float>(colour_map_row) : -1.0F;
   materials_.push_back({{linear_light(style.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
                         {linear_light(style.inside_colour), style.sheen},
-                        {style.translucency, weave, row, 0.0F}});
+                        {style.translucency, weave, row, 0.0F},
+                        {static_cast<float>(style.weave_kind), style.threads_per_m, 0.0F, 0.0F}});
 }
 
 template <typename Row>

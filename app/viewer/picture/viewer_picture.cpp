@@ -33,9 +33,14 @@ ViewerPicture::ViewerPicture(renderer::Context& context)
 GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewArea& area) {
   const Snapshot& shown = *state.shown;
   const PictureStyle& picture = state.scene.picture;
-  PaintedAs wanted{
-      shown.loaded,      shown.pins,    picture.surface, picture.stretch_of, shown_stretch_range(state.scene),
-      picture.wireframe, area.height_px};
+  PaintedAs wanted{shown.loaded,
+                   shown.pins,
+                   picture.surface,
+                   picture.stretch_of,
+                   shown_stretch_range(state.scene),
+                   state.scene.fabric,
+                   picture.wireframe,
+                   area.height_px};
   if (!painter_ || wanted != painted_as_) {
     DrawnScene scene = state.scene;
     scene.picture.settings.width_px = area.width_px;
@@ -91,6 +96,7 @@ ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const 
           picture.surface,
           picture.stretch_of,
           shown_stretch_range(state.scene),
+          state.scene.fabric,
           picture.wireframe,
           picture.settings.shadows,
           state.show_springs,

@@ -103,6 +103,13 @@ void add_texture(CLI::App& command, std::vector<Override>& overrides) {
           "too");
 }
 
+void add_fabric(CLI::App& command, std::vector<Override>& overrides) {
+  add_key(command, overrides, "--fabric", "cloth.fabric",
+          "what the garment is made of: a name of taut fabrics, or a file like theirs; sets weight, "
+          "stiffness and "
+          "look");
+}
+
 void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) {
   const auto set_units = [&overrides](const std::string& text) {
     overrides.push_back({"garment.scale", unit_value(text), "--units " + text});
@@ -113,6 +120,7 @@ void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) 
           ", or its unit in metres (default: what the file says, or a guess)");
   add_key(command, overrides, "--up", "garment.up",
           "the model's direction that is up: x, -x, y, -y, z or -z");
+  add_fabric(command, overrides);
   add_untangle(command, overrides);
   add_body(command, overrides);
   add_set(command, overrides, "KEY=VALUE, any key of the scene; can be repeated (taut help scene)");
@@ -240,6 +248,7 @@ std::function<Command()> add_view(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
   command->add_option("SCENE", options->scene, scene_help_text);
+  add_fabric(*command, options->overrides);
   add_untangle(*command, options->overrides);
   add_body(*command, options->overrides);
   add_wind(*command, options->overrides);
@@ -330,6 +339,37 @@ std::function<Command()> add_scenes(CLI::App& app) {
   return [options] { return Command(*options); };
 }
 
+std::function<Command()> add_fabrics(CLI::App& app) {
+  auto options = std::make_shared<FabricsOptions>();
+  CLI::App* command = app.add_subcommand("fabrics", "List the fabrics that --fabric names");
+  command->add_option("--picture", options->picture,
+                      "PNG file: the T-shirt in six of them, instead of the list");
+  add_backend(*command, options->backend);
+  command->footer(
+      "Examples:\n  taut fabrics\n  taut fabrics --picture fabrics.png\n"
+      "  taut render tshirt-wind-1 --fabric denim\n");
+  return [options] { return Command(*options); };
+}
+
+std::function<Command()> add_drape(CLI::App& app) {
+  auto options = std::make_shared<DrapeOptions>();
+  CLI::App* command = app.add_subcommand("drape", "Hang fabrics over a disc, as Cusick's drape meter does");
+  command
+      ->add_option("--fabric", options->fabrics, "some of taut fabrics, or files like theirs (default: all)")
+      ->delimiter(',');
+  command->add_option("--output", options->output, "PNG file: the discs from above")->capture_default_str();
+  command->add_flag("--json", options->json, "for programs");
+  add_backend(*command, options->backend);
+  command->footer(
+      "A disc of 30 cm is clamped between two of 18 cm. The drape coefficient is how much of the ring that "
+      "hangs\n"
+      "is in its shadow from above: 0 % straight down, 100 % a board. As it depends on the mesh, three "
+      "meshes\n"
+      "are hung, irregular ones with triangles of three sizes.\n\n"
+      "Examples:\n  taut drape\n  taut drape --fabric silk,denim,my.toml --output discs.png\n");
+  return [options] { return Command(*options); };
+}
+
 // At once where it is asked for, before values are read: what is wrong with them may be why help is needed.
 void show_help_first(CLI::App& app) {
   const auto show = [](const std::string&) { throw CLI::CallForHelp(); };
@@ -350,8 +390,9 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       "the run diverged, 75 stopped, but saved: it "
       "can be resumed.");
   const std::vector<std::function<Command()>> commands = {
-      add_figures(app), add_render(app), add_simulate(app), add_view(app),         add_inspect(app),
-      add_fit(app),     add_bench(app),  add_scenes(app),   add_import_model(app), add_help(app)};
+      add_figures(app), add_render(app), add_simulate(app),     add_view(app),
+      add_inspect(app), add_fit(app),    add_bench(app),        add_scenes(app),
+      add_fabrics(app), add_drape(app),  add_import_model(app), add_help(app)};
   show_help_first(app);
   require_command(app, std::span(arguments, static_cast<std::size_t>(argument_count)));
   try {

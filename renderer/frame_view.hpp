@@ -18,6 +18,15 @@ namespace taut::renderer {
 // The spans of these structs belong to the caller. They must live until SceneRenderer::draw returns.
 // SceneRenderer checks their lengths, indices and values (frame_check.hpp).
 
+/// How the threads of cloth run. The warp runs along the second material coordinate.
+enum class WeaveKind { knit, plain, twill, satin };
+
+inline constexpr std::array all_weave_kinds = {WeaveKind::knit, WeaveKind::plain, WeaveKind::twill,
+                                               WeaveKind::satin};
+
+/// The name used in files.
+const char* name_of(WeaveKind kind);
+
 /// The material of a surface.
 struct SurfaceStyle {
   Colour outside_colour = rgb(0x3F6FA8);  ///< of the side from which triangles are counter-clockwise
@@ -26,7 +35,10 @@ struct SurfaceStyle {
   float roughness = 0.75F;     ///< of the highlight; 0.05 glossy to 1 matt, clamped
   float sheen = 0.4F;          ///< 0 to 1; brightness of the fringe at grazing angles, as cotton has
   float translucency = 0.12F;  ///< 0 to 1; share of the key light that passes through
-  float weave = 1.0F;          ///< 0 to 1; contrast of the knit, 0 for none; needs material coordinates
+  float weave = 1.0F;          ///< contrast of the weave, 0 for none; needs material coordinates
+  /// Of twill, threads of the other side's colour show between those of a side.
+  WeaveKind weave_kind = WeaveKind::knit;
+  float threads_per_m = 620.0F;  ///< or stitches of a knit; fine jersey
 };
 
 /// An image of base colours that is laid on a surface, over its colour where it is transparent. Copies share

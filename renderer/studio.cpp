@@ -14,6 +14,11 @@ constexpr glm::vec3 rim_lamp{0.45F, 0.60F, -1.0F};
 
 }  // namespace
 
+const char* name_of(WeaveKind kind) {
+  constexpr std::array names = {"knit", "plain", "twill", "satin"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
 Lighting studio_lighting(const Camera& camera) {
   const glm::vec3 back = camera.eye - camera.target;
   // Lamps stand on the floor of the studio: they follow the camera around, not up and down.

@@ -93,7 +93,7 @@ vec3 scalar_colour(float scalar, float row) {
 vec3 shaded(int triangle, bool front, vec3 ray) {
   uvec4 corners = texelFetch(triangle_data, triangle);
   Spot spot = spot_on(corners.xyz, ray);
-  int material = 3 * surface_of(corners.w);
+  int material = 4 * surface_of(corners.w);
   uint key = corners.w & 3u;
   vec4 outside = texelFetch(material_data, material);
   vec4 inside = texelFetch(material_data, material + 1);
@@ -105,7 +105,10 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   }
   vec3 towards_eye = normalize(eye.xyz - spot.world);
   // A hem is folded to the inside: what is seen of it there is the cloth's outside.
-  vec3 base = mix(outside.rgb, inside.rgb, front ? 0.0 : 1.0 - sewing.doubled);
+  vec4 thread = texelFetch(material_data, material + 3);
+  Weave weave = weave_at(spot.material, spot.material_across, spot.material_up, rest.y, int(thread.x), thread.y);
+  float turned = weave.other_side;
+  vec3 base = mix(outside.rgb, inside.rgb, front ? turned : mix(1.0 - turned, turned, sewing.doubled));
 #ifdef BASE_COLOUR_MAPS
   if (rest.w >= 0.0) {
     vec4 laid_on = base_colour(triangle, spot.place[0], spot.place[1], spot.place[2], rest.w) *
@@ -126,7 +129,7 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   Light light = gathered(normal, towards_eye, lit, front ? spot.sky.x : spot.sky.y,
                          Finish(outside.w, inside.w, rest.x));
   vec3 cloth =
-      base * light.diffuse * weave_brightness(spot.material, spot.material_across, spot.material_up, rest.y) +
+      base * light.diffuse * weave.brightness +
       mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
 #ifdef SCALARS
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.

@@ -123,6 +123,20 @@ struct ScenesOptions {
   std::string show;  ///< a scene whose file is to be printed; empty: list them
 };
 
+/// Options of `taut fabrics`.
+struct FabricsOptions {
+  std::filesystem::path picture;  ///< PNG file to draw instead of the list; empty: none
+  std::string backend = "auto";
+};
+
+/// Options of `taut drape`.
+struct DrapeOptions {
+  std::vector<std::string> fabrics;  ///< names or files; empty: those that come with the program
+  std::filesystem::path output = "drape.png";
+  bool json = false;
+  std::string backend = "auto";
+};
+
 /// What `taut help` was asked about.
 struct HelpOptions {
   std::string text;  ///< the answer
@@ -134,9 +148,9 @@ struct Answered {
 };
 
 /// What the command line asks for.
-using Command =
-    std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions, ViewOptions,
-                 InspectOptions, FitOptions, ImportModelOptions, ScenesOptions, HelpOptions>;
+using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions,
+                             ViewOptions, InspectOptions, FitOptions, ImportModelOptions, ScenesOptions,
+                             FabricsOptions, DrapeOptions, HelpOptions>;
 
 /// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
 /// UsageError, Interrupted and what the parts it uses throw.
@@ -151,6 +165,8 @@ int run(const InspectOptions& options);
 int run(const FitOptions& options);
 int run(const ImportModelOptions& options);
 int run(const ScenesOptions& options);
+int run(const FabricsOptions& options);
+int run(const DrapeOptions& options);
 int run(const HelpOptions& options);
 inline int run(const Answered& answered) {
   return answered.exit_code;

@@ -43,6 +43,25 @@ void add_camera(Keys& keys) {
   keys.push_back(camera_target_key());
 }
 
+void add_cloth(Keys& keys) {
+  keys.push_back(colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour),
+                                        "of the cloth's outside"));
+  keys.push_back(inside_colour_key());
+  constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
+  keys.push_back(number("picture.roughness", "", {0.05, 1.0}, MEMBER(picture.cloth.roughness),
+                        "of the cloth: from glossy to matt"));
+  keys.push_back(number("picture.sheen", "", fraction, MEMBER(picture.cloth.sheen),
+                        "of the cloth: brightness of its fibres seen from the side"));
+  keys.push_back(number("picture.translucency", "", fraction, MEMBER(picture.cloth.translucency),
+                        "of the cloth: share of the light that passes through"));
+  keys.push_back(choice_key<DrawnScene>("picture.weave", named(renderer::all_weave_kinds),
+                                        MEMBER(picture.cloth.weave_kind), "of the cloth, seen from near"));
+  keys.push_back(number("picture.threads", "1/m", {1.0, 1e6}, MEMBER(picture.cloth.threads_per_m),
+                        "how many threads, or stitches of a knit, lie side by side"));
+  keys.push_back(number("picture.weave_contrast", "", {0.0, 10.0}, MEMBER(picture.cloth.weave),
+                        "how much threads differ in brightness; 0: none are seen"));
+}
+
 void add_picture(Keys& keys) {
   keys.push_back(whole("picture.width", 16, 16384, MEMBER(picture.settings.width_px), "in pixels"));
   keys.push_back(whole("picture.height", 16, 16384, MEMBER(picture.settings.height_px), "in pixels"));
@@ -78,9 +97,7 @@ void add_picture(Keys& keys) {
       "what the colours show the stretch of: at each vertex the largest of the springs there, or of the "
       "triangles in any direction"));
   keys.push_back(stretch_range_key());
-  keys.push_back(colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour),
-                                        "of the cloth's outside"));
-  keys.push_back(inside_colour_key());
+  add_cloth(keys);
   keys.push_back(texture_key());
   keys.push_back(switch_key<DrawnScene>("picture.rest_outline", MEMBER(picture.rest_outline),
                                         "draws the garment's borders where they were modelled"));

@@ -11,6 +11,8 @@ _taut() {
   elif [[ $previous == --set ]]; then
     choices=$("$program" help scene | sed -n 's/^  \([a-z_.]*\) = .*/\1=/p')
     compopt -o nospace
+  elif [[ $previous == --fabric ]]; then
+    choices=$("$program" fabrics | sed -n '3,$s/ .*//p')
   else
     help=$("$program" "$command" --help)
     choices=$(sed -n "s/^  $previous [A-Z]*:{\([^}]*\)}.*/\1/p" <<<"$help" | tr , ' ')

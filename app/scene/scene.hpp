@@ -69,6 +69,7 @@ struct Scene {
   GarmentSource garment;
   sim::MappingSettings mapping;
   sim::Material material;
+  std::string fabric;  ///< the name or file that `material` and the look began as; empty: none was named
   std::optional<std::vector<PinSelector>> pins;  ///< empty: the garment hangs by its top
   std::vector<MovingPinsInScene> moving_pins;    ///< besides `pins`
   RunSettings simulation;

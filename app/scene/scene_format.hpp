@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/base/files.hpp"
+#include "app/scene/fabric.hpp"
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_key.hpp"
@@ -44,9 +45,29 @@ void require_garment_of(const toml::table& file, const Source& source, const Gar
 void require_named(const std::string& key, const std::filesystem::path& named, const Source& source,
                    int line);
 
-/// Sets keys of a scene. Throws UsageError if a key or a value is not valid.
+/// Sets the keys that a fabric sets, where `value` is the text that names it. Throws as find_fabric() does;
+/// InputError if its file has a key or a value that is not valid.
+template <class S>
+void apply_fabric(const SceneFormat<S>& format, const toml::node& value, const Source& source, S& scene) {
+  KeyReader(format.keys, source, scene).read_value("cloth.fabric", value);
+  if (scene.fabric.empty()) {
+    return;
+  }
+  const Fabric fabric = find_fabric(scene.fabric, source, line_of(value));
+  std::vector<Key<S>> keys = format.keys;
+  std::erase_if(keys, [](const Key<S>& key) { return !is_fabric_key(key.name); });
+  KeyReader(keys, {fabric.file.string(), false}, scene).read(fabric.keys);
+}
+
+/// Sets keys of a scene, a fabric's first. Throws UsageError if a key or a value is not valid.
 template <class S>
 void apply_overrides(const SceneFormat<S>& format, std::span<const Override> overrides, S& scene) {
+  for (const Override& changed : overrides) {
+    if (changed.key == "cloth.fabric") {
+      const toml::table value = read_toml_value(changed.value);
+      apply_fabric(format, *value.get("value"), {changed.option, true}, scene);
+    }
+  }
   for (const Override& changed : overrides) {
     const Source source{changed.option, true};
     const toml::table value = read_toml_value(changed.value);
@@ -73,6 +94,9 @@ S read_scene(const SceneFormat<S>& format, const std::string& text, const std::s
   const toml::table file = read_toml_text(text, name);
   const Source source{name, false};
   S scene;
+  if (const toml::node* fabric = file["cloth"]["fabric"].node()) {
+    apply_fabric(format, *fabric, source, scene);
+  }
   KeyReader(format.keys, source, scene).read(file);
   require_one_garment(file, source);
   format.check(scene, source);

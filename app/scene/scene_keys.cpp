@@ -2,6 +2,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "app/scene/fabric.hpp"
 #include "app/scene/motion_keys.hpp"
 #include "app/scene/promise.hpp"
 #include "app/scene/scene_bodies.hpp"
@@ -188,13 +189,14 @@ void add_forces(SceneKeys& keys) {
                         "force coefficient of air that strokes along cloth"));
   keys.push_back(forces_key());
   keys.push_back(bodies_key());
+  keys.push_back(fabric_key());
   keys.push_back(
       number("cloth.thickness", "m", not_negative, MEMBER(material.thickness_m),
              "of one layer, as a gauge measures it; kept to bodies, and by bounded between layers too"));
   keys.push_back(number("cloth.friction", "", friction, MEMBER(material.friction),
                         "Coulomb's coefficient, between layers and of bodies that have none of their own"));
   keys.push_back(number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m),
-                        "bounded: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 5e-5"));
+                        "bounded: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 98e-6"));
   keys.push_back(number("cloth.compression_stiffness", "N/m", not_negative,
                         MEMBER(material.compression_stiffness_n_per_m),
                         "bounded: of springs that are too short; less crumples more easily"));

@@ -55,6 +55,9 @@ std::string text_of(Json settings, const Scene& scene, GarmentNaming naming) {
   if (!scene.checkpoint.empty() && naming == GarmentNaming::in_assets) {
     settings["start"]["checkpoint"] = std::filesystem::absolute(scene.checkpoint).string();
   }
+  if (std::filesystem::path(scene.fabric).has_extension()) {
+    settings["cloth"]["fabric"] = name_in_scene(scene.fabric, GarmentNaming::full_path);
+  }
   Json& garment = settings["garment"];
   if (!scene.garment.file.empty()) {
     garment.erase("grid");

@@ -35,6 +35,7 @@ Viewer::Viewer(SimulationHost& simulation, const ViewerSettings& settings)
   state_.measurements.shows_times = settings.shows_times;
   state_.scenes = scene_choices();
   state_.garments = garment_choices();
+  state_.fabrics = files_in("fabrics", ".toml");
   note_snapshot(simulation_.begin_frame(0.0, std::nullopt));
 }
 

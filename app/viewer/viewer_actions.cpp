@@ -222,7 +222,11 @@ void Viewer::load_asked() {
   const std::optional<std::string> name = std::exchange(state_.scene_asked, std::nullopt);
   const auto garment = std::exchange(state_.garment_asked, std::nullopt);
   const auto motion = std::exchange(state_.motion_asked, std::nullopt);
+  const auto fabric = std::exchange(state_.fabric_asked, std::nullopt);
   try {
+    if (fabric) {
+      apply_overrides(std::vector<Override>{{"cloth.fabric", *fabric, "fabric " + *fabric}}, state_.scene);
+    }
     if (name) {
       DrawnScene scene = find_scene(*name, {});
       const std::vector<std::string> remarks = load_bodies(scene);

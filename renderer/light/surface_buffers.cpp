@@ -76,7 +76,8 @@ void SurfaceBuffers::add_materials(const SurfaceView& surface, float row, BaseCo
         surface.scalars || !colour.map.rgba ? -1.0F : static_cast<float>(maps.layer_of(colour.map));
     materials_.push_back({{linear_light(colour.outside_colour), std::clamp(style.roughness, 0.05F, 1.0F)},
                           {linear_light(colour.inside_colour), style.sheen},
-                          {style.translucency, weave, row, layer}});
+                          {style.translucency, weave, row, layer},
+                          {static_cast<float>(style.weave_kind), style.threads_per_m, 0.0F, 0.0F}});
     return layer >= 0.0F;
   };
   bool has_map = false;

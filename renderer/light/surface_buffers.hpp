@@ -69,6 +69,7 @@ class SurfaceBuffers {
     glm::vec4 outside;
     glm::vec4 inside;
     glm::vec4 rest;
+    glm::vec4 threads;
   };
   // A buffer and the texture through which shaders read it.
   struct BufferTexture {

@@ -62,6 +62,44 @@ TEST_F(WeaveTest, FadesBeforeItCouldAlias) {
   }
 }
 
+TEST_F(WeaveTest, EveryKindShowsUpCloseAndFades) {
+  std::vector<Image> seen;
+  for (const WeaveKind kind : all_weave_kinds) {
+    FrameView frame = triangle_frame();
+    frame.surfaces[0].style.weave_kind = kind;
+    frame.surfaces[0].style.threads_per_m = 2700.0F;  // two periods of four across what is measured
+    frame.surfaces[0].style.inside_colour = frame.surfaces[0].style.outside_colour;
+    const Brightness smooth = brightness(renderer.draw(frame, small_picture()));
+    const auto close = material(0.004F);
+    frame.surfaces[0].material_coordinates = close;
+    seen.push_back(renderer.draw(frame, small_picture()));
+    EXPECT_GT(brightness(seen.back()).deviation, 1.2) << name_of(kind);
+    // Uneven yarn is a little thicker here than elsewhere.
+    EXPECT_NEAR(brightness(seen.back()).mean, smooth.mean, 8.0) << name_of(kind);
+    for (std::size_t k = 0; k + 1 < seen.size(); ++k) EXPECT_NE(seen[k].pixels, seen.back().pixels);
+    const auto far = material(3.0F);
+    frame.surfaces[0].material_coordinates = far;
+    EXPECT_LT(brightness(renderer.draw(frame, small_picture())).deviation, 0.2) << name_of(kind);
+  }
+}
+
+// Denim: white weft between blue warp.
+TEST_F(WeaveTest, TwillShowsTheOtherSidesColourBetweenItsOwn) {
+  FrameView frame = triangle_frame();
+  const auto close = material(0.004F);
+  frame.surfaces[0].material_coordinates = close;
+  frame.surfaces[0].style.outside_colour = rgb(0x802020);
+  const auto differs = [&](WeaveKind kind) {
+    frame.surfaces[0].style.weave_kind = kind;
+    frame.surfaces[0].style.inside_colour = frame.surfaces[0].style.outside_colour;
+    const Image same = renderer.draw(frame, small_picture());
+    frame.surfaces[0].style.inside_colour = rgb(0x2020FF);
+    return renderer.draw(frame, small_picture()).pixels != same.pixels;
+  };
+  EXPECT_TRUE(differs(WeaveKind::twill));
+  EXPECT_FALSE(differs(WeaveKind::plain));
+}
+
 TEST_F(WeaveTest, ColoursOfScalarsStaySmooth) {
   constexpr std::array values{0.5F, 0.5F, 0.5F};
   FrameView frame = triangle_frame();

@@ -65,6 +65,7 @@ completes taut rend render
 completes taut render tshirt-w 'tshirt-wind-1 tshirt-wind-10'
 completes taut render tshirt-gravity --s '--set --stats --stretch --samples --supersampling'
 completes taut render tshirt-gravity --set wind. 'wind.speed= wind.direction='
+completes taut render tshirt-gravity --fabric '' 'denim jersey silk'
 completes taut render tshirt-gravity --backend '' 'auto osmesa egl'
 completes taut help '' "$commands scene stats"
 completes taut help st stats

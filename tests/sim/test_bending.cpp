@@ -174,5 +174,53 @@ TEST(Bending, TheSameFabricHangsAlikeForEveryMesh) {
   EXPECT_LT(droop_m(sheet(13, 0.12), 2e-4), 0.8 * droop_m(sheet(13, 0.12), 5e-5));
 }
 
+/// The bending length of a strip with triangles of this edge, over that of its fabric, (B / weight)^(1/3), as
+/// the cantilever test has it: a length l that is clamped at one end hangs down by the angle a, and the
+/// bending length is l (cos(a / 2) / (8 tan a))^(1/3) (Peirce 1930).
+double bending_length_ratio(const Material& material, double edge_m) {
+  const double weight_n_per_m2 = material.areal_density_kg_per_m2 * 9.81;
+  const double theory_m = std::cbrt(material.bending_rigidity_n_m / weight_n_per_m2);
+  const double rows_clamped = std::max(3.0, std::round(0.01 / edge_m));
+  const double rows = std::round(2.0 * theory_m / edge_m);
+  Mesh mesh;
+  {
+    GridSettings grid;
+    grid.plane = GridPlane::horizontal;
+    grid.columns = static_cast<Index>(std::lround(0.03 / edge_m)) + 1;
+    grid.rows = static_cast<Index>(rows_clamped + rows) + 1;
+    grid.width_m = edge_m * (grid.columns - 1);
+    grid.height_m = edge_m * (grid.rows - 1);
+    mesh = make_grid(grid);
+  }
+  const double clamp_m = mesh.positions.front().z + edge_m * rows_clamped;
+  std::vector<Index> clamped;
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.positions[v].z < clamp_m + 0.1 * edge_m) {
+      clamped.push_back(v);
+    }
+  }
+  Surroundings air;
+  air.forces.air_drag_per_s = 3.0;
+  SimulationSettings settings;
+  settings.solver.method = BoundedSettings{.max_stretch = 0.01};
+  const Vec3 flat_end = mesh.positions.back();
+  Simulation simulation(share(make_garment(std::move(mesh), {}, material)), clamped, settings, air);
+  for (int frame = 0; frame < 240; ++frame) {
+    simulation.advance_frame();
+  }
+  const Vec3 end = simulation.state().current.back();
+  const double angle = std::atan2(flat_end.y - end.y, end.z - clamp_m);
+  return edge_m * rows * std::cbrt(std::cos(0.5 * angle) / (8.0 * std::tan(angle))) / theory_m;
+}
+
+TEST(Bending, AStiffFabricStandsOutAsFarAsItsBendingLengthSays) {
+  for (const double rigidity_n_m : {1e-5, 1e-4}) {
+    for (const double edge_m : {0.01, 0.005, 0.0025}) {
+      const Material material = {.areal_density_kg_per_m2 = 0.25, .bending_rigidity_n_m = rigidity_n_m};
+      EXPECT_NEAR(bending_length_ratio(material, edge_m), 1.0, 0.1) << rigidity_n_m << ' ' << edge_m;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace taut::sim

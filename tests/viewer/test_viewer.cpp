@@ -37,6 +37,20 @@ TEST(Window, EscapeClosesAnOpenListAndTheSheetOfKeys) {
   EXPECT_FALSE(person.viewer.is_ended());
 }
 
+TEST(Window, AFabricIsChosenWhileTheClothHangs) {
+  Person person("pinned-9x9-5", {parse_override("solver.kind=bounded")});
+  person.wait(10);
+  const int frame = person.viewer.state().newest->record.frame;
+  person.click("fabric");
+  person.click("fabric.denim");
+  person.wait(2);
+  const ViewerState& state = person.viewer.state();
+  EXPECT_EQ(state.scene.fabric, "denim");
+  EXPECT_EQ(state.newest->garment->material.bending_rigidity_n_m, 98e-6);
+  EXPECT_EQ(state.scene.picture.cloth.weave_kind, renderer::WeaveKind::twill);
+  EXPECT_GT(state.newest->record.frame, frame);
+}
+
 TEST(Window, EveryControlSaysWhatItDoes) {
   Person person("tshirt",
                 {parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")});

@@ -58,6 +58,20 @@ void lay_out_garment_list(ViewerState& state) {
   note_place(state, "garment");
 }
 
+void lay_out_fabric_list(ViewerState& state) {
+  const std::string name = std::filesystem::path(state.scene.fabric).stem().string();
+  if (begin_list("fabric", name.c_str())) {
+    for (const Choice& fabric : state.fabrics) {
+      if (ImGui::Selectable(fabric.name.c_str(), fabric.name == name)) {
+        state.fabric_asked = fabric.name;
+      }
+      note_place(state, ("fabric." + fabric.name).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  note_place(state, "fabric");
+}
+
 void lay_out_motion_list(ViewerState& state) {
   const auto& [body, file, choices] = state.motions;
   if (choices.empty()) {
@@ -125,14 +139,25 @@ void kind_list(ViewerState& state, const char* label, const char* name, const Ki
   note_place(state, name);
 }
 
+// Two items in the place of one.
+struct Halves {
+  float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  float width = 0.5F * (ImGui::CalcItemWidth() - gap);
+
+  void begin_left() const { ImGui::SetNextItemWidth(width); }
+  void begin_right() const {
+    ImGui::SameLine(0.0F, gap);
+    ImGui::SetNextItemWidth(width);
+  }
+};
+
 // How much, and beside it of what where there is a choice.
 void lay_out_bound(ViewerState& state) {
   sim::BoundedSettings& bounded = state.scene.simulation.solver.bounded;
   const bool has_kinds = state.scene.simulation.solver.kind == sim::SolverKind::bounded;
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float half = 0.5F * (ImGui::CalcItemWidth() - gap);
+  const Halves halves;
   if (has_kinds) {
-    ImGui::SetNextItemWidth(half);
+    halves.begin_left();
   }
   double percent = 100.0 * bounded.max_stretch;
   const char* label = has_kinds ? "##max stretch" : "max stretch";
@@ -141,8 +166,7 @@ void lay_out_bound(ViewerState& state) {
     keep_range_to_bound(state.scene.picture, before, bounded.max_stretch);
   }
   if (has_kinds) {
-    ImGui::SameLine(0.0F, gap);
-    ImGui::SetNextItemWidth(half);
+    halves.begin_right();
     kind_list(state, "max stretch", "solver.bound", sim::all_bound_kinds, bounded.bound);
   }
 }
@@ -164,6 +188,20 @@ void lay_out_solver_list(ViewerState& state) {
   choose_solver(state, kind);
 }
 
+// Of the fabric, side by side: against bending, and against crumpling.
+void lay_out_stiffness(ViewerState& state) {
+  sim::Material& fabric = state.scene.material;
+  const Halves halves;
+  double bending_un_m = 1e6 * fabric.bending_rigidity_n_m;
+  halves.begin_left();
+  if (number_slider(state, "##flexural", "fabric.bending", bending_un_m, 0.0, 200.0, "%.1f µN m", true)) {
+    fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
+  }
+  halves.begin_right();
+  number_slider(state, "stiffness", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0,
+                "%.0f N/m");
+}
+
 void lay_out_solver(ViewerState& state) {
   SolverChoice& solver = state.scene.simulation.solver;
   lay_out_solver_list(state);
@@ -181,19 +219,16 @@ void lay_out_solver(ViewerState& state) {
     lay_out_bound(state);
   }
   if (solver.kind == sim::SolverKind::bounded) {
-    sim::Material& fabric = state.scene.material;
-    double bending_un_m = 1e6 * fabric.bending_rigidity_n_m;
-    if (number_slider(state, "flexural", "fabric.bending", bending_un_m, 0.0, 100.0, "%.1f µN m", true)) {
-      fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
-    }
-    number_slider(state, "crumpling", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 200.0,
-                  "%.0f N/m");
+    lay_out_stiffness(state);
   }
   if (hooke) {
-    number_slider(state, "flexural", "solver.stiffness.flexural", solver.ideal.stiffness.flexural_n_per_m,
+    const Halves halves;
+    halves.begin_left();
+    number_slider(state, "##flexural", "solver.stiffness.flexural", solver.ideal.stiffness.flexural_n_per_m,
                   0.0, 100.0, "%.1f N/m", true);
-    number_slider(state, "damping", "solver.stiffness.damping", solver.ideal.stiffness.damping_n_s_per_m, 0.0,
-                  0.2, "%.3f N s/m");
+    halves.begin_right();
+    number_slider(state, "bend, damp", "solver.stiffness.damping", solver.ideal.stiffness.damping_n_s_per_m,
+                  0.0, 0.2, "%.3f N s/m");
   }
   number_slider(state, "air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0,
                 "%.2f /s");
@@ -206,6 +241,7 @@ void lay_out_choices(ViewerState& state) {
   lay_out_presets(state);
   lay_out_scene_list(state);
   lay_out_garment_list(state);
+  lay_out_fabric_list(state);
   lay_out_motion_list(state);
   lay_out_solver(state);
 }

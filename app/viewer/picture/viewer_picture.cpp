@@ -35,6 +35,7 @@ GarmentPainter& ViewerPicture::painter_for(const ViewerState& state, const ViewA
                    picture.surface,
                    picture.stretch_of,
                    shown_stretch_range(state.scene),
+                   state.scene.fabric,
                    picture.wireframe,
                    picture.springs,
                    area.height_px};
@@ -72,6 +73,7 @@ ViewerPicture::SceneLook ViewerPicture::look_of(const ViewerState& state, const 
           picture.surface,
           picture.stretch_of,
           shown_stretch_range(state.scene),
+          state.scene.fabric,
           picture.wireframe,
           picture.settings.shadows,
           picture.springs,

@@ -49,6 +49,7 @@ class ViewerPicture {
     SurfaceLook surface = SurfaceLook::shaded;
     StretchOf stretch_of = StretchOf::springs;
     std::array<double, 2> stretch_range = {0.0, 0.0};
+    std::string fabric;
     bool wireframe = false;
     bool shadows = true;
     ShownSprings springs;
@@ -74,6 +75,7 @@ class ViewerPicture {
     SurfaceLook surface = SurfaceLook::shaded;
     StretchOf stretch_of = StretchOf::springs;
     std::array<double, 2> stretch_range = {0.0, 0.0};
+    std::string fabric;
     bool wireframe = false;
     ShownSprings springs;
     int height_px = 0;

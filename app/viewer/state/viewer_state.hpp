@@ -105,6 +105,7 @@ struct ViewerState {
   Measurements measurements;
   std::vector<Choice> scenes;
   std::vector<Choice> garments;
+  std::vector<Choice> fabrics;
   MotionChoices motions;
   std::vector<Message> messages;
   std::string warning;  ///< shown while it applies; empty: none
@@ -114,6 +115,7 @@ struct ViewerState {
   std::vector<Action> asked;
   std::optional<std::string> scene_asked;  ///< a name or a file
   std::optional<std::filesystem::path> garment_asked;
+  std::optional<std::string> fabric_asked;  ///< a name
   std::optional<Choice> motion_asked;
 
   std::optional<Hovered> hovered;

@@ -24,9 +24,22 @@ constexpr double wind_update_m = 0.042;
 /// between. A smaller value needs more updates.
 constexpr double largest_rate_times_interval = 0.95;
 
-/// Waves of bending faster than this, in radians per frame, are slowed down. A larger value needs more
-/// updates.
+/// Waves of bending faster than this, in radians per frame, are slowed down in soft cloth. A larger value
+/// needs more updates.
 constexpr double fastest_bending_per_frame = 2.2;
+/// Up to this rigidity cloth is soft, and what clusters lose of it is not seen. Stiffer cloth hung too soft
+/// from a clamp, near which clusters cannot bend as it does, so the limit rises with the cube of the
+/// rigidity.
+constexpr double soft_rigidity_n_m = 5e-6;
+/// The most times that the limit rises. A larger value keeps the rigidity of still stiffer cloth on fine
+/// meshes, for more updates.
+constexpr double largest_rise = 15.0;
+
+double fastest_bending_per_s(double rigidity_n_m, double frame_time_s) {
+  const double stiffer = rigidity_n_m / soft_rigidity_n_m;
+  const double rise = std::clamp(stiffer * stiffer * stiffer, 1.0, largest_rise);
+  return rise * fastest_bending_per_frame / frame_time_s;
+}
 
 AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s,
                  double interval_s) {
@@ -47,7 +60,8 @@ AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double
 SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& layout,
                        double bending_rigidity_n_m, double frame_time_s)
     : layout_(layout),
-      bending_(garment, pins, layout, bending_rigidity_n_m, fastest_bending_per_frame / frame_time_s),
+      bending_(garment, pins, layout, bending_rigidity_n_m,
+               fastest_bending_per_s(bending_rigidity_n_m, frame_time_s)),
       accelerations_(layout.row_count()),
       corner_forces_n_(layout.triangles.lane_count()),
       positions_(layout.row_count()) {}

@@ -1,0 +1,74 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <thread>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/job_runner.hpp"
+#include "app/commands/options.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
+#include "app/figures/fabric_pictures.hpp"
+#include "renderer/page/png.hpp"
+
+namespace taut::app {
+namespace {
+
+/// What hangs in the picture, in what, and after how many frames.
+constexpr const char* pictured_scene = "tshirt-wind-1";
+constexpr std::array pictured = {"silk", "jersey", "cotton", "wool", "linen", "denim"};
+constexpr int pictured_frame = 150;
+
+std::string drape_text(const Fabric& fabric) {
+  const auto& band = fabric.published_drape_percent;
+  return band ? fmt::format("{:.0f}-{:.0f}", (*band)[0], (*band)[1]) : "";
+}
+
+void print_table(const std::vector<std::string>& names) {
+  fmt::print("{:<8} {:>6} {:>6} {:>8} {:>6}\n{:<8} {:>6} {:>6} {:>8} {:>6}\n", "", "weight", "thick",
+             "bending", "drape", "", "g/m2", "mm", "uN m", "%");
+  for (const std::string& name : names) {
+    const sim::Material material = made_of({}, name).material;
+    const Fabric fabric = find_fabric(name);
+    fmt::print("{:<8} {:>6.0f} {:>6.2f} {:>8.3g} {:>6}  {}\n", name, 1e3 * material.areal_density_kg_per_m2,
+               1e3 * material.thickness_m, 1e6 * material.bending_rigidity_n_m, drape_text(fabric),
+               fabric.title);
+  }
+}
+
+void write_picture(const FabricsOptions& options) {
+  std::vector<Recording> recordings(std::size(pictured));
+  std::vector<Job> jobs;
+  for (std::size_t k = 0; k < recordings.size(); ++k) {
+    jobs.push_back({pictured[k], 1.0, [&recordings, k](const ProgressCallback& report) {
+                      recordings[k] = record_frames(made_of(find_scene(pictured_scene, {}), pictured[k]),
+                                                    std::array{pictured_frame}, report);
+                    }});
+  }
+  run_jobs(jobs, std::max(1U, std::thread::hardware_concurrency()), [](std::size_t) {});
+  LazyOffscreenRenderer offscreen(options.backend, 1.0F);
+  write_file(options.picture, renderer::encode_png(to_image(draw_fabrics(recordings, offscreen))));
+  fmt::print("wrote {}\n", options.picture.string());
+}
+
+}  // namespace
+
+int run(const FabricsOptions& options) {
+  const std::vector<std::string> names = built_in_fabrics();
+  if (names.empty()) {
+    throw InputError("no fabrics were found; set TAUT_ASSETS to the folder that holds fabrics/");
+  }
+  if (options.picture.empty()) {
+    print_table(names);
+    return 0;
+  }
+  if (options.picture.extension() != ".png") {
+    throw UsageError("--picture " + options.picture.string() + ": expected a name that ends in .png");
+  }
+  prepare_folder_of(options.picture);
+  write_picture(options);
+  return 0;
+}
+
+}  // namespace taut::app

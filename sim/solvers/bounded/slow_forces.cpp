@@ -24,20 +24,28 @@ constexpr double wind_update_m = 0.042;
 /// between. A smaller value needs more updates.
 constexpr double largest_rate_times_interval = 0.95;
 
-/// Waves of bending faster than this, in radians per frame, are slowed down in soft cloth. A larger value
-/// needs more updates.
+/// Waves of bending faster than this, in radians per frame, are slowed down where edges are long. A larger
+/// value needs more updates.
 constexpr double fastest_bending_per_frame = 2.2;
-/// Up to this rigidity cloth is soft, and what clusters lose of it is not seen. Stiffer cloth hung too soft
-/// from a clamp, near which clusters cannot bend as it does, so the limit rises with the cube of the
-/// rigidity.
-constexpr double soft_rigidity_n_m = 5e-6;
+/// How many edges the bending length of cloth may have before the limit above rises, with the sixth power of
+/// their number: near a clamp clusters cannot bend as cloth does, which is seen where folds are a few edges
+/// wide.
+constexpr double edges_in_bending_length = 1.13;
 /// The most times that the limit rises. A larger value keeps the rigidity of still stiffer cloth on fine
 /// meshes, for more updates.
 constexpr double largest_rise = 15.0;
 
-double fastest_bending_per_s(double rigidity_n_m, double frame_time_s) {
-  const double stiffer = rigidity_n_m / soft_rigidity_n_m;
-  const double rise = std::clamp(stiffer * stiffer * stiffer, 1.0, largest_rise);
+/// The cube of the bending length (Peirce 1930): rigidity over weight.
+double cubed_bending_length_m3(double rigidity_n_m, double areal_density_kg_per_m2) {
+  constexpr double gravity_m_per_s2 = 9.81;
+  return rigidity_n_m / (areal_density_kg_per_m2 * gravity_m_per_s2);
+}
+
+double fastest_bending_per_s(const Garment& garment, double rigidity_n_m, double frame_time_s) {
+  const double enough_m = edges_in_bending_length * mean_edge_m(garment.springs);
+  const double cubed_m3 = cubed_bending_length_m3(rigidity_n_m, garment.material.areal_density_kg_per_m2);
+  const double ratio = cubed_m3 / (enough_m * enough_m * enough_m);
+  const double rise = std::clamp(ratio * ratio, 1.0, largest_rise);
   return rise * fastest_bending_per_frame / frame_time_s;
 }
 
@@ -61,7 +69,7 @@ SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& l
                        double bending_rigidity_n_m, double frame_time_s)
     : layout_(layout),
       bending_(garment, pins, layout, bending_rigidity_n_m,
-               fastest_bending_per_s(bending_rigidity_n_m, frame_time_s)),
+               fastest_bending_per_s(garment, bending_rigidity_n_m, frame_time_s)),
       accelerations_(layout.row_count()),
       corner_forces_n_(layout.triangles.lane_count()),
       positions_(layout.row_count()) {}

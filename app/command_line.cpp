@@ -192,6 +192,8 @@ std::function<Command()> add_render(CLI::App& app) {
   add_key_flag(*command, options->overrides, "--stretch", "picture.surface", "stretch",
                "colour the surface by its stretch");
   add_texture(*command, options->overrides);
+  add_key(*command, options->overrides, "--quality", "picture.quality",
+          "draft, normal or high, which is for print (default normal)");
   add_key(*command, options->overrides, "--samples", "picture.samples",
           "samples in a pixel, 1 to 16 (default 4)");
   add_key(*command, options->overrides, "--supersampling", "picture.supersampling",

@@ -12,6 +12,8 @@ const float closed_fold = 0.7;
 // The fringe's share of the light from all around, and of the key light.
 const float fringe_strength = 0.85;
 const float fringe_key = 0.6;
+// How far the fringe has the cloth's own colour: fibres are dyed through, and what stays white looks like plastic.
+const float fringe_dyed = 0.85;
 
 // What arrives from all around with nothing in the way, as SkyLight has it.
 float open_sky(vec3 normal) { return 0.75 + 0.25 * normal.y; }

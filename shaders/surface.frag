@@ -130,7 +130,7 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
                          Finish(outside.w, inside.w, rest.x));
   vec3 cloth =
       base * light.diffuse * weave.brightness +
-      mix(vec3(1.0), base, 0.6) * light.fringe + vec3(light.gloss);
+      mix(vec3(1.0), base, fringe_dyed) * light.fringe + vec3(light.gloss);
 #ifdef SCALARS
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
   // A dark colour cannot show form by getting darker, so a little light from the edges is added.

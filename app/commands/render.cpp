@@ -342,7 +342,7 @@ int run(const RenderOptions& options) {
   });
   OffscreenRenderer offscreen(options.backend);
   const PictureStyle& style = job.scene.picture;
-  offscreen.renderer().prepare(style.settings, style.surface == SurfaceLook::stretch);
+  offscreen.renderer().prepare(settings_of(style), style.surface == SurfaceLook::stretch);
   LoadedGarment loaded = garment.get();
   progress.hide();
   put_on_hanger(loaded, job.scene);

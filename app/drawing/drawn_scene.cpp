@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/scene/promise.hpp"
+#include "renderer/surface/refined_mesh.hpp"
 #include "sim/solvers/bounded/promise.hpp"
 
 namespace taut::app {
@@ -42,6 +43,33 @@ const char* name_of(WhichSprings which) {
       break;
   }
   return "all";
+}
+
+renderer::PictureSettings settings_of(const PictureStyle& style) {
+  renderer::PictureSettings settings = style.settings;
+  if (style.quality == DrawingQuality::draft) {
+    settings.samples = 1;
+    settings.sky_directions = 12;
+    settings.shadow_taps = 8;
+  }
+  if (style.quality == DrawingQuality::high) {
+    settings.supersampling = std::min(2 * settings.supersampling, 8);
+    settings.shadow_map_px = 4096;
+    settings.sky_directions = 64;
+  }
+  return settings;
+}
+
+float shortest_edge_px(const PictureStyle& style) {
+  switch (style.quality) {
+    case DrawingQuality::draft:
+      return 16.0F;
+    case DrawingQuality::normal:
+      return renderer::shortest_split_px;
+    case DrawingQuality::high:
+      break;
+  }
+  return 4.0F;
 }
 
 renderer::Backdrop backdrop_of(const Background& background) {

@@ -105,8 +105,16 @@ inline bool names_image(const std::filesystem::path& texture) {
   return !texture.empty() && texture != no_texture;
 }
 
+/// How much work a picture is.
+enum class DrawingQuality {
+  draft,   ///< one sample in a pixel, fewer directions of light
+  normal,  ///< for the screen
+  high,    ///< for print: twice as wide and high and averaged, finer light and surfaces
+};
+
 /// How a scene's pictures are drawn.
 struct PictureStyle {
+  DrawingQuality quality = DrawingQuality::normal;
   renderer::PictureSettings settings;
   SurfaceLook surface = SurfaceLook::shaded;
   bool wireframe = false;  ///< the springs drawn over the surface
@@ -141,6 +149,12 @@ std::array<double, 2> shown_stretch_range(const DrawnScene& scene);
 std::optional<double> shown_bound(const DrawnScene& scene);
 
 inline constexpr std::array all_stretch_of = {StretchOf::springs, StretchOf::surface};
+
+/// The settings that the renderer draws with: those of the style at its quality.
+renderer::PictureSettings settings_of(const PictureStyle& style);
+
+/// Edges of the drawn surface that are shorter in the picture, in pixels, are not halved.
+float shortest_edge_px(const PictureStyle& style);
 
 /// The renderer's backdrop for this background.
 renderer::Backdrop backdrop_of(const Background& background);

@@ -65,6 +65,10 @@ void add_cloth(Keys& keys) {
 void add_picture(Keys& keys) {
   keys.push_back(whole("picture.width", 16, 16384, MEMBER(picture.settings.width_px), "in pixels"));
   keys.push_back(whole("picture.height", 16, 16384, MEMBER(picture.settings.height_px), "in pixels"));
+  keys.push_back(choice_key<DrawnScene, DrawingQuality>(
+      "picture.quality",
+      {{"draft", DrawingQuality::draft}, {"normal", DrawingQuality::normal}, {"high", DrawingQuality::high}},
+      MEMBER(picture.quality), "how much work a picture is; high: for print"));
   keys.push_back(whole("picture.samples", 1, 16, MEMBER(picture.settings.samples),
                        "in a pixel; lowered to what OpenGL offers"));
   keys.push_back(whole("picture.supersampling", 1, 8, MEMBER(picture.settings.supersampling),

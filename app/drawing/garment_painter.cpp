@@ -45,6 +45,11 @@ float most_bulge_m(const DrawnScene& scene, const sim::Garment& garment, float e
              : 0.1F * edge_m;
 }
 
+PictureStyle drawn_style(PictureStyle style) {
+  style.settings = settings_of(style);
+  return style;
+}
+
 std::vector<std::uint32_t> structural_edges(const sim::Springs& springs) {
   std::vector<std::uint32_t> indices;
   for (std::size_t s = 0; s < springs.structural_count; ++s) {
@@ -117,7 +122,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
                                const sim::Garment& garment, std::span<const sim::Index> pins,
                                DrawnColours colours)
     : renderer_(renderer),
-      style_(scene.picture),
+      style_(drawn_style(scene.picture)),
       legend_(stretch_legend(scene)),
       measured_(part_measured(garment, scene.picture)),
       pins_(pins.begin(), pins.end()),
@@ -132,7 +137,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
   const renderer::Box reach = expected_reach(scene, garment, pins);
   surface_.limit_bulge(most_bulge_m(scene, garment, surface_.edge_m()));
   camera_ = scene_camera(scene, reach, aspect_of(style_.settings));
-  look_from(camera_);
+  look_from(camera_, shortest_edge_px(style_));
   if (scene.camera.follow) {
     followed_from_ = mean_of(garment.mesh.positions);
   }

@@ -25,10 +25,8 @@ DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size)
   settings.width_px = size.width_px;
   settings.height_px = size.height_px;
   scene.picture.show_wind = true;
+  scene.picture.quality = DrawingQuality::high;
   scene.picture.background = {BackgroundKind::colour, renderer::rgb(0xFFFFFF)};
-  settings.supersampling = 2;
-  settings.shadow_map_px = 4096;
-  settings.sky_directions = 64;
   if (!moment.has_floor) {
     scene.picture.ground.kind = GroundKind::none;
   }

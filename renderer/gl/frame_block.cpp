@@ -14,12 +14,12 @@ namespace {
 
 // Tangent of half the angle under which the key light is seen at penumbra 1: a large softbox. Larger gives
 // softer shadows and needs more taps against noise.
-constexpr float key_softness = 0.06F;
+constexpr float key_softness = 0.10F;
 // Radius of the lit floor in units of the scene's radius. Smaller shows where the floor ends.
 constexpr float floor_radius = 9.0F;
 // Radius of the widest blur of a shadow, share of the map's side. Larger is softer far from what casts it,
 // and needs more taps against noise.
-constexpr float widest_blur = 24.0F / 2048.0F;
+constexpr float widest_blur = 40.0F / 2048.0F;
 // Taps on the floor for one on a surface: the floor's shadow has a fourth of the pixels.
 constexpr float floor_taps = 1.75F;
 // Texels of the shadow map for a drawn pixel of the picture's shorter side. More is sharper than the picture

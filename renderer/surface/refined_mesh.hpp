@@ -121,8 +121,8 @@ std::vector<Value> refined_corner_values(std::span<const Value> corners, int lev
   return values;
 }
 
-/// Edges shorter than this in the picture need not be halved: what is drawn finer is not seen.
-inline constexpr float shortest_split_px = 5.0F;
+/// Edges shorter than this in the picture need not be halved: what is drawn finer is hardly seen.
+inline constexpr float shortest_split_px = 8.0F;
 
 /// Returns how often edges of this length in pixels of the picture have to be halved, for a mesh of so many
 /// triangles.

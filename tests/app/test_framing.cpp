@@ -125,6 +125,18 @@ TEST(FittedView, OfACameraThatFollowsIsThatOfAGarmentThatStays) {
   EXPECT_LT(glm::distance(painter.camera().eye, *stays.camera.eye + glm::vec3(30, -7, 2)), 1e-4F);
 }
 
+TEST(DrawingQuality, CostsMoreForPrintAndLessForADraft) {
+  PictureStyle style;
+  const renderer::PictureSettings normal = settings_of(style);
+  style.quality = DrawingQuality::draft;
+  EXPECT_EQ(settings_of(style).samples, 1);
+  EXPECT_GT(shortest_edge_px(style), shortest_edge_px({}));
+  style.quality = DrawingQuality::high;
+  EXPECT_EQ(settings_of(style).supersampling, 2 * normal.supersampling);
+  EXPECT_EQ(settings_of(style).width_px, normal.width_px) << "of the finished picture";
+  EXPECT_LT(shortest_edge_px(style), shortest_edge_px({}));
+}
+
 TEST(WindArrows, ComeFromWhereItBlowsAndGrowWithIt) {
   const renderer::Box box{{-1, -1, -1}, {1, 1, 1}};
   sim::Wind wind;

@@ -83,9 +83,9 @@ TEST(RefinedMesh, EdgesBecomeChainsAlongTheSurface) {
 
 TEST(RefinedMesh, IsFineOnlyWhereItShows) {
   EXPECT_EQ(refinement_levels(4.0F, 10'000), 0);
-  EXPECT_EQ(refinement_levels(8.0F, 10'000), 1);
-  EXPECT_EQ(refinement_levels(19.0F, 10'000), 2);
-  EXPECT_EQ(refinement_levels(19.0F, 90'000), 1) << "too many triangles";
+  EXPECT_EQ(refinement_levels(13.0F, 10'000), 1);
+  EXPECT_EQ(refinement_levels(30.0F, 10'000), 2);
+  EXPECT_EQ(refinement_levels(30.0F, 90'000), 1) << "too many triangles";
   EXPECT_EQ(refinement_levels(1e9F, 2), 4);
 }
 

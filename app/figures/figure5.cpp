@@ -43,7 +43,7 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
     panels.push_back({std::move(prints.pictures[i]),
                       {static_cast<char>('a' + static_cast<int>(i)),
                        fmt::format("{}, after {:.1f} s", wind, record.time_s),
-                       fmt::format("largest stretch {:.4g} %, surface {:.4g} %", 100.0 * record.stretch.max,
+                       fmt::format("largest stretch {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
                                    100.0 * record.surface_stretch.max)}});
   }
   return sheet_of(std::move(panels), prints.size,

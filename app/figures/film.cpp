@@ -48,7 +48,8 @@ std::span<const Moment> find_loop(std::span<const Moment> moments, std::size_t f
 std::vector<renderer::Image> draw_film(const Recording& recording, OffscreenRenderer& offscreen) {
   std::vector<PrintedMoment> moments;
   for (const Moment& moment : find_loop(recording.moments, fewest_pictures)) {
-    moments.push_back({&recording, &moment});
+    // The camera is nearer where it need not see the shadow.
+    moments.push_back({.recording = &recording, .moment = &moment, .has_floor = false});
   }
   return print_moments(offscreen, moments, film_size, 1.0F).pictures;
 }

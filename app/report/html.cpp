@@ -154,10 +154,10 @@ std::string film_caption(const Recording& run) {
   const std::optional<double> bound = stretch_bound(run.scene);
   return fmt::format(
       "A T-shirt of {} triangles, held at its shoulders and at the back of its neck, in a wind of {:g} m/s, "
-      "at half its speed. It may bend, fold and flutter, but its cloth is no rubber: {}. In {} frames the "
-      "most that was measured is {:.3g} %, and {} crossed. Both were measured in every frame.",
+      "shown at half speed. Cloth bends, folds and flutters, but it is no rubber: {}. The most that was "
+      "measured in the {} frames of this run is {:.3g} %, and {} crossed. Both were measured in every frame.",
       run.garment->mesh.triangles.size(), run.scene.surroundings.forces.wind.speed_m_per_s,
-      bound ? fmt::format("no edge of a triangle may become more than {:g} % longer than it was cut",
+      bound ? fmt::format("here no edge of a triangle may become more than {:g} % longer than it was cut",
                           100.0 * *bound)
             : "it should not become longer than it was cut",
       counts.frames, 100.0 * counts.stretch.springs,

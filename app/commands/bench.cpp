@@ -144,7 +144,7 @@ void write_results(const BenchOptions& options, const BenchResults& results, con
   write_file(options.output / "bench.png",
              renderer::encode_png(to_image(drawing), texts, {.deflate_level = 6, .filter = 4}));
   tell(options.output / "bench.png");
-  write_pdf(options.output / "bench.pdf", drawing);
+  write_pdf(options.output / "bench.pdf", drawing, "taut bench: time for one frame against stretch");
   tell(options.output / "bench.pdf");
 }
 

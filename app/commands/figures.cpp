@@ -12,6 +12,7 @@
 #include "app/base/job_runner.hpp"
 #include "app/base/version.hpp"
 #include "app/commands/options.hpp"
+#include "app/figures/film.hpp"
 #include "app/report/report.hpp"
 #include "renderer/page/png.hpp"
 
@@ -36,7 +37,7 @@ class FigureWriter {
     renderer::Image picture = to_image(drawing, options_.scale);
     const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
     write_file(noted(figure.name + ".png"), renderer::encode_png(picture, texts, effort));
-    write_pdf(noted(figure.name + ".pdf"), drawing);
+    write_pdf(noted(figure.name + ".pdf"), drawing, figure.title);
     if (figure.csv != nullptr) {
       write_text_file(noted(figure.name + ".csv"), figure.csv(results));
     }
@@ -49,7 +50,13 @@ class FigureWriter {
   }
 
   void write_report(const Results& results) {
-    const Report report = make_report(results, drawn_, offscreen_.gl_renderer());
+    std::vector<renderer::Image> pictures = draw_film(*results.film, offscreen_.open());
+    const double rate_hz = results.film->scene.simulation.frame_rate_hz / film_slowness;
+    const Film film = {pictures.front(), write_film(options_.output / "film.mp4", pictures, rate_hz)};
+    if (!film.mp4.empty()) {
+      noted("film.mp4");
+    }
+    const Report report = make_report(results, film, drawn_, offscreen_.gl_renderer());
     write_text_file(noted("claims.json"), report.claims_json);
     write_text_file(noted("report.html"), report.html);
     tell();

@@ -1,15 +1,8 @@
 #include "app/drawing/drawing.hpp"
 
-#include <string>
-
 #include "app/base/files.hpp"
 
 namespace taut::app {
-namespace {
-
-constexpr float page_width_inches = 7.0F;
-
-}  // namespace
 
 renderer::Image to_image(const Drawing& drawing, float scale) {
   renderer::Canvas canvas = renderer::Canvas::scaled(drawing.width_px, drawing.height_px, scale);
@@ -17,9 +10,9 @@ renderer::Image to_image(const Drawing& drawing, float scale) {
   return canvas.to_image();
 }
 
-void write_pdf(const std::filesystem::path& path, const Drawing& drawing) {
-  renderer::Canvas canvas = renderer::Canvas::pdf(drawing.width_px, drawing.height_px,
-                                                  static_cast<float>(drawing.width_px) / page_width_inches);
+void write_pdf(const std::filesystem::path& path, const Drawing& drawing, const std::string& title) {
+  renderer::Canvas canvas = renderer::Canvas::pdf(
+      drawing.width_px, drawing.height_px, static_cast<float>(drawing.width_px) / page_width_inches, title);
   drawing.draw(canvas);
   write_file(path, canvas.finish_pdf());
 }

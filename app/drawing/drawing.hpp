@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "renderer/page/canvas.hpp"
 #include "renderer/page/image.hpp"
@@ -19,9 +20,14 @@ struct Drawing {
 /// Draws with `scale` times as many pixels each way as the drawing has by itself.
 renderer::Image to_image(const Drawing& drawing, float scale = 1.0F);
 
-/// Writes a PDF page in which text and lines stay text and lines. The page is as wide as two columns of a
-/// paper. Throws InputError as write_file does.
-void write_pdf(const std::filesystem::path& path, const Drawing& drawing);
+/// Width of a PDF page: two columns of a paper.
+inline constexpr float page_width_inches = 7.0F;
+
+/// The smallest text that can be read in print, in points of 1/72 inch.
+inline constexpr float smallest_text_pt = 7.0F;
+
+/// Writes a PDF page in which text and lines stay text and lines. Throws InputError as write_file does.
+void write_pdf(const std::filesystem::path& path, const Drawing& drawing, const std::string& title);
 
 /// Colours that readers with any kind of colour vision can tell apart. They also differ in grey (Okabe and
 /// Ito 2008). Dark colours come first.

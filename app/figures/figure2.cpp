@@ -35,7 +35,9 @@ Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen) {
                        fmt::format("{:.2f} s{}", record.time_s, record.asleep ? ", at rest" : ""),
                        fmt::format("largest stretch {:.4g} %", 100.0 * record.stretch.max)}});
   }
-  return sheet_of(std::move(panels), prints.size, {.columns = 4}, {0.5F * prints.metre_px, "0.5 m"});
+  return sheet_of(std::move(panels), prints.size,
+                  {.columns = 4, .caption = {.text_px = 48.0F, .measured_px = 42.0F}},
+                  {0.5F * prints.metre_px, "0.5 m"});
 }
 
 }  // namespace taut::app

@@ -67,7 +67,7 @@ void draw_followed_point(renderer::Canvas& canvas, const StepRecording& fall, co
   const glm::vec2 followed = place(fall.vertex);
   canvas.circle(followed.x, followed.y, 20.0F, renderer::Colour{1.0F});
   canvas.circle(followed.x, followed.y, 16.0F, palette::blue);
-  renderer::TextStyle text = text_style(30.0F, palette::quiet_ink);
+  renderer::TextStyle text = text_style(34.0F, palette::quiet_ink);
   text.horizontal = renderer::HorizontalAlign::centre;
   const float centre_px = area.x_px + 0.5F * side_px;
   canvas.text(centre_px, area.y_px - 32.0F, "held corners: squares", text);
@@ -123,7 +123,7 @@ Drawing draw_figure3(const Results& results, LazyOffscreenRenderer&) {
   Drawing drawing{2400, 1240 + static_cast<int>(style.height_px()), {}};
   drawing.draw = [=](renderer::Canvas& canvas) {
     draw_plot(canvas, plot, {20.0F, 10.0F, 1640.0F, 1230.0F});
-    draw_plot(canvas, inset, {1740.0F, 10.0F, 640.0F, 620.0F}, {.text_px = 30.0F, .line_px = 2.0F});
+    draw_plot(canvas, inset, {1740.0F, 10.0F, 640.0F, 620.0F}, {.line_px = 2.0F});
     draw_followed_point(canvas, fall, {1920.0F, 760.0F, 340.0F, 340.0F});
     draw_caption(canvas, {'\0', "convergence of one mass point of the cloth of figure 2", rest_text(fall)},
                  1200.0F, 1240.0F, style);

@@ -123,7 +123,8 @@ Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen) {
     panels.push_back({std::move(prints.pictures[i]),
                       caption_of(moments[i], static_cast<char>('a' + static_cast<int>(i)))});
   }
-  const SheetStyle style = {.columns = 2, .right_px = 190.0F};
+  const SheetStyle style = {
+      .columns = 2, .caption = {.text_px = 42.0F, .measured_px = 37.0F}, .right_px = 190.0F};
   Drawing drawing = sheet_of(std::move(panels), prints.size, style, {0.25F * prints.metre_px, "25 cm"});
   drawing.draw = [panels_drawing = drawing.draw, style, shade](renderer::Canvas& canvas) {
     panels_drawing(canvas);

@@ -36,15 +36,19 @@ Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
   Prints prints = print_moments(offscreen, moments, {980, 860});
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < moments.size(); ++i) {
+    const FrameRecord& record = moments[i].moment->record;
     const double speed_m_per_s = moments[i].recording->scene.surroundings.forces.wind.speed_m_per_s;
     const std::string wind =
         speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s);
     panels.push_back({std::move(prints.pictures[i]),
                       {static_cast<char>('a' + static_cast<int>(i)),
-                       fmt::format("{}, after {:.1f} s", wind, moments[i].moment->record.time_s),
-                       largest_stretch_text(moments[i])}});
+                       fmt::format("{}, after {:.1f} s", wind, record.time_s),
+                       fmt::format("largest stretch {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
+                                   100.0 * record.surface_stretch.max)}});
   }
-  return sheet_of(std::move(panels), prints.size, {.columns = 3}, {0.2F * prints.metre_px, "20 cm"});
+  return sheet_of(std::move(panels), prints.size,
+                  {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 43.0F}},
+                  {0.2F * prints.metre_px, "20 cm"});
 }
 
 }  // namespace taut::app

@@ -134,7 +134,7 @@ void read_figure7(const std::filesystem::path& folder, Results& results) {
 
 // Section III: do springs that are pulled back to a threshold vibrate, and does the strong constraint not?
 Drawing draw_figure7(const Results& results, LazyOffscreenRenderer&) {
-  const CaptionStyle style = {.text_px = 38.0F, .measured_px = 32.0F};
+  const CaptionStyle style = {.text_px = 38.0F, .measured_px = 34.0F};
   constexpr float width_px = 1200.0F, height_px = 800.0F;
   std::vector<Plot> plots;
   std::vector<Caption> captions;

@@ -90,8 +90,13 @@ std::string largest_stretch_text(const PrintedMoment& moment) {
 
 Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
                      const PictureSize& size) {
+  return print_moments(offscreen.open(), moments, size, offscreen.scale());
+}
+
+Prints print_moments(OffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
+                     const PictureSize& size, float scale) {
   const auto scaled = [&](int length_px) {
-    return std::max(1, static_cast<int>(std::lround(static_cast<float>(length_px) * offscreen.scale())));
+    return std::max(1, static_cast<int>(std::lround(static_cast<float>(length_px) * scale)));
   };
   const renderer::Camera camera = camera_for(moments, size);
   Prints prints;
@@ -100,8 +105,7 @@ Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMo
     DrawnScene scene = scene_for_print(moment, {scaled(size.width_px), scaled(size.height_px)});
     scene.camera.eye = camera.eye;
     scene.camera.target = camera.target;
-    GarmentPainter painter(offscreen.open().renderer(), scene, *moment.recording->garment,
-                           moment.recording->pins);
+    GarmentPainter painter(offscreen.renderer(), scene, *moment.recording->garment, moment.recording->pins);
     prints.pictures.push_back(painter.draw(moment.moment->positions, moment.moment->record.time_s));
   }
   const float seen_m =

@@ -46,6 +46,9 @@ inline constexpr renderer::ColourMap printed_stretch_colours = renderer::ColourM
 /// as all cloths and their shadows on the floor allow. Throws renderer::ContextError.
 Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
                      const PictureSize& size);
+/// As above, with images that have `scale` times as many pixels each way.
+Prints print_moments(OffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
+                     const PictureSize& size, float scale);
 
 /// A picture in a figure with the caption below it.
 struct Panel {

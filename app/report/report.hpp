@@ -19,6 +19,15 @@ struct DrawnFigure {
   renderer::Image picture;
 };
 
+/// The moving picture at the top of the report.
+struct Film {
+  renderer::Image still;  ///< stands there where no film can be shown
+  std::string mp4;        ///< the bytes of the file; empty: there is none
+};
+
+/// A film with more bytes is left out of the report, which is a page to be mailed.
+inline constexpr std::size_t most_film_bytes = 450'000;
+
 /// The report as a page for people and as JSON.
 struct Report {
   std::string html;
@@ -26,12 +35,17 @@ struct Report {
 };
 
 /// All experiments must have been made and all figures drawn.
-Report make_report(const Results& results, std::span<const DrawnFigure> figures,
+Report make_report(const Results& results, const Film& film, std::span<const DrawnFigure> figures,
                    const std::string& gl_renderer);
 
-/// The report as one HTML file. Pictures are embedded, so it opens from any folder.
+/// The film of a checked run and what was measured in it, as a figure of the page.
+std::string film_html(const Film& film, const Recording& run);
+
+/// The report as one HTML file with `film_figure` at its top. Pictures are embedded, so it opens from any
+/// folder. The PDFs that it links to are expected beside it.
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
-                        std::span<const DrawnFigure> figures, const Machine& machine);
+                        std::span<const DrawnFigure> figures, const Machine& machine,
+                        const std::string& film_figure = "");
 
 /// All figures, small, on one picture. `scale` multiplies its pixels each way.
 renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F);

@@ -4,8 +4,8 @@ namespace taut::app {
 
 // assets/report, embedded when the program is built.
 
-/// The HTML page of the report with its style. <!--machine-->, <!--claims-->, <!--promises--> and
-/// <!--figures--> are replaced.
+/// The HTML page of the report with its style. <!--film-->, <!--machine-->, <!--claims-->,
+/// <!--promises--> and <!--figures--> are replaced.
 extern const char* const report_page;
 /// The texts of the claims as TOML. {names} are replaced by the numbers of the rules.
 extern const char* const claim_texts;

@@ -71,6 +71,7 @@ struct Canvas::Surface {
   bool is_pdf = false;
   int width_px = 0;
   int height_px = 0;
+  float smallest_text_px = INFINITY;
   float scale = 1.0F;  // pixels of the image, or points of the page, for one of the canvas
   SurfaceHandle surface{nullptr, cairo_surface_destroy};
   PenHandle pen{nullptr, cairo_destroy};
@@ -125,7 +126,7 @@ Canvas Canvas::scaled(int width_px, int height_px, float scale) {
   return Canvas(std::move(made));
 }
 
-Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch) {
+Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch, const std::string& title) {
   auto made = std::make_unique<Surface>();
   made->is_pdf = true;
   made->width_px = width_px;
@@ -134,6 +135,7 @@ Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch) {
   made->scale = static_cast<float>(points_per_px);
   made->surface = checked(cairo_pdf_surface_create_for_stream(
       append_bytes, &made->pdf_bytes, width_px * points_per_px, height_px * points_per_px));
+  cairo_pdf_surface_set_metadata(made->surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
   // Otherwise the time of day gets into the file, and no two are alike.
   cairo_pdf_surface_set_metadata(made->surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   made->start();
@@ -145,6 +147,9 @@ int Canvas::width_px() const {
 }
 int Canvas::height_px() const {
   return surface_->height_px;
+}
+float Canvas::smallest_text_px() const {
+  return surface_->smallest_text_px;
 }
 
 TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
@@ -159,6 +164,9 @@ TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
 }
 
 void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle& style) {
+  if (!text.empty()) {
+    surface_->smallest_text_px = std::min(surface_->smallest_text_px, style.size_px);
+  }
   const TextSize size = measure(text, style);
   cairo_t* pen = surface_->pen.get();
   set_colour(pen, style.colour);

@@ -41,8 +41,10 @@ class Canvas {
   /// Returns a white canvas with coordinates of width_px by height_px, whose image has `scale` times as many
   /// pixels each way, rounded.
   static Canvas scaled(int width_px, int height_px, float scale);
-  /// One page; text stays text. Throws std::runtime_error where Cairo cannot make it.
-  static Canvas pdf(int width_px, int height_px, float pixels_per_inch = 300.0F);
+  /// One page of a document with this title; text stays text. Throws std::runtime_error where Cairo cannot
+  /// make it.
+  static Canvas pdf(int width_px, int height_px, float pixels_per_inch = 300.0F,
+                    const std::string& title = "");
   ~Canvas();
   Canvas(Canvas&&) noexcept;
   Canvas& operator=(Canvas&&) noexcept;
@@ -50,6 +52,9 @@ class Canvas {
   /// Return the size in coordinates of the canvas, before any scale.
   int width_px() const;
   int height_px() const;
+
+  /// Size of the smallest text drawn so far. Infinite before the first.
+  float smallest_text_px() const;
 
   /// Returns the size of a text drawn in this style.
   TextSize measure(std::string_view text, const TextStyle& style) const;

@@ -34,4 +34,8 @@ foreach(name fig1 fig3)
   if(NOT page MATCHES "^255044462d" OR NOT page MATCHES "2525454f460a$")
     message(FATAL_ERROR "${name}.pdf is not complete")
   endif()
+  # "/Title ("
+  if(NOT page MATCHES "2f5469746c652028")
+    message(FATAL_ERROR "${name}.pdf has no title")
+  endif()
 endforeach()

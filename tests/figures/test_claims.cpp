@@ -270,6 +270,38 @@ TEST(Report, IsOneFileWithPicturesInside) {
   EXPECT_EQ(contact_sheet(figures).width_px, 2560);
 }
 
+TEST(Report, LinksToTheFilesBesideIt) {
+  const std::vector<DrawnFigure> figures = {{"fig1", "A", renderer::make_image(4, 2)}};
+  const std::string html = report_html({}, {}, figures, {});
+  EXPECT_CONTAINS(html, "<a href=\"fig1.pdf\">");
+  EXPECT_CONTAINS(html, "<a href=\"fig1.png\">");
+}
+
+TEST(Report, BeginsWithAFilmOrWithAPictureInItsPlace) {
+  Recording run;
+  sim::Garment garment;
+  garment.mesh.triangles.resize(7);
+  run.garment = std::make_shared<const sim::Garment>(garment);
+  run.scene.simulation.solver.kind = sim::SolverKind::bounded;
+  run.scene.simulation.solver.bounded.max_stretch = 0.02;
+  run.promises = {101, {0.0163, 0.3}, 0, 0, 0};
+  Film film = {renderer::make_image(4, 2), "ftyp"};
+  const std::string html = report_html({}, {}, {}, {}, film_html(film, run));
+  EXPECT_LT(html.find("src=\"data:video/mp4;base64,ZnR5cA==\""), html.find("Zheng-Dong"));
+  EXPECT_CONTAINS(html, "poster=\"data:image/png;base64,iVBOR");
+  EXPECT_CONTAINS(html, "T-shirt of 7 triangles");
+  EXPECT_CONTAINS(html, "more than 2 % longer");
+  EXPECT_CONTAINS(html, "measured in the 101 frames of this run is 1.63 %, and no two triangles crossed");
+  for (const std::string& mp4 : {std::string(), std::string(most_film_bytes + 1, 'x')}) {
+    film.mp4 = mp4;
+    const std::string still = film_html(film, run);
+    EXPECT_EQ(still.find("<video"), std::string::npos) << mp4.size();
+    EXPECT_CONTAINS(still, "src=\"data:image/png;base64,iVBOR");
+  }
+  run.promises->crossing_pairs = 1;
+  EXPECT_CONTAINS(film_html(film, run), "and 1 pair of triangles crossed");
+}
+
 TEST(Report, ShowsEachVerdictAndWhatBoundedReaches) {
   const auto html_of = [](const Results& results) { return report_html(judge_claims(results), {}, {}, {}); };
   const std::string pages[] = {html_of(results_of_the_paper()), html_of(results_in_part()),

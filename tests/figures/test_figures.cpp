@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
 
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/figures.hpp"
+#include "app/figures/film.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"
+#include "temporary_folder.hpp"
 
 namespace taut::app {
 namespace {
@@ -29,6 +33,59 @@ TEST(Figure1, ShowsTheSpringsTheMappingMade) {
   EXPECT_GT(shirt.count(SpringKind::structural), shirt.points_m.size());
   EXPECT_EQ(shirt.count(SpringKind::shear), 0U);
   EXPECT_GT(shirt.count(SpringKind::flexural), 5U);
+}
+
+TEST(Figures, TextsAreLargeEnoughInPrint) {
+  Results results;
+  job_of(Experiment::mapping, results).work([](double) {});
+  for (const double rate_hz : method_rates_hz) {
+    for (const sim::SolverKind kind : compared_methods) {
+      results.methods.push_back(run_method(kind, rate_hz, 0.1));
+    }
+  }
+  LazyOffscreenRenderer offscreen("auto", 0.02F);
+  for (const Figure& figure : all_figures()) {
+    if (figure.read != nullptr && figure.name != "fig7") {
+      figure.read(TAUT_TESTS_FOLDER "/golden/figures", results);
+    }
+    const Drawing drawing = figure.draw(results, offscreen);
+    renderer::Canvas canvas = renderer::Canvas::scaled(drawing.width_px, drawing.height_px, 0.02F);
+    drawing.draw(canvas);
+    const float inches = page_width_inches * canvas.smallest_text_px() / static_cast<float>(drawing.width_px);
+    EXPECT_GE(72.0F * inches, smallest_text_pt) << figure.name;
+  }
+}
+
+// A pendulum of one vertex that swings once in 12 moments, and has a fault at the sixth.
+std::vector<Moment> swinging(std::size_t count) {
+  std::vector<Moment> moments(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / 12.0;
+    moments[i].positions = {{i == 5 ? 9.0 : std::sin(angle), 0.0, 0.0}};
+  }
+  return moments;
+}
+
+TEST(Film, StartsAgainWhereTheClothGoesOnAlike) {
+  const std::vector<Moment> moments = swinging(23);
+  const std::span<const Moment> loop = find_loop(moments, 10);
+  EXPECT_EQ(loop.size(), 12U) << "half a swing earlier it is there too, but moves the other way";
+  EXPECT_EQ(find_loop(swinging(35), 20).size(), 24U);
+  EXPECT_EQ(find_loop(moments, 40).size(), 23U) << "there are no more";
+}
+
+TEST(Film, IsAnMp4AndWithoutFfmpegNothingAndAWarning) {
+  const test::TemporaryFolder folder;
+  const std::vector<renderer::Image> pictures(3, renderer::make_image(64, 48));
+  EXPECT_EQ(write_film(folder / "film.mp4", pictures, 30.0).substr(4, 4), "ftyp");
+  std::filesystem::remove(folder / "film.mp4");
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.write("nowhere", "").c_str(), 1);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(write_film(folder / "film.mp4", pictures, 30.0), "");
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_CONTAINS(testing::internal::GetCapturedStderr(), "a picture instead of a film: cannot make '");
+  EXPECT_FALSE(std::filesystem::exists(folder / "film.mp4"));
 }
 
 TEST(SpringPatch, OfAWholeGridHasTheMappingsCounts) {

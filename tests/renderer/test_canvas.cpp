@@ -50,6 +50,14 @@ TEST(Canvas, KeepsTheAlphaOfAnImage) {
   EXPECT_NEAR(kept.at(1, 0)[0], 120, 2) << "Cairo keeps what is left of it by the alpha";
 }
 
+TEST(Canvas, KnowsItsSmallestText) {
+  Canvas canvas(10, 4);
+  canvas.text(0, 0, "large", {.size_px = 9.0F});
+  canvas.text(0, 0, "small", {.size_px = 4.0F});
+  canvas.text(0, 0, "", {.size_px = 2.0F});
+  EXPECT_EQ(canvas.smallest_text_px(), 4.0F) << "nothing is no text";
+}
+
 TEST(Canvas, PlacesImagesSideBySide) {
   Image red = make_image(4, 4);
   for (std::size_t i = 0; i < red.pixels.size(); i += 3) red.pixels[i] = 255;
@@ -99,13 +107,14 @@ TEST(Canvas, ScaledTakesAPictureOfThatManyPixelsAsItIs) {
 TEST(Canvas, PdfIsCompleteAndTheSameEveryTime) {
   std::string first;
   for (int i = 0; i < 2; ++i) {
-    Canvas canvas = Canvas::pdf(600, 300);
+    Canvas canvas = Canvas::pdf(600, 300, 300.0F, "Cloth falls");
     canvas.text(20, 40, "Figure 1");
     EXPECT_THROW(static_cast<void>(canvas.to_image()), std::logic_error);
     const std::vector<std::uint8_t> page = canvas.finish_pdf();
     const std::string bytes(page.begin(), page.end());
     EXPECT_EQ(bytes.substr(0, 5), "%PDF-");
     EXPECT_NE(bytes.find("%%EOF"), std::string::npos);
+    EXPECT_NE(bytes.find("/Title (Cloth falls)"), std::string::npos);
     EXPECT_NE(bytes.find("/CreationDate (20000101"), std::string::npos) << "the time of day must stay out";
     if (i == 0) first = bytes;
     EXPECT_EQ(bytes, first);

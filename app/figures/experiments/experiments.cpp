@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -92,13 +91,19 @@ void run_strong_shirts(Results& results, const ProgressCallback& report_progress
   }
 }
 
-Job recording_job(const std::string& scene_name, double cost, std::optional<Recording>& place,
-                  int most_frames = std::numeric_limits<int>::max()) {
-  return {scene_name, cost, [scene_name, most_frames, &place](const ProgressCallback& report_progress) {
+Job recording_job(const std::string& scene_name, double cost, std::optional<Recording>& place) {
+  return {scene_name, cost, [scene_name, &place](const ProgressCallback& report_progress) {
             const DrawnScene scene = find_scene(scene_name, {});
-            place = record_frames(scene, std::array{std::min(scene.frames, most_frames)}, report_progress,
-                                  Checking::promises);
+            place = record_frames(scene, std::array{scene.frames}, report_progress, Checking::promises);
           }};
+}
+
+void record_strong_wind(Results& results, const ProgressCallback& report_progress) {
+  std::vector<int> frames(strong_wind_frames - film_first_frame + 1);
+  std::iota(frames.begin(), frames.end(), film_first_frame);
+  results.film = record_frames(find_scene(shirt_scenes[2], {}), frames, report_progress, Checking::promises);
+  results.shirts[2] = results.film;
+  results.shirts[2]->moments = {results.film->last()};
 }
 
 }  // namespace
@@ -120,7 +125,9 @@ Job job_of(Experiment experiment, Results& results) {
     case Experiment::shirt_wind_1:
       return recording_job(shirt_scenes[1], 16.0, results.shirts[1]);
     case Experiment::shirt_wind_10:
-      return recording_job(shirt_scenes[2], 26.0, results.shirts[2], strong_wind_frames);
+      return {shirt_scenes[2], 26.0, [&results](const ProgressCallback& report_progress) {
+                record_strong_wind(results, report_progress);
+              }};
     case Experiment::methods:
       return {"methods", 0.3,
               [&results](const ProgressCallback& report_progress) { run_methods(results, report_progress); }};

@@ -83,6 +83,7 @@ struct Results {
   std::optional<StepRecording> fall;
   std::array<std::optional<Recording>, 2> pinned;  ///< of pinned_scenes
   std::array<std::optional<Recording>, 3> shirts;  ///< of shirt_scenes
+  std::optional<Recording> film;   ///< the last of `shirts` with all frames from film_first_frame on
   std::vector<MethodRun> methods;  ///< compared_methods with the short step, then with the long step
   /// Ideal springs with the short step, one run for each of stiffness_factors.
   std::vector<MethodRun> ideal_stiffnesses;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/drawing/offscreen_renderer.hpp"
+#include "app/figures/experiments/recording.hpp"
+#include "renderer/page/image.hpp"
+
+namespace taut::app {
+
+/// Times as long as it took that a film shows what happened.
+inline constexpr double film_slowness = 2.0;
+
+/// The moments of a film that starts again at its end: at least `fewest`, or all if there are no more. They
+/// are chosen so that the moment after the last is most like the first. The moments must have the same time
+/// between them.
+std::span<const Moment> find_loop(std::span<const Moment> moments, std::size_t fewest);
+
+/// Pictures of a film of about two seconds, made of the recording. Throws renderer::ContextError.
+std::vector<renderer::Image> draw_film(const Recording& recording, OffscreenRenderer& offscreen);
+
+/// Writes the pictures as MP4 and returns the bytes of the file. Without a working ffmpeg it warns and
+/// returns an empty text.
+std::string write_film(const std::filesystem::path& file, std::span<const renderer::Image> pictures,
+                       double frame_rate_hz);
+
+}  // namespace taut::app

@@ -19,6 +19,15 @@ void add_box(const renderer::Box& box, std::vector<glm::vec3>& points) {
   }
 }
 
+// The legend is at the left; as much stays free at the right, which keeps the garment in the middle.
+float aspect_beside_legend(const PictureStyle& style) {
+  constexpr float legend_share = 0.23F;  // of the picture's height
+  constexpr float narrowest = 0.4F;
+  const float aspect = aspect_of(style.settings);
+  const bool has_legend = style.surface == SurfaceLook::stretch && style.legend;
+  return has_legend ? std::max(aspect - 2.0F * legend_share, std::min(aspect, narrowest)) : aspect;
+}
+
 }  // namespace
 
 bool is_fitted(const DrawnScene& scene) {
@@ -29,7 +38,7 @@ FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
     : scene_(scene),
       garment_(garment),
       framing_(framing_of(scene, renderer::bounding_box(to_float(garment.mesh.positions)))),
-      aspect_(aspect_of(scene.picture.settings)) {}
+      aspect_(aspect_beside_legend(scene.picture)) {}
 
 void FittedView::add(std::span<const sim::Vec3> positions, double time_s) {
   std::vector<glm::vec3> points = to_float({positions.begin(), positions.end()});

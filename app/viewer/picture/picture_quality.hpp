@@ -14,7 +14,7 @@ struct PictureQuality {
   int sky_directions = 24;   ///< directions in which shadow from the sky is computed; 0: none
   int shading_px = 1;        ///< shading is computed once per square of this side
   /// As of GarmentPainter::look_from: the simulated edges of a T-shirt are 7 in a small window.
-  float shortest_edge_px = 5.0F;
+  float shortest_edge_px = 8.0F;
   double cost = 1.0;  ///< of a whole frame, relative to the cheapest quality
 
   bool operator==(const PictureQuality&) const = default;
@@ -22,8 +22,8 @@ struct PictureQuality {
 
 /// From best to cheapest. First the sky's shadow and the size of the shadow map are reduced, then samples,
 /// then the resolution of shading.
-inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 16, 24, 1, 5, 2.9},
-                                                                     {4, 1024, 16, 12, 1, 5, 2.6},
+inline constexpr std::array<PictureQuality, 6> picture_qualities = {{{4, 2048, 16, 24, 1, 8, 2.9},
+                                                                     {4, 1024, 16, 12, 1, 8, 2.6},
                                                                      {1, 1024, 8, 6, 1, 12, 1.5},
                                                                      {1, 512, 6, 6, 2, 24, 1.2},
                                                                      {1, 256, 6, 4, 2, 24, 1.1},

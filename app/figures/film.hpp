@@ -11,7 +11,7 @@
 
 namespace taut::app {
 
-/// Times as long as it took that a film shows what happened.
+/// Times as long as it took that a film shows what happened. The caption in the report says so in words.
 inline constexpr double film_slowness = 2.0;
 
 /// The moments of a film that starts again at its end: at least `fewest`, or all if there are no more. They

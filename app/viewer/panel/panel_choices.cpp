@@ -60,7 +60,7 @@ void lay_out_garment_list(ViewerState& state) {
 
 void lay_out_fabric_list(ViewerState& state) {
   const std::string name = std::filesystem::path(state.scene.fabric).stem().string();
-  if (begin_list("fabric", name.c_str())) {
+  if (begin_list("fabric", name.empty() ? "as in the scene" : name.c_str())) {
     for (const Choice& fabric : state.fabrics) {
       if (ImGui::Selectable(fabric.name.c_str(), fabric.name == name)) {
         state.fabric_asked = fabric.name;

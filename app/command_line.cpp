@@ -58,7 +58,9 @@ void add_key_flag(CLI::App& command, std::vector<Override>& overrides, const std
       meaning);
 }
 
-void add_set(CLI::App& command, std::vector<Override>& overrides, const std::string& meaning) {
+/// To be added last: it is stronger than options that stand for keys.
+void add_set(CLI::App& command, std::vector<Override>& overrides) {
+  const std::string meaning = "KEY=VALUE, any key of the scene; can be repeated (taut help scene)";
   const auto set = [&overrides](const std::vector<std::string>& texts) {
     std::transform(texts.begin(), texts.end(), std::back_inserter(overrides), parse_override);
   };
@@ -123,7 +125,6 @@ void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) 
   add_fabric(command, overrides);
   add_untangle(command, overrides);
   add_body(command, overrides);
-  add_set(command, overrides, "KEY=VALUE, any key of the scene; can be repeated (taut help scene)");
 }
 
 // What render and simulate take.
@@ -198,6 +199,7 @@ std::function<Command()> add_render(CLI::App& app) {
           "samples in a pixel, 1 to 16 (default 4)");
   add_key(*command, options->overrides, "--supersampling", "picture.supersampling",
           "draw N times as wide and high and average, 1 to 8 (default 1)");
+  add_set(*command, options->overrides);
   add_backend(*command, options->backend);
   command->footer(
       "Examples:\n  taut render tshirt-wind-10\n"
@@ -213,6 +215,7 @@ std::function<Command()> add_simulate(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("simulate", "Simulate a scene without drawing and print measurements");
   add_scene_arguments(*command, *options, scene_help_text);
+  add_set(*command, options->overrides);
   command->add_option("--frames", options->frames,
                       std::string("frames to print and to export, simulated up to the last of them: ") +
                           frame_range_help + " (default: 1:)");
@@ -256,7 +259,7 @@ std::function<Command()> add_view(CLI::App& app) {
   add_wind(*command, options->overrides);
   add_side(*command, options->overrides);
   add_texture(*command, options->overrides);
-  add_set(*command, options->overrides, "KEY=VALUE, any key of the scene; can be repeated");
+  add_set(*command, options->overrides);
   command->add_option_function<std::string>(
       "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); },
       std::string("of the window: ") + size_help);
@@ -282,6 +285,7 @@ std::function<Command()> add_inspect(CLI::App& app) {
                       "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, 3MF, ...; without one, the "
                       "body is inspected");
   add_garment_arguments(*command, options->overrides);
+  add_set(*command, options->overrides);
   command->add_flag("--json", options->json, "for programs");
   command->add_option(
       "--picture", options->picture,
@@ -300,6 +304,7 @@ std::function<Command()> add_fit(CLI::App& app) {
   command->add_option("GARMENT", options->scene, "a garment file, or a scene in which a body is dressed")
       ->required();
   add_garment_arguments(*command, options->overrides);
+  add_set(*command, options->overrides);
   command->add_option("--output", options->output,
                       "PNG file: front and back, coloured by stretch, and a table (default GARMENT-fit.png)");
   command->add_option("--frames", options->frames, "at most so many frames after it was put on")

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "sim/mesh/elementary.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -39,15 +41,15 @@ void add_circle(double radius_m, double edge_m, Random& random, Points& points) 
   const double count = std::round(2.0 * std::numbers::pi * radius_m / edge_m);
   const double first = random.between(0.0, 1.0);
   for (double k = 0.0; k < count; k += 1.0) {
-    const double angle = 2.0 * std::numbers::pi * (k + first) / count;
-    points.push_back({radius_m * std::cos(angle), radius_m * std::sin(angle)});
+    const double turns = (k + first) / count;
+    points.push_back({radius_m * sim::cosine_of_turns(turns), radius_m * sim::sine_of_turns(turns)});
   }
 }
 
 /// Even triangles, turned and shaken.
 void add_lattice(double inner_m, double radius_m, double edge_m, Random& random, Points& points) {
-  const double turn = random.between(0.0, 2.0 * std::numbers::pi);
-  const glm::dvec2 along{std::cos(turn), std::sin(turn)};
+  const double turns = random.between(0.0, 1.0);
+  const glm::dvec2 along{sim::cosine_of_turns(turns), sim::sine_of_turns(turns)};
   const glm::dvec2 across{-along.y, along.x};
   const int most = static_cast<int>(std::ceil(1.2 * radius_m / edge_m)) + 1;
   for (int row = -most; row <= most; ++row) {

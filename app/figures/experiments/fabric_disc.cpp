@@ -130,7 +130,10 @@ sim::Mesh make_disc(double inner_radius_m, double radius_m, const DiscMesh& mesh
     disc.positions.push_back({p.x, 0.0, -p.y});
   }
   for (glm::dvec2& p : points) {
-    p += mesh.edge_m * glm::dvec2(random.between(-aside, aside), random.between(-aside, aside));
+    // Compilers choose the order of a call's arguments.
+    const double up = random.between(-aside, aside);
+    const double right = random.between(-aside, aside);
+    p += mesh.edge_m * glm::dvec2(right, up);
   }
   disc.triangles = triangulated(std::move(points), radius_m);
   return disc;

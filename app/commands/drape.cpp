@@ -45,10 +45,9 @@ std::string verdict(const DrapedFabric& draped) {
 void print_table(const std::vector<DrapedFabric>& fabrics) {
   fmt::print("{:<10} {:>7} {:>6} {:>7} {:>10}\n", "", "drape %", "+-", "folds", "published");
   for (const DrapedFabric& draped : fabrics) {
-    const auto& band = draped.fabric.published_drape_percent;
     fmt::print("{:<10} {:>7.1f} {:>6.1f} {:>7} {:>10}  {}\n", draped.fabric.name, draped.mean_percent(),
-               draped.spread_percent(), draped.folds(),
-               band ? fmt::format("{:.0f}-{:.0f}", (*band)[0], (*band)[1]) : "", verdict(draped));
+               draped.spread_percent(), draped.folds(), draped.fabric.published_drape_text(),
+               verdict(draped));
   }
 }
 

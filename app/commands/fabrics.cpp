@@ -20,11 +20,6 @@ constexpr const char* pictured_scene = "tshirt-wind-1";
 constexpr std::array pictured = {"silk", "jersey", "cotton", "wool", "linen", "denim"};
 constexpr int pictured_frame = 150;
 
-std::string drape_text(const Fabric& fabric) {
-  const auto& band = fabric.published_drape_percent;
-  return band ? fmt::format("{:.0f}-{:.0f}", (*band)[0], (*band)[1]) : "";
-}
-
 void print_table(const std::vector<std::string>& names) {
   fmt::print("{:<8} {:>6} {:>6} {:>8} {:>6}\n{:<8} {:>6} {:>6} {:>8} {:>6}\n", "", "weight", "thick",
              "bending", "drape", "", "g/m2", "mm", "uN m", "%");
@@ -32,7 +27,7 @@ void print_table(const std::vector<std::string>& names) {
     const sim::Material material = made_of({}, name).material;
     const Fabric fabric = find_fabric(name);
     fmt::print("{:<8} {:>6.0f} {:>6.2f} {:>8.3g} {:>6}  {}\n", name, 1e3 * material.areal_density_kg_per_m2,
-               1e3 * material.thickness_m, 1e6 * material.bending_rigidity_n_m, drape_text(fabric),
+               1e3 * material.thickness_m, 1e6 * material.bending_rigidity_n_m, fabric.published_drape_text(),
                fabric.title);
   }
 }

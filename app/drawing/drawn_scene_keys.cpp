@@ -46,7 +46,9 @@ void add_camera(Keys& keys) {
 void add_cloth(Keys& keys) {
   keys.push_back(colour_key<DrawnScene>("picture.outside_colour", MEMBER(picture.cloth.outside_colour),
                                         "of the cloth's outside"));
-  keys.push_back(inside_colour_key());
+  keys.push_back(
+      colour_key<DrawnScene>("picture.inside_colour", MEMBER(picture.cloth.inside_colour),
+                             "of the cloth's inside; not set: a paler and greyer shade of its outside"));
   constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
   keys.push_back(number("picture.roughness", "", {0.05, 1.0}, MEMBER(picture.cloth.roughness),
                         "of the cloth: from glossy to matt"));

@@ -119,26 +119,6 @@ Key<DrawnScene> ground_key() {
           write_ground};
 }
 
-Key<DrawnScene> inside_colour_key() {
-  auto read = [](const toml::node& value, const Source&, DrawnScene& scene) {
-    const auto colour = colour_value(value);
-    if (colour) {
-      scene.picture.cloth.inside_colour.emplace((*colour)[0], (*colour)[1], (*colour)[2]);
-    }
-    return colour.has_value();
-  };
-  auto write = [](const DrawnScene& scene) {
-    const auto& colour = scene.picture.cloth.inside_colour;
-    return colour ? Json(colour_text({colour->x, colour->y, colour->z})) : Json();
-  };
-  return {"picture.inside_colour",
-          "",
-          "a colour, \"#rrggbb\" or a name such as \"navy\"",
-          "of the cloth's inside; not set: a paler and greyer shade of its outside",
-          read,
-          write};
-}
-
 Key<DrawnScene> background_key() {
   auto read = [](const toml::node& value, const Source&, DrawnScene& scene) {
     Background& background = scene.picture.background;
@@ -149,14 +129,14 @@ Key<DrawnScene> background_key() {
     }
     const auto colour = colour_value(value);
     if (colour) {
-      background = {BackgroundKind::colour, {(*colour)[0], (*colour)[1], (*colour)[2]}};
+      background = {BackgroundKind::colour, *colour};
     }
     return colour.has_value();
   };
   auto write = [](const DrawnScene& scene) -> Json {
     const Background& background = scene.picture.background;
     if (background.kind == BackgroundKind::colour) {
-      return colour_text({background.colour.r, background.colour.g, background.colour.b});
+      return colour_text(background.colour);
     }
     return background.kind == BackgroundKind::transparent ? "none" : "studio";
   };

@@ -13,7 +13,6 @@ Key<DrawnScene> camera_target_key();
 Key<DrawnScene> ground_key();
 Key<DrawnScene> background_key();
 Key<DrawnScene> spring_patch_key();
-Key<DrawnScene> inside_colour_key();
 Key<DrawnScene> stretch_range_key();
 Key<DrawnScene> texture_key();
 

@@ -40,8 +40,8 @@ FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
       framing_(framing_of(scene, renderer::bounding_box(to_float(garment.mesh.positions)))),
       aspect_(aspect_beside_legend(scene.picture)) {}
 
-void FittedView::add(std::span<const sim::Vec3> positions, double time_s) {
-  std::vector<glm::vec3> points = to_float({positions.begin(), positions.end()});
+void FittedView::add(const std::vector<sim::Vec3>& positions, double time_s) {
+  std::vector<glm::vec3> points = to_float(positions);
   for (const sim::Body& body : scene_.surroundings.bodies) {
     if (const std::optional<renderer::Box> box = box_of(body, time_s)) {
       add_box(*box, points);
@@ -64,8 +64,8 @@ void FittedView::place_camera(DrawnScene& scene) const {
   }
   std::vector<glm::vec3> points = outermost_;
   if (scene_.picture.show_wind) {
-    const std::vector<glm::vec3> arrows = wind_arrows(
-        scene_.surroundings.forces.wind, renderer::bounding_box(to_float(garment_.mesh.positions)));
+    const std::vector<glm::vec3> arrows =
+        wind_arrows(scene_.surroundings.forces.wind, garment_.mesh.positions);
     points.insert(points.end(), arrows.begin(), arrows.end());
   }
   const renderer::Camera camera = renderer::fit_camera_to_points(points, framing_, aspect_);

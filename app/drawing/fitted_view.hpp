@@ -20,7 +20,7 @@ class FittedView {
   FittedView(const DrawnScene& scene, const sim::Garment& garment);
 
   /// Adds the garment at these positions, in metres, and the bodies at this time.
-  void add(std::span<const sim::Vec3> positions, double time_s);
+  void add(const std::vector<sim::Vec3>& positions, double time_s);
 
   /// Sets camera.eye and camera.target, and picture.ground where it is automatic and no level plane is there:
   /// the same scene then draws the same pictures, alone or in another range of frames. Changes nothing if

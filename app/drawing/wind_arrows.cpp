@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/drawing/framing.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -21,7 +23,7 @@ constexpr float head_width = 0.4F;
 
 }  // namespace
 
-std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const renderer::Box& around) {
+std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions) {
   std::vector<glm::vec3> lines;
   const auto speed = static_cast<float>(wind.speed_m_per_s);
   if (speed <= 0.0F) {
@@ -31,6 +33,7 @@ std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const renderer::Box& a
   const glm::vec3 up_ish = std::abs(along.y) < 0.9F ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
   const glm::vec3 right = glm::normalize(glm::cross(along, up_ish));
   const glm::vec3 up = glm::cross(right, along);
+  const renderer::Box around = renderer::bounding_box(to_float(positions));
   const glm::vec3 middle = 0.5F * (around.lower + around.upper);
   const glm::vec3 half = 0.5F * (around.upper - around.lower);
   const float radius = glm::length(half);

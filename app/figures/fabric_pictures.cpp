@@ -32,10 +32,9 @@ Recording seen_from_above(const DrapedFabric& draped) {
 }
 
 std::string measured_text(const DrapedFabric& draped) {
-  const auto& band = draped.fabric.published_drape_percent;
+  const std::string published = draped.fabric.published_drape_text();
   return fmt::format("{:.0f} ± {:.0f} %{}; {} folds", draped.mean_percent(), draped.spread_percent(),
-                     band ? fmt::format(", published {:.0f}-{:.0f} %", (*band)[0], (*band)[1]) : "",
-                     draped.folds());
+                     published.empty() ? "" : ", published " + published + " %", draped.folds());
 }
 
 /// Pictures of all last moments with the captions below.

@@ -60,9 +60,8 @@ renderer::Camera camera_for(std::span<const PrintedMoment> moments, const Pictur
   const glm::vec3 towards_light = renderer::studio_lighting(scene_camera(scene, reach, aspect)).towards_key;
   std::vector<glm::vec3> points;
   for (const PrintedMoment& moment : moments) {
-    const std::vector<glm::vec3> arrows =
-        wind_arrows(moment.recording->scene.surroundings.forces.wind,
-                    renderer::bounding_box(to_float(moment.recording->garment->mesh.positions)));
+    const std::vector<glm::vec3> arrows = wind_arrows(moment.recording->scene.surroundings.forces.wind,
+                                                      moment.recording->garment->mesh.positions);
     points.insert(points.end(), arrows.begin(), arrows.end());
     add_points(moment, towards_light, ground_height(scene, reach), points);
   }

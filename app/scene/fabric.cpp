@@ -1,5 +1,7 @@
 #include "app/scene/fabric.hpp"
 
+#include <fmt/core.h>
+
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/scene/scene_lookup.hpp"
@@ -54,6 +56,11 @@ std::vector<Key<Fabric>> own_keys() {
 }
 
 }  // namespace
+
+std::string Fabric::published_drape_text() const {
+  const auto& band = published_drape_percent;
+  return band ? fmt::format("{:.0f}-{:.0f}", (*band)[0], (*band)[1]) : "";
+}
 
 std::vector<std::string> built_in_fabrics() {
   std::vector<std::string> names;

@@ -19,6 +19,8 @@ struct Fabric {
   std::string title;  ///< what it is
   /// Drape coefficients that are published of such fabrics, from and to, in percent; empty: none are known.
   std::optional<std::array<double, 2>> published_drape_percent;
+  /// The same for people, "60-76", or empty.
+  std::string published_drape_text() const;
   toml::table keys;  ///< of scenes, nested as in a scene file; some of is_fabric_key()
 };
 

@@ -77,7 +77,7 @@ std::optional<std::array<double, 3>> three_numbers(const toml::node& value) {
   return numbers;
 }
 
-std::optional<std::array<float, 3>> colour_value(const toml::node& value) {
+std::optional<glm::vec3> colour_value(const toml::node& value) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::optional<std::string> text = text_in(value);
   const auto* const named =
@@ -89,21 +89,21 @@ std::optional<std::array<float, 3>> colour_value(const toml::node& value) {
   if (!text || text->size() != 7 || text->front() != '#') {
     return std::nullopt;
   }
-  std::array<float, 3> colour{};
+  glm::vec3 colour(0.0F);
   for (std::size_t i = 0; i < 6; ++i) {
     const char lower = static_cast<char>((*text)[i + 1] | 0x20);
     const std::size_t digit = digits.find(lower);
     if (digit == std::string_view::npos || ((*text)[i + 1] < '0')) {
       return std::nullopt;
     }
-    colour[i / 2] += static_cast<float>(digit * (i % 2 == 0 ? 16 : 1)) / 255.0F;
+    colour[static_cast<int>(i / 2)] += static_cast<float>(digit * (i % 2 == 0 ? 16 : 1)) / 255.0F;
   }
   return colour;
 }
 
-std::string colour_text(const std::array<float, 3>& colour) {
+std::string colour_text(const glm::vec3& colour) {
   std::string text = "#";
-  for (const float channel : colour) {
+  for (const float channel : {colour.r, colour.g, colour.b}) {
     text += fmt::format("{:02x}", static_cast<int>(std::lround(std::clamp(channel, 0.0F, 1.0F) * 255.0F)));
   }
   return text;

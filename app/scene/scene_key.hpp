@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
 #include <string>
@@ -48,9 +49,10 @@ std::optional<double> finite_number(const toml::node& value);
 std::optional<std::int64_t> whole_number(const toml::node& value);
 std::optional<std::array<double, 3>> three_numbers(const toml::node& value);
 
-/// Red, green and blue, 0 to 1, of a text "#rrggbb"; empty for anything else.
-std::optional<std::array<float, 3>> colour_value(const toml::node& value);
-std::string colour_text(const std::array<float, 3>& colour);
+/// Red, green and blue, 0 to 1, of a text "#rrggbb" or the name of a colour; empty for anything else.
+std::optional<glm::vec3> colour_value(const toml::node& value);
+/// The colour as "#rrggbb".
+std::string colour_text(const glm::vec3& colour);
 
 /// `access` of a key: the member, in a const T or not.
 #define MEMBER(path)     \
@@ -166,20 +168,18 @@ Key<T> vector_key(std::string name, std::string unit, Access access, std::string
   return {std::move(name), std::move(unit), describe(limits), std::move(meaning), read, write};
 }
 
+/// The member is a colour, or an optional one.
 template <class T, class Access>
 Key<T> colour_key(std::string name, Access access, std::string meaning) {
   auto read = [=](const toml::node& value, const Source&, T& target) {
-    const auto colour = colour_value(value);
-    if (colour) {
-      access(target) = {(*colour)[0], (*colour)[1], (*colour)[2]};
-    }
-    return colour.has_value();
+    return store(colour_value(value), access(target));
   };
   auto write = [=](const T& source) {
-    const auto& colour = access(source);
-    return colour_text({colour.x, colour.y, colour.z});
+    const std::optional<glm::vec3> colour = access(source);
+    return colour ? Json(colour_text(*colour)) : Json();
   };
-  return {std::move(name), "", "a colour, \"#rrggbb\" or a name such as \"navy\"", std::move(meaning), read, write};
+  return {std::move(name),    "",   "a colour, \"#rrggbb\" or a name such as \"navy\"",
+          std::move(meaning), read, write};
 }
 
 /// The choices by their names, for choice_key.

@@ -90,7 +90,7 @@ class Front {
         found_(positions.size()),
         neighbours_(positions.size(), [&](auto add) {
           for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-            const std::uint32_t next = triangles[i % 3 == 2 ? i - 2 : i + 1];
+            const std::uint32_t next = triangles[next_corner(i)];
             add(triangles[i], next);
             add(next, triangles[i]);
           }

@@ -138,7 +138,7 @@ TEST(DrawingQuality, CostsMoreForPrintAndLessForADraft) {
 }
 
 TEST(WindArrows, ComeFromWhereItBlowsAndGrowWithIt) {
-  const renderer::Box box{{-1, -1, -1}, {1, 1, 1}};
+  const std::vector<sim::Vec3> box{{-1, -1, -1}, {1, 1, 1}};
   sim::Wind wind;
   wind.direction = {2, 0, 0};
   wind.speed_m_per_s = 0.0;

@@ -171,6 +171,10 @@ void show_frame(Progress& progress, const std::string& done, const FrameRecord& 
                             100.0 * record.surface_stretch.max));
 }
 
+[[noreturn]] void fail_to_resume(const std::string& obstacle) {
+  throw InputError("cannot resume: " + obstacle + "; remove it, or run without --resume");
+}
+
 // Why the picture cannot be this frame of the scene; empty: it can.
 std::string obstacle_to_resuming(const std::filesystem::path& file, int frame, const PictureOrigin& origin) {
   try {
@@ -197,7 +201,7 @@ std::vector<int> frames_left(const RenderJob& job, const PictureOutput& output, 
     }
     const std::string obstacle = obstacle_to_resuming(file, frame, origin);
     if (!obstacle.empty()) {
-      throw InputError("cannot resume: " + obstacle + "; remove it, or run without --resume");
+      fail_to_resume(obstacle);
     }
   }
   return left;
@@ -209,10 +213,15 @@ void take_camera_of_existing(RenderJob& job, const PictureOutput& output) {
   const auto there = std::find_if(job.frames.begin(), job.frames.end(), [&](int frame) {
     return std::filesystem::exists(output.path_of(frame), error);
   });
-  if (there != job.frames.end() && is_fitted(job.scene)) {
+  if (there == job.frames.end() || !is_fitted(job.scene)) {
+    return;
+  }
+  try {
     const DrawnScene made = read_picture_record(output.path_of(*there), {}).scene;
     job.scene.camera = made.camera;
     job.scene.picture.ground = made.picture.ground;
+  } catch (const InputError& unreadable) {
+    fail_to_resume(unreadable.what());
   }
 }
 

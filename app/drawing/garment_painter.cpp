@@ -35,16 +35,6 @@ float line_width_px(const renderer::PictureSettings& settings) {
   return std::max(1.0F, static_cast<float>(settings.height_px) / full_line_height_px);
 }
 
-// Half of what is kept between layers of cloth stays theirs. Where nothing is kept apart, folds are as round
-// as the mesh says.
-float most_bulge_m(const DrawnScene& scene, const sim::Garment& garment, float edge_m) {
-  const SolverChoice& solver = scene.simulation.solver;
-  const bool kept_apart = solver.kind == sim::SolverKind::bounded && solver.bounded.contact;
-  return kept_apart || !scene.surroundings.bodies.empty()
-             ? 0.45F * static_cast<float>(garment.material.thickness_m)
-             : 0.1F * edge_m;
-}
-
 PictureStyle drawn_style(PictureStyle style) {
   style.settings = settings_of(style);
   return style;
@@ -128,6 +118,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       pins_(pins.begin(), pins.end()),
       colours_(std::move(colours)),
       surface_(garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
+      rooms_(scene, garment, surface_.edge_m()),
       structural_edges_(structural_edges(garment.springs)),
       line_width_px_(line_width_px(style_.settings)),
       spring_lines_(garment, style_.springs, spring_width * line_width_px_),
@@ -135,7 +126,7 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       bodies_move_(std::any_of(bodies_.begin(), bodies_.end(),
                                [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })) {
   const renderer::Box reach = expected_reach(scene, garment, pins);
-  surface_.limit_bulge(most_bulge_m(scene, garment, surface_.edge_m()));
+  surface_.set_freedom(rooms_.freedom());
   camera_ = scene_camera(scene, reach, aspect_of(style_.settings));
   look_from(camera_, shortest_edge_px(style_));
   if (scene.camera.follow) {
@@ -232,7 +223,8 @@ renderer::SurfaceView GarmentPainter::garment_view() {
 
 const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
   positions_ = to_float(positions);
-  surface_.place(positions_);
+  surface_.place(positions_,
+                 surface_.is_refined() ? rooms_.find(positions, time_s) : std::span<const float>());
   if (style_.surface == SurfaceLook::stretch) {
     const std::vector<double> stretch = style_.stretch_of == StretchOf::surface
                                             ? sim::vertex_surface_stretch(measured_, positions)

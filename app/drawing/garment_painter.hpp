@@ -8,6 +8,7 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/garment_surface.hpp"
 #include "app/drawing/spring_lines.hpp"
+#include "app/drawing/surface_rooms.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"
 #include "renderer/page/legend.hpp"
@@ -56,6 +57,7 @@ class GarmentPainter {
   std::vector<sim::Index> pins_;
   DrawnColours colours_;
   GarmentSurface surface_;
+  SurfaceRooms rooms_;
   std::vector<std::uint32_t> structural_edges_;
   float line_width_px_;
   SpringLines spring_lines_;

@@ -49,7 +49,7 @@ void GarmentSurface::set_detail(float pixels_per_m, std::optional<float> shortes
 }
 
 void GarmentSurface::make() {
-  surface_.emplace(rest_positions_, triangles_, detail_.levels, most_bulge_m_,
+  surface_.emplace(rest_positions_, triangles_, detail_.levels, freedom_,
                    detail_.rim ? sewing_.rim_radius_m : 0.0F);
   surface_->place(rest_positions_);
   material_coordinates_ = surface_->positions();
@@ -90,8 +90,8 @@ std::vector<glm::vec2> GarmentSurface::fine_corner_coordinates() const {
   return fine;
 }
 
-void GarmentSurface::place(std::span<const glm::vec3> positions) {
-  surface_->place(positions);
+void GarmentSurface::place(std::span<const glm::vec3> positions, std::span<const float> rooms_m) {
+  surface_->place(positions, rooms_m);
 }
 
 renderer::SurfaceView GarmentSurface::view() const {

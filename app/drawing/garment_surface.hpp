@@ -20,7 +20,7 @@ class GarmentSurface {
  public:
   /// corner_coordinates: three per triangle or none; colour_of_triangle: one per triangle or none. Both are
   /// those of renderer::SurfaceView, of the simulated triangles. Where corner_coordinates differ across an
-  /// edge is a seam.
+  /// edge is a seam, and the weave runs along them.
   explicit GarmentSurface(const sim::Garment& garment, std::vector<glm::vec2> corner_coordinates = {},
                           std::vector<std::uint32_t> colour_of_triangle = {});
 
@@ -54,11 +54,12 @@ class GarmentSurface {
     bool operator==(const Detail&) const = default;
   };
   void make();
-  std::vector<glm::vec2> fine_corner_coordinates() const;
+  std::vector<glm::vec2> fine_corner_values(std::span<const glm::vec2> corners) const;
 
   std::vector<std::uint32_t> triangles_;
   std::vector<glm::vec3> rest_positions_;
   std::vector<glm::vec2> corner_coordinates_;
+  std::vector<glm::vec2> cloth_coordinates_;
   std::vector<std::uint32_t> colour_of_triangle_;
   float edge_m_;
   renderer::SurfaceFreedom freedom_;

@@ -70,8 +70,35 @@ SmoothSurface::SmoothSurface(std::span<const glm::vec3> rest_positions,
   }
   positions_.resize(mesh_.coarse_vertex_count() + parents_.size());
   normals_.resize(positions_.size());
+  first_parted_ = positions_.size();
   rooms_.resize(mesh_.vertex_count());
   find_neighbours(rest_positions);
+}
+
+std::vector<glm::vec2> SmoothSurface::part_vertices(std::span<const glm::vec2> corners) {
+  assert(corners.size() == triangles_.size() && first_parted_ == positions_.size());
+  constexpr std::uint32_t none = ~0U;
+  std::vector<glm::vec2> values(positions_.size(), glm::vec2{0.0F});
+  std::vector<std::uint8_t> has_value(positions_.size(), 0);
+  std::vector<std::uint32_t> others(positions_.size(), none);  // the next vertex at the same place
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const std::uint32_t first = triangles_[i];
+    std::uint32_t own = first;
+    while (has_value[own] != 0 && values[own] != corners[i] && others[own] != none) own = others[own];
+    if (has_value[own] != 0 && values[own] != corners[i]) {
+      own = others[own] = static_cast<std::uint32_t>(values.size());
+      values.emplace_back();
+      has_value.push_back(0);
+      others.push_back(none);
+      parents_.push_back({first, first});
+    }
+    values[own] = corners[i];
+    has_value[own] = 1;
+    triangles_[i] = own;
+  }
+  positions_.resize(values.size());
+  normals_.resize(values.size());
+  return values;
 }
 
 // Those of a border are along it. Its corners, and where borders meet, have none and stay.
@@ -127,6 +154,11 @@ void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span
   vertex_normals(coarse, coarse_triangles_, std::span(normals_).first(count));
   for (const RefinedMesh::Level& level : mesh_.levels()) place(level);
   if (rim_) rim_->place(positions_, normals_);
+  for (std::size_t v = first_parted_; v < positions_.size(); ++v) {
+    const std::uint32_t first = parents_[v - count][0];
+    positions_[v] = positions_[first];
+    normals_[v] = normals_[first];
+  }
 }
 
 void SmoothSurface::place(const RefinedMesh::Level& level) {

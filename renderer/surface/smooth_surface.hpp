@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
 
@@ -29,20 +30,26 @@ class SmoothSurface {
   SmoothSurface(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
                 int levels, const SurfaceFreedom& freedom, float rim_radius = 0.0F);
 
+  /// Gives corners with another value than the first of their vertex a vertex of their own at the same place,
+  /// once. `corners`: one for each of triangles(). Returns the value of each vertex.
+  std::vector<glm::vec2> part_vertices(std::span<const glm::vec2> corners);
+
   /// Without the rim.
   const RefinedMesh& mesh() const { return mesh_; }
   /// Those of mesh() and then those of the rim, three vertices each.
   const std::vector<std::uint32_t>& triangles() const { return triangles_; }
   /// For each triangle, the coarse one it lies in or, of the rim, at whose border it is.
   const std::vector<std::uint32_t>& parent_triangles() const { return parent_triangles_; }
-  /// For each vertex that was added, in this order, two that come before it, of the rim twice the same.
+  /// For each vertex that was added, in this order, two that come before it; of the rim, and of those that
+  /// part_vertices() added, twice the same.
   const std::vector<VertexPair>& parents() const { return parents_; }
 
   /// Fills positions and normals for coarse vertices at these positions, one for each. `rooms`: how far the
   /// surface may leave the triangles around each, in fairing and bulge together; none: as far as it is free.
   /// Layers do not meet that are at each vertex more than twice its room apart.
   void place(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms = {});
-  /// One for each vertex of mesh() and then of the rim; the normals have unit length.
+  /// One for each vertex of mesh(), then of the rim and then of part_vertices(); the normals have unit
+  /// length.
   const std::vector<glm::vec3>& positions() const { return positions_; }
   const std::vector<glm::vec3>& normals() const { return normals_; }
 
@@ -60,6 +67,7 @@ class SmoothSurface {
   std::vector<std::uint32_t> triangles_;
   std::vector<std::uint32_t> parent_triangles_;
   std::vector<VertexPair> parents_;
+  std::size_t first_parted_ = 0;  // of positions_
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
   std::vector<float> rooms_;               // of each vertex of mesh_, what is left of it

@@ -68,14 +68,13 @@ std::span<const float> SurfaceRooms::find(const std::vector<sim::Vec3>& position
   }
   const double size_m = glm::length(sim::extent_of(positions).size());
   if (!(size_m < largest_m)) {
-    rooms_m_.assign(garment_vertices_, 0.0F);
+    rooms_m_.assign(positions_m_.size(), 0.0F);
     return rooms_m_;
   }
   positions_m_.assign(positions.begin(), positions.end());
   append_mesh_positions(bodies_, time_s, positions_m_);
   const std::span<const float> clearances_m = clearances_->find(positions_m_, most_clearance_m_);
-  rooms_m_.assign(clearances_m.begin(),
-                  clearances_m.begin() + static_cast<std::ptrdiff_t>(garment_vertices_));
+  rooms_m_.assign(clearances_m.begin(), clearances_m.end());
   keep_off_shapes(time_s);
   for (float& room_m : rooms_m_) {
     room_m *= share_of_clearance;

@@ -21,8 +21,9 @@ class SurfaceRooms {
   /// Where nothing is near.
   const renderer::SurfaceFreedom& freedom() const { return freedom_; }
 
-  /// Returns the room of each vertex of the garment at these positions, in metres: what
-  /// renderer::SmoothSurface asks for. None if nothing is kept apart. Valid until the next call.
+  /// Returns the room of each vertex of the garment at these positions, in metres, and then of all bodies
+  /// that are meshes: what renderer::SmoothSurface asks for. None if nothing is kept apart. Valid until the
+  /// next call.
   std::span<const float> find(const std::vector<sim::Vec3>& positions, double time_s);
 
  private:

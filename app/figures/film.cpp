@@ -35,9 +35,9 @@ double squared_distance(const Moment& a, const Moment& b) {
 std::span<const Moment> find_loop(std::span<const Moment> moments, std::size_t fewest) {
   std::span<const Moment> best = moments;
   double least = std::numeric_limits<double>::infinity();
-  // With moments before it to pass over into, if it can be.
-  const std::size_t earliest =
-      std::min(seam_pictures, moments.size() - std::min(moments.size(), fewest + seam_pictures));
+  // With moments before it to pass over into, where that leaves a choice.
+  const std::size_t latest = moments.size() - std::min(moments.size(), fewest + 2);
+  const std::size_t earliest = std::min(seam_pictures, latest / 2);
   for (std::size_t first = earliest; first + fewest + 1 < moments.size(); ++first) {
     for (std::size_t after = first + fewest; after + 1 < moments.size(); ++after) {
       // Of the next moments too: otherwise the cloth may turn back where the film starts again.

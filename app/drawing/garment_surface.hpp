@@ -14,7 +14,7 @@
 
 namespace taut::app {
 
-/// The surface that is drawn of a garment: finer than what is simulated, and through its vertices. All that
+/// The surface that is drawn of a garment: finer than what is simulated, and along its vertices. All that
 /// is measured stays with the simulated triangles. Its borders are as thick as cloth, with hems and seams.
 class GarmentSurface {
  public:

@@ -24,20 +24,30 @@ float wrapped(float cosine, float wrap) {
   return light * light * (1.0 - 0.5 * wrap) + light * 0.5 * wrap;
 }
 
-// GGX (Walter et al. 2007) with the visibility approximated after Kelemen and Szirmay-Kalos (2001).
-float highlight(vec3 normal, vec3 towards_light, vec3 towards_eye, float roughness) {
+// How a satin's floats shine, which lie side by side along its warp: round across it, so that light is spread by this
+// factor there, and with some of their own colour, as light goes in and out of fibres that are clear.
+const float spread_across = 3.5;
+const float satin_gloss = 3.0;
+const float satin_dyed = 0.6;
+
+// GGX (Walter et al. 2007), anisotropic as by Burley (2012), with the visibility approximated after Kelemen and
+// Szirmay-Kalos (2001). `warp`: of length 1 across the normal, or 0 where threads do not matter.
+float highlight(vec3 normal, vec3 towards_light, vec3 towards_eye, float roughness, vec3 warp) {
   vec3 halfway = normalize(towards_light + towards_eye);
-  float a2 = roughness * roughness * roughness * roughness;
+  float along = roughness * roughness;
+  float across = along * mix(1.0, spread_across, dot(warp, warp));
   float nh = max(dot(normal, halfway), 0.0);
+  float wh = dot(warp, halfway);
   float lh = max(dot(towards_light, halfway), 0.1);
-  float d = nh * nh * (a2 - 1.0) + 1.0;
-  return 0.04 * a2 / (4.0 * d * d * lh * lh);
+  float d = nh * nh + wh * wh / (along * along) + max(1.0 - nh * nh - wh * wh, 0.0) / (across * across);
+  return 0.04 / (4.0 * along * across * d * d * lh * lh);
 }
 
 struct Finish {
   float roughness;
   float sheen;
   float translucency;
+  vec3 warp;  // see highlight()
 };
 
 struct Light {
@@ -62,6 +72,10 @@ Light gathered(vec3 normal, vec3 towards_eye, float key, float open, Finish fini
   Light light;
   light.diffuse = direct + through + fill + around;
   light.fringe = rim + finish.sheen * grazing * fringe_strength * (around + fringe_key * direct + fill);
-  light.gloss = key_light * max(key_cosine, 0.0) * highlight(normal, towards_key.xyz, towards_eye, finish.roughness);
+  light.gloss = key_light * max(key_cosine, 0.0) *
+                highlight(normal, towards_key.xyz, towards_eye, finish.roughness, finish.warp);
+  // Satin shows the softer lamp too.
+  light.gloss += dot(finish.warp, finish.warp) * fill *
+                 highlight(normal, towards_fill.xyz, towards_eye, finish.roughness, finish.warp);
   return light;
 }

@@ -33,6 +33,7 @@ struct Spot {
   vec2 sky;  // x: outside, y: inside
   vec3 ab;   // sides of the triangle
   vec3 ac;
+  vec2 warp;  // along ab and ac: where the material's second coordinate grows
   mat3x2 place;  // on the triangle, and what is added to the right and upwards
 };
 
@@ -80,6 +81,8 @@ Spot spot_on(uvec3 corners, vec3 ray) {
   spot.material_across = across.x * mb.xyz + across.y * mc.xyz;
   spot.material_up = up.x * mb.xyz + up.y * mc.xyz;
   spot.sky = vec2(n.w, m.w);
+  float bb = dot(mb.xyz, mb.xyz), bc = dot(mb.xyz, mc.xyz), cc = dot(mc.xyz, mc.xyz);
+  spot.warp = vec2(cc * mb.y - bc * mc.y, bb * mc.y - bc * mb.y);
   return spot;
 }
 
@@ -126,11 +129,16 @@ vec3 shaded(int triangle, bool front, vec3 ray) {
   float found = key_visibility(spot.world, lit_side, key == 2u);
   lit = key == 2u ? found : lit;
 #endif
+  float satin = float(int(thread.x) == satin_kind && dot(spot.warp, spot.warp) > 0.0);
+  vec3 warp = spot.warp.x * spot.ab + spot.warp.y * spot.ac;
+  warp -= dot(warp, normal) * normal;
+  warp *= satin * inversesqrt(max(dot(warp, warp), 1e-30));
   Light light = gathered(normal, towards_eye, lit, front ? spot.sky.x : spot.sky.y,
-                         Finish(outside.w, inside.w, rest.x));
+                         Finish(outside.w, inside.w, rest.x, warp));
   vec3 cloth =
       base * light.diffuse * weave.brightness +
-      mix(vec3(1.0), base, fringe_dyed) * light.fringe + vec3(light.gloss);
+      mix(vec3(1.0), base, fringe_dyed) * light.fringe +
+      light.gloss * mix(vec3(1.0), satin_gloss * mix(vec3(1.0), base, satin_dyed), satin);
 #ifdef SCALARS
   // Colours that carry numbers: enough shading to see the form, little enough to look up the number.
   // A dark colour cannot show form by getting darker, so a little light from the edges is added.

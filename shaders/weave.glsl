@@ -4,6 +4,7 @@
 const float thread_contrast = 0.11;
 const float slub_contrast = 0.018;  // of uneven yarn, over a centimetre: what remains at figure scale
 // In the order of WeaveKind: knit, plain, twill, satin.
+const int satin_kind = 3;
 // Shares of what one sees of a period: columns, rows, rows of stitches between columns, squares over and under.
 const vec4 parts[4] = vec4[4](vec4(0.6, 0.0, 0.4, 0.0), vec4(0.3, 0.3, 0.0, 0.4), vec4(0.25, 0.0, 0.0, 0.0),
                               vec4(0.5, 0.0, 0.0, 0.0));

@@ -118,7 +118,7 @@ struct PictureStyle {
   renderer::PictureSettings settings;
   SurfaceLook surface = SurfaceLook::shaded;
   bool wireframe = false;  ///< the springs drawn over the surface
-  bool smooth = true;      ///< a smooth surface through the vertices instead of the simulated triangles
+  bool smooth = true;      ///< a smooth surface along the vertices instead of the simulated triangles
   StretchOf stretch_of = StretchOf::surface;
   /// Stretch at the two ends of the colours; empty: shown_stretch_range().
   std::optional<std::array<double, 2>> stretch_range;

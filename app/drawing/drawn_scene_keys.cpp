@@ -95,9 +95,9 @@ void add_picture(Keys& keys) {
       "what their colours mean: their kind, or the order in which the paper's sweep corrects them, from dark "
       "to bright"));
   keys.push_back(spring_patch_key());
-  keys.push_back(switch_key<DrawnScene>(
-      "picture.smooth", MEMBER(picture.smooth),
-      "draws a smooth surface through the simulated vertices; false: the simulated triangles"));
+  keys.push_back(switch_key<DrawnScene>("picture.smooth", MEMBER(picture.smooth),
+                                        "draws a smooth surface along the simulated vertices, at most 4 mm "
+                                        "from them; false: the simulated triangles"));
   keys.push_back(choice_key<DrawnScene>(
       "picture.stretch_of", named(all_stretch_of), MEMBER(picture.stretch_of),
       "what the colours show the stretch of: at each vertex the largest of the springs there, or of the "

@@ -9,14 +9,12 @@
 #include "app/drawing/mesh_arrays.hpp"
 #include "app/drawing/spring_colours.hpp"
 #include "app/drawing/wind_arrows.hpp"
-#include "renderer/mesh_normals.hpp"
 #include "renderer/page/canvas.hpp"
 #include "sim/measures.hpp"
 
 namespace taut::app {
 namespace {
 
-const renderer::Colour obstacle_colour = renderer::rgb(0xB9B4AC);
 const renderer::Colour outline_colour = renderer::rgb(0xC0392B);
 const renderer::Colour wind_colour = renderer::rgb(0x6B7785);
 
@@ -33,16 +31,6 @@ constexpr float spring_width = 1.2F;
 
 float line_width_px(const renderer::PictureSettings& settings) {
   return std::max(1.0F, static_cast<float>(settings.height_px) / full_line_height_px);
-}
-
-// Half of what is kept between layers of cloth stays theirs. Where nothing is kept apart, folds are as round
-// as the mesh says.
-float most_bulge_m(const DrawnScene& scene, const sim::Garment& garment, float edge_m) {
-  const SolverChoice& solver = scene.simulation.solver;
-  const bool kept_apart = solver.kind == sim::SolverKind::bounded && solver.bounded.contact;
-  return kept_apart || !scene.surroundings.bodies.empty()
-             ? 0.45F * static_cast<float>(garment.material.thickness_m)
-             : 0.1F * edge_m;
 }
 
 PictureStyle drawn_style(PictureStyle style) {
@@ -84,34 +72,6 @@ sim::Garment part_measured(const sim::Garment& garment, const PictureStyle& styl
   return part;
 }
 
-// A capsule whose radius changes is drawn as the balls at its ends and the larger of them between.
-struct ObstacleMaker {
-  const sim::Body& body;
-  double time_s;
-  std::vector<renderer::TriangleMesh>& meshes;
-
-  void operator()(const sim::Plane&) const {}
-  void operator()(const sim::BodyMesh& mesh) const {
-    renderer::TriangleMesh& drawn = meshes.emplace_back();
-    drawn.positions = mesh_positions(body, time_s);
-    drawn.triangles = flat(mesh.data->triangles);
-    drawn.normals.resize(drawn.positions.size());
-    renderer::vertex_normals(drawn.positions, drawn.triangles, drawn.normals);
-  }
-  void operator()(const sim::Sphere& ball) const {
-    meshes.push_back(renderer::make_sphere(glm::vec3(ball.centre_m), static_cast<float>(ball.radius_m)));
-  }
-  void operator()(const sim::Capsule& limb) const {
-    meshes.push_back(
-        renderer::make_capsule(glm::vec3(limb.start_m), glm::vec3(limb.end_m),
-                               static_cast<float>(std::min(limb.start_radius_m, limb.end_radius_m))));
-    if (limb.start_radius_m != limb.end_radius_m) {
-      (*this)(sim::Sphere{limb.start_m, limb.start_radius_m});
-      (*this)(sim::Sphere{limb.end_m, limb.end_radius_m});
-    }
-  }
-};
-
 }  // namespace
 
 float pin_radius_m(const renderer::Box& reach) {
@@ -128,14 +88,13 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       pins_(pins.begin(), pins.end()),
       colours_(std::move(colours)),
       surface_(garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
+      rooms_(scene, garment, surface_.edge_m()),
       structural_edges_(structural_edges(garment.springs)),
       line_width_px_(line_width_px(style_.settings)),
       spring_lines_(garment, style_.springs, spring_width * line_width_px_),
-      bodies_(scene.surroundings.bodies),
-      bodies_move_(std::any_of(bodies_.begin(), bodies_.end(),
-                               [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })) {
+      bodies_(scene.surroundings.bodies) {
   const renderer::Box reach = expected_reach(scene, garment, pins);
-  surface_.limit_bulge(most_bulge_m(scene, garment, surface_.edge_m()));
+  surface_.set_freedom(rooms_.freedom());
   camera_ = scene_camera(scene, reach, aspect_of(style_.settings));
   look_from(camera_, shortest_edge_px(style_));
   if (scene.camera.follow) {
@@ -144,7 +103,6 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
   frame_.ground_height_m = ground_height(scene, reach);
   frame_.backdrop = backdrop_of(scene.picture.background);
   pin_radius_m_ = pin_radius_m(reach);
-  place_bodies(0.0);
   if (style_.rest_outline) {
     add_rest_outline(garment);
   }
@@ -154,28 +112,14 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
   outlines_ = frame_.lines.size();
 }
 
-void GarmentPainter::place_bodies(double time_s) {
-  obstacles_.clear();
-  for (const sim::Body& body : bodies_) {
-    std::visit(ObstacleMaker{body, time_s, obstacles_}, sim::shape_at(body, time_s));
-  }
-  frame_.surfaces.clear();
-  for (const renderer::TriangleMesh& obstacle : obstacles_) {
-    renderer::SurfaceView surface;
-    surface.positions = obstacle.positions;
-    surface.normals = obstacle.normals;
-    surface.triangles = obstacle.triangles;
-    surface.style.outside_colour = obstacle_colour;
-    surface.style.inside_colour = obstacle_colour;
-    surface.style.translucency = 0.0F;
-    frame_.surfaces.push_back(surface);
-  }
+void GarmentPainter::place_bodies(double time_s, std::span<const float> rooms_m) {
+  bodies_.place(time_s, rooms_m);
+  frame_.surfaces = bodies_.views();
   if (style_.ground.kind == GroundKind::automatic) {
-    if (const auto height_m = level_plane(bodies_, time_s)) {
+    if (const auto height_m = level_plane(bodies_.bodies(), time_s)) {
       frame_.ground_height_m = height_m;
     }
   }
-  bodies_placed_s_ = time_s;
 }
 
 void GarmentPainter::add_rest_outline(const sim::Garment& garment) {
@@ -204,8 +148,11 @@ void GarmentPainter::look_from(const renderer::Camera& camera, float shortest_ed
   // Springs lie on the simulated triangles.
   const bool is_smooth =
       style_.smooth && style_.surface != SurfaceLook::wireframe && style_.springs.which == WhichSprings::none;
-  surface_.set_detail(static_cast<float>(style_.settings.height_px) / seen_m,
-                      is_smooth ? std::optional(shortest_edge_px) : std::nullopt);
+  const float pixels_per_m = static_cast<float>(style_.settings.height_px) / seen_m;
+  const std::optional<float> shortest = is_smooth ? std::optional(shortest_edge_px) : std::nullopt;
+  surface_.set_detail(pixels_per_m, shortest);
+  // A finer body would come through coarse cloth.
+  bodies_.set_detail(pixels_per_m, surface_.is_refined() ? shortest : std::nullopt);
 }
 
 renderer::SurfaceView GarmentPainter::garment_view() {
@@ -232,7 +179,11 @@ renderer::SurfaceView GarmentPainter::garment_view() {
 
 const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
   positions_ = to_float(positions);
-  surface_.place(positions_);
+  const std::span<const float> rooms_m =
+      surface_.is_refined() ? rooms_.find(positions, time_s) : std::span<const float>();
+  const std::size_t own = std::min(rooms_m.size(), positions.size());
+  surface_.place(positions_, rooms_m.first(own));
+  place_bodies(time_s, rooms_m.subspan(own));
   if (style_.surface == SurfaceLook::stretch) {
     const std::vector<double> stretch = style_.stretch_of == StretchOf::surface
                                             ? sim::vertex_surface_stretch(measured_, positions)
@@ -245,10 +196,6 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
     frame_.camera.eye = camera_.eye + shift;
     frame_.camera.target = camera_.target + shift;
   }
-  if (bodies_move_ && time_s != bodies_placed_s_) {
-    place_bodies(time_s);
-  }
-  frame_.surfaces.resize(obstacles_.size());
   frame_.surfaces.push_back(garment_view());
   frame_.lines.resize(outlines_);
   spring_lines_.add(positions_, frame_);

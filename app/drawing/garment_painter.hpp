@@ -4,10 +4,12 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/drawn_colours.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/garment_surface.hpp"
 #include "app/drawing/spring_lines.hpp"
+#include "app/drawing/surface_rooms.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"
 #include "renderer/page/legend.hpp"
@@ -46,7 +48,7 @@ class GarmentPainter {
  private:
   void add_rest_outline(const sim::Garment& garment);
   void add_wind(const DrawnScene& scene, const sim::Garment& garment);
-  void place_bodies(double time_s);
+  void place_bodies(double time_s, std::span<const float> rooms_m);
   renderer::SurfaceView garment_view();
 
   renderer::SceneRenderer& renderer_;
@@ -56,13 +58,11 @@ class GarmentPainter {
   std::vector<sim::Index> pins_;
   DrawnColours colours_;
   GarmentSurface surface_;
+  SurfaceRooms rooms_;
   std::vector<std::uint32_t> structural_edges_;
   float line_width_px_;
   SpringLines spring_lines_;
-  std::vector<sim::Body> bodies_;
-  bool bodies_move_;
-  double bodies_placed_s_ = 0.0;  ///< the time that `obstacles_` are of
-  std::vector<renderer::TriangleMesh> obstacles_;
+  DrawnBodies bodies_;
   std::vector<glm::vec3> rest_outline_;
   std::vector<glm::vec3> wind_arrows_;
   std::size_t outlines_ = 0;  ///< lines of frame_ that stay

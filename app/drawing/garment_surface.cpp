@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "app/drawing/cloth_coordinates.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/mesh_arrays.hpp"
 
@@ -30,6 +31,7 @@ GarmentSurface::GarmentSurface(const sim::Garment& garment, std::vector<glm::vec
     : triangles_(flat(garment.mesh.triangles)),
       rest_positions_(to_float(garment.mesh.positions)),
       corner_coordinates_(std::move(corner_coordinates)),
+      cloth_coordinates_(cloth_coordinates(garment, corner_coordinates_)),
       colour_of_triangle_(std::move(colour_of_triangle)),
       edge_m_(mean_edge_m(garment)),
       sewing_(sewing_of(garment, corner_coordinates_)) {}
@@ -49,11 +51,11 @@ void GarmentSurface::set_detail(float pixels_per_m, std::optional<float> shortes
 }
 
 void GarmentSurface::make() {
-  surface_.emplace(rest_positions_, triangles_, detail_.levels, most_bulge_m_,
+  surface_.emplace(rest_positions_, triangles_, detail_.levels, freedom_,
                    detail_.rim ? sewing_.rim_radius_m : 0.0F);
   surface_->place(rest_positions_);
   material_coordinates_ = surface_->positions();
-  fine_corner_coordinates_ = fine_corner_coordinates();
+  fine_corner_coordinates_ = fine_corner_values(corner_coordinates_);
   fine_colour_of_triangle_.clear();
   if (!colour_of_triangle_.empty()) {
     for (const std::uint32_t parent : surface_->parent_triangles()) {
@@ -66,15 +68,20 @@ void GarmentSurface::make() {
         renderer::trimmed_triangles(*surface_, material_coordinates_,
                                     {sewing_.bands, sewing_.seams, sewing_.stitch_m, sewing_.rim_radius_m});
   }
+  if (!cloth_coordinates_.empty()) {
+    material_coordinates_.clear();
+    for (const glm::vec2& place : surface_->part_vertices(fine_corner_values(cloth_coordinates_))) {
+      material_coordinates_.emplace_back(place, 0.0F);
+    }
+  }
 }
 
-// The rim has the coordinates of the border that it is at.
-std::vector<glm::vec2> GarmentSurface::fine_corner_coordinates() const {
-  if (corner_coordinates_.empty()) {
+// The rim has the values of the border that it is at.
+std::vector<glm::vec2> GarmentSurface::fine_corner_values(std::span<const glm::vec2> corners) const {
+  if (corners.empty()) {
     return {};
   }
-  std::vector<glm::vec2> fine =
-      renderer::refined_corner_values(std::span<const glm::vec2>(corner_coordinates_), detail_.levels);
+  std::vector<glm::vec2> fine = renderer::refined_corner_values(corners, detail_.levels);
   const std::vector<std::uint32_t>& triangles = surface_->triangles();
   std::vector<glm::vec2> at_vertex(surface_->positions().size(), glm::vec2(0.0F));
   for (std::size_t corner = 0; corner < fine.size(); ++corner) {
@@ -90,8 +97,8 @@ std::vector<glm::vec2> GarmentSurface::fine_corner_coordinates() const {
   return fine;
 }
 
-void GarmentSurface::place(std::span<const glm::vec3> positions) {
-  surface_->place(positions);
+void GarmentSurface::place(std::span<const glm::vec3> positions, std::span<const float> rooms_m) {
+  surface_->place(positions, rooms_m);
 }
 
 renderer::SurfaceView GarmentSurface::view() const {

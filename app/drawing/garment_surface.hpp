@@ -14,18 +14,18 @@
 
 namespace taut::app {
 
-/// The surface that is drawn of a garment: finer than what is simulated, and through its vertices. All that
+/// The surface that is drawn of a garment: finer than what is simulated, and along its vertices. All that
 /// is measured stays with the simulated triangles. Its borders are as thick as cloth, with hems and seams.
 class GarmentSurface {
  public:
   /// corner_coordinates: three per triangle or none; colour_of_triangle: one per triangle or none. Both are
   /// those of renderer::SurfaceView, of the simulated triangles. Where corner_coordinates differ across an
-  /// edge is a seam.
+  /// edge is a seam, and the weave runs along them.
   explicit GarmentSurface(const sim::Garment& garment, std::vector<glm::vec2> corner_coordinates = {},
                           std::vector<std::uint32_t> colour_of_triangle = {});
 
-  /// As of renderer::SmoothSurface.
-  void limit_bulge(float most_bulge_m) { most_bulge_m_ = most_bulge_m; }
+  /// See renderer::SmoothSurface.
+  void set_freedom(const renderer::SurfaceFreedom& freedom) { freedom_ = freedom; }
 
   /// Mean length of the simulated edges at rest.
   float edge_m() const { return edge_m_; }
@@ -34,8 +34,11 @@ class GarmentSurface {
   /// Edges shorter than shortest_edge_px are not halved; none: the simulated triangles alone, without hems.
   /// Takes some milliseconds where something changes.
   void set_detail(float pixels_per_m, std::optional<float> shortest_edge_px);
-  /// Moves the surface to these positions of the simulated vertices, in metres.
-  void place(std::span<const glm::vec3> positions);
+  /// Whether it is finer than what is simulated.
+  bool is_refined() const { return detail_.levels > 0; }
+  /// Moves the surface to these positions of the simulated vertices, in metres. `rooms_m` as of
+  /// renderer::SmoothSurface.
+  void place(std::span<const glm::vec3> positions, std::span<const float> rooms_m = {});
   /// What is drawn, without a style. Valid until the next call of any other function.
   renderer::SurfaceView view() const;
   /// Returns pairs of vertices of view() for pairs of simulated ones: the edges between, along the surface.
@@ -51,14 +54,15 @@ class GarmentSurface {
     bool operator==(const Detail&) const = default;
   };
   void make();
-  std::vector<glm::vec2> fine_corner_coordinates() const;
+  std::vector<glm::vec2> fine_corner_values(std::span<const glm::vec2> corners) const;
 
   std::vector<std::uint32_t> triangles_;
   std::vector<glm::vec3> rest_positions_;
   std::vector<glm::vec2> corner_coordinates_;
+  std::vector<glm::vec2> cloth_coordinates_;
   std::vector<std::uint32_t> colour_of_triangle_;
   float edge_m_;
-  float most_bulge_m_ = 0.0F;
+  renderer::SurfaceFreedom freedom_;
   GarmentSewing sewing_;
   Detail detail_;
   std::optional<renderer::SmoothSurface> surface_;

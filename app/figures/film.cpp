@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -16,6 +17,9 @@ namespace {
 
 constexpr PictureSize film_size = {640, 480};
 constexpr std::size_t fewest_pictures = 60;
+// In which it passes over into its beginning.
+constexpr std::size_t seam_pictures = 15;
+constexpr int frame_px = 12;
 
 double squared_distance(const Moment& a, const Moment& b) {
   double sum = 0.0;
@@ -31,7 +35,10 @@ double squared_distance(const Moment& a, const Moment& b) {
 std::span<const Moment> find_loop(std::span<const Moment> moments, std::size_t fewest) {
   std::span<const Moment> best = moments;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t first = 0; first + fewest + 1 < moments.size(); ++first) {
+  // With moments before it to pass over into, where that leaves a choice.
+  const std::size_t latest = moments.size() - std::min(moments.size(), fewest + 2);
+  const std::size_t earliest = std::min(seam_pictures, latest / 2);
+  for (std::size_t first = earliest; first + fewest + 1 < moments.size(); ++first) {
     for (std::size_t after = first + fewest; after + 1 < moments.size(); ++after) {
       // Of the next moments too: otherwise the cloth may turn back where the film starts again.
       const double jump = squared_distance(moments[first], moments[after]) +
@@ -45,13 +52,65 @@ std::span<const Moment> find_loop(std::span<const Moment> moments, std::size_t f
   return best;
 }
 
+std::vector<Moment> without_seam(std::span<const Moment> moments, std::span<const Moment> loop) {
+  const auto first = static_cast<std::size_t>(loop.data() - moments.data());
+  const std::size_t count = std::min({seam_pictures, first, loop.size()});
+  std::vector<Moment> film(loop.begin(), loop.end());
+  for (std::size_t i = 0; i < count; ++i) {
+    const double part = static_cast<double>(i + 1) / static_cast<double>(count + 1);
+    const double share = part * part * (3.0 - 2.0 * part);
+    const Moment& before = moments[first - count + i];
+    std::vector<sim::Vec3>& shape = film[film.size() - count + i].positions;
+    for (std::size_t v = 0; v < shape.size(); ++v) {
+      shape[v] = (1.0 - share) * shape[v] + share * before.positions[v];
+    }
+  }
+  return film;
+}
+
+void crop(std::vector<renderer::Image>& pictures) {
+  renderer::Image& front = pictures.front();
+  int left = front.width_px, right = 0, top = front.height_px, bottom = 0;
+  for (const renderer::Image& picture : pictures) {
+    for (int y = 0; y < picture.height_px; ++y) {
+      for (int x = 0; x < picture.width_px; ++x) {
+        const std::uint8_t* pixel = picture.at(x, y);
+        if (std::min({pixel[0], pixel[1], pixel[2]}) < 250) {
+          left = std::min(left, x);
+          right = std::max(right, x + 1);
+          top = std::min(top, y);
+          bottom = std::max(bottom, y + 1);
+        }
+      }
+    }
+  }
+  left = std::max(left - frame_px, 0);
+  top = std::max(top - frame_px, 0);
+  const int width = (std::min(right + frame_px, front.width_px) - left) / 2 * 2;
+  const int height = (std::min(bottom + frame_px, front.height_px) - top) / 2 * 2;
+  if (width <= 0 || height <= 0) {
+    return;
+  }
+  for (renderer::Image& picture : pictures) {
+    renderer::Image part = renderer::make_image(width, height, picture.channels);
+    for (int y = 0; y < height; ++y) {
+      std::copy_n(picture.at(left, top + y), width * picture.channels, part.at(0, y));
+    }
+    picture = std::move(part);
+  }
+}
+
 std::vector<renderer::Image> draw_film(const Recording& recording, OffscreenRenderer& offscreen) {
+  const std::vector<Moment> shapes =
+      without_seam(recording.moments, find_loop(recording.moments, fewest_pictures));
   std::vector<PrintedMoment> moments;
-  for (const Moment& moment : find_loop(recording.moments, fewest_pictures)) {
+  for (const Moment& moment : shapes) {
     // The camera is nearer where it need not see the shadow.
     moments.push_back({.recording = &recording, .moment = &moment, .has_floor = false});
   }
-  return print_moments(offscreen, moments, film_size, 1.0F).pictures;
+  std::vector<renderer::Image> pictures = print_moments(offscreen, moments, film_size, 1.0F).pictures;
+  crop(pictures);
+  return pictures;
 }
 
 std::string write_film(const std::filesystem::path& file, std::span<const renderer::Image> pictures,

@@ -151,6 +151,9 @@ void Viewer::adopt_scene() {
   state_.scene = state_.newest->loaded->scene;
   state_.motions = motion_choices(state_.scene, state_.motions);
   told_ = ChangeSettings(state_.scene);
+  if (!own_cloth_) {
+    own_cloth_ = {state_.scene.fabric, state_.scene.material, state_.scene.picture.cloth};
+  }
   state_.past_frame.reset();
   hands_.drop();
   noted_frame_.reset();

@@ -15,6 +15,13 @@
 
 namespace taut::app {
 
+/// What a scene's garment is made of.
+struct ClothOfScene {
+  std::string fabric;
+  sim::Material material;
+  renderer::SurfaceStyle look;
+};
+
 /// How a viewer begins.
 struct ViewerSettings {
   renderer::Resized size;                   ///< of the window
@@ -89,6 +96,7 @@ class Viewer {
   void start_or_stop_recording();
   void save_scene();
   void load_asked();
+  void choose_fabric(const std::string& name);
   void load(DrawnScene scene, const std::vector<std::string>& remarks);
   void collect_settings();
   void note_speed(std::uint64_t advances_before);
@@ -122,6 +130,7 @@ class Viewer {
   int frames_since_input_ = 0;
   bool screenshot_ = false;
   bool is_ended_ = false;
+  std::optional<ClothOfScene> own_cloth_;  ///< of the scene as it was opened; empty: it is being opened
   std::optional<WindowRecorder> recorder_;
   std::string clipboard_;
 };

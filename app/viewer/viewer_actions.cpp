@@ -217,6 +217,17 @@ void Viewer::take_picture(const renderer::Image& picture) {
   }
 }
 
+void Viewer::choose_fabric(const std::string& name) {
+  DrawnScene& scene = state_.scene;
+  if (!name.empty()) {
+    apply_overrides(std::vector<Override>{{"cloth.fabric", name, "fabric " + name}}, scene);
+  } else if (own_cloth_) {
+    scene.fabric = own_cloth_->fabric;
+    scene.material = own_cloth_->material;
+    scene.picture.cloth = own_cloth_->look;
+  }
+}
+
 // Reads on this thread, which takes milliseconds; the garment is loaded by the simulation.
 void Viewer::load_asked() {
   const std::optional<std::string> name = std::exchange(state_.scene_asked, std::nullopt);
@@ -225,11 +236,12 @@ void Viewer::load_asked() {
   const auto fabric = std::exchange(state_.fabric_asked, std::nullopt);
   try {
     if (fabric) {
-      apply_overrides(std::vector<Override>{{"cloth.fabric", *fabric, "fabric " + *fabric}}, state_.scene);
+      choose_fabric(*fabric);
     }
     if (name) {
       DrawnScene scene = find_scene(*name, {});
       const std::vector<std::string> remarks = load_bodies(scene);
+      own_cloth_.reset();
       load(std::move(scene), remarks);
     } else if (motion) {
       std::vector<std::string> remarks;

@@ -1,6 +1,7 @@
 #include "renderer/surface/smooth_surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -14,6 +15,8 @@ namespace {
 // Share of the allowed bulge that the first split may use, and of what is left that each later one may: a
 // smooth curve's bulge falls by four from split to split.
 constexpr float share_of_split = 0.75F;
+// Two passes, the second back: what turns from vertex to vertex goes, what is wider than four edges stays.
+constexpr std::array<float, 2> fairing_passes = {0.5F, -0.53F};
 // How far a midpoint of a border may move within the surface, share of its edge. Less leaves necklines
 // polygons, more turns needles around.
 constexpr float most_border_shift = 0.15F;
@@ -49,11 +52,11 @@ glm::vec3 border_shift(const RefinedMesh::BorderCurve& curve, std::span<const gl
 }  // namespace
 
 SmoothSurface::SmoothSurface(std::span<const glm::vec3> rest_positions,
-                             std::span<const std::uint32_t> triangles, int levels, float most_bulge,
-                             float rim_radius)
+                             std::span<const std::uint32_t> triangles, int levels,
+                             const SurfaceFreedom& freedom, float rim_radius)
     : coarse_triangles_(triangles.begin(), triangles.end()),
       mesh_(rest_positions, triangles, levels),
-      most_bulge_(most_bulge),
+      freedom_(freedom),
       triangles_(mesh_.triangles()),
       parents_(mesh_.parents()) {
   for (std::size_t t = 0; t < triangles_.size() / 3; ++t) {
@@ -67,24 +70,103 @@ SmoothSurface::SmoothSurface(std::span<const glm::vec3> rest_positions,
   }
   positions_.resize(mesh_.coarse_vertex_count() + parents_.size());
   normals_.resize(positions_.size());
+  first_parted_ = positions_.size();
+  rooms_.resize(mesh_.vertex_count());
+  find_neighbours(rest_positions);
 }
 
-void SmoothSurface::place(std::span<const glm::vec3> coarse_positions) {
-  const std::size_t count = mesh_.coarse_vertex_count();
-  assert(coarse_positions.size() == count);
-  std::copy(coarse_positions.begin(), coarse_positions.end(), positions_.begin());
-  vertex_normals(coarse_positions, coarse_triangles_, std::span(normals_).first(count));
-  float left = most_bulge_;
-  for (const RefinedMesh::Level& level : mesh_.levels()) {
-    place(level, share_of_split * left);
-    left -= share_of_split * left;
+std::vector<glm::vec2> SmoothSurface::part_vertices(std::span<const glm::vec2> corners) {
+  assert(corners.size() == triangles_.size() && first_parted_ == positions_.size());
+  constexpr std::uint32_t none = ~0U;
+  std::vector<glm::vec2> values(positions_.size(), glm::vec2{0.0F});
+  std::vector<std::uint8_t> has_value(positions_.size(), 0);
+  std::vector<std::uint32_t> others(positions_.size(), none);  // the next vertex at the same place
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const std::uint32_t first = triangles_[i];
+    std::uint32_t own = first;
+    while (has_value[own] != 0 && values[own] != corners[i] && others[own] != none) own = others[own];
+    if (has_value[own] != 0 && values[own] != corners[i]) {
+      own = others[own] = static_cast<std::uint32_t>(values.size());
+      values.emplace_back();
+      has_value.push_back(0);
+      others.push_back(none);
+      parents_.push_back({first, first});
+    }
+    values[own] = corners[i];
+    has_value[own] = 1;
+    triangles_[i] = own;
   }
-  if (rim_) rim_->place(positions_, normals_);
+  positions_.resize(values.size());
+  normals_.resize(values.size());
+  return values;
 }
 
-void SmoothSurface::place(const RefinedMesh::Level& level, float most_bulge) {
+// Those of a border are along it. Its corners, and where borders meet, have none and stay.
+void SmoothSurface::find_neighbours(std::span<const glm::vec3> rest_positions) {
+  neighbour_shares_.assign(rest_positions.size(), 0.0F);
+  if (mesh_.levels().empty() || !(freedom_.most_fairing > 0.0F)) return;
+  const std::vector<BorderEdge> border = border_edges(rest_positions, coarse_triangles_);
+  enum : std::uint8_t { inside, along, corner };
+  std::vector<std::uint8_t> kinds(rest_positions.size(), inside);
+  for (const BorderEdge& edge : border) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      std::uint8_t& kind = kinds[edge.ends[end]];
+      kind = std::max<std::uint8_t>(kind, edge.corners[end] ? corner : along);
+    }
+  }
+  const auto add = [&](const VertexPair& edge, std::uint8_t kind) {
+    if (kinds[edge[0]] == kind) neighbours_.push_back(edge);
+    if (kinds[edge[1]] == kind) neighbours_.push_back({edge[1], edge[0]});
+  };
+  for (const BorderEdge& edge : border) add(edge.ends, along);
+  for (const VertexPair& edge : mesh_.levels().front().edges) add(edge, inside);
+  for (const VertexPair& pair : neighbours_) neighbour_shares_[pair[0]] += 1.0F;
+  for (float& share : neighbour_shares_) share = share > 0.0F ? 1.0F / share : 0.0F;
+}
+
+// Vertices go some of the way to the mean of their neighbours.
+void SmoothSurface::fair(std::span<const glm::vec3> coarse_positions) {
+  faired_.assign(coarse_positions.begin(), coarse_positions.end());
+  for (const float share : fairing_passes) {
+    means_.assign(faired_.size(), glm::vec3{0.0F});
+    for (const VertexPair& pair : neighbours_) means_[pair[0]] += faired_[pair[1]] - faired_[pair[0]];
+    for (std::size_t v = 0; v < faired_.size(); ++v) faired_[v] += share * neighbour_shares_[v] * means_[v];
+  }
+  for (std::size_t v = 0; v < faired_.size(); ++v) {
+    const glm::vec3 shift =
+        shortened(faired_[v] - coarse_positions[v], std::min(freedom_.most_fairing, rooms_[v]));
+    positions_[v] = coarse_positions[v] + shift;
+    rooms_[v] -= glm::length(shift);
+  }
+}
+
+void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms) {
+  const std::size_t count = mesh_.coarse_vertex_count();
+  assert(coarse_positions.size() == count && (rooms.empty() || rooms.size() == count));
+  if (rooms.empty()) {
+    std::fill_n(rooms_.begin(), count, freedom_.most_fairing + freedom_.most_bulge);
+  } else {
+    std::copy(rooms.begin(), rooms.end(), rooms_.begin());
+  }
+  fair(coarse_positions);
+  for (std::size_t v = 0; v < count; ++v) rooms_[v] = std::min(rooms_[v], freedom_.most_bulge);
+  const std::span<glm::vec3> coarse = std::span(positions_).first(count);
+  vertex_normals(coarse, coarse_triangles_, std::span(normals_).first(count));
+  for (const RefinedMesh::Level& level : mesh_.levels()) place(level);
+  if (rim_) rim_->place(positions_, normals_);
+  for (std::size_t v = first_parted_; v < positions_.size(); ++v) {
+    const std::uint32_t first = parents_[v - count][0];
+    positions_[v] = positions_[first];
+    normals_[v] = normals_[first];
+  }
+}
+
+void SmoothSurface::place(const RefinedMesh::Level& level) {
   std::size_t middle = level.first_vertex;
   for (const VertexPair& edge : level.edges) {
+    const float room = std::min(rooms_[edge[0]], rooms_[edge[1]]);
+    const float most_bulge = share_of_split * room;
+    rooms_[middle] = room - most_bulge;
     const glm::vec3 way = positions_[edge[1]] - positions_[edge[0]];
     const glm::vec3& from = normals_[edge[0]];
     const glm::vec3& to = normals_[edge[1]];
@@ -96,6 +178,7 @@ void SmoothSurface::place(const RefinedMesh::Level& level, float most_bulge) {
     ++middle;
   }
   for (const RefinedMesh::BorderCurve& curve : level.curves) {
+    const float most_bulge = share_of_split * std::min(rooms_[curve.start], rooms_[curve.end]);
     const glm::vec3& normal = normals_[curve.middle];
     const glm::vec3 shift = shortened(border_shift(curve, positions_), farthest);
     const float bulge = glm::dot(shift, normal);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
 
@@ -8,19 +9,30 @@
 
 namespace taut::renderer {
 
-/// A smooth surface through the vertices of a mesh, as a finer mesh. It is made once from the mesh at rest
-/// and follows the mesh from frame to frame.
+/// How far a smooth surface may leave the triangles of its mesh, in the unit of positions.
+struct SurfaceFreedom {
+  float most_bulge = 0.0F;  ///< between the vertices; along a border within the surface it may be more
+  /// Of the vertices, so that what is uneven from edge to edge is not seen: steps of folds, teeth of borders.
+  float most_fairing = 0.0F;
+};
+
+/// A smooth surface along the vertices of a mesh, as a finer mesh. It is made once from the mesh at rest and
+/// follows the mesh from frame to frame.
+///
+/// Vertices are faired (Taubin 1995), those of a border along it.
 ///
 /// Midpoints of edges lie on the cubic curves of curved PN triangles (Vlachos and others 2001), again and
 /// again; those of borders on curves through four border vertices (Dyn, Levin and Gregory 1987), so that a
 /// border stays one curve. Borders end in their corners.
 class SmoothSurface {
  public:
-  /// most_bulge: how far the surface may leave the coarse triangles, in the unit of positions; along a border
-  /// within the surface it may be more. Two surfaces twice that apart do not meet. rim_radius: of the lip
-  /// along the border; 0: none.
+  /// rim_radius: of the lip along the border; 0: none.
   SmoothSurface(std::span<const glm::vec3> rest_positions, std::span<const std::uint32_t> triangles,
-                int levels, float most_bulge, float rim_radius = 0.0F);
+                int levels, const SurfaceFreedom& freedom, float rim_radius = 0.0F);
+
+  /// Gives corners with another value than the first of their vertex a vertex of their own at the same place,
+  /// once. `corners`: one for each of triangles(). Returns the value of each vertex.
+  std::vector<glm::vec2> part_vertices(std::span<const glm::vec2> corners);
 
   /// Without the rim.
   const RefinedMesh& mesh() const { return mesh_; }
@@ -28,28 +40,38 @@ class SmoothSurface {
   const std::vector<std::uint32_t>& triangles() const { return triangles_; }
   /// For each triangle, the coarse one it lies in or, of the rim, at whose border it is.
   const std::vector<std::uint32_t>& parent_triangles() const { return parent_triangles_; }
-  /// For each vertex that was added, in this order, two that come before it, of the rim twice the same.
+  /// For each vertex that was added, in this order, two that come before it; of the rim, and of those that
+  /// part_vertices() added, twice the same.
   const std::vector<VertexPair>& parents() const { return parents_; }
 
-  /// Fills positions and normals for coarse vertices at these positions, one for each. Coarse vertices are
-  /// taken over as they are.
-  void place(std::span<const glm::vec3> coarse_positions);
-  /// One for each vertex of mesh() and then of the rim; the normals have unit length.
+  /// Fills positions and normals for coarse vertices at these positions, one for each. `rooms`: how far the
+  /// surface may leave the triangles around each, in fairing and bulge together; none: as far as it is free.
+  /// Layers do not meet that are at each vertex more than twice its room apart.
+  void place(std::span<const glm::vec3> coarse_positions, std::span<const float> rooms = {});
+  /// One for each vertex of mesh(), then of the rim and then of part_vertices(); the normals have unit
+  /// length.
   const std::vector<glm::vec3>& positions() const { return positions_; }
   const std::vector<glm::vec3>& normals() const { return normals_; }
 
  private:
-  void place(const RefinedMesh::Level& level, float most_bulge);
+  void find_neighbours(std::span<const glm::vec3> rest_positions);
+  void fair(std::span<const glm::vec3> coarse_positions);
+  void place(const RefinedMesh::Level& level);
 
   std::vector<std::uint32_t> coarse_triangles_;
   RefinedMesh mesh_;
-  float most_bulge_;
+  SurfaceFreedom freedom_;
+  std::vector<VertexPair> neighbours_;   // of a vertex, the vertex first
+  std::vector<float> neighbour_shares_;  // of each vertex 1 over their number, or 0
   std::optional<Rim> rim_;
   std::vector<std::uint32_t> triangles_;
   std::vector<std::uint32_t> parent_triangles_;
   std::vector<VertexPair> parents_;
+  std::size_t first_parted_ = 0;  // of positions_
   std::vector<glm::vec3> positions_;
   std::vector<glm::vec3> normals_;
+  std::vector<float> rooms_;               // of each vertex of mesh_, what is left of it
+  std::vector<glm::vec3> faired_, means_;  // scratch
 };
 
 }  // namespace taut::renderer

@@ -255,6 +255,8 @@ TEST(GarmentPainter, DrawsBodiesWhereTheyAreAtTheTimeOfTheFrame) {
     EXPECT_NEAR(renderer::bounding_box(view.surfaces[0].positions).upper.y, -1.5F + raised_m, 1e-6);
     EXPECT_NEAR(view.surfaces[1].positions[0].y, raised_m, 1e-6);
     EXPECT_GT(view.surfaces[1].normals[2].y, 0.5F);
+    EXPECT_GT(view.surfaces[1].triangles.size(), 3 * corner->triangles.size()) << "it is drawn smooth";
+    EXPECT_EQ(view.surfaces[1].refinement->coarse_vertices, corner->positions_m.size());
     EXPECT_NEAR(*view.ground_height_m, -4.0F + raised_m, 1e-6);
     EXPECT_EQ(view.surfaces[2].refinement->coarse_vertices, garment.mesh.positions.size());
   }

@@ -58,7 +58,7 @@ TEST(GarmentSewing, AGridIsPlainCloth) {
 TEST(GarmentSurface, IsAsFineAsItShows) {
   const sim::Garment garment = sim::make_garment(test::shirt());
   GarmentSurface surface(garment);
-  surface.limit_bulge(0.0004F);
+  surface.set_freedom({0.0004F});
   surface.set_detail(10.0F, 5.0F);
   EXPECT_EQ(surface.view().triangles.size(), 3 * garment.mesh.triangles.size())
       << "an edge is less than a pixel";

@@ -74,6 +74,39 @@ TEST(Film, StartsAgainWhereTheClothGoesOnAlike) {
   EXPECT_EQ(find_loop(moments, 40).size(), 30U) << "there are no more";
 }
 
+TEST(Film, DoesNotJumpWhereItStartsAgain) {
+  std::vector<Moment> moments = swinging(60);
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    moments[i].positions[0].y = 0.1 * static_cast<double>(i);
+  }
+  const std::span<const Moment> loop = find_loop(moments, 20);
+  EXPECT_GE(loop.data() - moments.data(), 15) << "it has something to pass over into";
+  const std::vector<Moment> film = without_seam(moments, loop);
+  ASSERT_EQ(film.size(), loop.size());
+  EXPECT_EQ(film.front().positions, loop.front().positions);
+  const double jump = glm::distance(loop.back().positions[0], loop.front().positions[0]);
+  EXPECT_LT(glm::distance(film.back().positions[0], film.front().positions[0]), 0.3 * jump);
+  for (std::size_t i = 0; i + 1 < film.size(); ++i) {
+    EXPECT_LT(glm::distance(film[i].positions[0], film[i + 1].positions[0]), 1.0) << i;
+  }
+}
+
+TEST(Film, IsCroppedToWhatItShows) {
+  std::vector<renderer::Image> pictures(2, renderer::make_image(64, 48));
+  for (renderer::Image& picture : pictures) {
+    std::fill(picture.pixels.begin(), picture.pixels.end(), 255);
+  }
+  *pictures[0].at(20, 20) = 0;
+  *pictures[1].at(29, 15) = 0;
+  crop(pictures);
+  for (const renderer::Image& picture : pictures) {
+    EXPECT_EQ(picture.width_px, 34);
+    EXPECT_EQ(picture.height_px, 30);
+  }
+  EXPECT_EQ(*pictures[0].at(12, 17), 0);
+  EXPECT_EQ(*pictures[1].at(21, 12), 0);
+}
+
 TEST(Film, IsAnMp4AndWithoutFfmpegNothingAndAWarning) {
   const test::TemporaryFolder folder;
   const std::vector<renderer::Image> pictures(3, renderer::make_image(64, 48));

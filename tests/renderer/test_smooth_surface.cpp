@@ -42,7 +42,7 @@ float distance_to_sphere(std::span<const glm::vec3> positions, std::span<const s
 
 TEST(SmoothSurface, GoesThroughTheVertices) {
   const TriangleMesh ball = make_sphere(glm::vec3{0.0F}, 1.0F, 12);
-  SmoothSurface smooth(ball.positions, ball.triangles, 2, no_limit);
+  SmoothSurface smooth(ball.positions, ball.triangles, 2, {no_limit});
   smooth.place(ball.positions);
   ASSERT_GT(smooth.positions().size(), 4 * ball.positions.size());
   EXPECT_TRUE(std::equal(ball.positions.begin(), ball.positions.end(), smooth.positions().begin()));
@@ -52,7 +52,7 @@ TEST(SmoothSurface, GoesThroughTheVertices) {
 TEST(SmoothSurface, ABallIsRounderThanItsTriangles) {
   const TriangleMesh ball = make_sphere(glm::vec3{0.0F}, 1.0F, 12);
   const float flat = distance_to_sphere(ball.positions, ball.triangles);
-  SmoothSurface smooth(ball.positions, ball.triangles, 2, no_limit);
+  SmoothSurface smooth(ball.positions, ball.triangles, 2, {no_limit});
   smooth.place(ball.positions);
   EXPECT_LT(distance_to_sphere(smooth.positions(), smooth.mesh().triangles()), 0.3F * flat);
 }
@@ -61,7 +61,7 @@ TEST(SmoothSurface, BulgesNoMoreThanItMay) {
   const TriangleMesh ball = make_sphere(glm::vec3{0.0F}, 1.0F, 12);
   constexpr float most = 0.01F;
   for (const int levels : {1, 2, 3}) {
-    SmoothSurface smooth(ball.positions, ball.triangles, levels, most);
+    SmoothSurface smooth(ball.positions, ball.triangles, levels, {most});
     smooth.place(ball.positions);
     std::vector<glm::vec3> flat = ball.positions;
     interpolate(std::span(smooth.mesh().parents()), flat);
@@ -76,7 +76,7 @@ TEST(SmoothSurface, BulgesNoMoreThanItMay) {
 
 TEST(SmoothSurface, TheBorderOfADiscIsRound) {
   const Disc disc(16);
-  SmoothSurface smooth(disc.positions, disc.triangles, 2, 0.0F);
+  SmoothSurface smooth(disc.positions, disc.triangles, 2, {});
   smooth.place(disc.positions);
   float nearest = 1.0F;
   for (const BorderEdge& edge : smooth.mesh().border()) {
@@ -90,7 +90,7 @@ TEST(SmoothSurface, CornersStayCorners) {
   const std::vector<glm::vec3> square{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0},
                                       {2, 2, 0}, {0, 2, 0}, {1, 1, 0}};
   const std::vector<std::uint32_t> triangles{6, 0, 1, 6, 1, 2, 6, 2, 3, 6, 3, 4, 6, 4, 5, 6, 5, 0};
-  SmoothSurface smooth(square, triangles, 2, no_limit);
+  SmoothSurface smooth(square, triangles, 2, {no_limit});
   smooth.place(square);
   for (const BorderEdge& edge : smooth.mesh().border()) {
     const glm::vec3& place = smooth.positions()[edge.ends[0]];
@@ -98,9 +98,67 @@ TEST(SmoothSurface, CornersStayCorners) {
   }
 }
 
+// A strip of squares whose vertices stand up and down in turn.
+struct Zigzag {
+  std::vector<glm::vec3> flat;
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> triangles;
+
+  Zigzag() {
+    constexpr std::uint32_t columns = 9, rows = 5;
+    for (std::uint32_t i = 0; i < columns * rows; ++i) {
+      flat.emplace_back(i % columns, i / columns, 0.0F);
+      positions.push_back(flat.back() + glm::vec3{0, 0, i % columns % 2 == 0 ? 0.1F : -0.1F});
+      if (i % columns + 1 < columns && i + columns < columns * rows) {
+        triangles.insert(triangles.end(), {i, i + 1, i + columns + 1, i, i + columns + 1, i + columns});
+      }
+    }
+  }
+};
+
+TEST(SmoothSurface, WhatTurnsFromVertexToVertexIsFaired) {
+  const Zigzag zigzag;
+  SmoothSurface smooth(zigzag.flat, zigzag.triangles, 2, {0.0F, 1.0F});
+  smooth.place(zigzag.positions);
+  for (std::size_t v = 0; v < zigzag.flat.size(); ++v) {
+    const glm::vec3& flat = zigzag.flat[v];
+    const bool is_corner = (flat.x == 0.0F || flat.x == 8.0F) && (flat.y == 0.0F || flat.y == 4.0F);
+    const glm::vec3 place = smooth.positions()[v];
+    if (is_corner) {
+      EXPECT_EQ(place, zigzag.positions[v]) << v;
+    } else if (flat.x != 0.0F && flat.x != 8.0F) {
+      EXPECT_LT(std::abs(place.z), 0.08F) << v;
+    }
+  }
+}
+
+TEST(SmoothSurface, IsFairedNoMoreThanItMay) {
+  const Zigzag zigzag;
+  SmoothSurface smooth(zigzag.flat, zigzag.triangles, 2, {0.0F, 0.01F});
+  smooth.place(zigzag.positions);
+  for (std::size_t v = 0; v < zigzag.flat.size(); ++v) {
+    EXPECT_LE(glm::distance(smooth.positions()[v], zigzag.positions[v]), 0.0101F) << v;
+  }
+}
+
+TEST(SmoothSurface, NeverLeavesItsRooms) {
+  const Zigzag zigzag;
+  SmoothSurface smooth(zigzag.flat, zigzag.triangles, 2, {1.0F, 1.0F});
+  const std::vector<float> rooms(zigzag.flat.size(), 0.004F);
+  smooth.place(zigzag.positions, rooms);
+  std::vector<glm::vec3> coarse = zigzag.positions;
+  interpolate(std::span(smooth.mesh().parents()), coarse);
+  float farthest = 0.0F;
+  for (std::size_t v = 0; v < coarse.size(); ++v) {
+    farthest = std::max(farthest, std::abs(coarse[v].z - smooth.positions()[v].z));
+  }
+  EXPECT_LE(farthest, 0.00401F);
+  EXPECT_GT(farthest, 0.002F);
+}
+
 TEST(SmoothSurface, LostClothStaysFinite) {
   const Disc disc(7);
-  SmoothSurface smooth(disc.positions, disc.triangles, 2, 0.001F, 0.001F);
+  SmoothSurface smooth(disc.positions, disc.triangles, 2, {0.001F, 0.001F}, 0.001F);
   std::vector<glm::vec3> lost = disc.positions;
   for (std::size_t i = 0; i < lost.size(); ++i) {
     constexpr float largest = std::numeric_limits<float>::max();
@@ -118,7 +176,7 @@ TEST(SmoothSurface, LostClothStaysFinite) {
 
 TEST(SmoothSurface, AFlatSheetStaysFlat) {
   const Disc disc(7);
-  SmoothSurface smooth(disc.positions, disc.triangles, 2, no_limit);
+  SmoothSurface smooth(disc.positions, disc.triangles, 2, {no_limit});
   smooth.place(disc.positions);
   for (const glm::vec3& place : smooth.positions()) EXPECT_EQ(place.z, 0.0F);
   for (const glm::vec3& normal : smooth.normals()) EXPECT_EQ(normal, (glm::vec3{0, 0, 1}));

@@ -81,7 +81,7 @@ TEST(Seams, AreSharpEdgesWithoutTextureCoordinates) {
 
 TEST(Rim, ClosesTheBorderAsThickAsTheCloth) {
   const Sheet sheet(2, 2);
-  SmoothSurface surface(sheet.positions, sheet.triangles, 1, 0.1F, 0.05F);
+  SmoothSurface surface(sheet.positions, sheet.triangles, 1, {0.1F}, 0.05F);
   surface.place(sheet.positions);
   const std::size_t without = surface.mesh().vertex_count();
   ASSERT_EQ(surface.positions().size(), without + 4U * 16U);
@@ -101,7 +101,7 @@ TEST(Rim, ClosesTheBorderAsThickAsTheCloth) {
 
 TEST(Trims, SayHowFarTheBorderIs) {
   const Sheet sheet(4, 4);
-  SmoothSurface surface(sheet.positions, sheet.triangles, 1, 0.1F);
+  SmoothSurface surface(sheet.positions, sheet.triangles, 1, {0.1F});
   surface.place(sheet.positions);
   const std::vector<BorderBand> bands(sheet.positions.size(), {0.9F, true});
   const std::vector<TrimmedTriangle> trims =
@@ -123,7 +123,7 @@ TEST(Trims, SayHowFarTheBorderIs) {
 
 TEST(Trims, SayOnWhichSideOfASeamATriangleIs) {
   const Sheet sheet(6, 3);
-  SmoothSurface surface(sheet.positions, sheet.triangles, 1, 0.1F);
+  SmoothSurface surface(sheet.positions, sheet.triangles, 1, {0.1F});
   surface.place(sheet.positions);
   const std::vector<VertexPair> seam{{3, 10}, {10, 17}, {17, 24}};
   const std::vector<TrimmedTriangle> trims =

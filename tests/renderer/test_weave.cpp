@@ -100,6 +100,25 @@ TEST_F(WeaveTest, TwillShowsTheOtherSidesColourBetweenItsOwn) {
   EXPECT_FALSE(differs(WeaveKind::plain));
 }
 
+TEST_F(WeaveTest, SatinShinesWideAcrossItsWarp) {
+  constexpr std::array<glm::vec3, 3> towards_eye{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+  FrameView frame = triangle_frame();
+  frame.surfaces[0].normals = towards_eye;
+  const auto far = material(3.0F);
+  frame.surfaces[0].material_coordinates = far;
+  frame.surfaces[0].style.roughness = 0.45F;
+  frame.lighting.ambient = 0.0F;
+  frame.lighting.key = 1.0F;
+  const auto lit_from = [&](WeaveKind kind, const glm::vec3& towards_key) {
+    frame.surfaces[0].style.weave_kind = kind;
+    frame.lighting.towards_key = towards_key;
+    return brightness(renderer.draw(frame, small_picture())).mean;
+  };
+  const glm::vec3 aside{0.8F, 0.0F, 1.0F}, above{0.0F, 0.8F, 1.0F};
+  const double round = lit_from(WeaveKind::knit, aside) - lit_from(WeaveKind::knit, above);
+  EXPECT_GT(lit_from(WeaveKind::satin, aside) - lit_from(WeaveKind::satin, above), round + 4.0);
+}
+
 TEST_F(WeaveTest, ColoursOfScalarsStaySmooth) {
   constexpr std::array values{0.5F, 0.5F, 0.5F};
   FrameView frame = triangle_frame();

@@ -9,6 +9,7 @@
 
 #include "all_pairs.hpp"
 #include "sheets.hpp"
+#include "sim/solvers/bounded/contact/clearances.hpp"
 #include "sim/solvers/bounded/contact/lasting_pairs.hpp"
 
 namespace taut::sim {
@@ -295,6 +296,27 @@ TEST(NearPairs, ComeAnewFromTheSamePositionsAndFromOthers) {
     names_in_other_order.insert(name_of(pair));
   }
   EXPECT_EQ(names, names_in_other_order);
+}
+
+// Two triangles of cloth 0.3 m apart that do not share a vertex, and one of a body 0.2 m below the lower.
+TEST(Clearances, AreTheDistancesOfTheNearestLayers) {
+  std::vector<Vec3> positions_m;
+  for (const double height_m : {0.0, 0.3, -0.2}) {
+    positions_m.insert(positions_m.end(), {{0, height_m, 0}, {1, height_m, 0}, {0, height_m, 1}});
+  }
+  const std::vector<Triangle> cloth{{0, 1, 2}, {3, 4, 5}};
+  const std::vector<Triangle> body{{6, 7, 8}};
+  const auto expect = [&](bool within_cloth, float most_m, std::array<float, 3> expected_m) {
+    Clearances clearances(cloth, body, within_cloth, positions_m);
+    const std::span<const float> found_m = clearances.find(positions_m, most_m);
+    ASSERT_EQ(found_m.size(), positions_m.size());
+    for (std::size_t v = 0; v < found_m.size(); ++v) {
+      EXPECT_NEAR(found_m[v], expected_m[v / 3], 1e-6F) << v;
+    }
+  };
+  expect(true, 1.0F, {0.2F, 0.3F, 0.2F});
+  expect(true, 0.25F, {0.2F, 0.25F, 0.2F});
+  expect(false, 0.4F, {0.2F, 0.4F, 0.2F});
 }
 
 }  // namespace

@@ -51,6 +51,25 @@ TEST(Window, AFabricIsChosenWhileTheClothHangs) {
   EXPECT_GT(state.newest->record.frame, frame);
 }
 
+TEST(Window, TheScenesOwnFabricComesBack) {
+  Person person("pinned-9x9-5", {parse_override("solver.kind=bounded")});
+  person.wait(2);
+  const ViewerState& state = person.viewer.state();
+  const double own_rigidity_n_m = state.scene.material.bending_rigidity_n_m;
+  const renderer::WeaveKind own_weave = state.scene.picture.cloth.weave_kind;
+  person.click("fabric");
+  person.click("fabric.denim");
+  person.wait(2);
+  ASSERT_NE(state.scene.material.bending_rigidity_n_m, own_rigidity_n_m);
+  person.click("fabric");
+  person.click("fabric.own");
+  person.wait(2);
+  EXPECT_EQ(state.scene.fabric, "");
+  EXPECT_EQ(state.scene.material.bending_rigidity_n_m, own_rigidity_n_m);
+  EXPECT_EQ(state.newest->garment->material.bending_rigidity_n_m, own_rigidity_n_m);
+  EXPECT_EQ(state.scene.picture.cloth.weave_kind, own_weave);
+}
+
 TEST(Window, EveryControlSaysWhatItDoes) {
   Person person("tshirt",
                 {parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")});

@@ -60,7 +60,12 @@ void lay_out_garment_list(ViewerState& state) {
 
 void lay_out_fabric_list(ViewerState& state) {
   const std::string name = std::filesystem::path(state.scene.fabric).stem().string();
-  if (begin_list("fabric", name.empty() ? "as in the scene" : name.c_str())) {
+  constexpr const char* own = "the scene's own";
+  if (begin_list("fabric", name.empty() ? own : name.c_str())) {
+    if (ImGui::Selectable(own, name.empty())) {
+      state.fabric_asked = "";
+    }
+    note_place(state, "fabric.own");
     for (const Choice& fabric : state.fabrics) {
       if (ImGui::Selectable(fabric.name.c_str(), fabric.name == name)) {
         state.fabric_asked = fabric.name;

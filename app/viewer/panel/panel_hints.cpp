@@ -53,7 +53,9 @@ constexpr std::array hints = {
          "Load a scene that comes with the program. Drop a scene's file on the window to load another."},
     Hint{"garment",
          "Put another garment into this scene. Drop a model's file on the window to load another."},
-    Hint{"fabric", "Make the garment of another fabric: its weight, stiffness and look, from now on."},
+    Hint{"fabric",
+         "Make the garment of another fabric: its weight, stiffness and look, from now on; "
+         "the first is that of the scene as it was opened."},
     Hint{"motion",
          "Choose how the body moves, over and over. The scene begins anew, and the body is dressed again."},
     Hint{"solver",

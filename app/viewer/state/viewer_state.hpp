@@ -115,7 +115,7 @@ struct ViewerState {
   std::vector<Action> asked;
   std::optional<std::string> scene_asked;  ///< a name or a file
   std::optional<std::filesystem::path> garment_asked;
-  std::optional<std::string> fabric_asked;  ///< a name
+  std::optional<std::string> fabric_asked;  ///< a name; empty: the scene's own
   std::optional<Choice> motion_asked;
 
   std::optional<Hovered> hovered;

@@ -1,0 +1,127 @@
+#include "app/drawing/drawn_bodies.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/drawing/framing.hpp"
+#include "app/drawing/mesh_arrays.hpp"
+
+namespace taut::app {
+namespace {
+
+const renderer::Colour body_colour = renderer::rgb(0xB9B4AC);
+
+// Share of an edge that the surface may leave its triangles by, where no cloth is near.
+constexpr float most_bulge = 0.2F;
+
+float mean_edge_m(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles) {
+  double sum_m = 0.0;
+  for (std::uint32_t side = 0; side < triangles.size(); ++side) {
+    sum_m += glm::distance(positions[triangles[side]], positions[triangles[renderer::next_corner(side)]]);
+  }
+  return static_cast<float>(sum_m / static_cast<double>(std::max<std::size_t>(triangles.size(), 1)));
+}
+
+renderer::SurfaceView plain_view(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                                 std::span<const std::uint32_t> triangles) {
+  renderer::SurfaceView view;
+  view.positions = positions;
+  view.normals = normals;
+  view.triangles = triangles;
+  view.style.outside_colour = body_colour;
+  view.style.inside_colour = body_colour;
+  view.style.translucency = 0.0F;
+  return view;
+}
+
+// A capsule whose radius changes is drawn as the balls at its ends and the larger of them between.
+struct RoundMaker {
+  std::vector<renderer::TriangleMesh>& meshes;
+
+  void operator()(const sim::Plane&) const {}
+  void operator()(const sim::BodyMesh&) const {}
+  void operator()(const sim::Sphere& ball) const {
+    meshes.push_back(renderer::make_sphere(glm::vec3(ball.centre_m), static_cast<float>(ball.radius_m)));
+  }
+  void operator()(const sim::Capsule& limb) const {
+    meshes.push_back(
+        renderer::make_capsule(glm::vec3(limb.start_m), glm::vec3(limb.end_m),
+                               static_cast<float>(std::min(limb.start_radius_m, limb.end_radius_m))));
+    if (limb.start_radius_m != limb.end_radius_m) {
+      (*this)(sim::Sphere{limb.start_m, limb.start_radius_m});
+      (*this)(sim::Sphere{limb.end_m, limb.end_radius_m});
+    }
+  }
+};
+
+}  // namespace
+
+DrawnBodies::DrawnBodies(std::vector<sim::Body> bodies)
+    : bodies_(std::move(bodies)),
+      move_(std::any_of(bodies_.begin(), bodies_.end(),
+                        [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
+      round_(bodies_.size()) {
+  std::size_t first_room = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (const auto* shape = std::get_if<sim::BodyMesh>(&bodies_[b].shape)) {
+      Mesh& mesh = meshes_[b];
+      mesh.rest_positions = to_float(shape->data->positions_m);
+      mesh.triangles = flat(shape->data->triangles);
+      mesh.edge_m = mean_edge_m(mesh.rest_positions, mesh.triangles);
+      mesh.first_room = first_room;
+      first_room += mesh.rest_positions.size();
+    }
+  }
+}
+
+void DrawnBodies::set_detail(float pixels_per_m, std::optional<float> shortest_edge_px) {
+  for (auto& [body, mesh] : meshes_) {
+    const int levels = !shortest_edge_px
+                           ? 0
+                           : renderer::refinement_levels(mesh.edge_m * pixels_per_m,
+                                                         mesh.triangles.size() / 3, *shortest_edge_px);
+    if (!mesh.surface || levels != mesh.levels) {
+      mesh.levels = levels;
+      mesh.surface.emplace(mesh.rest_positions, mesh.triangles, levels,
+                           renderer::SurfaceFreedom{most_bulge * mesh.edge_m});
+      placed_s_.reset();
+    }
+  }
+}
+
+void DrawnBodies::place(double time_s, std::span<const float> rooms_m) {
+  const bool stays = placed_s_ && (!move_ || *placed_s_ == time_s);
+  if (stays && rooms_m.empty()) {
+    return;
+  }
+  for (auto& [body, mesh] : meshes_) {
+    mesh.surface->place(
+        mesh_positions(bodies_[body], time_s),
+        rooms_m.empty() ? rooms_m : rooms_m.subspan(mesh.first_room, mesh.rest_positions.size()));
+  }
+  for (std::size_t b = 0; b < bodies_.size() && !stays; ++b) {
+    round_[b].clear();
+    std::visit(RoundMaker{round_[b]}, sim::shape_at(bodies_[b], time_s));
+  }
+  placed_s_ = time_s;
+}
+
+std::vector<renderer::SurfaceView> DrawnBodies::views() const {
+  std::vector<renderer::SurfaceView> views;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    for (const renderer::TriangleMesh& mesh : round_[b]) {
+      views.push_back(plain_view(mesh.positions, mesh.normals, mesh.triangles));
+    }
+    if (const auto mesh = meshes_.find(b); mesh != meshes_.end()) {
+      const renderer::SmoothSurface& surface = *mesh->second.surface;
+      renderer::SurfaceView& view =
+          views.emplace_back(plain_view(surface.positions(), surface.normals(), surface.triangles()));
+      view.refinement = renderer::Refinement{surface.mesh().coarse_vertex_count(), mesh->second.triangles,
+                                             surface.parents(), surface.parent_triangles()};
+    }
+  }
+  return views;
+}
+
+}  // namespace taut::app

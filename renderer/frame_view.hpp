@@ -83,6 +83,7 @@ struct Refinement {
   /// For each vertex that was added, in this order, two that come before it: the light is their mean.
   std::span<const std::array<std::uint32_t, 2>> parents;
   std::span<const std::uint32_t> parent_triangles;  ///< one per triangle: the coarse one it lies in
+  float most_bulge_m = 0.0F;                        ///< how far the surface is from the coarse mesh
 };
 
 /// A triangle near what is sewn: hems, bands and seams are drawn where the corners say. Lengths are those of

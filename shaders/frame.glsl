@@ -13,7 +13,7 @@ layout(std140) uniform Frame {
   vec4 shadow;              // x: side of a texel, m; y: 1 / texels; z: depth range, m; w: tangent of the light's
                             // angular radius, 0 for no shadows
   vec4 shadow_blur;         // x: radius of the widest blur of a shadow, texels of the map; taps that blur it, y: on
-                            // surfaces, z: on the floor
+                            // surfaces, z: on the floor; w: how far surfaces may be from those that cast it, m
   vec4 shadow_bounds;       // xy: lower, zw: upper corner of all that casts it, in the shadow map
   vec4 ground_light_area;   // xy: lower x and z, m; zw: 1 / extent, 1/m
   vec4 backdrop_horizon;    // x: sine of the elevation where the backdrop starts to change; y: where it ends;

@@ -34,7 +34,8 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
   vec2 direction = first;
   int i = 0;
   do {
-    vec2 tap = place.xy + search_radius * disc_radius(i, search_taps) * direction;
+    // Denser in the middle: the narrow blur near what casts a shadow needs to know of that.
+    vec2 tap = place.xy + search_radius * ((float(i) + 0.5) / float(search_taps)) * direction;
     float depth = textureLod(shadow_depth, tap, 0.0).r;
     direction = golden_turn * direction;
     float closer = step(depth, place.z - blocker_allowance * shadow.x / shadow.z);
@@ -47,13 +48,14 @@ float searched_visibility(vec3 place, float slope, float search_radius, float de
   float radius = clamp(gap * depth_to_uv, narrowest_blur * shadow.y, shadow_blur.x * shadow.y);
   // A wide filter on a slanted surface would meet the surface itself: the allowance grows with the radius.
   float allowance = (radius / shadow.y) * slope_allowance * slope * shadow.x / shadow.z;
-  // The search reaches farther than the filter: where it finds nothing but blockers, so would the filter.
 #ifdef FLOOR
   int filter_taps = int(shadow_blur.z);
 #else
   int filter_taps = int(shadow_blur.y);
 #endif
-  bool mixed = blockers > 0.0 && blockers < float(search_taps);
+  // Where a wide search finds nothing but blockers, a wide filter would too. Of a narrow one's place it says nothing.
+  bool dark = blockers == float(search_taps) && radius > 0.5 * search_radius;
+  bool mixed = blockers > 0.0 && !dark;
   float lit = 0.0;
   direction = first;
   i = 0;
@@ -72,7 +74,7 @@ float key_visibility(vec3 position, vec3 normal, bool asked) {
   // shadow attached.
   float cosine = dot(normal, towards_key.xyz);
   float slope = sqrt(max(1.0 - cosine * cosine, 0.0));
-  vec3 lifted = position + normal * shadow.x * (lift_facing + lift_grazing * slope);
+  vec3 lifted = position + normal * (shadow.x * (lift_facing + lift_grazing * slope) + shadow_blur.w);
   vec3 place = (world_to_shadow * vec4(lifted, 1.0)).xyz;
   place.z = min(place.z, 1.0);
   float depth_to_uv = shadow.z * shadow.w / shadow.x * shadow.y;  // blur radius per unit of depth between

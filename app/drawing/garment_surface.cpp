@@ -109,7 +109,7 @@ renderer::SurfaceView GarmentSurface::view() const {
   view.triangles = surface_->triangles();
   view.material_coordinates = material_coordinates_;
   view.refinement = renderer::Refinement{mesh.coarse_vertex_count(), triangles_, surface_->parents(),
-                                         surface_->parent_triangles()};
+                                         surface_->parent_triangles(), freedom_.most_bulge};
   view.corner_coordinates = fine_corner_coordinates_;
   view.base_colour_of_triangle = fine_colour_of_triangle_;
   view.trims = trims_;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -17,8 +18,8 @@ namespace {
 
 constexpr PictureSize film_size = {640, 480};
 constexpr std::size_t fewest_pictures = 60;
-// In which it passes over into its beginning.
-constexpr std::size_t seam_pictures = 15;
+// In which it dissolves into its beginning.
+constexpr std::size_t seam_pictures = 10;
 constexpr int frame_px = 12;
 
 double squared_distance(const Moment& a, const Moment& b) {
@@ -35,7 +36,7 @@ double squared_distance(const Moment& a, const Moment& b) {
 std::span<const Moment> find_loop(std::span<const Moment> moments, std::size_t fewest) {
   std::span<const Moment> best = moments;
   double least = std::numeric_limits<double>::infinity();
-  // With moments before it to pass over into, where that leaves a choice.
+  // With moments before it to dissolve into, where that leaves a choice.
   const std::size_t latest = moments.size() - std::min(moments.size(), fewest + 2);
   const std::size_t earliest = std::min(seam_pictures, latest / 2);
   for (std::size_t first = earliest; first + fewest + 1 < moments.size(); ++first) {
@@ -52,20 +53,17 @@ std::span<const Moment> find_loop(std::span<const Moment> moments, std::size_t f
   return best;
 }
 
-std::vector<Moment> without_seam(std::span<const Moment> moments, std::span<const Moment> loop) {
-  const auto first = static_cast<std::size_t>(loop.data() - moments.data());
-  const std::size_t count = std::min({seam_pictures, first, loop.size()});
-  std::vector<Moment> film(loop.begin(), loop.end());
-  for (std::size_t i = 0; i < count; ++i) {
-    const double part = static_cast<double>(i + 1) / static_cast<double>(count + 1);
-    const double share = part * part * (3.0 - 2.0 * part);
-    const Moment& before = moments[first - count + i];
-    std::vector<sim::Vec3>& shape = film[film.size() - count + i].positions;
-    for (std::size_t v = 0; v < shape.size(); ++v) {
-      shape[v] = (1.0 - share) * shape[v] + share * before.positions[v];
-    }
+std::vector<renderer::Image> dissolved(std::vector<renderer::Image> pictures, std::size_t before) {
+  for (std::size_t i = 0; i < before; ++i) {
+    const double share = static_cast<double>(i + 1) / static_cast<double>(before + 1);
+    renderer::Image& picture = pictures[pictures.size() - before + i];
+    std::transform(picture.pixels.begin(), picture.pixels.end(), pictures[i].pixels.begin(),
+                   picture.pixels.begin(), [share](std::uint8_t from, std::uint8_t to) {
+                     return static_cast<std::uint8_t>(std::lround((1.0 - share) * from + share * to));
+                   });
   }
-  return film;
+  pictures.erase(pictures.begin(), pictures.begin() + static_cast<std::ptrdiff_t>(before));
+  return pictures;
 }
 
 void crop(std::vector<renderer::Image>& pictures) {
@@ -101,14 +99,16 @@ void crop(std::vector<renderer::Image>& pictures) {
 }
 
 std::vector<renderer::Image> draw_film(const Recording& recording, OffscreenRenderer& offscreen) {
-  const std::vector<Moment> shapes =
-      without_seam(recording.moments, find_loop(recording.moments, fewest_pictures));
+  const std::span<const Moment> loop = find_loop(recording.moments, fewest_pictures);
+  const auto first = static_cast<std::size_t>(loop.data() - recording.moments.data());
+  const std::size_t before = std::min({seam_pictures, first, loop.size()});
   std::vector<PrintedMoment> moments;
-  for (const Moment& moment : shapes) {
+  for (std::size_t m = first - before; m < first + loop.size(); ++m) {
     // The camera is nearer where it need not see the shadow.
-    moments.push_back({.recording = &recording, .moment = &moment, .has_floor = false});
+    moments.push_back({.recording = &recording, .moment = &recording.moments[m], .has_floor = false});
   }
-  std::vector<renderer::Image> pictures = print_moments(offscreen, moments, film_size, 1.0F).pictures;
+  std::vector<renderer::Image> pictures =
+      dissolved(print_moments(offscreen, moments, film_size, 1.0F).pictures, before);
   crop(pictures);
   return pictures;
 }

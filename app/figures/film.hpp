@@ -19,10 +19,9 @@ inline constexpr double film_slowness = 2.0;
 /// between them.
 std::span<const Moment> find_loop(std::span<const Moment> moments, std::size_t fewest);
 
-/// Returns the moments of `loop`, a part of `moments`, with shapes that end where those before it lead:
-/// towards its end they pass over into the moments that come before its first, as far as there are any, so
-/// that nothing jumps where it starts again. What is passed over is drawn and not simulated.
-std::vector<Moment> without_seam(std::span<const Moment> moments, std::span<const Moment> loop);
+/// Returns the pictures without the first `before`, into which the last as many dissolve: nothing jumps where
+/// they start again, and no shape is shown that was not simulated. There are at least twice as many.
+std::vector<renderer::Image> dissolved(std::vector<renderer::Image> pictures, std::size_t before);
 
 /// Cuts off what is white in all pictures, which have the same size, but for a narrow frame. Sides stay even
 /// numbers.

@@ -48,7 +48,7 @@ glm::vec3 middle_of(const Box& box) {
 }
 
 void set_shadow(FrameBlock& block, const Lighting& lighting, const PictureSettings& settings,
-                const std::optional<Box>& casters) {
+                const std::optional<Box>& casters, float most_bulge_m) {
   block.world_to_shadow = glm::mat4{1.0F};
   block.shadow = glm::vec4{1.0F, 1.0F, 1.0F, 0.0F};
   if (!casters || !settings.shadows) return;
@@ -59,7 +59,7 @@ void set_shadow(FrameBlock& block, const Lighting& lighting, const PictureSettin
   const float tangent = std::max(lighting.penumbra, 0.0F) * key_softness;
   block.shadow = {side_m / texels, 1.0F / texels, side_m, std::max(tangent, 1e-5F)};
   const auto taps = static_cast<float>(settings.shadow_taps);
-  block.shadow_blur = {widest_blur * texels, taps, floor_taps * taps, 0.0F};
+  block.shadow_blur = {widest_blur * texels, taps, floor_taps * taps, most_bulge_m};
 }
 
 void set_ground(FrameBlock& block, const FrameView& frame, const std::optional<Box>& casters) {
@@ -125,7 +125,11 @@ FrameBlock make_frame_block(const FrameView& frame, const PictureSettings& setti
       glm::vec4{linear_light(backdrop.transparent ? white : backdrop.upper_colour), lighting.ambient};
   block.lower_colour = glm::vec4{linear_light(backdrop.transparent ? white : backdrop.lower_colour),
                                  backdrop.plain ? 1.0F : 0.0F};
-  set_shadow(block, lighting, settings, casters);
+  float most_bulge_m = 0.0F;
+  for (const SurfaceView& surface : frame.surfaces) {
+    if (surface.refinement) most_bulge_m = std::max(most_bulge_m, surface.refinement->most_bulge_m);
+  }
+  set_shadow(block, lighting, settings, casters, most_bulge_m);
   set_ground(block, frame, casters);
   // The backdrop's gradient starts at the middle of the picture, wherever the camera points.
   const glm::vec3 forward = glm::normalize(frame.camera.target - frame.camera.eye);

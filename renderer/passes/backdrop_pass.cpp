@@ -125,7 +125,8 @@ void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bo
 
 void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& part) {
   const int texel = shadow_texel_px(static_cast<int>(block.viewport.y));
-  const glm::ivec2 size_px = (glm::ivec2{part.width_px, part.height_px} + texel - 1) / texel;
+  // One texel more: the last pixels blend with what is beyond them.
+  const glm::ivec2 size_px = (glm::ivec2{part.width_px, part.height_px} + texel - 1) / texel + 1;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.name());
   // Its size changes with every step of a garment: it only grows.
   const glm::ivec2 roomy_px = glm::max(size_px, floor_shadow_map_.size_px);

@@ -74,21 +74,16 @@ TEST(Film, StartsAgainWhereTheClothGoesOnAlike) {
   EXPECT_EQ(find_loop(moments, 40).size(), 30U) << "there are no more";
 }
 
-TEST(Film, DoesNotJumpWhereItStartsAgain) {
-  std::vector<Moment> moments = swinging(60);
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    moments[i].positions[0].y = 0.1 * static_cast<double>(i);
+TEST(Film, DissolvesIntoItsBeginning) {
+  std::vector<renderer::Image> pictures(8, renderer::make_image(1, 1));
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    pictures[i].pixels[0] = static_cast<std::uint8_t>(i < 2 ? 10 * i : 100 + 10 * i);
   }
-  const std::span<const Moment> loop = find_loop(moments, 20);
-  EXPECT_GE(loop.data() - moments.data(), 15) << "it has something to pass over into";
-  const std::vector<Moment> film = without_seam(moments, loop);
-  ASSERT_EQ(film.size(), loop.size());
-  EXPECT_EQ(film.front().positions, loop.front().positions);
-  const double jump = glm::distance(loop.back().positions[0], loop.front().positions[0]);
-  EXPECT_LT(glm::distance(film.back().positions[0], film.front().positions[0]), 0.3 * jump);
-  for (std::size_t i = 0; i + 1 < film.size(); ++i) {
-    EXPECT_LT(glm::distance(film[i].positions[0], film[i + 1].positions[0]), 1.0) << i;
-  }
+  const std::vector<renderer::Image> film = dissolved(pictures, 2);
+  std::vector<int> shades;
+  std::transform(film.begin(), film.end(), std::back_inserter(shades),
+                 [](const renderer::Image& picture) { return picture.pixels[0]; });
+  EXPECT_EQ(shades, (std::vector{120, 130, 140, 150, 107, 63})) << "of 160 and 0, then of 170 and 10";
 }
 
 TEST(Film, IsCroppedToWhatItShows) {

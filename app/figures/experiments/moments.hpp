@@ -18,7 +18,7 @@ inline constexpr double fall_rest_s = 0.5;
 /// would only cost more.
 inline constexpr int strong_wind_frames = 100;
 
-/// The first of its frames that the report's film may pass over into at its end; it starts some later, when
+/// The first of its frames that the report's film may dissolve into at its end; it starts some later, when
 /// the wind has taken hold of the shirt.
 inline constexpr int film_first_frame = 15;
 

@@ -88,6 +88,7 @@ class Viewer {
   void see_from(const Side& side);
   void start_or_stop_recording();
   void save_scene();
+  void export_shape();
   void load_asked();
   void load(DrawnScene scene, const std::vector<std::string>& remarks);
   void collect_settings();

@@ -10,6 +10,7 @@
 #include "app/base/suggest.hpp"
 #include "app/base/version.hpp"
 #include "app/bodies/fit.hpp"
+#include "app/caches/frame_sink.hpp"
 #include "app/command_line_bench.hpp"
 #include "app/command_line_help.hpp"
 #include "app/command_line_picture.hpp"
@@ -183,6 +184,7 @@ std::function<Command()> add_render(CLI::App& app) {
                       "(default SCENE.png)");
   command->add_option("--frames", options->frames,
                       std::string("frames to draw: ") + frame_range_help + " (default: last; of a video 0:)");
+  command->add_option("--export", options->shapes, export_help);
   command->add_flag("--resume", options->resume,
                     "draw only those pictures of a sequence that an earlier run did not finish");
   add_resolution(*command, options->overrides);
@@ -204,7 +206,7 @@ std::function<Command()> add_render(CLI::App& app) {
   command->footer(
       "Examples:\n  taut render tshirt-wind-10\n"
       "  taut render cloth-fall --frames 0:120 --output 'frames/frame_{frame:04}.png'\n"
-      "  taut render cloth-fall --output fall.mp4\n"
+      "  taut render cloth-fall --output fall.mp4 --export fall.glb\n"
       "  taut render shirt.obj --wind 4@180 --stretch --resolution 4K\n"
       "  taut render tshirt --view back --background none\n");
   return [options] { return Command(*options); };
@@ -219,10 +221,7 @@ std::function<Command()> add_simulate(CLI::App& app) {
   command->add_option("--frames", options->frames,
                       std::string("frames to print and to export, simulated up to the last of them: ") +
                           frame_range_help + " (default: 1:)");
-  command->add_option(
-      "--export", options->shapes,
-      "write the shape of each of these frames, pattern such as shapes/{frame:04}.obj, or of the "
-      "last of them, such as end.obj");
+  command->add_option("--export", options->shapes, export_help);
   command->add_flag("--quiet", options->quiet, "print nothing but warnings and errors");
   command->add_flag(
       "--json", options->json,
@@ -242,6 +241,7 @@ std::function<Command()> add_simulate(CLI::App& app) {
       "Examples:\n  taut simulate pinned-9x9-5\n"
       "  taut simulate tshirt-gravity --frames :60 --set solver.substeps=40 --stats run.csv\n"
       "  taut simulate my-dress.obj --quiet --export end.obj\n"
+      "  taut simulate my-dress.obj --export dress-in-wind.pc2 --wind 4\n"
       "  taut simulate my-jacket.obj --untangle --verify\n"
       "  taut simulate my-dress.obj --stats run.jsonl --checkpoint run.checkpoint\n"
       "  taut simulate my-dress.obj --stats run.jsonl --resume run.checkpoint\n");

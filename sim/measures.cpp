@@ -77,6 +77,17 @@ SurfaceStretch measure_surface_stretch(const Garment& garment, std::span<const V
   return {largest, percentile_99(stretches)};
 }
 
+std::vector<double> triangle_surface_stretch(const Garment& garment, std::span<const Vec3> positions) {
+  std::vector<double> stretch(garment.mesh.triangles.size(), none);
+  for (std::size_t t = 0; t < stretch.size(); ++t) {
+    if (garment.triangles_at_rest[t].has_surface()) {
+      stretch[t] = surface_stretch_of(garment, t, positions);
+    }
+  }
+  std::replace(stretch.begin(), stretch.end(), none, 0.0);
+  return stretch;
+}
+
 std::vector<double> vertex_surface_stretch(const Garment& garment, std::span<const Vec3> positions) {
   std::vector<double> stretch(positions.size(), none);
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {

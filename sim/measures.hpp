@@ -39,6 +39,9 @@ struct SurfaceStretch {
 
 SurfaceStretch measure_surface_stretch(const Garment& garment, std::span<const Vec3> positions);
 
+/// Returns, per triangle, its surface stretch, or 0 where it has no surface.
+std::vector<double> triangle_surface_stretch(const Garment& garment, std::span<const Vec3> positions);
+
 /// Returns, per vertex, the largest surface stretch of the triangles there, or 0 where none has a surface.
 std::vector<double> vertex_surface_stretch(const Garment& garment, std::span<const Vec3> positions);
 

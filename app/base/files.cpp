@@ -24,12 +24,6 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-fs::path temporary_name(const fs::path& path) {
-  fs::path name = path;
-  name += ".part" + std::to_string(::getpid());
-  return name;
-}
-
 /// Such as /dev/stdout and named pipes: a rename would put a file in their place. Where the standard output
 /// is a regular file, it still is one to be written on and not to be replaced.
 bool is_written_straight(const fs::path& path) {
@@ -51,11 +45,17 @@ std::optional<std::string> try_to_write(const fs::path& path, std::span<const st
   return file ? std::nullopt : std::optional(reason_of(errno));
 }
 
-[[noreturn]] void fail_to_write(const fs::path& path, const std::string& reason) {
-  throw InputError("cannot write '" + path.string() + "': " + reason);
+}  // namespace
+
+fs::path temporary_name(const fs::path& path) {
+  fs::path name = path;
+  name += ".part" + std::to_string(::getpid());
+  return name;
 }
 
-}  // namespace
+void fail_to_write(const fs::path& path, const std::string& reason) {
+  throw InputError("cannot write '" + path.string() + "': " + reason);
+}
 
 void require_file(const fs::path& path) {
   std::error_code error;

@@ -23,6 +23,12 @@ void prepare_folder_of(const std::filesystem::path& file);
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem,
                                 const std::string& extension);
 
+/// A name in the same folder for what will be renamed to `path` when it is complete.
+std::filesystem::path temporary_name(const std::filesystem::path& path);
+
+/// Throws InputError that names the path and the reason.
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& reason);
+
 /// Writes to a temporary name in the same folder, then renames it. So `path` is never half written: it is
 /// absent, as it was before, or complete. Throws InputError that names the path and the system's reason; the
 /// temporary file is removed.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::string_view pc2_signature{"POINTCACHE2", 12};  // with the zero at its end
 constexpr std::size_t pc2_header_bytes = 32;
+constexpr std::size_t pc2_count_at = 28;  // of the frames
 constexpr std::size_t mdd_header_bytes = 8;
 constexpr std::size_t number_bytes = 4;
 constexpr std::size_t position_bytes = 3 * number_bytes;
@@ -35,7 +36,21 @@ double real_at(const char* bytes, std::endian order) {
   return static_cast<double>(std::bit_cast<float>(number_at(bytes, order)));
 }
 
-/// What the header of a cache says.
+void put_number(std::uint32_t value, std::endian order, std::string& bytes) {
+  const auto little = sim::little_endian(value);
+  order == std::endian::little ? bytes.append(little.begin(), little.end())
+                               : bytes.append(little.rbegin(), little.rend());
+}
+
+void put_real(double value, std::endian order, std::string& bytes) {
+  put_number(std::bit_cast<std::uint32_t>(static_cast<float>(value)), order, bytes);
+}
+
+std::endian order_of(PointCacheFormat format) {
+  return format == PointCacheFormat::pc2 ? std::endian::little : std::endian::big;
+}
+
+/// Where the frames are in a cache.
 struct Layout {
   std::size_t header_bytes = 0;
   std::size_t frames = 0;
@@ -135,11 +150,63 @@ std::unique_ptr<const FrameSource> open_mdd(const std::filesystem::path& path) {
   Layout layout{.order = std::endian::big};
   layout.frames = count_in(file, header, 0, "the number of frames");
   layout.vertices = count_in(file, header, number_bytes, "the number of points");
-  layout.header_bytes = mdd_header_bytes + layout.frames * number_bytes;
+  layout.header_bytes = point_cache_header_bytes(PointCacheFormat::mdd, layout.frames);
   if (file.size() >= layout.header_bytes) {
     layout.rate_hz = rate_of_times(file, layout.frames);
   }
   return std::make_unique<PointCache>(std::move(file), layout);
+}
+
+std::string point_cache_header(PointCacheFormat format, const PointCacheContent& content) {
+  std::string bytes;
+  const std::endian order = order_of(format);
+  const auto vertices = static_cast<std::uint32_t>(content.vertices);
+  const auto frames = static_cast<std::uint32_t>(content.frames);
+  if (format == PointCacheFormat::pc2) {
+    bytes = pc2_signature;
+    put_number(1, order, bytes);
+    put_number(vertices, order, bytes);
+    put_real(content.first_frame, order, bytes);
+    put_real(1.0, order, bytes);  // one for each frame
+    put_number(frames, order, bytes);
+    return bytes;
+  }
+  put_number(frames, order, bytes);
+  put_number(vertices, order, bytes);
+  for (std::uint32_t k = 0; k < frames; ++k) {
+    put_real((content.first_frame + static_cast<double>(k)) / content.frame_rate_hz, order, bytes);
+  }
+  return bytes;
+}
+
+std::size_t point_cache_header_bytes(PointCacheFormat format, std::size_t frames) {
+  return format == PointCacheFormat::pc2 ? pc2_header_bytes : mdd_header_bytes + frames * number_bytes;
+}
+
+std::string point_cache_frame(PointCacheFormat format, std::span<const sim::Vec3> positions) {
+  std::string bytes;
+  bytes.reserve(positions.size() * position_bytes);
+  for (const sim::Vec3& position : positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      put_real(position[axis], order_of(format), bytes);
+    }
+  }
+  return bytes;
+}
+
+std::size_t point_cache_frame_bytes(std::size_t vertices) {
+  return vertices * position_bytes;
+}
+
+std::optional<std::size_t> point_cache_frames(PointCacheFormat format, const SeekableFile& file) {
+  const std::size_t at = format == PointCacheFormat::pc2 ? pc2_count_at : 0;
+  std::array<char, number_bytes> bytes = {};
+  if (file.size() < at + bytes.size()) {
+    return std::nullopt;
+  }
+  file.read(at, bytes);
+  const std::size_t frames = number_at(bytes.data(), order_of(format));
+  return frames <= sim::most_counted ? std::optional(frames) : std::nullopt;
 }
 
 }  // namespace taut::app

@@ -52,6 +52,7 @@ struct RenderOptions {
   std::vector<Override> overrides;
   std::filesystem::path statistics;  ///< file for --stats; empty: none
   std::string backend = "auto";
+  std::string shapes;   ///< as in SimulateOptions
   bool resume = false;  ///< only frames whose file does not exist yet
   bool verify = false;  ///< hold every frame to its promises (frame_verifier.hpp)
   /// Arguments of the program without --resume. Every picture stores them.
@@ -62,7 +63,7 @@ struct RenderOptions {
 struct SimulateOptions {
   std::string scene;   ///< a scene or a garment file
   std::string frames;  ///< as in frame_range.hpp; empty: all from 1 on
-  std::string shapes;  ///< Pattern for OBJ files, or the name of one file for the last frame. Empty: none.
+  std::string shapes;  ///< what to export to (app/caches/frame_sink.hpp); empty: nothing
   bool json = false;
   bool quiet = false;
   bool verify = false;  ///< hold every frame to its promises (frame_verifier.hpp)

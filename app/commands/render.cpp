@@ -13,6 +13,7 @@
 #include "app/base/version.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
+#include "app/caches/frame_sink.hpp"
 #include "app/commands/blocked_run.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
@@ -259,9 +260,13 @@ class LostGarment {
   int first_ = 0;
 };
 
+ExportSettings exported(const RenderOptions& options, const RenderJob& job) {
+  return {options.shapes, {job.frames.front(), job.frames.back()}, job.scene.simulation.frame_rate_hz};
+}
+
 std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim::Simulation& simulation,
                               OffscreenRenderer& offscreen, const DrawnColours& colours,
-                              PictureOutput& output, std::span<const int> frames,
+                              PictureOutput& output, FrameSink* shapes, std::span<const int> frames,
                               std::optional<StatisticsFile>& statistics, FrameVerifier* verifier,
                               Progress& progress) {
   progress.begin("preparing the first frame");
@@ -292,6 +297,10 @@ std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim:
   outputs.pictures = frames;
   outputs.start_frame = go_to_start(job.scene, simulation);
   require_begun(outputs.start_frame, job.frames.front());
+  if (shapes != nullptr) {
+    outputs.with_start = outputs.start_frame == job.frames.front();
+    outputs.write_shape = [&](int frame, const auto& moment) { shapes->write(frame, moment); };
+  }
   outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions, double time_s) {
     renderer::Image picture = painter->draw(positions, time_s);
     lost.look(painter->camera(), aspect_of(job.scene.picture.settings), positions);
@@ -316,6 +325,7 @@ std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim:
   const auto keep = [&] {
     progress.hide();
     output.keep();
+    fmt::print("{}", shapes != nullptr ? shapes->finish() + '\n' : "");
   };
   try {
     std::vector<FrameRecord> records = run_frames(simulation, job.frames.back(), outputs);
@@ -339,6 +349,9 @@ std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim:
 int run(const RenderOptions& options) {
   RenderJob job = render_job_of(options);
   PictureOutput output(job);
+  if (!options.shapes.empty()) {
+    require_export(exported(options, job), job.scene.garment.file);
+  }
   if (!options.statistics.empty()) {
     statistics_format(options.statistics);
     prepare_folder_of(options.statistics);
@@ -378,14 +391,17 @@ int run(const RenderOptions& options) {
     statistics.emplace(options.statistics, description, std::nullopt);
   }
   FrameVerifier verifier;
-  const std::vector<FrameRecord> records = draw(options, job, simulation, offscreen, colours, output, frames,
-                                                statistics, options.verify ? &verifier : nullptr, progress);
+  const std::unique_ptr<FrameSink> shapes =
+      options.shapes.empty() ? nullptr : open_sink(exported(options, job), loaded, simulation);
+  const std::vector<FrameRecord> records =
+      draw(options, job, simulation, offscreen, colours, output, shapes.get(), frames, statistics,
+           options.verify ? &verifier : nullptr, progress);
   RunSummary summary;
   for (const FrameRecord& record : records) {
     summary.add(record);
   }
   progress.begin("finishing " + job.output);
-  const std::string written = output.finish();
+  const std::string written = output.finish() + (shapes ? '\n' + shapes->finish() : "");
   progress.hide();
 
   if (job.again && options.overrides.empty()) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
+#include <memory>
 #include <utility>
 
 #include "app/base/counted.hpp"
@@ -11,6 +11,7 @@
 #include "app/base/progress.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
+#include "app/caches/frame_sink.hpp"
 #include "app/commands/blocked_run.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
@@ -18,11 +19,9 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/hanger.hpp"
-#include "app/models/obj_writing.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
 #include "app/output/frame_verifier.hpp"
-#include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/run_start.hpp"
 #include "app/output/statistics_file.hpp"
@@ -70,32 +69,6 @@ void print_summary(const RunSummary& summary) {
 bool is_told(const SimulateOptions& options) {
   return !options.quiet && !options.json;
 }
-
-/// Where shapes go: a file for every frame in the range, or one for the last of them.
-class ShapeOutput {
- public:
-  ShapeOutput(const std::string& pattern, FrameRange range) : pattern_(pattern, ".obj"), range_(range) {
-    range_.first = pattern_.has_field() ? range.first : range.last;
-    prepare_folder_of(pattern_.path_of(range_.first));
-  }
-
-  void write(int frame, const sim::Simulation& moment, std::span<const glm::vec2> corner_uv) const {
-    if (range_.contains(frame)) {
-      write_text_file(pattern_.path_of(frame),
-                      obj_text(moment.garment().mesh, moment.state().current, corner_uv));
-    }
-  }
-
-  std::string describe() const {
-    std::vector<int> frames(static_cast<std::size_t>(range_.count()));
-    std::iota(frames.begin(), frames.end(), range_.first);
-    return describe_written(pattern_, frames);
-  }
-
- private:
-  OutputPattern pattern_;
-  FrameRange range_;
-};
 
 /// The scene's garment, with the hanger that it asks for, with what was guessed and repaired said on
 /// `remarks`, where there is one.
@@ -152,10 +125,11 @@ std::optional<StatisticsFile> statistics_of(const SimulateOptions& options, cons
 
 // What a run ends with: said, printed for programs, written.
 void hand_over(const SimulateOptions& options, const RunSummary& summary,
-               const std::optional<ShapeOutput>& shapes, std::optional<StatisticsFile>& statistics) {
+               const std::unique_ptr<FrameSink>& shapes, std::optional<StatisticsFile>& statistics) {
+  const std::string written = shapes ? shapes->finish() + '\n' : "";
   if (is_told(options)) {
     print_summary(summary);
-    fmt::print("{}", shapes ? shapes->describe() + '\n' : "");
+    fmt::print("{}", written);
   }
   if (options.json) {
     fmt::print("{}", statistics_end(StatisticsFormat::json_lines, summary));
@@ -174,6 +148,19 @@ void try_outputs(const SimulateOptions& options) {
   }
 }
 
+/// Where shapes go, once it is known where the run begins; none if nobody asks for them.
+std::unique_ptr<FrameSink> shapes_of(const SimulateOptions& options, ExportSettings settings,
+                                     const DrawnScene& scene, const GarmentInScene& loaded,
+                                     const sim::Simulation& simulation, int begun) {
+  if (options.shapes.empty()) {
+    return nullptr;
+  }
+  const bool goes_on = !options.resume.empty();
+  settings.frames.first = std::max(settings.frames.first, goes_on ? start_frame(scene) : begun);
+  settings.last_kept = goes_on ? std::optional(begun) : std::nullopt;
+  return open_sink(settings, loaded, simulation);
+}
+
 /// A run under way.
 struct Running {
   const SimulateOptions& options;
@@ -182,6 +169,7 @@ struct Running {
   FrameLines lines;
   RunCheckpoint run;
   std::optional<StatisticsFile> statistics;
+  std::unique_ptr<FrameSink> shapes;
 
   /// What is counted, written and said of a frame, as it comes.
   void report(const FrameRecord& record) {
@@ -205,9 +193,19 @@ struct Running {
 
   void save() {
     if (!options.saved_to().empty()) {
+      if (shapes) {
+        shapes->keep();
+      }
       run.simulation = sim::encode(simulation.save(), simulation.garment());
       write_run_checkpoint(options.saved_to(), run);
     }
+  }
+
+  /// Of a run that ends early: completes the shapes before.
+  void finish_shapes() {
+    progress.hide();
+    const std::string written = shapes ? shapes->finish() + '\n' : "";
+    fmt::print("{}", is_told(options) ? written : "");
   }
 
   /// Saves the run and says how it goes on. Returns the exit code.
@@ -230,10 +228,11 @@ int run(const SimulateOptions& options) {
   print_body_remarks(scene, load_bodies(scene), remarks);
   const FrameRange range =
       options.frames.empty() ? FrameRange{1, scene.frames} : frame_range(options.frames, scene.frames);
-  std::optional<ShapeOutput> shapes;
+  const ExportSettings exported = {options.shapes, range, scene.simulation.frame_rate_hz,
+                                   !options.saved_to().empty()};
   FrameOutputs outputs;
   if (!options.shapes.empty()) {
-    shapes.emplace(options.shapes, range);
+    require_export(exported, scene.garment.file);
   }
   statistics_format(options.statistics);
   try_outputs(options);
@@ -241,11 +240,6 @@ int run(const SimulateOptions& options) {
   Progress progress(scene.name);
   const LoadedGarment loaded = load(scene, progress, remarks);
   sim::Simulation simulation = make_simulation(scene, loaded);
-  if (shapes) {
-    outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
-      shapes->write(frame, moment, loaded.colours.corner_uv);
-    };
-  }
   FrameVerifier verifier;
   RunCheckpoint begun = begin(options, scene, verifier, simulation);
   require_begun(begun.frame, range.last);
@@ -257,7 +251,17 @@ int run(const SimulateOptions& options) {
   if (options.json) {
     fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
   }
-  Running running{options, simulation, progress, FrameLines(range), std::move(begun), std::move(statistics)};
+  Running running{options,
+                  simulation,
+                  progress,
+                  FrameLines(range),
+                  {},
+                  std::move(statistics),
+                  shapes_of(options, exported, scene, loaded, simulation, begun.frame)};
+  running.run = std::move(begun);
+  if (running.shapes) {
+    outputs.write_shape = [&](int frame, const auto& moment) { running.shapes->write(frame, moment); };
+  }
   outputs.report = [&](const FrameRecord& record) { running.report(record); };
   if (options.verify) {
     outputs.verify = [&](const auto& moment, FrameRecord& record) { return verifier.check(moment, record); };
@@ -270,12 +274,18 @@ int run(const SimulateOptions& options) {
     }
     return running.stop();
   } catch (const FrameBlocked& error) {
-    progress.hide();
+    running.finish_shapes();
     end_blocked(error, scene, simulation, options.shapes);
+  } catch (const PromiseBroken&) {
+    running.finish_shapes();
+    throw;
+  } catch (const sim::Diverged&) {
+    running.finish_shapes();
+    throw;
   }
   progress.hide();
   running.save();
-  hand_over(options, running.run.summary, shapes, running.statistics);
+  hand_over(options, running.run.summary, running.shapes, running.statistics);
   fmt::print("{}", options.verify && is_told(options) ? verifier.summary() + '\n' : "");
   return judge_bound(scene, running.run.summary);
 }

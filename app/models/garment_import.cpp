@@ -39,6 +39,24 @@ void require_size(const ModelArrays& arrays) {
   }
 }
 
+/// The faces with the file's numbers of vertices.
+FileFaces faces_in_file(ModelArrays& arrays) {
+  if (!arrays.position_of_vertex.empty()) {
+    std::vector<sim::Index> number(arrays.positions.size(), 0);
+    for (auto v = static_cast<sim::Index>(arrays.position_of_vertex.size()); v-- > 0;) {
+      number[arrays.position_of_vertex[v]] = v;
+    }
+    for (sim::Index& corner : arrays.corners) {
+      corner = number[corner];
+    }
+  }
+  return {std::move(arrays.corner_counts),
+          std::move(arrays.corners),
+          {},
+          std::move(arrays.sections),
+          arrays.has_normals};
+}
+
 /// What else could be read: for those who chose another kind of file. To others it would say nothing.
 std::string expectation(const std::string& reason) {
   const bool is_no_model =
@@ -56,11 +74,14 @@ ImportedModel import_garment(const std::filesystem::path& path, const ImportLimi
     ImportedModel model;
     count_faces(arrays, model);
     model.triangles = sim::cut_into_triangles({arrays.positions, arrays.corner_counts, arrays.corners});
+    std::vector<glm::vec2> corner_uv = arrays.colours.corner_uv;
     model.colours =
         cut_colours(std::move(arrays.colours), arrays.corner_counts, arrays.corners, model.triangles);
+    model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);
+    model.faces = faces_in_file(arrays);
+    model.faces.corner_uv = std::move(corner_uv);
     model.positions = std::move(arrays.positions);
     model.position_of_vertex = std::move(arrays.position_of_vertex);
-    model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);
     model.format = std::move(arrays.format);
     model.meshes = arrays.meshes;
     model.ignored_lines = arrays.ignored_lines;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/models/file_faces.hpp"
 #include "app/models/import_process.hpp"
 #include "app/models/model_arrays.hpp"
 #include "sim/mesh/types.hpp"
@@ -29,6 +30,7 @@ struct ImportedModel {
   std::optional<ModelAxis> up;            ///< empty if neither the file nor its format says
   Rig rig;                                ///< as in ModelArrays
   SurfaceColours colours;                 ///< of `triangles`
+  FileFaces faces;                        ///< as the file has them
 };
 
 /// Limit on the triangles of a model. More would not fit into memory with their springs.

@@ -77,6 +77,18 @@ FileVertices vertices_of_file(const ImportedModel& model, std::vector<sim::Index
   return vertices;
 }
 
+/// The positions of the file's vertices, as they stand in it.
+std::vector<sim::Vec3> positions_in_file(const ImportedModel& model) {
+  if (model.position_of_vertex.empty()) {
+    return model.positions;
+  }
+  std::vector<sim::Vec3> positions;
+  for (const sim::Index position : model.position_of_vertex) {
+    positions.push_back(model.positions[position]);
+  }
+  return positions;
+}
+
 sim::RepairSettings repair_settings(const GarmentSource& source, double metres_per_unit) {
   return {source.weld_m.value_or(0.0) / metres_per_unit,
           source.weld_m ? 0.0 : sewn_within_m / metres_per_unit};
@@ -114,6 +126,13 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
       loaded.placement = place_model(soup, hints);
     }
     model.positions = std::move(soup.positions);
+    if (source.subdivisions == 0) {
+      loaded.file_faces = std::move(model.faces);
+      loaded.file_rest_m = positions_in_file(model);
+      for (sim::Vec3& position : loaded.file_rest_m) {
+        position = (*loaded.placement)(position);
+      }
+    }
     for (sim::Vec3& position : valid.mesh.positions) {
       position = (*loaded.placement)(position);
     }
@@ -197,21 +216,26 @@ std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::M
   return groups;
 }
 
-/// The positions of the file's vertices, as they stand in it.
-std::vector<sim::Vec3> read_start(const std::filesystem::path& file, std::size_t count) {
-  const ImportedModel model = import_garment(file);
-  std::vector<sim::Vec3> start_m = model.positions;
-  if (!model.position_of_vertex.empty()) {
-    start_m.clear();
-    for (const sim::Index position : model.position_of_vertex) {
-      start_m.push_back(model.positions[position]);
+/// The positions that a file has, in m, for the vertices of the garment's file or for those of the mesh.
+std::vector<sim::Vec3> read_start(const std::filesystem::path& file, const LoadedGarment& loaded) {
+  const std::vector<sim::Vec3> found_m = positions_in_file(import_garment(file));
+  const std::size_t count = loaded.garment->mesh.positions.size();
+  const std::vector<sim::Index>& mesh_vertex = loaded.file_vertices.mesh_vertex;
+  if (loaded.file_faces.empty() || found_m.size() != mesh_vertex.size()) {
+    if (found_m.size() != count) {
+      throw InputError(fmt::format(
+          "garment.start: found {} in '{}', expected the garment's {}, in their order, as taut simulate "
+          "--export writes them",
+          counted(found_m.size(), "vertex", "vertices"), file.string(),
+          loaded.file_faces.empty() ? count : mesh_vertex.size()));
     }
+    return found_m;
   }
-  if (start_m.size() != count) {
-    throw InputError(fmt::format(
-        "garment.start: found {} in '{}', expected the garment's {}, in their order, as taut simulate "
-        "--export writes them",
-        counted(start_m.size(), "vertex", "vertices"), file.string(), count));
+  std::vector<sim::Vec3> start_m(count);
+  for (std::size_t v = mesh_vertex.size(); v-- > 0;) {
+    if (mesh_vertex[v] != sim::no_vertex) {
+      start_m[mesh_vertex[v]] = found_m[v];
+    }
   }
   return start_m;
 }
@@ -261,7 +285,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
     loaded.pins.insert(loaded.pins.end(), group.vertices.begin(), group.vertices.end());
   }
   if (!scene.garment.start.empty()) {
-    loaded.start_m = read_start(scene.garment.start, loaded.garment->mesh.positions.size());
+    loaded.start_m = read_start(scene.garment.start, loaded);
   }
   if (scene.garment.untangle) {
     untangle(scene, loaded, begin);

@@ -32,6 +32,9 @@ struct GarmentInScene {
   FileVertices file_vertices;  ///< For the mesh before subdivision. Of a grid: all its vertices.
   std::vector<sim::MovingPins> moving_pins = {};  ///< vertices of the mesh
   SurfaceColours colours = {};                    ///< of the mesh's triangles
+  /// Of its file, to be written again; empty of a grid and of a mesh that was subdivided.
+  FileFaces file_faces = {};
+  std::vector<sim::Vec3> file_rest_m = {};  ///< per vertex of the file, where `file_faces` are not empty
   /// Of the cloth at rest, for one unit of texture coordinates: what the landmarks' file says, or the median
   /// of the triangles; 0 without coordinates.
   double metres_per_uv = 0.0;

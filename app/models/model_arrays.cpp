@@ -21,6 +21,11 @@ std::string encode(const ModelArrays& model) {
   out.put_list(model.corner_counts);
   out.put_list(model.corners);
   out.put_list(model.position_of_vertex);
+  put_all(model.sections, out, [&](const FaceSection& section) {
+    out.put(section.first_face);
+    out.put_list(section.line);
+  });
+  out.put(static_cast<std::uint8_t>(model.has_normals ? 1 : 0));
   out.put_list(model.format);
   out.put(static_cast<std::uint64_t>(model.meshes));
   out.put(static_cast<std::uint64_t>(model.ignored_lines));
@@ -39,6 +44,11 @@ ModelArrays decode(const std::string& bytes) {
   model.corner_counts = reader.take_list<std::vector<std::uint32_t>>();
   model.corners = reader.take_list<std::vector<sim::Index>>();
   model.position_of_vertex = reader.take_list<std::vector<sim::Index>>();
+  take_all(model.sections, reader, [&](FaceSection& section) {
+    section.first_face = reader.take<std::uint32_t>();
+    section.line = reader.take_list<std::string>();
+  });
+  model.has_normals = reader.take<std::uint8_t>() != 0;
   model.format = reader.take_list<std::string>();
   model.meshes = reader.take<std::uint64_t>();
   model.ignored_lines = reader.take<std::uint64_t>();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/models/file_faces.hpp"
 #include "app/models/rig.hpp"
 #include "app/models/surface_colours.hpp"
 #include "app/scene/model_units.hpp"
@@ -20,7 +21,9 @@ struct ModelArrays {
   std::vector<sim::Index> corners;           ///< indices into `positions`, face after face
   /// Index into `positions` for each vertex of the file. Empty if the order is the same.
   std::vector<sim::Index> position_of_vertex;
-  std::string format;  ///< name of the format, from the reader
+  std::vector<FaceSection> sections;  ///< what groups the faces, ordered by them
+  bool has_normals = false;           ///< the file has some; they are not read
+  std::string format;                 ///< name of the format, from the reader
   std::size_t meshes = 0;
   std::size_t ignored_lines = 0;
   std::size_t ignored_points = 0;

@@ -46,6 +46,14 @@ void append_face(const aiFace& face, const aiMesh& mesh, bool mirrored, ModelArr
   }
 }
 
+/// As an OBJ would name it.
+void begin_section(const char* kind, std::string name, ModelArrays& model) {
+  std::erase_if(name, [](char letter) { return std::iscntrl(static_cast<unsigned char>(letter)) != 0; });
+  if (!name.empty()) {
+    model.sections.push_back({static_cast<std::uint32_t>(model.corner_counts.size()), kind + name});
+  }
+}
+
 void append_mesh(const aiMesh& mesh, const aiMatrix4x4& to_world, ModelArrays& model) {
   if (mesh.mNumVertices > 0 && mesh.mVertices == nullptr) {
     throw InputError("one of its meshes has no positions");
@@ -70,7 +78,13 @@ void append_mesh(const aiMesh& mesh, const aiMatrix4x4& to_world, ModelArrays& m
 void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, ModelArrays& model) {
   const aiMatrix4x4 to_world = parent * node.mTransformation;
   for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    append_mesh(*scene.mMeshes[node.mMeshes[m]], to_world, model);
+    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
+    begin_section("o ", mesh.mName.C_Str(), model);
+    if (mesh.mMaterialIndex < scene.mNumMaterials) {
+      begin_section("usemtl ", scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str(), model);
+    }
+    model.has_normals = model.has_normals || mesh.HasNormals();
+    append_mesh(mesh, to_world, model);
   }
   for (unsigned c = 0; c < node.mNumChildren; ++c) {
     append_node(scene, *node.mChildren[c], to_world, model);

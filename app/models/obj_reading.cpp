@@ -39,6 +39,7 @@ class ObjReader {
   double coordinate(std::string_view word) const;
   sim::Index vertex(std::string_view word) const;
   sim::Index texture_vertex(std::string_view word) const;
+  void begin_section(std::string_view kind, std::string_view name);
   void use_material(std::string_view name);
   void place_texture();
   void require_vertices() const;
@@ -202,13 +203,21 @@ void ObjReader::read_line(std::string_view line) {
   } else if (kind == "vt") {
     const float u = share_of(take_word(line));
     texture_vertices_.emplace_back(u, share_of(take_word(line)));
-  } else if (kind == "mtllib") {
-    model_.colours.libraries.emplace_back(name_in(line));
-  } else if (kind == "o" || kind == "g" || kind == "usemtl") {
-    group_begins_ = true;
-    if (kind == "usemtl") {
-      use_material(name_in(line));
-    }
+  } else if (kind == "vn") {
+    model_.has_normals = true;
+  } else if (kind == "mtllib" || kind == "o" || kind == "g" || kind == "s" || kind == "usemtl") {
+    begin_section(kind, name_in(line));
+  }
+}
+
+void ObjReader::begin_section(std::string_view kind, std::string_view name) {
+  std::string line = std::string(kind) + (name.empty() ? "" : " ") + std::string(name);
+  model_.sections.push_back({static_cast<std::uint32_t>(model_.corner_counts.size()), std::move(line)});
+  group_begins_ = group_begins_ || kind == "o" || kind == "g" || kind == "usemtl";
+  if (kind == "mtllib") {
+    model_.colours.libraries.emplace_back(name);
+  } else if (kind == "usemtl") {
+    use_material(name);
   }
 }
 

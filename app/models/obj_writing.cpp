@@ -26,30 +26,61 @@ std::vector<std::size_t> put_texture_vertices(std::span<const glm::vec2> corner_
   return vertices;
 }
 
+template <class Vectors>
+void put_vectors(const std::string& kind, const Vectors& vectors, const std::string& number,
+                 std::string& text) {
+  const std::string line = kind + ' ' + number + ' ' + number + ' ' + number + '\n';
+  for (const auto& v : vectors) {
+    fmt::format_to(std::back_inserter(text), fmt::runtime(line), v.x, v.y, v.z);
+  }
+}
+
 }  // namespace
 
-std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions,
-                     std::span<const glm::vec2> corner_uv, std::string text, const std::string& number) {
-  assert(positions.size() == mesh.positions.size());
+FileFaces faces_of(const sim::Mesh& mesh, std::span<const glm::vec2> corner_uv) {
   assert(corner_uv.empty() || (mesh.quads.empty() && corner_uv.size() == 3 * mesh.triangles.size()));
-  auto end = std::back_inserter(text);
-  const std::string line = "v " + number + ' ' + number + ' ' + number + '\n';
-  for (const sim::Vec3& p : positions) {
-    fmt::format_to(end, fmt::runtime(line), p.x, p.y, p.z);
-  }
-  const std::vector<std::size_t> texture_vertices = put_texture_vertices(corner_uv, number, text);
-  // Grid cells stay quads, so that the file maps to the same edges.
-  for (const sim::Quad& q : mesh.quads) {
-    fmt::format_to(end, "f {} {} {} {}\n", q[0] + 1, q[1] + 1, q[2] + 1, q[3] + 1);
+  FileFaces faces;
+  const auto add = [&](const auto& corners) {
+    faces.corner_counts.push_back(static_cast<std::uint32_t>(corners.size()));
+    faces.corners.insert(faces.corners.end(), corners.begin(), corners.end());
+  };
+  for (const sim::Quad& quad : mesh.quads) {
+    add(quad);
   }
   for (std::size_t t = 2 * mesh.quads.size(); t < mesh.triangles.size(); ++t) {
-    const sim::Triangle& corners = mesh.triangles[t];
+    add(mesh.triangles[t]);
+  }
+  faces.corner_uv.assign(corner_uv.begin(), corner_uv.end());
+  return faces;
+}
+
+std::string obj_text(const sim::Mesh& mesh, std::span<const sim::Vec3> positions,
+                     std::span<const glm::vec2> corner_uv, const std::string& comment,
+                     const std::string& number) {
+  assert(positions.size() == mesh.positions.size());
+  return obj_text(faces_of(mesh, corner_uv), positions, {}, comment, number);
+}
+
+std::string obj_text(const FileFaces& faces, std::span<const sim::Vec3> positions,
+                     std::span<const glm::vec3> normals, const std::string& comment,
+                     const std::string& number) {
+  assert(normals.empty() || normals.size() == positions.size());
+  std::string text = comment;
+  put_vectors("v", positions, number, text);
+  const std::vector<std::size_t> texture_vertices = put_texture_vertices(faces.corner_uv, number, text);
+  put_vectors("vn", normals, number, text);
+  auto section = faces.sections.begin();
+  std::size_t corner = 0;
+  for (std::uint32_t face = 0; face < faces.corner_counts.size(); ++face) {
+    for (; section != faces.sections.end() && section->first_face <= face; ++section) {
+      text += section->line + '\n';
+    }
     text += 'f';
-    for (std::size_t k = 0; k < 3; ++k) {
-      fmt::format_to(end, " {}", corners[k] + 1);
-      if (!texture_vertices.empty()) {
-        fmt::format_to(end, "/{}", texture_vertices[3 * t + k]);
-      }
+    for (const std::size_t end = corner + faces.corner_counts[face]; corner < end; ++corner) {
+      const auto vertex = std::size_t{faces.corners[corner]} + 1;
+      const std::string uv = texture_vertices.empty() ? "" : std::to_string(texture_vertices[corner]);
+      text += ' ' + std::to_string(vertex) + (uv.empty() && normals.empty() ? "" : "/" + uv) +
+              (normals.empty() ? "" : '/' + std::to_string(vertex));
     }
     text += '\n';
   }

@@ -67,6 +67,10 @@ void dress(const Scene& scene, sim::Simulation& simulation) {
   simulation.set_time(0.0);
 }
 
+int start_frame(const Scene& scene) {
+  return scene.checkpoint.empty() ? 0 : read_run_checkpoint(scene.checkpoint).frame;
+}
+
 int go_to_start(const Scene& scene, sim::Simulation& simulation) {
   if (scene.checkpoint.empty()) {
     const std::vector<sim::Vec3> start_m = simulation.state().current;

@@ -17,4 +17,7 @@ void dress(const Scene& scene, sim::Simulation& simulation);
 /// the message says where the garment is too small (app/bodies/fit.hpp).
 int go_to_start(const Scene& scene, sim::Simulation& simulation);
 
+/// Returns that frame, and goes nowhere. Throws InputError where the checkpoint cannot be read.
+int start_frame(const Scene& scene);
+
 }  // namespace taut::app

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/base/base64.hpp"
 #include "app/base/counted.hpp"
 #include "app/report/report.hpp"
 #include "app/report/report_texts.hpp"
@@ -174,23 +175,6 @@ std::string machine_html(const Machine& machine) {
 }
 
 }  // namespace
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = (group << 8U) | (k < count ? bytes[i + k] : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= count ? letters[(group >> (18U - 6U * k)) & 63U] : '=';
-    }
-  }
-  return text;
-}
 
 std::string film_html(const Film& film, const Recording& run) {
   const std::string caption = escaped(film_caption(run));

@@ -53,7 +53,4 @@ renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale 
 /// The picture scaled to this width; its proportions stay.
 renderer::Image scaled_to_width(const renderer::Image& picture, int width_px);
 
-/// The bytes as base64 (RFC 4648, section 4).
-std::string base64(std::span<const std::uint8_t> bytes);
-
 }  // namespace taut::app

@@ -95,6 +95,7 @@ class Viewer {
   void see_from(const Side& side);
   void start_or_stop_recording();
   void save_scene();
+  void export_shape();
   void load_asked();
   void choose_fabric(const std::string& name);
   void load(DrawnScene scene, const std::vector<std::string>& remarks);

@@ -9,6 +9,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
+#include "app/caches/written_cloth.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/models/hanger.hpp"
@@ -85,6 +86,8 @@ void Viewer::perform(Action action) {
       return start_or_stop_recording();
     case Action::save_scene:
       return save_scene();
+    case Action::export_shape:
+      return export_shape();
     case Action::copy_camera:
       clipboard_ = camera_text(state_.camera.camera());
       return tell("copied the camera", false);
@@ -164,6 +167,12 @@ void Viewer::save_scene() {
   }
   write_text_file(file, scene_text(scene, GarmentNaming::full_path));
   tell(fmt::format("saved {}; taut render of it draws this frame", file.string()), false);
+}
+
+void Viewer::export_shape() {
+  const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".obj");
+  write_text_file(file, WrittenCloth(*state_.shown->loaded).obj(state_.shown->positions()));
+  tell("wrote " + file.string() + ", in metres with y up", false);
 }
 
 void Viewer::start_or_stop_recording() {

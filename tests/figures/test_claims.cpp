@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "app/base/base64.hpp"
 #include "app/report/report.hpp"
 #include "temporary_folder.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,10 @@ struct Person {
   app::SteppedSimulation simulation;
   app::Viewer viewer;
 
-  explicit Person(const std::string& scene, const std::vector<app::Override>& overrides = {})
-      : simulation(app::find_scene(scene, overrides)), viewer(simulation, {{1280, 720}, 1.0, ".", false}) {
+  /// Keeps what is saved in `folder`.
+  explicit Person(const std::string& scene, const std::vector<app::Override>& overrides = {},
+                  const std::filesystem::path& folder = ".")
+      : simulation(app::find_scene(scene, overrides)), viewer(simulation, {{1280, 720}, 1.0, folder, false}) {
     wait(2);
   }
   void wait(int frames) {

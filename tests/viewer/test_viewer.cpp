@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/drawing/drawn_scene_file.hpp"
+#include "app/models/garment_import.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/panel/panel_hints.hpp"
 #include "app/viewer/picture/hand_thread.hpp"
@@ -245,6 +246,22 @@ TEST(Window, ClothThatHasLeftIsSaidAndWhatToDo) {
   person.press('R');
   person.wait(1);
   EXPECT_EQ(person.viewer.state().newest->record.frame, 0);
+}
+
+TEST(Window, TheShapeIsExportedAsItIsShown) {
+  const test::TemporaryFolder folder;
+  Person person("tshirt",
+                {parse_override("garment.file=\"" TAUT_ASSETS_FOLDER "/garments/tshirt_1028.obj\"")},
+                folder / "");
+  person.wait(3);
+  person.press(keys::space);
+  person.click("keep.shape");
+  const ImportedModel model = import_garment(folder / "tshirt-1.obj");
+  EXPECT_EQ(model.positions, person.viewer.state().shown->positions());
+  EXPECT_EQ(model.file_triangles, 1028U);
+  person.press('E');
+  person.wait(1);
+  EXPECT_TRUE(std::filesystem::exists(folder / "tshirt-2.obj"));
 }
 
 TEST(Window, KeysLookFromTheSides) {

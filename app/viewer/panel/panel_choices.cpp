@@ -298,10 +298,12 @@ void lay_out_keeping(ViewerState& state) {
   }
   note_place(state, "keep.video");
   ImGui::SameLine();
-  if (ImGui::RadioButton("PNG frames", state.recording_kind == RecordingKind::pictures)) {
+  if (ImGui::RadioButton("PNG", state.recording_kind == RecordingKind::pictures)) {
     state.recording_kind = RecordingKind::pictures;
   }
   note_place(state, "keep.pictures");
+  ImGui::SameLine();
+  action_button(state, "Shape E", Action::export_shape, "keep.shape", ImGui::GetContentRegionAvail().x);
 }
 
 }  // namespace taut::app

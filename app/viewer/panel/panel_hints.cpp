@@ -96,6 +96,7 @@ constexpr std::array hints = {
          "Record what the scene shows, 30 pictures a second, without this panel; once more ends it."},
     Hint{"keep.video", "Record to a video, an MP4 file. Needs ffmpeg."},
     Hint{"keep.pictures", "Record to a folder of PNG pictures."},
+    Hint{"keep.shape", "Write the cloth as it is now as an OBJ file, with the faces of its model."},
     Hint{"time.pause", "Stop and go on. Key: space."},
     Hint{"time.step", "One frame, 1/60 s as scenes have it. Key: full stop."},
     Hint{"time.reset", "Start again, with the scene's pins and the present settings. Key: R."},

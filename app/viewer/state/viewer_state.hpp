@@ -36,6 +36,7 @@ enum class Action {
   screenshot,
   record,
   save_scene,
+  export_shape,
   copy_camera,
   show_keys,
   close_keys,

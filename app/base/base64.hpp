@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace taut::app {
+
+/// The bytes as base64 (RFC 4648, section 4).
+std::string base64(std::span<const std::uint8_t> bytes);
+
+}  // namespace taut::app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/models/garment_loading.hpp"
+#include "app/output/frame_range.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+
+/// The help text of --export: names, axes and what is not written.
+extern const char* const export_help;
+
+/// What is to be written.
+struct ExportSettings {
+  std::string name;   ///< of the file; the pattern of several OBJ files
+  FrameRange frames;  ///< those that will be handed out, in this order; earlier runs' frames included
+  double frame_rate_hz = 60.0;
+  bool can_be_resumed = false;        ///< what is incomplete stays for a run that goes on
+  std::optional<int> last_kept = {};  ///< goes on after this frame of an earlier run
+};
+
+/// Where the frames of a run go: files that other programs read. All functions throw InputError if something
+/// cannot be written. A sink that is destroyed before `finish` leaves complete files alone, and what
+/// `can_be_resumed` asks for.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+
+  /// Takes the next frame; the simulation is in it.
+  virtual void write(int frame, const sim::Simulation& moment) = 0;
+  /// Called before a checkpoint of the frame is written: what came so far must survive the program.
+  virtual void keep() {}
+  /// Completes what was written, of all frames or of those before the run ended. Returns what that is, for
+  /// people, or nothing.
+  virtual std::string finish() = 0;
+};
+
+/// Throws UsageError if a name has another ending than .obj, .pc2, .mdd, .glb or .pvd, if its format cannot
+/// be resumed and shall be, or if files of this name would replace `garment`, the file that is simulated.
+/// Makes the folder; throws InputError if that cannot be written to. Call it before a long run.
+void require_export(const ExportSettings& settings, const std::filesystem::path& garment);
+
+/// Opens what the name's ending says. `loaded` must outlive the sink. `simulation` is where the run begins or
+/// goes on. Throws InputError if what an earlier run left is not of this one.
+std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,
+                                     const sim::Simulation& simulation);
+
+}  // namespace taut::app

@@ -75,6 +75,19 @@ void require(bool holds, const char* message) {
   }
 }
 
+void require_room(const void* array, std::size_t found, std::size_t expected) {
+  require(array != nullptr || expected == 0, "found an array of NULL");
+  if (found != expected) {
+    throw ArgumentError("found an array of " + std::to_string(found) + ", expected " +
+                        std::to_string(expected));
+  }
+}
+
+std::string text_of(const char* text, const char* message) {
+  require(text != nullptr, message);
+  return text;
+}
+
 std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expected) {
   require_array(points, expected);
   std::vector<sim::Vec3> read;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "app/library/taut.h"
@@ -17,6 +18,10 @@ struct ArgumentError : std::invalid_argument {
 
 /// Throws ArgumentError with the message, unless it holds.
 void require(bool holds, const char* message);
+/// The same unless the array is there, of the length expected.
+void require_room(const void* array, std::size_t found, std::size_t expected);
+/// Returns the text. Throws ArgumentError with the message on null.
+std::string text_of(const char* text, const char* message);
 
 /// Returns the points as doubles, `expected` of them. Throws ArgumentError on null, on another count, type or
 /// stride, and on numbers that are not finite.

@@ -1,84 +1,18 @@
 #include "app/library/taut.h"
 
-#include <cfenv>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <string>
 
-#include "app/base/files.hpp"
 #include "app/base/version.hpp"
-#include "app/library/failure.hpp"
-#include "app/library/handles.hpp"
+#include "app/library/border.hpp"
 #include "app/library/structs.hpp"
 #include "sim/solvers/bounded/kernels/vector_unit.hpp"
 
 namespace taut::library {
 namespace {
-
-/// Rounding as the bits of a run need it, whatever the caller's program has chosen for itself.
-class UsualRounding {
- public:
-  UsualRounding() noexcept {
-    std::fegetenv(&callers_);
-    std::fesetenv(FE_DFL_ENV);
-  }
-  ~UsualRounding() { std::fesetenv(&callers_); }
-  UsualRounding(const UsualRounding&) = delete;
-  UsualRounding& operator=(const UsualRounding&) = delete;
-
- private:
-  std::fenv_t callers_{};
-};
-
-/// Keeps a cloth to itself for a call.
-class Turn {
- public:
-  explicit Turn(Held& held) noexcept : held_(held), is_mine_(!held.is_busy.exchange(true)) {}
-  ~Turn() {
-    if (is_mine_) {
-      held_.is_busy = false;
-    }
-  }
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
-
-  bool is_mine() const { return is_mine_; }
-
- private:
-  Held& held_;
-  bool is_mine_;
-};
-
-/// The border: does it with the cloth, and makes a result of whatever is thrown.
-template <class Work>
-TautResult with(TautCloth cloth, const Work& work) noexcept {
-  const std::shared_ptr<Held> held = find(cloth.id);
-  if (!held) {
-    return TAUT_ERROR_HANDLE;
-  }
-  const Turn turn(*held);
-  if (!turn.is_mine()) {
-    return TAUT_ERROR_BUSY;
-  }
-  const UsualRounding rounding;
-  try {
-    work(held->session);
-    return TAUT_OK;
-  } catch (...) {
-    return describe_failure(held->error);
-  }
-}
-
-/// The same for calls without a cloth.
-template <class Work>
-TautResult guarded(const Work& work) noexcept {
-  char text[sizeof(TautError::text)];
-  try {
-    work();
-    return TAUT_OK;
-  } catch (...) {
-    return describe_failure(text);
-  }
-}
 
 TautFrame frame_of(const app::FrameRecord& record) {
   TautFrame frame{};
@@ -127,19 +61,6 @@ sim::Plane plane_of(const TautBody& given) {
   const double length = glm::length(normal);
   require(length > 0.0 && std::isfinite(length), "plane_normal: expected a vector that is not 0");
   return {vector_of(given.plane_point[0], given.plane_point[1], given.plane_point[2]), normal / length};
-}
-
-void require_room(const void* array, std::size_t found, std::size_t expected) {
-  require(array != nullptr || expected == 0, "found an array of NULL");
-  if (found != expected) {
-    throw ArgumentError("found an array of " + std::to_string(found) + ", expected " +
-                        std::to_string(expected));
-  }
-}
-
-std::string text_of(const char* text, const char* message) {
-  require(text != nullptr, message);
-  return text;
 }
 
 std::vector<sim::Vec3> points_for(const Session& session, std::int32_t body, const TautPoints* points) {
@@ -305,92 +226,5 @@ TautResult taut_move_body(TautCloth cloth, int32_t number, const TautPoints* pos
 TautResult taut_place_body(TautCloth cloth, int32_t number, const TautPoints* positions) {
   return with(cloth, [&](Session& session) {
     session.place_body(static_cast<std::size_t>(number), points_for(session, number, positions));
-  });
-}
-
-TautResult taut_get_positions(TautCloth cloth, const TautPointsOut* positions) {
-  return with(cloth, [&](const Session& session) { put_points(session.positions_m(), positions); });
-}
-
-TautResult taut_set_positions(TautCloth cloth, const TautPoints* positions) {
-  return with(cloth, [&](Session& session) {
-    session.set_positions(points_from(positions, session.vertex_count()));
-  });
-}
-
-TautResult taut_get_stretch(TautCloth cloth, double* stretch, size_t count) {
-  return with(cloth, [&](const Session& session) {
-    require_room(stretch, count, session.vertex_count());
-    const std::vector<double> found = session.stretch();
-    std::copy(found.begin(), found.end(), stretch);
-  });
-}
-
-TautResult taut_get_triangles(TautCloth cloth, uint32_t* vertices, size_t count) {
-  return with(cloth, [&](const Session& session) {
-    const std::vector<sim::Triangle>& triangles = session.simulation().garment().mesh.triangles;
-    require_room(vertices, count, 3 * triangles.size());
-    for (const sim::Triangle& triangle : triangles) {
-      vertices = std::transform(triangle.begin(), triangle.end(), vertices,
-                                [&](sim::Index vertex) { return session.vertex_of(vertex); });
-    }
-  });
-}
-
-TautResult taut_get_edges(TautCloth cloth, uint32_t* vertices, double* rest_lengths, size_t count) {
-  return with(cloth, [&](const Session& session) {
-    const sim::Garment& garment = session.simulation().garment();
-    const auto& edges = garment.adjacency.edges;
-    require_room(&edges, count, edges.size());
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      const auto [a, b] = edges[e];
-      if (vertices != nullptr) {
-        vertices[2 * e] = session.vertex_of(a);
-        vertices[2 * e + 1] = session.vertex_of(b);
-      }
-      if (rest_lengths != nullptr) {
-        rest_lengths[e] = glm::distance(garment.mesh.positions[a], garment.mesh.positions[b]);
-      }
-    }
-  });
-}
-
-TautResult taut_state_hash(TautCloth cloth, uint64_t* hash) {
-  return with(cloth, [&](const Session& session) {
-    require(hash != nullptr, "found a hash of NULL");
-    *hash = sim::hash(session.simulation().state());
-  });
-}
-
-TautResult taut_save(TautCloth cloth, void* buffer, size_t capacity, size_t* size) {
-  return with(cloth, [&](const Session& session) {
-    require(size != nullptr, "found a size of NULL");
-    const std::string bytes = session.save();
-    *size = bytes.size();
-    if (buffer != nullptr) {
-      require(capacity >= bytes.size(), "found a buffer that is smaller than the state");
-      std::copy(bytes.begin(), bytes.end(), static_cast<char*>(buffer));
-    }
-  });
-}
-
-TautResult taut_restore(TautCloth cloth, const void* buffer, size_t size) {
-  return with(cloth, [&](Session& session) {
-    require(buffer != nullptr, "found a buffer of NULL");
-    const std::string_view bytes(static_cast<const char*>(buffer), size);
-    session.restore("buffer", app::run_checkpoint_of(bytes, "buffer"));
-  });
-}
-
-TautResult taut_save_file(TautCloth cloth, const char* path) {
-  return with(cloth, [&](const Session& session) {
-    app::write_text_file(text_of(path, "found a path of NULL"), session.save());
-  });
-}
-
-TautResult taut_restore_file(TautCloth cloth, const char* path) {
-  return with(cloth, [&](Session& session) {
-    const std::string file = text_of(path, "found a path of NULL");
-    session.restore(file, app::read_run_checkpoint(file));
   });
 }

@@ -59,15 +59,14 @@ struct OwnCloth {
     result = taut_create(&options, &cloth, &error);
     text = error.text;
   }
-  explicit OwnCloth(const std::string& scene, std::int32_t threads = 0)
-      : OwnCloth(options_of(scene, threads)) {}
+  explicit OwnCloth(const char* scene, std::int32_t threads = 0) : OwnCloth(options_of(scene, threads)) {}
   ~OwnCloth() { taut_destroy(cloth); }
   OwnCloth(const OwnCloth&) = delete;
   operator TautCloth() const { return cloth; }
 
-  static TautOptions options_of(const std::string& scene, std::int32_t threads) {
+  static TautOptions options_of(const char* scene, std::int32_t threads = 0) {
     auto options = made<TautOptions>(taut_options_init);
-    options.scene = scene.c_str();
+    options.scene = scene;
     options.threads = threads;
     return options;
   }

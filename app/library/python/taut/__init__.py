@@ -203,7 +203,7 @@ class Cloth:
         self.close()
 
     def __del__(self) -> None:
-        if '_cloth' in self.__dict__:
+        if '_cloth' in self.__dict__ and _library is not None:
             self.close()
 
     def _call(self, name: str, *arguments) -> None:

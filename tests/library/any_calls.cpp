@@ -76,8 +76,14 @@ class Calls {
   }
 
   double number() {
-    constexpr double odd[] = {0.0,          -0.0, 1e300, 1e-310, std::numeric_limits<double>::infinity(),
-                              std::nan(""), -1e9, 1e6};
+    constexpr double odd[] = {0.0,
+                              -0.0,
+                              1e300,
+                              1e-310,
+                              std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::quiet_NaN(),
+                              -1e9,
+                              1e6};
     return seldom() ? odd[next() % std::size(odd)] : (next() - 128) / 512.0;
   }
 

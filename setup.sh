@@ -43,6 +43,10 @@ packages=(
   libgtest-dev
   libstb-dev          # reads PNG
   python3             # makes models of every format, and is a terminal
+  python3-numpy       # the library's Python
+  mono-mcs            # and its C#
+  mono-runtime
+  abigail-tools       # whether its interface has changed
   git                 # tests/fresh_machine.sh clones with it
   debootstrap         # and makes a bare Debian
   xdotool             # keys and pointer for a window

@@ -19,7 +19,7 @@ void predict(const Pins& pins, std::span<const Vec3> forces_n, double time_step_
 }
 
 void move_pins(const Pins& pins, const Surroundings& surroundings, double time_step_s, State& state) {
-  if (surroundings.pin_motion.amplitude_m == Vec3(0.0) && surroundings.moving_pins.empty()) {
+  if (surroundings.pin_motion.amplitude_m == Vec3(0.0) && !has_pins_of_their_own(surroundings)) {
     return;
   }
   std::vector<Vec3> from_m;

@@ -22,6 +22,23 @@ Vec3 pin_offset(const PinMotion& motion, double time_s) {
   return motion.amplitude_m * sine_of_turns(motion.frequency_hz * std::max(time_s, 0.0));
 }
 
+/// Returns what part of their way led pins go within the time.
+double share_of(const LedPins& led, const TimeSpan& time) {
+  const auto share_at = [&](double time_s) {
+    return std::clamp((time_s - led.from_s) / (led.until_s - led.from_s), 0.0, 1.0);
+  };
+  return share_at(time.to_s) - share_at(time.from_s);
+}
+
+void require_ascending(const char* what, const std::vector<Index>& vertices, std::size_t vertex_count) {
+  if (!std::is_sorted(vertices.begin(), vertices.end())) {
+    throw std::invalid_argument(std::string("the vertices of ") + what + " must be in ascending order");
+  }
+  if (!vertices.empty()) {
+    require_vertex("a motion leads", vertices.back(), vertex_count);
+  }
+}
+
 }  // namespace
 
 Vec3 pin_displacement(const PinMotion& motion, const TimeSpan& time) {
@@ -40,7 +57,18 @@ std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<
       }
     }
   }
+  const LedPins& led = surroundings.led_pins;
+  for (std::size_t k = 0; k < pins.size() && !led.vertices.empty(); ++k) {
+    const auto found = std::lower_bound(led.vertices.begin(), led.vertices.end(), pins[k]);
+    if (found != led.vertices.end() && *found == pins[k]) {
+      moved_m[k] = led.by_m[static_cast<std::size_t>(found - led.vertices.begin())] * share_of(led, time);
+    }
+  }
   return moved_m;
+}
+
+bool has_pins_of_their_own(const Surroundings& surroundings) {
+  return !surroundings.moving_pins.empty() || !surroundings.led_pins.vertices.empty();
 }
 
 void require_possible(const Surroundings& surroundings, std::size_t vertex_count) {
@@ -60,12 +88,12 @@ void require_possible(const Surroundings& surroundings, std::size_t vertex_count
     }
   }
   for (const MovingPins& group : surroundings.moving_pins) {
-    if (!std::is_sorted(group.vertices.begin(), group.vertices.end())) {
-      throw std::invalid_argument("the vertices of moving pins must be in ascending order");
-    }
-    if (!group.vertices.empty()) {
-      require_vertex("a motion leads", group.vertices.back(), vertex_count);
-    }
+    require_ascending("moving pins", group.vertices, vertex_count);
+  }
+  const LedPins& led = surroundings.led_pins;
+  require_ascending("led pins", led.vertices, vertex_count);
+  if (led.by_m.size() != led.vertices.size() || (!led.vertices.empty() && !(led.until_s > led.from_s))) {
+    throw std::invalid_argument("led pins need a way for each vertex and a time to go it");
   }
 }
 
@@ -74,8 +102,9 @@ bool is_steady(const Surroundings& s, double time_s) {
   const bool gusts = wind.speed_m_per_s != 0.0 && (wind.gust_amplitude != 0.0 || wind.gust_turn != 0.0);
   const auto moves = [&](const Body& body) { return is_moving_after(body, time_s); };
   const auto move = [&](const MovingPins& group) { return is_moving_after(group.motion, time_s); };
-  return !gusts && !changes_after(s.forces.gravity_path, time_s) && s.pin_motion.amplitude_m == Vec3(0.0) &&
-         std::none_of(s.bodies.begin(), s.bodies.end(), moves) &&
+  const bool leads = !s.led_pins.vertices.empty() && s.led_pins.until_s > time_s;
+  return !gusts && !leads && !changes_after(s.forces.gravity_path, time_s) &&
+         s.pin_motion.amplitude_m == Vec3(0.0) && std::none_of(s.bodies.begin(), s.bodies.end(), moves) &&
          std::none_of(s.moving_pins.begin(), s.moving_pins.end(), move);
 }
 

@@ -177,7 +177,7 @@ std::shared_ptr<const Rig> read_rig(const std::filesystem::path& file) {
 }
 
 ReadBody read_body(const BodySource& source, const ShownTime& shown) {
-  ImportedModel model = import_garment(source.file);
+  ImportedModel model = import_garment(source.file, {.program = source.importer});
   ReadBody body{{}, take_rig(source.file, model), {}, {}, model.format};
   LoadedMesh loaded = make_body_mesh(source, model);
   body.joints = joint_places(*body.rig, stored_pose(*body.rig), loaded.places.placement);

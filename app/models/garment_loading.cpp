@@ -104,7 +104,8 @@ void join_and_turn(const GarmentSource& source, sim::Mesh& mesh, LoadedGarment& 
 
 sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const StageReport& begin) {
   tell(begin, "reading " + source.file.filename().string());
-  ImportedModel& model = loaded.model.emplace(import_garment(source.file, {}, ReadParts::model));
+  ImportedModel& model =
+      loaded.model.emplace(import_garment(source.file, {.program = source.importer}, ReadParts::model));
   const std::vector<sim::Triangle> imported = model.triangles;
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   loaded.strays = remove_strays(soup);
@@ -144,6 +145,30 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
   }
 }
 
+sim::Mesh take_mesh(const sim::Mesh& given, LoadedGarment& loaded) {
+  try {
+    std::vector<sim::Index> kept;
+    sim::ValidatedMesh valid = sim::weld_and_validate(given, {}, kept);
+    loaded.repairs = valid.report;
+    loaded.file_vertices.mesh_vertex = std::move(kept);
+    require_one_size(valid.mesh);
+    return std::move(valid.mesh);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(std::string("cannot use the garment that was given: ") + error.what());
+  }
+}
+
+sim::Mesh make_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
+  if (!scene.garment.is_grid()) {
+    return scene.garment.given ? take_mesh(*scene.garment.given, loaded)
+                               : read_mesh(scene.garment, loaded, begin);
+  }
+  sim::Mesh mesh = sim::make_grid(scene.garment.grid);
+  loaded.file_vertices.mesh_vertex.resize(mesh.positions.size());
+  std::iota(loaded.file_vertices.mesh_vertex.begin(), loaded.file_vertices.mesh_vertex.end(), 0U);
+  return mesh;
+}
+
 void require_count(const char* key, double triangles) {
   if (triangles > static_cast<double>(most_triangles)) {
     throw InputError(fmt::format("{}: it would have {:.0f} triangles, more than the {} that can be simulated",
@@ -164,9 +189,9 @@ sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
 }
 
 std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, LoadedGarment& loaded) {
-  const bool is_grid = scene.garment.file.empty();
-  if (!is_grid && !scene.pins && scene.dressing_frames() > 0) {
-    return {};  // it is worn
+  const bool is_grid = scene.garment.is_grid();
+  if (!is_grid && !scene.pins && (scene.dressing_frames() > 0 || scene.garment.given)) {
+    return {};  // it is worn, or held by whoever gave it
   }
   if (!is_grid && !scene.pins) {
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
@@ -200,7 +225,7 @@ void require_one_motion(const std::vector<sim::MovingPins>& groups, const FileVe
 
 std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::Mesh& mesh,
                                                 const LoadedGarment& loaded) {
-  const sim::GridSettings* grid = scene.garment.file.empty() ? &scene.garment.grid : nullptr;
+  const sim::GridSettings* grid = scene.garment.is_grid() ? &scene.garment.grid : nullptr;
   std::vector<sim::MovingPins> groups;
   for (const MovingPinsInScene& entry : scene.moving_pins) {
     std::vector<sim::Index> vertices =
@@ -217,8 +242,10 @@ std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::M
 }
 
 /// The positions that a file has, in m, for the vertices of the garment's file or for those of the mesh.
-std::vector<sim::Vec3> read_start(const std::filesystem::path& file, const LoadedGarment& loaded) {
-  const std::vector<sim::Vec3> found_m = positions_in_file(import_garment(file));
+std::vector<sim::Vec3> read_start(const GarmentSource& source, const LoadedGarment& loaded) {
+  const std::filesystem::path& file = source.start;
+  const std::vector<sim::Vec3> found_m =
+      positions_in_file(import_garment(file, {.program = source.importer}));
   const std::size_t count = loaded.garment->mesh.positions.size();
   const std::vector<sim::Index>& mesh_vertex = loaded.file_vertices.mesh_vertex;
   if (loaded.file_faces.empty() || found_m.size() != mesh_vertex.size()) {
@@ -260,16 +287,13 @@ void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begi
 
 LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   LoadedGarment loaded;
-  const bool is_grid = scene.garment.file.empty();
+  const bool is_grid = scene.garment.is_grid();
   if (is_grid) {
     require_count("garment.grid", 2.0 * (scene.garment.grid.columns - 1.0) * (scene.garment.grid.rows - 1.0));
   }
-  sim::Mesh mesh = is_grid ? sim::make_grid(scene.garment.grid) : read_mesh(scene.garment, loaded, begin);
+  sim::Mesh mesh = make_mesh(scene, loaded, begin);
   tell(begin, "mapping it to springs");
-  if (is_grid) {
-    loaded.file_vertices.mesh_vertex.resize(mesh.positions.size());
-    std::iota(loaded.file_vertices.mesh_vertex.begin(), loaded.file_vertices.mesh_vertex.end(), 0U);
-  } else {
+  if (loaded.placement) {
     loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh, loaded.file_vertices);
   }
   // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
@@ -285,7 +309,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
     loaded.pins.insert(loaded.pins.end(), group.vertices.begin(), group.vertices.end());
   }
   if (!scene.garment.start.empty()) {
-    loaded.start_m = read_start(scene.garment.start, loaded);
+    loaded.start_m = read_start(scene.garment, loaded);
   }
   if (scene.garment.untangle) {
     untangle(scene, loaded, begin);

@@ -3,17 +3,16 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -23,7 +22,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
-#include "app/models/model_reading.hpp"
+#include "app/base/own_file.hpp"
 
 namespace taut::app {
 namespace {
@@ -31,8 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// What goes through the pipe: one byte that says which, eight with the length, and the arrays or the reason.
-enum class Kind : char { arrays = 'A', reason = 'R' };
 constexpr std::size_t header_bytes = 1 + sizeof(std::uint64_t);
 
 // Limit on what the child may send: more than the largest model that can be simulated.
@@ -40,14 +37,30 @@ constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
 
 constexpr const char* nested = "TAUT_IMPORTING";
 
-fs::path importer_program() {
+fs::path importer_program(const fs::path& chosen_program) {
+  if (!chosen_program.empty()) {
+    return chosen_program;
+  }
   if (const char* chosen = std::getenv("TAUT_IMPORTER"); chosen != nullptr && *chosen != '\0') {
     return chosen;
   }
+  const fs::path self = own_file();
+  if (self.filename().string().starts_with("taut")) {
+    return self;
+  }
+  std::vector<fs::path> candidates = folders_above(self);
+  for (fs::path& candidate : candidates) {
+    candidate = candidate / "libexec" / "taut" / "taut-import";
+  }
+  candidates.emplace_back(TAUT_BUILT_PROGRAM);
   std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  const bool is_taut = self.filename().string().starts_with("taut");
-  return !is_taut && fs::exists(TAUT_BUILT_PROGRAM, error) ? fs::path(TAUT_BUILT_PROGRAM) : self;
+  const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                  [&](const fs::path& candidate) { return fs::exists(candidate, error); });
+  if (found == candidates.end()) {
+    throw InputError("there is no program that reads models; expected '" + candidates.front().string() +
+                     '\'');
+  }
+  return *found;
 }
 
 /// A child process and the pipe it writes to.
@@ -61,7 +74,7 @@ Importer start_importer(const fs::path& model, const ImportLimits& limits, ReadP
   if (std::getenv(nested) != nullptr) {
     throw InputError("the importer was started by itself");
   }
-  const fs::path program = importer_program();
+  const fs::path program = importer_program(limits.program);
   try {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
@@ -109,10 +122,6 @@ std::string too_slow(const ImportLimits& limits) {
   return fmt::format("reading it takes more than {} s", limits.seconds);
 }
 
-std::string too_big(const ImportLimits& limits) {
-  return fmt::format("reading it takes more than {} MiB of memory", limits.memory_mib);
-}
-
 std::string describe_failure(int status, const ImportLimits& limits) {
   if (!WIFSIGNALED(status)) {
     return "the library that reads models failed on it (" + describe_end(status) + "); it may be damaged";
@@ -124,13 +133,6 @@ std::string describe_failure(int status, const ImportLimits& limits) {
                      ::strsignal(WTERMSIG(status)));
 }
 
-std::string framed(Kind kind, const std::string& content) {
-  const std::uint64_t length = content.size();
-  std::string bytes(1, static_cast<char>(kind));
-  bytes.append(reinterpret_cast<const char*>(&length), sizeof(length));
-  return bytes + content;
-}
-
 /// What the frame holds, where it is complete.
 std::optional<std::string> unframed(const std::string& bytes) {
   std::uint64_t length = 0;
@@ -139,49 +141,6 @@ std::optional<std::string> unframed(const std::string& bytes) {
   }
   std::memcpy(&length, bytes.data() + 1, sizeof(length));
   return length == bytes.size() - header_bytes ? std::optional(bytes.substr(header_bytes)) : std::nullopt;
-}
-
-void limit(decltype(RLIMIT_AS) resource, std::size_t most) {
-  const rlimit both{most, most};
-  ::setrlimit(resource, &both);
-}
-
-void keep_to(const ImportLimits& limits) {
-  if (memory_is_limited) {
-    limit(RLIMIT_AS, limits.memory_mib << 20U);
-  }
-  limit(RLIMIT_CPU, static_cast<std::size_t>(limits.seconds));
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, 0);
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-}
-
-/// Standard output for this program alone: some readers print to it.
-int take_standard_output() {
-  const int output = ::dup(STDOUT_FILENO);
-  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  ::dup2(nowhere, STDOUT_FILENO);
-  return output;
-}
-
-bool write_all(int file, const std::string& bytes) {
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t count = ::write(file, bytes.data() + done, bytes.size() - done);
-    if (count < 0 && errno != EINTR) {
-      return false;
-    }
-    done += count > 0 ? static_cast<std::size_t>(count) : 0;
-  }
-  return true;
-}
-
-std::string reason_of(const std::exception& error, const ImportLimits& limits) {
-  const std::string reason = error.what();
-  const bool memory =
-      dynamic_cast<const std::bad_alloc*>(&error) != nullptr || reason.find("bad_alloc") != std::string::npos;
-  return memory ? too_big(limits) : reason;
 }
 
 }  // namespace
@@ -199,7 +158,7 @@ ModelArrays read_model_in_process(const fs::path& path, const ImportLimits& limi
   if (!content) {
     throw InputError(describe_failure(status, limits));
   }
-  if (bytes->front() == static_cast<char>(Kind::reason)) {
+  if (bytes->front() == static_cast<char>(ImportAnswer::reason)) {
     throw InputError(*content);
   }
   return decode(*content);
@@ -218,19 +177,6 @@ TextureImage read_image(const fs::path& path) {
   } catch (const std::exception& error) {
     throw InputError("cannot read an image from '" + path.string() + "': " + error.what());
   }
-}
-
-int serve_import(const fs::path& path, const ImportLimits& limits, ReadParts parts) {
-  const int output = take_standard_output();
-  keep_to(limits);
-  std::string answer;
-  try {
-    answer = framed(Kind::arrays, encode(read_model(path, parts)));
-  } catch (const std::exception& error) {
-    answer = framed(Kind::reason, reason_of(error, limits));
-  }
-  // Not through exit: what a reader left behind may crash while it is cleared away.
-  ::_exit(write_all(output, answer) ? 0 : 1);
 }
 
 }  // namespace taut::app

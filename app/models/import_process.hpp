@@ -24,14 +24,19 @@ inline constexpr bool memory_is_limited = TAUT_ADDRESS_SANITIZER == 0;
 struct ImportLimits {
   std::size_t memory_mib = 4096;  ///< address space; a million triangles need about a quarter of it
   int seconds = 18;  ///< Wall time. With the work before and after, a model is refused within 20 s.
+  std::filesystem::path program = {};  ///< that reads it; empty: see read_model_in_process()
 };
+
+/// What comes through the pipe: a byte that says which, eight with the length, and the arrays or the reason.
+enum class ImportAnswer : char { arrays = 'A', reason = 'R' };
 
 /// Reads a model in a child process, which is killed if it exceeds the limits. Some damaged files crash
 /// assimp, and in the same process nothing could be done about it.
 ///
-/// The child runs `taut import-model FILE`. The program is $TAUT_IMPORTER if that is set; else this program
-/// if it is taut; else the one in the build folder. Throws InputError with the reason, without the name of
-/// the file; Interrupted.
+/// The child runs `PROGRAM import-model FILE`. Unless the limits name it, the program is $TAUT_IMPORTER if
+/// that is set; else this program if it is taut; else libexec/taut/taut-import of the folders above this
+/// code's file, which is that of libtaut; else the program of the build folder. Throws InputError with the
+/// reason, without the name of the file; Interrupted.
 ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& limits,
                                   ReadParts parts);
 

@@ -71,7 +71,7 @@ Line next_line(std::istream& text, std::string& section) {
 
 }  // namespace
 
-void write_run_checkpoint(const std::filesystem::path& file, const RunCheckpoint& checkpoint) {
+std::string bytes_of(const RunCheckpoint& checkpoint) {
   sim::ByteWriter out;
   for (const char c : magic) {
     out.put(c);
@@ -83,11 +83,18 @@ void write_run_checkpoint(const std::filesystem::path& file, const RunCheckpoint
   for_each_field(checkpoint.summary, [&](const auto& number) { out.put(number); });
   out.put_text(checkpoint.simulation);
   out.seal();
-  write_text_file(file, out.bytes());
+  return out.bytes();
+}
+
+void write_run_checkpoint(const std::filesystem::path& file, const RunCheckpoint& checkpoint) {
+  write_text_file(file, bytes_of(checkpoint));
 }
 
 RunCheckpoint read_run_checkpoint(const std::filesystem::path& file) {
-  const std::string bytes = read_text_file(file);
+  return run_checkpoint_of(read_text_file(file), file);
+}
+
+RunCheckpoint run_checkpoint_of(std::string_view bytes, const std::filesystem::path& file) {
   sim::ByteReader in(bytes);
   RunCheckpoint checkpoint;
   try {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "app/output/frame_record.hpp"
 #include "app/scene/scene.hpp"
@@ -22,7 +23,11 @@ struct RunCheckpoint {
 /// Writes the file completely or leaves it as it was. Throws InputError.
 void write_run_checkpoint(const std::filesystem::path& file, const RunCheckpoint& checkpoint);
 
+/// The bytes of that file.
+std::string bytes_of(const RunCheckpoint& checkpoint);
+
 /// Throws InputError that names where, what was found and what was expected.
+RunCheckpoint run_checkpoint_of(std::string_view bytes, const std::filesystem::path& file);
 RunCheckpoint read_run_checkpoint(const std::filesystem::path& file);
 
 /// Throws InputError if the checkpoint was saved of another scene, with both names and the first key that

@@ -78,6 +78,10 @@ bool is_fabric_key(const std::string& key) {
   return std::find(settable.begin(), settable.end(), key) != settable.end();
 }
 
+bool is_passed_over(const std::string& key) {
+  return key == "camera" || key == "picture";
+}
+
 Fabric find_fabric(const std::string& name, const Source& source, int line) {
   Fabric fabric;
   fabric.file = is_file_name(name) ? fs::path(name) : fabrics_folder() / (name + ending);

@@ -31,6 +31,9 @@ std::vector<std::string> built_in_fabrics();
 /// Whether a fabric may set this key of a scene.
 bool is_fabric_key(const std::string& key);
 
+/// Whether a format has this in place of the keys of pictures (undrawn_format).
+bool is_passed_over(const std::string& key);
+
 /// Reads one that comes with the program by its name, or a file of the user, which ends in .toml. Throws by
 /// `fail` if there is none, with what there is; InputError if the file is not as it should be.
 Fabric find_fabric(const std::string& name, const Source& source = {"--fabric", true}, int line = 0);

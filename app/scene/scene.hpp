@@ -31,6 +31,14 @@ struct GarmentSource {
   std::filesystem::path start;
   bool untangle = false;  ///< what crosses at the start is parted before the run
   sim::GridSettings grid;
+  std::filesystem::path
+      importer;  ///< program that reads the file (import_process.hpp); empty: that of the house
+  /// Triangles in metres with y up, instead of a file; null: none. Nothing about them is guessed: they keep
+  /// their places, and hang by nothing that the scene does not name.
+  std::shared_ptr<const sim::Mesh> given;
+
+  /// Whether the garment is the grid.
+  bool is_grid() const { return file.empty() && !given; }
 };
 
 /// Means the vertex nearest to a point.
@@ -60,6 +68,7 @@ struct BodySource {
   double start_s = 0.0;                 ///< the time of the motion with which the run begins
   bool loop = false;                    ///< the motion repeats after its last frame, or else stays there
   int dress = 0;  ///< frames of the scene before the run, in which the body grows into the clothes
+  std::filesystem::path importer;  ///< as GarmentSource has it
 };
 
 /// All that the simulation needs to know about a scene. How it is drawn is in DrawnScene.

@@ -27,6 +27,9 @@ struct SceneFormat {
 /// The keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
 SceneFormat<Scene> simulation_format();
 
+/// The same for reading alone: the sections of pictures, which DrawnScene has, are passed over in files.
+SceneFormat<Scene> undrawn_format();
+
 /// Sets a key of one body: "body.file" adds a body that is a model, named after its file, and every other
 /// "body.KEY" sets the key of [[bodies]] for the last body that is one. Returns false if the name does not
 /// begin with "body.". Throws by `fail`.
@@ -55,7 +58,8 @@ void apply_fabric(const SceneFormat<S>& format, const toml::node& value, const S
   }
   const Fabric fabric = find_fabric(scene.fabric, source, line_of(value));
   std::vector<Key<S>> keys = format.keys;
-  std::erase_if(keys, [](const Key<S>& key) { return !is_fabric_key(key.name); });
+  std::erase_if(keys,
+                [](const Key<S>& key) { return !is_fabric_key(key.name) && !is_passed_over(key.name); });
   KeyReader(keys, {fabric.file.string(), false}, scene).read(fabric.keys);
 }
 

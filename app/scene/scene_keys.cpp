@@ -222,6 +222,15 @@ SceneFormat<Scene> simulation_format() {
   return {scene_keys(), check};
 }
 
+SceneFormat<Scene> undrawn_format() {
+  SceneFormat<Scene> format = simulation_format();
+  for (const char* section : {"camera", "picture"}) {
+    const auto pass_over = [](const toml::node&, const Source&, Scene&) { return true; };
+    format.keys.push_back({section, "", "a table", "", pass_over, [](const Scene&) { return Json(); }});
+  }
+  return format;
+}
+
 std::string list_entries_help() {
   std::string text = "\nEach [[forces]]:\n";
   for (const auto& key : force_keys()) {

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "app/base/errors.hpp"
+#include "app/base/own_file.hpp"
 #include "app/base/suggest.hpp"
 
 namespace taut::app {
@@ -17,10 +18,8 @@ std::vector<fs::path> asset_folders() {
   if (const char* chosen = std::getenv("TAUT_ASSETS"); chosen != nullptr && *chosen != '\0') {
     folders.emplace_back(chosen);
   }
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    folders.push_back(program.parent_path().parent_path() / "share" / "taut");
+  for (const fs::path& above : folders_above(own_file())) {
+    folders.push_back(above / "share" / "taut");
   }
   folders.emplace_back(TAUT_SOURCE_ASSETS);
   return folders;

@@ -54,7 +54,7 @@ class BodyFrames {
   virtual std::size_t count() const = 0;
   /// Returns how many frames there are in a second, above 0.
   virtual double rate_hz() const = 0;
-  /// Returns the time of the first frame, in s: 0 or less.
+  /// Returns the time of the first frame, in s.
   virtual double first_s() const { return 0.0; }
   /// Fills `positions_m` with where the vertices of the mesh are in the frame, in m. Requires a frame below
   /// count() and a span with an entry for each vertex. Throws what it reads from throws.

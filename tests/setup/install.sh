@@ -19,14 +19,14 @@ hide=(unshare --mount)
 [ "$(id -u)" -eq 0 ] || hide+=(--map-root-user)
 "${hide[@]}" true 2>/dev/null || hide=()
 # without_sources COMMAND...
+hiding=()
+[ ${#hide[@]} -eq 0 ] || hiding=("${hide[@]}" sh -c 'mount -t tmpfs none "$1" && shift && exec "$@"' sh "$sources")
 without_sources() {
-  if [ ${#hide[@]} -eq 0 ]; then
-    "$@"
-  else
-    "${hide[@]}" sh -c 'mount -t tmpfs none "$1" && shift && exec "$@"' sh "$sources" "$@"
-  fi
+  "${hiding[@]}" "$@"
 }
 [ ${#hide[@]} -gt 0 ] || echo "the sources cannot be hidden on this machine, and might be used unnoticed"
+
+bash "$sources/tests/library/installed.sh" "$cmake" "$sources" "$folder/usr" "${hiding[@]}"
 
 commands='figures render simulate view inspect fit bench scenes help'
 without_sources taut scenes | grep -q '^tshirt-wind-10 ' || fail "taut scenes does not list them"

@@ -25,7 +25,7 @@ void predict(const Surroundings& surroundings, const TimeStep& time, ParallelKer
   prediction.dt_squared = static_cast<float>(time.time_step_s * time.time_step_s);
   prediction.pins_moved = float4_of(pin_displacement(surroundings.pin_motion, since_frame_began(time)));
   // The kernel takes one motion for all pins.
-  const bool is_tethered = !cloth.tethers.lanes.empty() && surroundings.moving_pins.empty();
+  const bool is_tethered = !cloth.tethers.lanes.empty() && !has_pins_of_their_own(surroundings);
   const Tether* tethers = is_tethered ? cloth.tethers.lanes.data() : nullptr;
   kernels.predict(prediction, tethers, cloth.forces.accelerations(), cloth.motion.current,
                   cloth.motion.previous);

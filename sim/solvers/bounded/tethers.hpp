@@ -5,7 +5,7 @@
 
 namespace taut::sim::bounded {
 
-/// The tethers of a cloth: one entry per row, spare rows included. Where pins move in groups, tethers
+/// The tethers of a cloth: one entry per row, spare rows included. Where pins go ways of their own, tethers
 /// are left out of the step.
 struct Tethers {
   std::vector<Index> pin;  ///< the row of the pin

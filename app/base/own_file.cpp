@@ -1,0 +1,26 @@
+#include "app/base/own_file.hpp"
+
+#include <dlfcn.h>
+#include <link.h>
+
+#include <system_error>
+
+namespace taut::app {
+
+std::filesystem::path own_file() {
+  Dl_info info{};
+  void* map = nullptr;
+  const bool is_known = ::dladdr1(reinterpret_cast<void*>(&own_file), &info, &map, RTLD_DL_LINKMAP) != 0;
+  // The name of the program itself is left empty there.
+  const char* name = is_known && map != nullptr ? static_cast<link_map*>(map)->l_name : "";
+  std::error_code error;
+  return std::filesystem::canonical(*name != '\0' ? name : "/proc/self/exe", error);
+}
+
+std::vector<std::filesystem::path> folders_above(const std::filesystem::path& file) {
+  const std::filesystem::path above = file.parent_path().parent_path();
+  return file.empty() ? std::vector<std::filesystem::path>{}
+                      : std::vector<std::filesystem::path>{above, above.parent_path()};
+}
+
+}  // namespace taut::app

@@ -1,0 +1,154 @@
+#include "app/library/arrays.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+#include "app/library/structs.hpp"
+#include "app/models/garment_import.hpp"
+#include "sim/mesh/polygons.hpp"
+
+namespace taut::library {
+namespace {
+
+constexpr std::size_t most_vertices = 3 * app::most_triangles;
+
+std::size_t size_of(std::int32_t type) {
+  require(type == TAUT_FLOAT || type == TAUT_DOUBLE,
+          "found an unknown type of numbers, expected TAUT_FLOAT or "
+          "TAUT_DOUBLE");
+  return type == TAUT_FLOAT ? sizeof(float) : sizeof(double);
+}
+
+template <class Points>
+void require_array(const Points* points, std::size_t count) {
+  require(points != nullptr, "found NULL, expected points");
+  if (points->count != count) {
+    throw ArgumentError(fmt::format("found {} points, expected {}", points->count, count));
+  }
+  const std::size_t smallest = 3 * size_of(points->type);
+  if (points->stride < smallest ||
+      points->stride > std::numeric_limits<std::size_t>::max() / 2 / most_vertices) {
+    throw ArgumentError(
+        fmt::format("found a stride of {} bytes, expected at least {}", points->stride, smallest));
+  }
+  require(points->data != nullptr || count == 0, "found points with data of NULL");
+}
+
+template <class Number>
+sim::Vec3 read_point(const char* at) {
+  Number numbers[3];
+  std::memcpy(numbers, at, sizeof(numbers));
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+template <class Number>
+void write_point(const sim::Vec3& point, char* at) {
+  const Number numbers[3] = {static_cast<Number>(point.x), static_cast<Number>(point.y),
+                             static_cast<Number>(point.z)};
+  std::memcpy(at, numbers, sizeof(numbers));
+}
+
+bool is_finite(const sim::Vec3& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+/// The numbers of corners of the faces.
+std::vector<std::uint32_t> corner_counts(const TautMesh& mesh) {
+  if (mesh.corners_per_face == nullptr) {
+    require(mesh.face_count == 0, "found a face_count without corners_per_face");
+    require(mesh.corner_count % 3 == 0, "found a corner_count that is no multiple of 3, expected triangles");
+    return std::vector<std::uint32_t>(mesh.corner_count / 3, 3);
+  }
+  require(mesh.face_count <= mesh.corner_count / 3, "found more faces than corners make, three for each");
+  return {mesh.corners_per_face, mesh.corners_per_face + mesh.face_count};
+}
+
+}  // namespace
+
+void require(bool holds, const char* message) {
+  if (!holds) {
+    throw ArgumentError(message);
+  }
+}
+
+void require_room(const void* array, std::size_t found, std::size_t expected) {
+  require(array != nullptr || expected == 0, "found an array of NULL");
+  if (found != expected) {
+    throw ArgumentError("found an array of " + std::to_string(found) + ", expected " +
+                        std::to_string(expected));
+  }
+}
+
+std::string text_of(const char* text, const char* message) {
+  require(text != nullptr, message);
+  return text;
+}
+
+std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expected) {
+  require_array(points, expected);
+  std::vector<sim::Vec3> read;
+  read.reserve(expected);
+  for (std::size_t k = 0; k < expected; ++k) {
+    const char* at = static_cast<const char*>(points->data) + k * points->stride;
+    read.push_back(points->type == TAUT_FLOAT ? read_point<float>(at) : read_point<double>(at));
+    if (!is_finite(read.back())) {
+      throw ArgumentError(fmt::format("found point {} with a number that is not finite", k));
+    }
+  }
+  return read;
+}
+
+std::vector<sim::Vec3> points_from(const TautPoints* points) {
+  require(points != nullptr, "found NULL, expected points");
+  if (points->count > most_vertices) {
+    throw ArgumentError(fmt::format("found {} points, expected at most {}", points->count, most_vertices));
+  }
+  return points_from(points, points->count);
+}
+
+void put_points(std::span<const sim::Vec3> points, const TautPointsOut* out) {
+  require_array(out, points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    char* at = static_cast<char*>(out->data) + k * out->stride;
+    out->type == TAUT_FLOAT ? write_point<float>(points[k], at) : write_point<double>(points[k], at);
+  }
+}
+
+sim::Vec3 vector_of(double x, double y, double z) {
+  const sim::Vec3 vector(x, y, z);
+  require(is_finite(vector), "found a number that is not finite");
+  return vector;
+}
+
+std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t count, std::size_t limit) {
+  require(vertices != nullptr || count == 0, "found vertices of NULL");
+  require(count <= most_vertices, "found more vertices than can be simulated");
+  for (std::size_t k = 0; k < count; ++k) {
+    if (vertices[k] >= limit) {
+      throw ArgumentError(
+          fmt::format("found vertex {} at place {}, expected one below {}", vertices[k], k, limit));
+    }
+  }
+  return {vertices, vertices + count};
+}
+
+sim::Mesh mesh_from(const TautMesh* given) {
+  const TautMesh mesh = read_struct(given);
+  if (mesh.corner_count > most_vertices) {
+    throw ArgumentError(
+        fmt::format("found {} corners of faces, expected at most {}", mesh.corner_count, most_vertices));
+  }
+  sim::Mesh made;
+  made.positions = points_from(&mesh.positions);
+  const std::vector<sim::Index> corners =
+      vertices_from(mesh.corners, mesh.corner_count, made.positions.size());
+  require(!corners.empty(), "found a mesh without faces");
+  made.triangles = sim::cut_into_triangles({made.positions, corner_counts(mesh), corners});
+  return made;
+}
+
+}  // namespace taut::library

@@ -1,0 +1,281 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+using System.Text;
+
+/// Cloth that keeps a bound on its stretch and crosses nothing: libtaut for C#, in Unity and elsewhere. Metres,
+/// kilograms, seconds, newtons; y is up. What each call does is said in taut.h. Positions are flat arrays, three
+/// numbers for each vertex. Everything that fails throws a TautException.
+namespace Taut {
+
+public sealed class TautException : Exception {
+  /// TautResult of taut.h.
+  public readonly int Result;
+  public TautException(int result, string text) : base(text) { Result = result; }
+}
+
+/// TautFrame of taut.h: what a frame is worth.
+[StructLayout(LayoutKind.Sequential)]
+public struct Frame {
+  internal uint StructSize;
+  public int Number;
+  public double TimeS, MaxEdgeStretch, MaxSurfaceStretch, SmallestDistanceM;
+  public long CrossingPairs;
+  public ulong StateHash;
+  public int Substeps, IsBoundKept, IsContactKept, IsAsleep;
+}
+
+/// TautInfo of taut.h.
+[StructLayout(LayoutKind.Sequential)]
+public struct Info {
+  internal uint StructSize;
+  public int Frame;
+  public double TimeS, FrameRateHz, MaxStretch;
+  public UIntPtr VertexCount, TriangleCount, EdgeCount, PinCount, BodyCount;
+}
+
+/// The calls of taut.h.
+static class Native {
+  const string Library = "taut";
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct Cloth { internal ulong Id; }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct Points { internal IntPtr Data; internal UIntPtr Count, Stride; internal int Type; }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct Mesh {
+    internal uint StructSize;
+    internal Points Positions;
+    internal IntPtr Corners;
+    internal UIntPtr CornerCount;
+    internal IntPtr CornersPerFace;
+    internal UIntPtr FaceCount;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct Options {
+    internal uint StructSize;
+    internal int Threads;
+    internal IntPtr Scene, SceneText, Mesh, Start, Settings;
+    internal UIntPtr SettingCount;
+    internal IntPtr Importer, Log, LogUser;
+    internal int CountsCrossings;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct Body {
+    internal uint StructSize;
+    internal int HasFriction;
+    internal IntPtr Name, Mesh;
+    internal double PointX, PointY, PointZ, NormalX, NormalY, NormalZ, Friction;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct Error {
+    internal uint StructSize;
+    internal int Result;
+    [MarshalAs(UnmanagedType.ByValArray, SizeConst = 1016)] internal byte[] Text;
+  }
+
+  [DllImport(Library)] internal static extern IntPtr taut_version();
+  [DllImport(Library)] internal static extern int taut_create(ref Options options, out Cloth cloth, ref Error error);
+  [DllImport(Library)] internal static extern int taut_destroy(Cloth cloth);
+  [DllImport(Library)] internal static extern IntPtr taut_last_error(Cloth cloth);
+  [DllImport(Library)] internal static extern int taut_get_info(Cloth cloth, ref Info info);
+  [DllImport(Library)] internal static extern int taut_step(Cloth cloth, ref Frame frame);
+  [DllImport(Library)] internal static extern int taut_set(Cloth cloth, byte[] key, byte[] value);
+  [DllImport(Library)] internal static extern int taut_set_wind(Cloth cloth, double x, double y, double z);
+  [DllImport(Library)] internal static extern int taut_set_gravity(Cloth cloth, double x, double y, double z);
+  [DllImport(Library)] internal static extern int taut_set_forces(Cloth cloth, uint[] vertices, ref Points forces);
+  [DllImport(Library)] internal static extern int taut_set_pins(Cloth cloth, uint[] vertices, UIntPtr count);
+  [DllImport(Library)] internal static extern int taut_get_pins(Cloth cloth, uint[] vertices, UIntPtr count);
+  [DllImport(Library)] internal static extern int taut_move_pins(Cloth cloth, uint[] vertices, ref Points targets);
+  [DllImport(Library)] internal static extern int taut_add_body(Cloth cloth, ref Body body, out int number);
+  [DllImport(Library)] internal static extern int taut_move_body(Cloth cloth, int number, ref Points positions);
+  [DllImport(Library)] internal static extern int taut_place_body(Cloth cloth, int number, ref Points positions);
+  [DllImport(Library)] internal static extern int taut_get_positions(Cloth cloth, ref Points positions);
+  [DllImport(Library)] internal static extern int taut_set_positions(Cloth cloth, ref Points positions);
+  [DllImport(Library)] internal static extern int taut_get_stretch(Cloth cloth, double[] stretch, UIntPtr count);
+  [DllImport(Library)] internal static extern int taut_state_hash(Cloth cloth, out ulong hash);
+  [DllImport(Library)]
+  internal static extern int taut_save(Cloth cloth, byte[] buffer, UIntPtr capacity, out UIntPtr size);
+  [DllImport(Library)] internal static extern int taut_restore(Cloth cloth, byte[] buffer, UIntPtr size);
+
+  internal static byte[] Utf8(string text) { return Encoding.UTF8.GetBytes(text + "\0"); }
+
+  internal static string Text(IntPtr utf8) {
+    var bytes = new List<byte>();
+    for (byte next; (next = Marshal.ReadByte(utf8, bytes.Count)) != 0;) bytes.Add(next);
+    return Encoding.UTF8.GetString(bytes.ToArray());
+  }
+}
+
+/// Arrays that keep their places while a call reads or fills them.
+sealed class Pinned : IDisposable {
+  readonly List<GCHandle> handles = new List<GCHandle>();
+
+  internal IntPtr At(object array) {
+    if (array == null) return IntPtr.Zero;
+    handles.Add(GCHandle.Alloc(array, GCHandleType.Pinned));
+    return handles[handles.Count - 1].AddrOfPinnedObject();
+  }
+  internal IntPtr Text(string text) { return text == null ? IntPtr.Zero : At(Native.Utf8(text)); }
+  internal Native.Points Points(float[] numbers) {
+    return new Native.Points { Data = At(numbers), Count = (UIntPtr)(numbers.Length / 3), Stride = (UIntPtr)12 };
+  }
+  internal Native.Mesh Mesh(float[] positions, int[] triangles) {
+    return new Native.Mesh { StructSize = (uint)Marshal.SizeOf(typeof(Native.Mesh)), Positions = Points(positions),
+                             Corners = At(triangles), CornerCount = (UIntPtr)triangles.Length };
+  }
+  public void Dispose() {
+    foreach (var handle in handles) handle.Free();
+  }
+}
+
+public sealed class Cloth : IDisposable {
+  Native.Cloth cloth;
+
+  /// A cloth of a scene, a garment file or a scene that comes with Taut. Settings are "wind.speed = 4".
+  public Cloth(string scene, params string[] settings) { Create(scene, null, null, settings); }
+
+  /// A cloth of triangles, which nothing holds.
+  public Cloth(float[] positions, int[] triangles, params string[] settings) {
+    Create(null, positions, triangles, settings);
+  }
+
+  void Create(string scene, float[] positions, int[] triangles, string[] settings) {
+    using (var pinned = new Pinned()) {
+      var options = new Native.Options { StructSize = (uint)Marshal.SizeOf(typeof(Native.Options)) };
+      options.Scene = pinned.Text(scene);
+      if (scene == null) options.Mesh = pinned.At(pinned.Mesh(positions, triangles));
+      options.Settings = pinned.At(Array.ConvertAll(settings, setting => pinned.Text(setting)));
+      options.SettingCount = (UIntPtr)settings.Length;
+      var error = new Native.Error { StructSize = (uint)Marshal.SizeOf(typeof(Native.Error)), Text = new byte[1016] };
+      int result = Native.taut_create(ref options, out cloth, ref error);
+      if (result != 0)
+        throw new TautException(result, Encoding.UTF8.GetString(error.Text, 0, Array.IndexOf(error.Text, (byte)0)));
+    }
+  }
+
+  ~Cloth() { Native.taut_destroy(cloth); }
+
+  public void Dispose() {
+    Native.taut_destroy(cloth);
+    GC.SuppressFinalize(this);
+  }
+
+  void Check(int result) {
+    if (result != 0) throw new TautException(result, Native.Text(Native.taut_last_error(cloth)));
+  }
+
+  public static string Version { get { return Native.Text(Native.taut_version()); } }
+
+  public Info Info {
+    get {
+      var info = new Info { StructSize = (uint)Marshal.SizeOf(typeof(Info)) };
+      Check(Native.taut_get_info(cloth, ref info));
+      return info;
+    }
+  }
+
+  public Frame Step() {
+    var frame = new Frame { StructSize = (uint)Marshal.SizeOf(typeof(Frame)) };
+    Check(Native.taut_step(cloth, ref frame));
+    return frame;
+  }
+
+  public void Set(string key, string value) { Check(Native.taut_set(cloth, Native.Utf8(key), Native.Utf8(value))); }
+  public void SetWind(double x, double y, double z) { Check(Native.taut_set_wind(cloth, x, y, z)); }
+  public void SetGravity(double x, double y, double z) { Check(Native.taut_set_gravity(cloth, x, y, z)); }
+  public void SetPins(params uint[] vertices) {
+    Check(Native.taut_set_pins(cloth, vertices, (UIntPtr)vertices.Length));
+  }
+
+  delegate int PointsCall(ref Native.Points points);
+
+  void CheckWith(float[] numbers, PointsCall call) {
+    using (var pinned = new Pinned()) {
+      var points = pinned.Points(numbers);
+      Check(call(ref points));
+    }
+  }
+
+  static void RequirePoints(uint[] vertices, float[] numbers) {
+    if (numbers.Length != 3 * vertices.Length) throw new TautException(3, "expected three numbers for each vertex");
+  }
+
+  public void SetForces(uint[] vertices, float[] forces) {
+    RequirePoints(vertices, forces);
+    CheckWith(forces, (ref Native.Points points) => Native.taut_set_forces(cloth, vertices, ref points));
+  }
+  public void MovePins(uint[] vertices, float[] targets) {
+    RequirePoints(vertices, targets);
+    CheckWith(targets, (ref Native.Points points) => Native.taut_move_pins(cloth, vertices, ref points));
+  }
+
+  /// A closed mesh that the cloth stays out of. Returns its number.
+  public int AddBody(float[] positions, int[] triangles) {
+    using (var pinned = new Pinned()) {
+      return Add(new Native.Body { Mesh = pinned.At(pinned.Mesh(positions, triangles)) });
+    }
+  }
+  public int AddGround(double height) { return Add(new Native.Body { PointY = height, NormalY = 1 }); }
+
+  int Add(Native.Body body) {
+    body.StructSize = (uint)Marshal.SizeOf(typeof(Native.Body));
+    int number;
+    Check(Native.taut_add_body(cloth, ref body, out number));
+    return number;
+  }
+
+  public void MoveBody(int number, float[] positions) {
+    CheckWith(positions, (ref Native.Points points) => Native.taut_move_body(cloth, number, ref points));
+  }
+  public void PlaceBody(int number, float[] positions) {
+    CheckWith(positions, (ref Native.Points points) => Native.taut_place_body(cloth, number, ref points));
+  }
+  public void GetPositions(float[] positions) {
+    CheckWith(positions, (ref Native.Points points) => Native.taut_get_positions(cloth, ref points));
+  }
+  public void SetPositions(float[] positions) {
+    CheckWith(positions, (ref Native.Points points) => Native.taut_set_positions(cloth, ref points));
+  }
+
+  public double[] Stretch {
+    get {
+      var stretch = new double[(int)Info.VertexCount];
+      Check(Native.taut_get_stretch(cloth, stretch, (UIntPtr)stretch.Length));
+      return stretch;
+    }
+  }
+
+  public uint[] Pins {
+    get {
+      var pins = new uint[(int)Info.PinCount];
+      Check(Native.taut_get_pins(cloth, pins, (UIntPtr)pins.Length));
+      return pins;
+    }
+  }
+
+  public ulong StateHash {
+    get {
+      ulong hash;
+      Check(Native.taut_state_hash(cloth, out hash));
+      return hash;
+    }
+  }
+
+  public byte[] Save() {
+    UIntPtr size;
+    Check(Native.taut_save(cloth, null, UIntPtr.Zero, out size));
+    var bytes = new byte[(int)size];
+    Check(Native.taut_save(cloth, bytes, size, out size));
+    return bytes;
+  }
+
+  public void Restore(byte[] state) { Check(Native.taut_restore(cloth, state, (UIntPtr)state.Length)); }
+}
+
+}

@@ -1,0 +1,102 @@
+#include <fmt/core.h>
+
+#include "app/base/errors.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/bodies/wearing.hpp"
+#include "app/library/session.hpp"
+#include "app/library/structs.hpp"
+#include "app/models/garment_remarks.hpp"
+#include "app/models/hanger.hpp"
+#include "app/scene/scene_format.hpp"
+#include "sim/solvers/bounded/settings.hpp"
+
+namespace taut::library {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+std::vector<app::Override> overrides_of(const TautOptions& options) {
+  require(options.settings != nullptr || options.setting_count == 0, "found settings of NULL");
+  require(options.setting_count <= 100000, "found more than 100000 settings");
+  std::vector<app::Override> overrides;
+  for (std::size_t k = 0; k < options.setting_count; ++k) {
+    require(options.settings[k] != nullptr, "found a setting of NULL");
+    const std::string text = options.settings[k];
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw ArgumentError("found the setting '" + text + "', expected KEY = VALUE, such as wind.speed = 4");
+    }
+    overrides.push_back({trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)), text});
+  }
+  return overrides;
+}
+
+app::Scene scene_of(const TautOptions& options, const std::vector<app::Override>& overrides) {
+  const int named = (options.scene != nullptr ? 1 : 0) + (options.scene_text != nullptr ? 1 : 0) +
+                    (options.mesh != nullptr ? 1 : 0);
+  require(named == 1, "expected exactly one of scene, scene_text and mesh");
+  if (options.scene != nullptr) {
+    return app::find_scene(app::undrawn_format(), options.scene, overrides);
+  }
+  if (options.scene_text != nullptr) {
+    return app::read_scene(app::undrawn_format(), options.scene_text, "scene text", overrides);
+  }
+  app::Scene scene;
+  scene.name = "mesh";
+  scene.garment.given = std::make_shared<const sim::Mesh>(mesh_from(options.mesh));
+  app::apply_overrides(app::undrawn_format(), overrides, scene);
+  require(scene.garment.file.empty(), "garment.file: expected no file where a mesh is given");
+  require(scene.garment.subdivisions == 0,
+          "garment.subdivisions: expected a mesh that is subdivided already");
+  return scene;
+}
+
+void set_importer(const TautOptions& options, app::Scene& scene) {
+  if (options.importer != nullptr) {
+    scene.garment.importer = options.importer;
+    for (app::BodySource& source : scene.body_sources) {
+      source.importer = options.importer;
+    }
+  }
+}
+
+void set_threads(const TautOptions& options, app::Scene& scene) {
+  require(options.threads >= 0 && options.threads <= sim::most_threads, "threads: expected 1 to 64, or 0");
+  if (options.threads > 0) {
+    scene.simulation.solver.bounded.threads = options.threads;
+  }
+}
+
+void tell(const TautOptions& options, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    if (options.log != nullptr) {
+      options.log(options.log_user, line.c_str());
+    }
+  }
+}
+
+}  // namespace
+
+Start load(const TautOptions& options) {
+  Start start;
+  start.scene = scene_of(options, overrides_of(options));
+  set_importer(options, start.scene);
+  set_threads(options, start.scene);
+  tell(options, load_bodies(start.scene));
+  start.loaded = app::load_garment(start.scene);
+  if (options.mesh != nullptr) {
+    start.given_m = start.scene.garment.given->positions;
+  }
+  app::put_on_hanger(start.loaded, start.scene);
+  tell(options, app::put_on(start.loaded, start.scene));
+  if (options.log != nullptr) {
+    tell(options, app::remarks_of(start.loaded));
+    tell(options, app::remarks_on_start(start.scene, start.loaded));
+  }
+  return start;
+}
+
+}  // namespace taut::library

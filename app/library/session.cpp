@@ -1,0 +1,294 @@
+#include "app/library/session.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <utility>
+
+#include "app/library/arrays.hpp"
+#include "app/library/way_of_body.hpp"
+#include "app/output/run_start.hpp"
+#include "app/scene/scene_format.hpp"
+#include "app/scene/scene_text.hpp"
+#include "sim/checkpoint.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::library {
+namespace {
+
+// What may change while a cloth moves; all else is what the cloth is, or when and where it begins.
+constexpr std::array live_sections = {"air.",  "cloth.",  "gravity.", "pins.motion.",
+                                      "rest.", "solver.", "wind."};
+
+bool is_live(const std::string& key) {
+  return key == "forces" || std::any_of(live_sections.begin(), live_sections.end(),
+                                        [&](const char* section) { return key.starts_with(section); });
+}
+
+std::vector<sim::Index> counted_up(std::size_t count) {
+  std::vector<sim::Index> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+/// Per vertex of the mesh, the first of the caller's that became it.
+std::vector<sim::Index> first_of_each(const std::vector<sim::Index>& mesh_vertex, std::size_t count) {
+  std::vector<sim::Index> first(count, sim::no_vertex);
+  for (std::size_t v = mesh_vertex.size(); v-- > 0;) {
+    if (mesh_vertex[v] != sim::no_vertex) {
+      first[mesh_vertex[v]] = static_cast<sim::Index>(v);
+    }
+  }
+  return first;
+}
+
+}  // namespace
+
+Session::Session(const TautOptions& options, Start start)
+    : scene_(std::move(start.scene)),
+      loaded_(std::move(start.loaded)),
+      given_m_(std::move(start.given_m)),
+      mesh_vertex_(given_m_.empty() ? counted_up(loaded_.garment->mesh.positions.size())
+                                    : loaded_.file_vertices.mesh_vertex),
+      own_vertex_(first_of_each(mesh_vertex_, loaded_.garment->mesh.positions.size())),
+      simulation_([&] {
+        if (options.start != nullptr) {
+          loaded_.start_m = in_mesh(points_from(options.start, vertex_count()));
+        }
+        return app::make_simulation(scene_, loaded_);
+      }()),
+      frame_(app::go_to_start(scene_, simulation_)) {
+  if (options.counts_crossings != 0) {
+    verifier_.emplace();
+  }
+  begin_again();
+}
+
+void Session::begin_again() {
+  if (verifier_) {
+    verifier_->begin(simulation_);
+  }
+}
+
+void Session::require_found() const {
+  const std::vector<sim::Vec3>& positions_m = simulation_.state().current;
+  const std::size_t lost = sim::first_lost(positions_m);
+  if (lost < positions_m.size()) {
+    throw sim::Diverged(static_cast<sim::Index>(lost), simulation_.state().time_s);
+  }
+}
+
+app::FrameRecord Session::step() {
+  require_found();
+  const sim::Surroundings still = simulation_.surroundings();
+  sim::Surroundings moving = still;
+  apply_targets(moving);
+  simulation_.set_surroundings(moving);
+  try {
+    simulation_.advance_frame();
+  } catch (...) {
+    simulation_.set_surroundings(still);
+    forget_targets();
+    throw;
+  }
+  ++frame_;
+  stay_at_targets();
+  app::FrameRecord record = app::measure_frame(simulation_, frame_);
+  if (verifier_) {
+    verifier_->check(simulation_, record);
+  }
+  return record;
+}
+
+void Session::apply_targets(sim::Surroundings& surroundings) const {
+  const double from_s = simulation_.state().time_s;
+  const double rate_hz = simulation_.settings().frame_rate_hz;
+  sim::LedPins& led = surroundings.led_pins;
+  for (const auto& [vertex, target_m] : pin_targets_m_) {
+    led.vertices.push_back(vertex);
+    led.by_m.push_back(target_m - simulation_.state().current[vertex]);
+  }
+  led.from_s = from_s;
+  led.until_s = from_s + (led.vertices.empty() ? 0.0 : simulation_.frame_time_s());
+  for (const auto& [number, lent] : lent_) {
+    if (lent.target_m) {
+      auto& mesh = std::get<sim::BodyMesh>(surroundings.bodies[number].shape);
+      mesh.frames =
+          std::make_shared<const WayOfBody>(mesh.data->positions_m, *lent.target_m, from_s, rate_hz);
+    }
+  }
+}
+
+// A frame depends on the state and on what is given for it, not on how things came to be where they are.
+void Session::stay_at_targets() {
+  for (auto& [number, lent] : lent_) {
+    if (lent.target_m) {
+      set_shape(number, std::move(*lent.target_m));
+    }
+  }
+  forget_targets();
+  simulation_.set_surroundings(surroundings_of(scene_));
+}
+
+void Session::forget_targets() {
+  pin_targets_m_.clear();
+  for (auto& [number, lent] : lent_) {
+    lent.target_m.reset();
+  }
+}
+
+sim::Surroundings Session::surroundings_of(const app::Scene& scene) const {
+  sim::Surroundings surroundings = app::settled(scene.surroundings, loaded_);
+  std::vector<sim::PointForce>& all = surroundings.forces.artificial_forces;
+  all.insert(all.end(), forces_.begin(), forces_.end());
+  return surroundings;
+}
+
+void Session::change(app::Scene next) {
+  require_found();
+  simulation_.set_surroundings(surroundings_of(next));
+  simulation_.set_settings(app::simulation_settings(next.simulation));
+  simulation_.set_material(next.material);
+  scene_ = std::move(next);
+}
+
+void Session::set(const std::string& key, const std::string& value) {
+  if (!is_live(key)) {
+    throw ArgumentError(key +
+                        ": expected a key of wind, gravity, forces, air, solver, cloth, rest or pins.motion; "
+                        "others are set when a cloth is made");
+  }
+  app::Scene next = scene_;
+  const app::Override changed{key, value, key + " = " + value};
+  app::apply_overrides(app::undrawn_format(), {&changed, 1}, next);
+  change(std::move(next));
+}
+
+void Session::set_wind(const sim::Vec3& velocity_m_per_s) {
+  app::Scene next = scene_;
+  sim::Wind& wind = next.surroundings.forces.wind;
+  wind.speed_m_per_s = glm::length(velocity_m_per_s);
+  wind.direction = wind.speed_m_per_s > 0.0 ? velocity_m_per_s : wind.direction;
+  change(std::move(next));
+}
+
+void Session::set_gravity(const sim::Vec3& gravity_m_per_s2) {
+  app::Scene next = scene_;
+  next.surroundings.forces.gravity_m_per_s2 = gravity_m_per_s2;
+  change(std::move(next));
+}
+
+void Session::set_forces(const std::vector<sim::Index>& vertices, const std::vector<sim::Vec3>& forces_n) {
+  std::vector<sim::PointForce> next;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    next.push_back({mesh_vertex(vertices[k]), forces_n[k]});
+  }
+  forces_.swap(next);
+  try {
+    simulation_.set_surroundings(surroundings_of(scene_));
+  } catch (...) {
+    forces_.swap(next);
+    throw;
+  }
+}
+
+void Session::set_pins(const std::vector<sim::Index>& vertices) {
+  std::vector<sim::Index> pins;
+  for (const sim::Index vertex : vertices) {
+    pins.push_back(mesh_vertex(vertex));
+  }
+  simulation_.set_pins(std::move(pins));
+  pin_targets_m_.clear();
+}
+
+std::vector<sim::Index> Session::pins() const {
+  std::vector<sim::Index> pins;
+  for (const sim::Index pin : simulation_.pins().vertices) {
+    pins.push_back(vertex_of(pin));
+  }
+  std::sort(pins.begin(), pins.end());
+  return pins;
+}
+
+void Session::move_pins(const std::vector<sim::Index>& vertices, const std::vector<sim::Vec3>& targets_m) {
+  const std::vector<sim::Index>& pins = simulation_.pins().vertices;
+  std::map<sim::Index, sim::Vec3> next;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const sim::Index vertex = mesh_vertex(vertices[k]);
+    if (!std::binary_search(pins.begin(), pins.end(), vertex)) {
+      throw ArgumentError(fmt::format("found vertex {}, expected one that is pinned", vertices[k]));
+    }
+    next.emplace(vertex, targets_m[k]);
+  }
+  pin_targets_m_ = std::move(next);
+}
+
+sim::Index Session::mesh_vertex(sim::Index vertex) const {
+  if (vertex >= mesh_vertex_.size() || mesh_vertex_[vertex] == sim::no_vertex) {
+    throw ArgumentError(
+        fmt::format("found vertex {}, expected one of a face, below {}", vertex, vertex_count()));
+  }
+  return mesh_vertex_[vertex];
+}
+
+std::vector<sim::Vec3> Session::in_mesh(const std::vector<sim::Vec3>& positions_m) const {
+  std::vector<sim::Vec3> in_mesh_m;
+  for (const sim::Index vertex : own_vertex_) {
+    in_mesh_m.push_back(positions_m[vertex]);
+  }
+  return in_mesh_m;
+}
+
+std::vector<sim::Vec3> Session::positions_m() const {
+  if (given_m_.empty()) {
+    return simulation_.state().current;
+  }
+  std::vector<sim::Vec3> positions_m = given_m_;
+  for (std::size_t v = 0; v < positions_m.size(); ++v) {
+    if (mesh_vertex_[v] != sim::no_vertex) {
+      positions_m[v] = simulation_.state().current[mesh_vertex_[v]];
+    }
+  }
+  return positions_m;
+}
+
+void Session::set_positions(const std::vector<sim::Vec3>& positions_m) {
+  const double time_s = simulation_.state().time_s;
+  sim::Simulation next(simulation_.shared_garment(), simulation_.pins().vertices, simulation_.settings(),
+                       simulation_.surroundings(), in_mesh(positions_m));
+  next.set_time(time_s);
+  simulation_ = std::move(next);
+  pin_targets_m_.clear();
+  begin_again();
+}
+
+std::vector<double> Session::stretch() const {
+  const std::vector<double> in_mesh =
+      sim::vertex_surface_stretch(simulation_.garment(), simulation_.state().current);
+  std::vector<double> stretch(vertex_count(), 0.0);
+  for (std::size_t v = 0; v < stretch.size(); ++v) {
+    stretch[v] = mesh_vertex_[v] == sim::no_vertex ? 0.0 : in_mesh[mesh_vertex_[v]];
+  }
+  return stretch;
+}
+
+std::string Session::save() const {
+  app::RunCheckpoint run;
+  run.scene_name = scene_.name;
+  const app::SceneFormat<app::Scene> format = app::simulation_format();
+  run.scene = app::text_of(app::settings_of(format, scene_), scene_, app::GarmentNaming::in_assets);
+  run.frame = frame_;
+  run.simulation = sim::encode(simulation_.save(), simulation_.garment());
+  return app::bytes_of(run);
+}
+
+void Session::restore(const std::filesystem::path& name, const app::RunCheckpoint& checkpoint) {
+  app::restore(name, checkpoint, simulation_);
+  frame_ = checkpoint.frame;
+  forget_targets();
+  begin_again();
+}
+
+}  // namespace taut::library

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/bodies/placed_frames.hpp"
+#include "app/library/taut.h"
+#include "app/models/garment_loading.hpp"
+#include "app/output/frame_verifier.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "app/scene/scene.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::library {
+
+/// A scene as it begins, made of what a caller says.
+struct Start {
+  app::Scene scene;
+  app::LoadedGarment loaded;
+  std::vector<sim::Vec3> given_m;  ///< per vertex of the caller's mesh; empty: a scene
+};
+
+/// Reads what the options name and tells their log what was guessed. Throws ArgumentError, and as
+/// find_scene(), load_bodies(), load_garment() and put_on() do.
+Start load(const TautOptions& options);
+
+/// A cloth of the library: the simulation of a scene as the program runs it, and what a caller leads in it.
+/// Vertices are the caller's: those of the mesh that was given, or of the simulated mesh. Calls throw
+/// ArgumentError on arguments that cannot be used, and have changed nothing then.
+class Session {
+ public:
+  /// Throws as make_simulation() and go_to_start() do.
+  Session(const TautOptions& options, Start start);
+
+  const sim::Simulation& simulation() const { return simulation_; }
+  int frame() const { return frame_; }
+
+  /// Throws sim::ContactBlocked with everything as it was, and sim::Diverged.
+  app::FrameRecord step();
+
+  // What acts on the cloth. Each throws as sim::Simulation does.
+  void set(const std::string& key, const std::string& value);
+  void set_wind(const sim::Vec3& velocity_m_per_s);
+  void set_gravity(const sim::Vec3& gravity_m_per_s2);
+  void set_forces(const std::vector<sim::Index>& vertices, const std::vector<sim::Vec3>& forces_n);
+  void set_pins(const std::vector<sim::Index>& vertices);
+  std::vector<sim::Index> pins() const;
+  void move_pins(const std::vector<sim::Index>& vertices, const std::vector<sim::Vec3>& targets_m);
+
+  /// Returns its number. Throws InputError on a mesh that is not closed.
+  std::size_t add_body(sim::Body body);
+  std::size_t add_body(sim::Body body, sim::Mesh mesh);
+  /// How many positions the mesh of a body was given with.
+  std::size_t positions_of_body(std::size_t body) const;
+  void move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m);
+  void place_body(std::size_t body, const std::vector<sim::Vec3>& positions_m);
+
+  // The shape, by the caller's vertices.
+  std::size_t vertex_count() const { return mesh_vertex_.size(); }
+  std::vector<sim::Vec3> positions_m() const;
+  void set_positions(const std::vector<sim::Vec3>& positions_m);
+  std::vector<double> stretch() const;
+  /// The caller's vertex for one of the simulated mesh: the first that became it.
+  sim::Index vertex_of(sim::Index mesh_vertex) const { return own_vertex_[mesh_vertex]; }
+
+  std::string save() const;
+  /// `name` is where the checkpoint is from, for messages. Throws InputError.
+  void restore(const std::filesystem::path& name, const app::RunCheckpoint& checkpoint);
+
+ private:
+  /// A body that was given as arrays.
+  struct LentBody {
+    app::FileVertexPlaces places;
+    std::size_t vertices = 0;
+    std::optional<std::vector<sim::Vec3>> target_m = {};  ///< of the next frame, per vertex of the body
+  };
+
+  const LentBody& lent_body(std::size_t body) const;
+  std::vector<sim::Vec3> in_body(const LentBody& lent, const std::vector<sim::Vec3>& positions_m) const;
+  void set_shape(std::size_t body, std::vector<sim::Vec3> positions_m);
+  sim::Surroundings surroundings_of(const app::Scene& scene) const;
+  /// Throws sim::Diverged while the cloth is lost.
+  void require_found() const;
+  void change(app::Scene next);
+  void apply_targets(sim::Surroundings& surroundings) const;
+  void stay_at_targets();
+  void forget_targets();
+  void begin_again();
+  sim::Index mesh_vertex(sim::Index vertex) const;
+  std::vector<sim::Vec3> in_mesh(const std::vector<sim::Vec3>& positions_m) const;
+
+  app::Scene scene_;
+  app::GarmentInScene loaded_;
+  std::vector<sim::Vec3> given_m_;
+  std::vector<sim::Index> mesh_vertex_;  ///< per vertex of the caller, or sim::no_vertex
+  std::vector<sim::Index> own_vertex_;   ///< per vertex of the mesh
+  sim::Simulation simulation_;
+  int frame_ = 0;
+  std::optional<app::FrameVerifier> verifier_;
+  std::vector<sim::PointForce> forces_;            ///< besides those of the scene; vertices of the mesh
+  std::map<sim::Index, sim::Vec3> pin_targets_m_;  ///< of the next frame; vertices of the mesh
+  std::map<std::size_t, LentBody> lent_;           ///< by the number of the body
+};
+
+}  // namespace taut::library

@@ -1,0 +1,89 @@
+#include <fmt/core.h>
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/bodies/body_mesh.hpp"
+#include "app/library/arrays.hpp"
+#include "app/library/session.hpp"
+
+namespace taut::library {
+
+std::size_t Session::add_body(sim::Body body) {
+  app::Scene next = scene_;
+  next.surroundings.bodies.push_back(std::move(body));
+  next.body_sources.resize(next.surroundings.bodies.size());
+  next.wearers.resize(next.surroundings.bodies.size());
+  change(std::move(next));
+  return scene_.surroundings.bodies.size() - 1;
+}
+
+std::size_t Session::add_body(sim::Body body, sim::Mesh mesh) {
+  app::ImportedModel model;
+  model.positions = std::move(mesh.positions);
+  model.triangles = std::move(mesh.triangles);
+  app::BodySource source;
+  source.file = body.name.empty() ? "body" : body.name;
+  source.scale = 1.0;
+  source.up = app::ModelAxis::y;
+  app::LoadedMesh loaded = app::make_body_mesh(source, model);
+  body.shape = sim::BodyMesh{std::make_shared<const sim::BodyMeshData>(
+      sim::BodyMeshData{std::move(loaded.mesh.positions), std::move(loaded.mesh.triangles)})};
+  const std::size_t number = add_body(std::move(body));
+  lent_[number] = {std::move(loaded.places), loaded.file_vertices};
+  return number;
+}
+
+const Session::LentBody& Session::lent_body(std::size_t body) const {
+  const auto found = lent_.find(body);
+  if (found == lent_.end()) {
+    throw ArgumentError(fmt::format("found body {}, expected one that was added as a mesh", body));
+  }
+  return found->second;
+}
+
+std::size_t Session::positions_of_body(std::size_t body) const {
+  return lent_body(body).vertices;
+}
+
+std::vector<sim::Vec3> Session::in_body(const LentBody& lent,
+                                        const std::vector<sim::Vec3>& positions_m) const {
+  std::vector<sim::Vec3> in_body_m;
+  for (const std::size_t vertex : lent.places.file_vertex) {
+    in_body_m.push_back(lent.places.placement(positions_m[vertex]));
+  }
+  const std::size_t lost = sim::first_lost(in_body_m);
+  if (lost < in_body_m.size()) {
+    throw ArgumentError(fmt::format("found vertex {} beyond all bounds", lent.places.file_vertex[lost]));
+  }
+  return in_body_m;
+}
+
+void Session::set_shape(std::size_t body, std::vector<sim::Vec3> positions_m) {
+  auto& mesh = std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape);
+  mesh = {std::make_shared<const sim::BodyMeshData>(
+      sim::BodyMeshData{std::move(positions_m), mesh.data->triangles})};
+}
+
+void Session::move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m) {
+  const LentBody& lent = lent_body(body);
+  std::vector<sim::Vec3> target_m = in_body(lent, positions_m);
+  const auto& now_m = std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape).data->positions_m;
+  for (std::size_t v = 0; v < target_m.size(); ++v) {
+    const double way_m = glm::distance(target_m[v], now_m[v]);
+    if (!(way_m <= app::furthest_in_frame_m)) {
+      throw ArgumentError(
+          fmt::format("found vertex {} {:.3g} m from where it is, expected at most {:g} m in a frame",
+                      lent.places.file_vertex[v], way_m, app::furthest_in_frame_m));
+    }
+  }
+  lent_[body].target_m = std::move(target_m);
+}
+
+void Session::place_body(std::size_t body, const std::vector<sim::Vec3>& positions_m) {
+  set_shape(body, in_body(lent_body(body), positions_m));
+  lent_[body].target_m.reset();
+  simulation_.set_surroundings(surroundings_of(scene_));
+}
+
+}  // namespace taut::library

@@ -1,0 +1,230 @@
+#include "app/library/taut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <string>
+
+#include "app/base/version.hpp"
+#include "app/library/border.hpp"
+#include "app/library/structs.hpp"
+#include "sim/solvers/bounded/kernels/vector_unit.hpp"
+
+namespace taut::library {
+namespace {
+
+TautFrame frame_of(const app::FrameRecord& record) {
+  TautFrame frame{};
+  frame.frame = record.frame;
+  frame.time_s = record.time_s;
+  frame.max_edge_stretch = record.stretch.max;
+  frame.max_surface_stretch = record.surface_stretch.max;
+  frame.smallest_distance_m = record.contact.smallest_distance_m;
+  frame.crossing_pairs = record.crossing_pairs ? static_cast<std::int64_t>(*record.crossing_pairs) : -1;
+  frame.state_hash = record.state_hash;
+  frame.substeps = record.asleep ? 0 : record.substeps;
+  frame.is_bound_kept = record.bound_kept ? 1 : 0;
+  frame.is_contact_kept = record.blocked || record.crossing_pairs.value_or(0) > 0 ? 0 : 1;
+  frame.is_asleep = record.asleep ? 1 : 0;
+  return frame;
+}
+
+TautInfo info_of(const Session& session) {
+  const sim::Simulation& simulation = session.simulation();
+  const auto* bounded = std::get_if<sim::BoundedSettings>(&simulation.settings().solver.method);
+  TautInfo info{};
+  info.frame = session.frame();
+  info.time_s = simulation.state().time_s;
+  info.frame_rate_hz = simulation.settings().frame_rate_hz;
+  info.max_stretch = bounded != nullptr ? bounded->max_stretch : std::numeric_limits<double>::infinity();
+  info.vertex_count = session.vertex_count();
+  info.triangle_count = simulation.garment().mesh.triangles.size();
+  info.edge_count = simulation.garment().adjacency.edges.size();
+  info.pin_count = simulation.pins().vertices.size();
+  info.body_count = simulation.surroundings().bodies.size();
+  return info;
+}
+
+sim::Body body_of(const TautBody& given) {
+  sim::Body body;
+  body.name = given.name != nullptr ? given.name : "";
+  if (given.has_friction != 0) {
+    require(given.friction >= 0.0 && given.friction <= 10.0, "friction: expected 0 to 10");
+    body.friction = given.friction;
+  }
+  return body;
+}
+
+sim::Plane plane_of(const TautBody& given) {
+  const sim::Vec3 normal = vector_of(given.plane_normal[0], given.plane_normal[1], given.plane_normal[2]);
+  const double length = glm::length(normal);
+  require(length > 0.0 && std::isfinite(length), "plane_normal: expected a vector that is not 0");
+  return {vector_of(given.plane_point[0], given.plane_point[1], given.plane_point[2]), normal / length};
+}
+
+std::vector<sim::Vec3> points_for(const Session& session, std::int32_t body, const TautPoints* points) {
+  return points_from(points, session.positions_of_body(static_cast<std::size_t>(body)));
+}
+
+}  // namespace
+}  // namespace taut::library
+
+using namespace taut;
+using namespace taut::library;
+
+TautResult taut_error_init(TautError* error, size_t size) {
+  return guarded([&] { init_struct(error, size); });
+}
+TautResult taut_mesh_init(TautMesh* mesh, size_t size) {
+  return guarded([&] { init_struct(mesh, size); });
+}
+TautResult taut_options_init(TautOptions* options, size_t size) {
+  return guarded([&] { init_struct(options, size); });
+}
+TautResult taut_body_init(TautBody* body, size_t size) {
+  return guarded([&] { init_struct(body, size); });
+}
+TautResult taut_frame_init(TautFrame* frame, size_t size) {
+  return guarded([&] { init_struct(frame, size); });
+}
+TautResult taut_info_init(TautInfo* info, size_t size) {
+  return guarded([&] { init_struct(info, size); });
+}
+
+const char* taut_version(void) {
+  static const std::string version = app::program_version();
+  return version.c_str();
+}
+
+uint32_t taut_abi_version(void) {
+  return TAUT_ABI_VERSION;
+}
+
+const char* taut_build_info(void) {
+  static const std::string info = [] {
+    std::string text = "taut " + app::program_version() + ", " + app::compiler_version() + ", vectors:";
+    for (const sim::VectorUnit unit : sim::available_vector_units()) {
+      text += unit == sim::VectorUnit::best ? "" : std::string(" ") + sim::name_of(unit);
+    }
+    return text;
+  }();
+  return info.c_str();
+}
+
+TautResult taut_create(const TautOptions* options, TautCloth* cloth, TautError* error) {
+  char text[sizeof(TautError::text)] = "";
+  TautResult result = TAUT_OK;
+  const UsualRounding rounding;
+  try {
+    require(cloth != nullptr, "found a cloth of NULL");
+    *cloth = {};
+    const TautOptions read = read_struct(options);
+    cloth->id = keep(std::make_shared<Held>(Session(read, load(read))));
+  } catch (...) {
+    result = describe_failure(text);
+  }
+  if (error != nullptr) {
+    TautError told{};
+    told.result = result;
+    put_text(text, told.text);
+    guarded([&] { put_struct(told, error); });
+  }
+  return result;
+}
+
+TautResult taut_destroy(TautCloth cloth) {
+  const UsualRounding rounding;
+  return release(cloth.id) ? TAUT_OK : TAUT_ERROR_HANDLE;
+}
+
+const char* taut_last_error(TautCloth cloth) {
+  const std::shared_ptr<Held> held = find(cloth.id);
+  return held ? held->error : "there is no such cloth";
+}
+
+TautResult taut_get_info(TautCloth cloth, TautInfo* info) {
+  return with(cloth, [&](const Session& session) { put_struct(info_of(session), info); });
+}
+
+TautResult taut_step(TautCloth cloth, TautFrame* frame) {
+  return with(cloth, [&](Session& session) {
+    if (frame != nullptr) {
+      read_struct(frame);
+    }
+    const TautFrame stepped = frame_of(session.step());
+    if (frame != nullptr) {
+      put_struct(stepped, frame);
+    }
+  });
+}
+
+TautResult taut_set(TautCloth cloth, const char* key, const char* value) {
+  return with(cloth, [&](Session& session) {
+    session.set(text_of(key, "found a key of NULL"), text_of(value, "found a value of NULL"));
+  });
+}
+
+TautResult taut_set_wind(TautCloth cloth, double x, double y, double z) {
+  return with(cloth, [&](Session& session) { session.set_wind(vector_of(x, y, z)); });
+}
+
+TautResult taut_set_gravity(TautCloth cloth, double x, double y, double z) {
+  return with(cloth, [&](Session& session) { session.set_gravity(vector_of(x, y, z)); });
+}
+
+TautResult taut_set_forces(TautCloth cloth, const uint32_t* vertices, const TautPoints* forces) {
+  return with(cloth, [&](Session& session) {
+    const std::vector<sim::Vec3> forces_n = points_from(forces);
+    session.set_forces(vertices_from(vertices, forces_n.size(), session.vertex_count()), forces_n);
+  });
+}
+
+TautResult taut_set_pins(TautCloth cloth, const uint32_t* vertices, size_t count) {
+  return with(cloth, [&](Session& session) {
+    session.set_pins(vertices_from(vertices, count, session.vertex_count()));
+  });
+}
+
+TautResult taut_get_pins(TautCloth cloth, uint32_t* vertices, size_t count) {
+  return with(cloth, [&](const Session& session) {
+    const std::vector<sim::Index> pins = session.pins();
+    require_room(vertices, count, pins.size());
+    std::copy(pins.begin(), pins.end(), vertices);
+  });
+}
+
+TautResult taut_move_pins(TautCloth cloth, const uint32_t* vertices, const TautPoints* targets) {
+  return with(cloth, [&](Session& session) {
+    const std::vector<sim::Vec3> targets_m = points_from(targets);
+    session.move_pins(vertices_from(vertices, targets_m.size(), session.vertex_count()), targets_m);
+  });
+}
+
+TautResult taut_add_body(TautCloth cloth, const TautBody* body, int32_t* number) {
+  return with(cloth, [&](Session& session) {
+    const TautBody given = read_struct(body);
+    sim::Body made = body_of(given);
+    if (given.mesh == nullptr) {
+      made.shape = plane_of(given);
+    }
+    const std::size_t added = given.mesh == nullptr
+                                  ? session.add_body(std::move(made))
+                                  : session.add_body(std::move(made), mesh_from(given.mesh));
+    if (number != nullptr) {
+      *number = static_cast<int32_t>(added);
+    }
+  });
+}
+
+TautResult taut_move_body(TautCloth cloth, int32_t number, const TautPoints* positions) {
+  return with(cloth, [&](Session& session) {
+    session.move_body(static_cast<std::size_t>(number), points_for(session, number, positions));
+  });
+}
+
+TautResult taut_place_body(TautCloth cloth, int32_t number, const TautPoints* positions) {
+  return with(cloth, [&](Session& session) {
+    session.place_body(static_cast<std::size_t>(number), points_for(session, number, positions));
+  });
+}

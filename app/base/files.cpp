@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <optional>
@@ -26,7 +27,8 @@ fs::path folder_of(const fs::path& file) {
 
 fs::path temporary_name(const fs::path& path) {
   fs::path name = path;
-  name += ".part" + std::to_string(::getpid());
+  // Other machines that share the folder count their processes too.
+  name += ".part-" + host_name() + '-' + std::to_string(::getpid());
   return name;
 }
 
@@ -56,6 +58,12 @@ std::optional<std::string> try_to_write(const fs::path& path, std::span<const st
 }
 
 }  // namespace
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  ::gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
 
 void require_file(const fs::path& path) {
   std::error_code error;

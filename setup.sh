@@ -1,7 +1,11 @@
 #!/usr/bin/env bash
 # Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
-# time: when all is there it does nothing.
+# time: when all is there it does nothing. With --farms also a Slurm, for the tests behind TAUT_SLURM_TESTS.
 set -euo pipefail
+if [[ $# -gt 1 || "${1---farms}" != --farms ]]; then
+  echo "usage: setup.sh [--farms]" >&2
+  exit 2
+fi
 
 packages=(
   # build
@@ -53,6 +57,12 @@ packages=(
   xvfb                # a display for it
   xauth               # what xvfb-run asks for and no package brings
 )
+
+packages_of_farms=(
+  munge               # how the parts of Slurm know each other
+  slurm-wlm
+)
+[ $# -eq 0 ] || packages+=("${packages_of_farms[@]}")
 
 # Another way to OpenGL without a display, gone from distributions with Mesa 25.1 or newer.
 packages_if_offered=(

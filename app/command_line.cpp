@@ -14,6 +14,7 @@
 #include "app/command_line_bench.hpp"
 #include "app/command_line_help.hpp"
 #include "app/command_line_picture.hpp"
+#include "app/command_line_sweep.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/frame_range.hpp"
 #include "app/scene/model_units.hpp"
@@ -382,6 +383,7 @@ void show_help_first(CLI::App& app) {
   const auto show = [](const std::string&) { throw CLI::CallForHelp(); };
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     command->get_help_ptr()->each(show)->trigger_on_parse();
+    show_help_first(*command);
   }
 }
 
@@ -397,9 +399,9 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       "the run diverged, 75 stopped, but saved: it "
       "can be resumed.");
   const std::vector<std::function<Command()>> commands = {
-      add_figures(app), add_render(app), add_simulate(app),     add_view(app),
-      add_inspect(app), add_fit(app),    add_bench(app),        add_scenes(app),
-      add_fabrics(app), add_drape(app),  add_import_model(app), add_help(app)};
+      add_figures(app), add_render(app),       add_simulate(app), add_view(app),    add_inspect(app),
+      add_fit(app),     add_bench(app),        add_scenes(app),   add_fabrics(app), add_drape(app),
+      add_sweep(app),   add_import_model(app), add_help(app)};
   show_help_first(app);
   require_command(app, std::span(arguments, static_cast<std::size_t>(argument_count)));
   try {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <optional>
@@ -49,12 +50,19 @@ std::optional<std::string> try_to_write(const fs::path& path, std::span<const st
 
 fs::path temporary_name(const fs::path& path) {
   fs::path name = path;
-  name += ".part" + std::to_string(::getpid());
+  // Other machines that share the folder count their processes too.
+  name += ".part-" + host_name() + '-' + std::to_string(::getpid());
   return name;
 }
 
 void fail_to_write(const fs::path& path, const std::string& reason) {
   throw InputError("cannot write '" + path.string() + "': " + reason);
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  ::gethostname(name.data(), name.size() - 1);
+  return name.data();
 }
 
 void require_file(const fs::path& path) {

@@ -7,6 +7,9 @@
 
 namespace taut::app {
 
+/// The name of this machine.
+std::string host_name();
+
 /// Returns the content of a file. Throws InputError that names the file and the reason: missing, a folder,
 /// unreadable or empty.
 std::string read_text_file(const std::filesystem::path& path);

@@ -51,7 +51,7 @@ void print_table(const std::vector<DrapedFabric>& fabrics) {
   }
 }
 
-Json json_of(const DrapedFabric& draped) {
+Json fabric_json(const DrapedFabric& draped) {
   Json runs = Json::array();
   for (std::size_t k = 0; k < draped.runs.size(); ++k) {
     const DrapeRun& run = draped.runs[k];
@@ -88,7 +88,7 @@ int run(const DrapeOptions& options) {
   write_file(options.output, renderer::encode_png(to_image(draw_drapes(fabrics, offscreen))));
   if (options.json) {
     Json all = Json::array();
-    std::transform(fabrics.begin(), fabrics.end(), std::back_inserter(all), json_of);
+    std::transform(fabrics.begin(), fabrics.end(), std::back_inserter(all), fabric_json);
     fmt::print("{}\n", Json({{"picture", options.output.string()}, {"fabrics", all}}).dump(2));
   } else {
     print_table(fabrics);

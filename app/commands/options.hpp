@@ -138,6 +138,33 @@ struct DrapeOptions {
   std::string backend = "auto";
 };
 
+/// What `taut sweep` is to do.
+enum class SweepAction { plan, run, status, merge, submit, write, check, show };
+
+/// Options of `taut sweep`. Each of its commands uses some.
+struct SweepOptions {
+  SweepAction action = SweepAction::status;
+  std::filesystem::path study;
+  std::filesystem::path folder;  ///< of the sweep
+  std::optional<std::size_t> index;
+  std::optional<std::size_t> task;   ///< of `chunk` runs; empty: what Slurm says
+  std::size_t offset = 0;            ///< added to the task
+  std::optional<std::size_t> chunk;  ///< empty: 1, or as few as make 10000 tasks
+  bool all = false;
+  unsigned jobs = 0;  ///< 0: one for each processor
+  bool missing = false;
+  bool pack = false;
+  std::vector<std::string> plot;  ///< names of measures
+  std::vector<std::string> over;  ///< one or two keys
+  bool slurm = false;
+  bool dry_run = false;
+  bool here = false;
+  bool snakemake = false;  ///< else GNU parallel
+  std::string memory = "2G";
+  std::vector<std::string> sbatch;  ///< more arguments of sbatch
+  std::filesystem::path output;     ///< empty: the standard output
+};
+
 /// What `taut help` was asked about.
 struct HelpOptions {
   std::string text;  ///< the answer
@@ -151,7 +178,7 @@ struct Answered {
 /// What the command line asks for.
 using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions,
                              ViewOptions, InspectOptions, FitOptions, ImportModelOptions, ScenesOptions,
-                             FabricsOptions, DrapeOptions, HelpOptions>;
+                             FabricsOptions, DrapeOptions, SweepOptions, HelpOptions>;
 
 /// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
 /// UsageError, Interrupted and what the parts it uses throw.
@@ -168,6 +195,9 @@ int run(const ImportModelOptions& options);
 int run(const ScenesOptions& options);
 int run(const FabricsOptions& options);
 int run(const DrapeOptions& options);
+int run(const SweepOptions& options);
+/// Those that hand work over: submit, write and check.
+int run_on_farm(const SweepOptions& options);
 int run(const HelpOptions& options);
 inline int run(const Answered& answered) {
   return answered.exit_code;

@@ -63,22 +63,31 @@ std::string describe_stretch(const sim::BoundedSettings& bound, const RunSummary
 
 }  // namespace
 
+std::string describe_excess(const Scene& scene, const RunSummary& summary) {
+  const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
+  return summary.frames_over_bound == 0
+             ? ""
+             : fmt::format("{} of {} {} solver.max_stretch = {:g} of the {}, the first is frame {}; {}",
+                           summary.frames_over_bound, counted(summary.frames, "frame"),
+                           summary.frames_over_bound == 1 ? "exceeds" : "exceed", bounded.max_stretch,
+                           sim::name_of(bounded.bound), summary.first_frame_over_bound,
+                           describe_stretch(bounded, summary));
+}
+
 int judge_bound(const Scene& scene, const RunSummary& summary) {
   std::fflush(stdout);
   warn_of_stiffness(scene, summary);
   warn_of_crossings(summary);
-  if (summary.frames_over_bound == 0) {
+  const std::string excess = describe_excess(scene, summary);
+  if (excess.empty()) {
     return 0;
   }
-  const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
-  const bool allowed = bounded.allow_exceeding;
+  const bool allowed = scene.simulation.solver.bounded.allow_exceeding;
   fmt::print(stderr,
-             "taut: {}: {} of {} {} solver.max_stretch = {:g} of the {}, the first is frame {}; {}. {} may "
+             "taut: {}: {}. {} may "
              "pull the cloth apart, or more time steps are needed "
              "(solver.max_substeps = {}){}\n",
-             allowed ? "warning" : "error", summary.frames_over_bound, counted(summary.frames, "frame"),
-             summary.frames_over_bound == 1 ? "exceeds" : "exceed", bounded.max_stretch,
-             sim::name_of(bounded.bound), summary.first_frame_over_bound, describe_stretch(bounded, summary),
+             allowed ? "warning" : "error", excess,
              scene.surroundings.bodies.empty() ? "Pins" : "Pins, or a body that it is too tight for,",
              scene.simulation.solver.max_substeps,
              allowed ? "" : "; solver.allow_exceeding = \"bound\" accepts such frames");

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <string>
+
 #include "app/output/frame_record.hpp"
 #include "app/scene/scene.hpp"
 
 namespace taut::app {
+
+/// Says in how many frames the solver's bound was exceeded, in which first and by how much. Empty: in none.
+std::string describe_excess(const Scene& scene, const RunSummary& summary);
 
 /// Prints to standard error how a run differs from what the scene asks for. That is: frames exceeded the
 /// solver's bound, something may have crossed where the scene accepts that, or time steps were too long for

@@ -80,6 +80,7 @@ void RunSummary::add(const FrameRecord& record) {
   }
   total_substeps += record.substeps;
   followed_compression_n_per_m = std::min(followed_compression_n_per_m, record.followed_compression_n_per_m);
+  smallest_distance_m = std::min(smallest_distance_m, record.contact.smallest_distance_m);
   final_rms_speed_m_per_s = record.rms_speed_m_per_s;
   if (!record.asleep) {
     asleep_since_frame = -1;

@@ -73,6 +73,8 @@ struct RunSummary {
   double total_substeps = 0.0;
   double followed_compression_n_per_m =
       std::numeric_limits<double>::infinity();  ///< in the least stiff frame
+  /// Of all frames, as sim::ContactReport has it; infinite: nothing was near.
+  double smallest_distance_m = std::numeric_limits<double>::infinity();
   double final_rms_speed_m_per_s = 0.0;
   int asleep_since_frame = -1;  ///< none: -1
   double total_sim_ms = 0.0;

@@ -105,12 +105,19 @@ Number number_of(const std::string& text, int base, const char* keyword, const s
 
 }  // namespace
 
-std::string command_text(std::span<const std::string> arguments) {
-  std::string text = "taut";
-  for (const std::string& argument : arguments) {
-    text += ' ' + shell_word(argument);
+std::string shell_line(std::span<const std::string> words) {
+  std::string text;
+  for (const std::string& word : words) {
+    if (!text.empty()) {
+      text += ' ';
+    }
+    text += shell_word(word);
   }
   return text;
+}
+
+std::string command_text(std::span<const std::string> arguments) {
+  return arguments.empty() ? "taut" : "taut " + shell_line(arguments);
 }
 
 std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const FrameRecord& record) {

@@ -12,7 +12,10 @@
 
 namespace taut::app {
 
-/// The arguments as one line that a shell splits into the same arguments. ASCII only.
+/// Words as one line that Bash splits into the same words. ASCII only.
+std::string shell_line(std::span<const std::string> words);
+
+/// The program's name and its arguments, as shell_line() writes them.
 std::string command_text(std::span<const std::string> arguments);
 
 /// What a picture was made from. It is stored in the picture.

@@ -11,7 +11,7 @@ namespace taut::app {
 namespace {
 
 constexpr std::string_view magic = "TAUTRUN\n";
-constexpr std::uint32_t version = 3;
+constexpr std::uint32_t version = 4;
 
 template <class Summary, class Field>
 void for_each_field(Summary& summary, const Field& field) {
@@ -32,6 +32,7 @@ void for_each_field(Summary& summary, const Field& field) {
   field(summary.first_frame_blocked);
   field(summary.total_substeps);
   field(summary.followed_compression_n_per_m);
+  field(summary.smallest_distance_m);
   field(summary.final_rms_speed_m_per_s);
   field(summary.asleep_since_frame);
   field(summary.total_sim_ms);

@@ -129,6 +129,7 @@ Json summary_json(const RunSummary& summary) {
                {"final_max_surface_stretch", summary.final_max_surface_stretch},
                {"max_raw_stretch", summary.max_raw_stretch},
                {"frames_over_bound", summary.frames_over_bound},
+               {"smallest_distance", distance_json(summary.smallest_distance_m)},
                {"mean_substeps", summary.mean_substeps()},
                {"final_rms_speed", summary.final_rms_speed_m_per_s},
                {"asleep_since_frame", nullptr},

@@ -7,13 +7,7 @@
 namespace taut::app {
 namespace {
 
-constexpr int columns = 3;
-constexpr int cell_px = 800;
-constexpr int gap_px = 40;
-constexpr float title_px = 30.0F;
-constexpr int title_height_px = 54;
-
-int height_in_cell(const renderer::Image& picture) {
+int height_in_cell(const renderer::Image& picture, int cell_px) {
   return static_cast<int>(std::lround(static_cast<double>(picture.height_px) * cell_px / picture.width_px));
 }
 
@@ -27,15 +21,18 @@ renderer::Image scaled_to_width(const renderer::Image& picture, int width_px) {
   return canvas.to_image();
 }
 
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale) {
+renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale, const SheetLayout& layout) {
+  const auto [columns, cell_px, title_px] = layout;
+  const int gap_px = cell_px / 20;
+  const int title_height_px = static_cast<int>(std::lround(1.8F * title_px));
   // Each goes to the column that is shortest so far.
-  std::vector<int> bottoms_px(columns, gap_px);
+  std::vector<int> bottoms_px(static_cast<std::size_t>(columns), gap_px);
   std::vector<std::pair<int, int>> corners;
   for (const DrawnFigure& figure : figures) {
     const auto shortest = std::min_element(bottoms_px.begin(), bottoms_px.end());
     const int column = static_cast<int>(shortest - bottoms_px.begin());
     corners.emplace_back(gap_px + column * (cell_px + gap_px), *shortest);
-    *shortest += title_height_px + height_in_cell(figure.picture) + gap_px;
+    *shortest += title_height_px + height_in_cell(figure.picture, cell_px) + gap_px;
   }
   renderer::Canvas canvas = renderer::Canvas::scaled(
       gap_px + columns * (cell_px + gap_px), *std::max_element(bottoms_px.begin(), bottoms_px.end()), scale);
@@ -43,7 +40,7 @@ renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale)
     const auto x_px = static_cast<float>(corners[i].first), y_px = static_cast<float>(corners[i].second);
     canvas.text(x_px, y_px + title_px, figures[i].name, text_style(title_px, palette::ink, true));
     canvas.image(x_px, y_px + static_cast<float>(title_height_px), static_cast<float>(cell_px),
-                 static_cast<float>(height_in_cell(figures[i].picture)), figures[i].picture);
+                 static_cast<float>(height_in_cell(figures[i].picture, cell_px)), figures[i].picture);
   }
   return canvas.to_image();
 }

@@ -47,8 +47,17 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
                         std::span<const DrawnFigure> figures, const Machine& machine,
                         const std::string& film_figure = "");
 
-/// All figures, small, on one picture. `scale` multiplies its pixels each way.
-renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F);
+/// How pictures lie on a contact sheet.
+struct SheetLayout {
+  int columns = 3;
+  int cell_px = 800;  ///< width of a picture
+  float title_px = 30.0F;
+};
+
+/// All figures, small, on one picture, each in the column that is shortest so far. `scale` multiplies its
+/// pixels each way.
+renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale = 1.0F,
+                              const SheetLayout& layout = {});
 
 /// The picture scaled to this width; its proportions stay.
 renderer::Image scaled_to_width(const renderer::Image& picture, int width_px);

@@ -66,6 +66,10 @@ std::string text_of(Json settings, const Scene& scene, GarmentNaming naming) {
   for (std::size_t k = 0; k < scene.body_sources.size(); ++k) {
     name_files(body_files, scene.body_sources[k], naming, settings["bodies"][k]);
   }
+  return settings_text(settings);
+}
+
+std::string settings_text(const Json& settings) {
   std::string text;
   append_section(text, "", settings);
   return text;

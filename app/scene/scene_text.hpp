@@ -20,4 +20,7 @@ std::string name_in_scene(const std::filesystem::path& file, GarmentNaming namin
 /// default does not change the scene. Reading it gives the same bits. ASCII only.
 std::string text_of(nlohmann::ordered_json settings, const Scene& scene, GarmentNaming naming);
 
+/// Settings, nested by section, as a scene file.
+std::string settings_text(const nlohmann::ordered_json& settings);
+
 }  // namespace taut::app

@@ -11,29 +11,6 @@
 namespace taut::app {
 namespace {
 
-Json json_of(const toml::node& node) {
-  return node.visit([](const auto& value) -> Json {
-    using Type = decltype(value);
-    if constexpr (toml::is_table<Type>) {
-      Json object = Json::object();
-      for (const auto& [key, item] : entries_of(value)) {
-        object[key] = json_of(*item);
-      }
-      return object;
-    } else if constexpr (toml::is_array<Type>) {
-      Json list = Json::array();
-      for (const toml::node& item : value) {
-        list.push_back(json_of(item));
-      }
-      return list;
-    } else if constexpr (toml::is_chronological<Type>) {
-      return *text_in(value);
-    } else {
-      return value.get();
-    }
-  });
-}
-
 std::string message_word(const Json& value) {
   if (value.is_null()) {
     return "not set";
@@ -71,6 +48,29 @@ std::string joined_words(const Json& value, std::string (*word)(const Json&)) {
 }
 
 }  // namespace
+
+Json json_of(const toml::node& node) {
+  return node.visit([](const auto& value) -> Json {
+    using Type = decltype(value);
+    if constexpr (toml::is_table<Type>) {
+      Json object = Json::object();
+      for (const auto& [key, item] : entries_of(value)) {
+        object[key] = json_of(*item);
+      }
+      return object;
+    } else if constexpr (toml::is_array<Type>) {
+      Json list = Json::array();
+      for (const toml::node& item : value) {
+        list.push_back(json_of(item));
+      }
+      return list;
+    } else if constexpr (toml::is_chronological<Type>) {
+      return *text_in(value);
+    } else {
+      return value.get();
+    }
+  });
+}
 
 void fail(const Source& source, int line, const std::string& message) {
   if (source.is_command_line) {

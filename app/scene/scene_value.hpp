@@ -45,12 +45,15 @@ std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::ta
 /// Whether the value is a list that holds tables alone, or nothing.
 bool is_list_of_tables(const toml::node& value);
 
-/// The path of a file that a scene names: relative to the scene file, or where the command line runs; if there
-/// is none, that of a garment, a body or a motion that comes with the program (find_asset).
+/// The path of a file that a scene names: relative to the scene file, or where the command line runs; if
+/// there is none, that of a garment, a body or a motion that comes with the program (find_asset).
 std::filesystem::path beside(const Source& source, const std::filesystem::path& file);
 
 /// The place of a key with its sections, such as "solver.substeps", in a nested value.
 Json::json_pointer pointer_to(std::string key);
+
+/// The value as it is written; a date becomes text.
+Json json_of(const toml::node& value);
 
 /// The value for messages: numbers with six digits, texts in quotes, tables in braces, "not set" for null.
 std::string to_text(const Json& value);

@@ -28,7 +28,7 @@ without_sources() {
 
 bash "$sources/tests/library/installed.sh" "$cmake" "$sources" "$folder/usr" "${hiding[@]}"
 
-commands='figures render simulate view inspect fit bench scenes help'
+commands='figures render simulate view inspect fit bench scenes sweep help'
 without_sources taut scenes | grep -q '^tshirt-wind-10 ' || fail "taut scenes does not list them"
 without_sources taut figures --only fig1 >log.txt
 without_sources taut render tshirt-wind-10 --frames 0:0 --resolution 64,64 >log.txt
@@ -44,6 +44,7 @@ page=$folder/usr/share/man/man1/taut.1
 for command in $commands; do
   grep -qx ".SS taut $command" "$page" || fail "the manual page lacks taut $command"
 done
+grep -qx '.SS taut sweep merge' "$page" || fail "the manual page lacks the commands of taut sweep"
 grep -q '^\.B \\-\\-supersampling' "$page" || fail "the manual page lacks options"
 [ -s "$folder/usr/share/doc/taut/LICENSE" ] || fail "there is no licence"
 
@@ -67,5 +68,7 @@ completes taut render tshirt-gravity --s '--set --stats --stretch --samples --su
 completes taut render tshirt-gravity --set wind. 'wind.speed= wind.direction='
 completes taut render tshirt-gravity --fabric '' 'denim jersey silk'
 completes taut render tshirt-gravity --backend '' 'auto osmesa egl'
+completes taut sweep '' 'plan run status merge submit export check show'
+completes taut sweep run --a --all
 completes taut help '' "$commands scene stats"
 completes taut help st stats

@@ -177,21 +177,27 @@ void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style)
     if (curve.name.empty()) {
       continue;
     }
-    const float middle_px = y_px + 0.5F * row_px;
-    const float left_px = x_px + 0.4F * style.text_px;
-    if (curve.stroke.thickness_px > 0.0F) {
-      draw_polyline(canvas, std::vector<glm::vec2>{{left_px, middle_px}, {left_px + sample_px, middle_px}},
-                    curve.stroke);
-    }
-    draw_marker(canvas, left_px + 0.5F * sample_px, middle_px, curve, style.marker_px);
-    renderer::TextStyle name = text;
-    name.vertical = VerticalAlign::middle;
-    canvas.text(left_px + sample_px + 0.5F * style.text_px, middle_px, curve.name, name);
+    draw_legend_entry(canvas, curve, x_px + 0.4F * style.text_px, y_px + 0.5F * row_px, style);
     y_px += row_px;
   }
 }
 
 }  // namespace
+
+float draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float middle_px,
+                        const PlotStyle& style) {
+  const float sample_px = 2.6F * style.text_px;
+  if (curve.stroke.thickness_px > 0.0F) {
+    draw_polyline(canvas, std::vector<glm::vec2>{{left_px, middle_px}, {left_px + sample_px, middle_px}},
+                  curve.stroke);
+  }
+  draw_marker(canvas, left_px + 0.5F * sample_px, middle_px, curve, style.marker_px);
+  renderer::TextStyle name = text_style(style.text_px);
+  name.vertical = VerticalAlign::middle;
+  const float name_px = left_px + sample_px + 0.5F * style.text_px;
+  canvas.text(name_px, middle_px, curve.name, name);
+  return name_px + canvas.measure(curve.name, name).width_px;
+}
 
 std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::vec2& b, const Area& area) {
   const glm::vec2 along = b - a;

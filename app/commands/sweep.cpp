@@ -1,0 +1,188 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/suggest.hpp"
+#include "app/commands/options.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
+#include "app/sweeps/study.hpp"
+#include "app/sweeps/sweep_results.hpp"
+#include "app/sweeps/sweep_run.hpp"
+#include "app/sweeps/sweep_table.hpp"
+#include "renderer/page/png.hpp"
+
+namespace taut::app {
+namespace {
+
+int plan(const SweepOptions& options) {
+  const PlannedSweep planned = plan_sweep(options.study, options.folder);
+  const bool is_new = write_sweep(planned);
+  fmt::print("{} {} in {}\n", is_new ? "planned" : "there already:", counted(planned.sweep.runs(), "run"),
+             options.folder.string());
+  return 0;
+}
+
+void say(std::size_t run, const Attempt& attempt) {
+  constexpr std::array ends = {"done", "a promise is broken", "failed", "stopped", "busy"};
+  std::FILE* const stream = attempt.end == AttemptEnd::done ? stdout : stderr;
+  fmt::print(stream, "run {}: {}{}{}{}\n", run, ends[static_cast<std::size_t>(attempt.end)],
+             attempt.is_new ? "" : " already", attempt.what.empty() ? "" : ": ", attempt.what);
+  std::fflush(stream);
+}
+
+void require_index(const Sweep& sweep, std::size_t index) {
+  if (index >= sweep.runs()) {
+    throw UsageError(fmt::format("--index: found {}, expected a run from 0 to {}", index, sweep.runs() - 1));
+  }
+}
+
+std::size_t task_of_slurm() {
+  const char* text = std::getenv("SLURM_ARRAY_TASK_ID");
+  const std::string_view digits = text != nullptr ? text : "";
+  std::size_t task = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), task);
+  if (error != std::errc() || stop != digits.data() + digits.size()) {
+    throw UsageError("expected --index, --task or --all, or $SLURM_ARRAY_TASK_ID as Slurm sets it");
+  }
+  return task;
+}
+
+/// One run, or those of a task.
+int run_some(const SweepOptions& options, const Sweep& sweep) {
+  std::size_t first = options.index.value_or(0);
+  std::size_t last = first;
+  if (options.index) {
+    require_index(sweep, first);
+  } else {
+    const std::size_t chunk = options.chunk.value_or(1);
+    first = (options.offset + (options.task ? *options.task : task_of_slurm())) * chunk;
+    last = std::min(first + chunk, sweep.runs()) - 1;
+  }
+  WorstEnd worst;
+  for (std::size_t run = first; run <= last && run < sweep.runs(); ++run) {
+    const Attempt attempt = attempt_run(sweep, run);
+    say(run, attempt);
+    worst.add(attempt.end);
+    if (attempt.end == AttemptEnd::stopped) {
+      break;
+    }
+  }
+  return worst.exit_code();
+}
+
+std::string told(const SweepStatus& status, const Sweep& sweep) {
+  return fmt::format(
+      "{} of {}: {} done, {} broke a promise, {} failed; {} being worked on, {} stopped on their way",
+      status.done + status.broken, counted(sweep.runs(), "run"), status.done, status.broken, status.failed,
+      status.working, status.stopped);
+}
+
+int run_all(const SweepOptions& options, const Sweep& sweep) {
+  const std::vector<std::size_t> missing = status_of(sweep).missing;
+  std::vector<Attempt> attempts(missing.size());
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    jobs.push_back({"run " + std::to_string(missing[i]), 1.0, [&, i](const ProgressCallback& report) {
+                      attempts[i] = attempt_run(sweep, missing[i], report);
+                    }});
+  }
+  const unsigned threads =
+      options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  WorstEnd worst;
+  try {
+    run_jobs(
+        jobs, threads,
+        [&](std::size_t job) {
+          say(missing[job], attempts[job]);
+          worst.add(attempts[job].end);
+        },
+        "sweep");
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "taut: stopped: the same command goes on\n");
+    return exit_can_be_resumed;
+  }
+  const SweepStatus status = status_of(sweep);
+  fmt::print("{}\n", told(status, sweep));
+  if (status.broken > 0) {
+    worst.add(AttemptEnd::broken);
+  }
+  return worst.exit_code();
+}
+
+int status(const SweepOptions& options, const Sweep& sweep) {
+  const SweepStatus status = status_of(sweep);
+  if (options.missing) {
+    fmt::print("{}\n", ranges_text(status.missing));
+    return 0;
+  }
+  fmt::print("{}\n", told(status, sweep));
+  if (!status.first_failure.empty()) {
+    fmt::print("the first that failed: {}\n", status.first_failure);
+  }
+  return 0;
+}
+
+void write_image(const std::filesystem::path& file, const renderer::Image& image) {
+  write_file(file, renderer::encode_png(image, {}, {.deflate_level = 6, .filter = 4}));
+  fmt::print("wrote {}\n", file.string());
+}
+
+int merge(const SweepOptions& options, const Sweep& sweep) {
+  if (options.plot.empty() != options.over.empty() || options.over.size() > 2) {
+    throw UsageError("expected --plot MEASURE with --over KEY or --over KEY,KEY");
+  }
+  if (!options.plot.empty()) {
+    const Drawing drawing =
+        draw_sweep(sweep, {options.plot, options.over[0], options.over.size() > 1 ? options.over[1] : ""});
+    const std::filesystem::path file = sweep.folder / joined(options.plot, "-");
+    write_image(file.string() + ".png", to_image(drawing));
+    write_pdf(file.string() + ".pdf", drawing, "taut sweep: " + joined(options.plot));
+    fmt::print("wrote {}.pdf\n", file.string());
+    return 0;
+  }
+  const std::filesystem::path table = sweep.folder / "table.csv";
+  write_text_file(table, sweep_table(sweep));
+  fmt::print("wrote {}\n", table.string());
+  if (const renderer::Image sheet = sweep_sheet(sweep); sheet.width_px > 0) {
+    write_image(sweep.folder / "sheet.png", sheet);
+  }
+  if (options.pack) {
+    fmt::print("packed {} of results\n", counted(pack_results(sweep), "file"));
+  }
+  const SweepStatus status = status_of(sweep);
+  fmt::print("{}\n", told(status, sweep));
+  return 0;
+}
+
+}  // namespace
+
+int run(const SweepOptions& options) {
+  if (options.action == SweepAction::plan) {
+    return plan(options);
+  }
+  const Sweep sweep = read_sweep(options.folder);
+  switch (options.action) {
+    case SweepAction::run:
+      require_planned_program(sweep);
+      return options.all ? run_all(options, sweep) : run_some(options, sweep);
+    case SweepAction::status:
+      return status(options, sweep);
+    case SweepAction::merge:
+      return merge(options, sweep);
+    case SweepAction::show:
+      require_index(sweep, *options.index);
+      fmt::print("{}", scene_text(sweep.scene(*options.index), GarmentNaming::full_path));
+      return 0;
+    default:
+      return run_on_farm(options);
+  }
+}
+
+}  // namespace taut::app

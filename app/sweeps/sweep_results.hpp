@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/sweeps/sweep.hpp"
+
+namespace taut::app {
+
+/// Returns the result of a run: the JSON object of its file, or of its line in a packed file. Empty if there
+/// is none, or one of another scene or program than planned.
+std::optional<Json> result_of(const Sweep& sweep, std::size_t run);
+
+/// Whether a run came to an end that another attempt would come to as well: "done" or "broken".
+bool is_final(const Json& result);
+
+/// Hands out every run with its result, or null, in order.
+void for_each_result(const Sweep& sweep, const std::function<void(std::size_t run, const Json* result)>& use);
+
+/// How the runs of a sweep stand.
+struct SweepStatus {
+  std::size_t done = 0;
+  std::size_t broken = 0;            ///< a promise was not kept, which is a result
+  std::size_t failed = 0;            ///< could not be run, such as for want of memory
+  std::size_t working = 0;           ///< have a lock
+  std::size_t stopped = 0;           ///< have a checkpoint to go on from, and no lock
+  std::vector<std::size_t> missing;  ///< all without a result that is final, ascending
+  std::string first_failure;         ///< empty: none
+};
+SweepStatus status_of(const Sweep& sweep);
+
+/// Ascending numbers as ranges: "3,7-12".
+std::string ranges_text(std::span<const std::size_t> numbers);
+
+/// Puts the results of every shard that is complete into one file, runs/NNN.jsonl. Returns how many there are
+/// now.
+std::size_t pack_results(const Sweep& sweep);
+
+}  // namespace taut::app

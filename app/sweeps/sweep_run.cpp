@@ -1,0 +1,251 @@
+#include "app/sweeps/sweep_run.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/stopwatch.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/bodies/wearing.hpp"
+#include "app/drawing/fitted_view.hpp"
+#include "app/drawing/garment_painter.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
+#include "app/frame_loop.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/models/hanger.hpp"
+#include "app/output/bound_verdict.hpp"
+#include "app/output/picture_record.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "app/output/run_report.hpp"
+#include "app/output/run_start.hpp"
+#include "app/sweeps/run_lock.hpp"
+#include "app/sweeps/sweep_results.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr int checkpoint_every = 60;
+
+AttemptEnd end_named(const std::string& name) {
+  return name == "done" ? AttemptEnd::done : name == "broken" ? AttemptEnd::broken : AttemptEnd::failed;
+}
+
+const char* name_of(AttemptEnd end) {
+  return end == AttemptEnd::done ? "done" : end == AttemptEnd::broken ? "broken" : "failed";
+}
+
+/// The simulation of a run, at its start.
+struct Loaded {
+  DrawnScene scene;
+  LoadedGarment garment;
+  sim::Simulation simulation;
+
+  static Loaded of(DrawnScene scene) {
+    load_bodies(scene);
+    LoadedGarment garment = load_garment(scene);
+    put_on_hanger(garment, scene);
+    put_on(garment, scene);
+    sim::Simulation simulation = make_simulation(scene, garment);
+    return {std::move(scene), std::move(garment), std::move(simulation)};
+  }
+};
+
+// As `taut render` draws its last frame.
+renderer::Image draw(Loaded& run) {
+  const std::vector<sim::Vec3>& positions = run.simulation.state().current;
+  const double time_s = run.simulation.state().time_s;
+  if (is_fitted(run.scene)) {
+    FittedView fitted(run.scene, run.simulation.garment());
+    fitted.add(positions, time_s);
+    fitted.place_camera(run.scene);
+  }
+  OffscreenRenderer offscreen("auto");
+  GarmentPainter painter(offscreen.renderer(), run.scene, run.simulation.garment(),
+                         run.simulation.pins().vertices, drawn_colours(run.scene, run.garment));
+  return painter.draw(positions, time_s);
+}
+
+class SweepRun {
+ public:
+  SweepRun(const Sweep& sweep, std::size_t run, RunLock& lock)
+      : sweep_(sweep), run_(run), lock_(lock), checkpoint_(sweep.file(run, ".checkpoint")) {
+    saved_.scene_name = sweep.scene_hash(run) + ' ' + sweep.program;
+  }
+
+  Attempt go(const ProgressCallback& report) {
+    Attempt attempt;
+    try {
+      attempt = simulate(report);
+    } catch (const Interrupted&) {
+      save();
+      return {AttemptEnd::stopped, fmt::format("stopped after frame {}", saved_.frame)};
+    } catch (const PromiseBroken& error) {
+      attempt = {AttemptEnd::broken, error.what()};
+    } catch (const sim::Diverged& error) {
+      attempt = {AttemptEnd::broken, error.what()};
+    } catch (const sim::ContactBlocked& error) {
+      attempt = {AttemptEnd::broken, error.what()};
+    } catch (const std::runtime_error& error) {
+      attempt = {AttemptEnd::failed, error.what()};
+    } catch (const std::bad_alloc&) {
+      attempt = {AttemptEnd::failed, "not enough memory"};
+    } catch (...) {
+      save();  // another job has ended this one
+      throw;
+    }
+    write(attempt);
+    return attempt;
+  }
+
+ private:
+  Attempt simulate(const ProgressCallback& report) {
+    loaded_.emplace(Loaded::of(sweep_.scene(run_)));
+    sim::Simulation& simulation = loaded_->simulation;
+    const int frames = loaded_->scene.frames;
+    if (!resume()) {
+      saved_.frame = go_to_start(loaded_->scene, simulation);
+    }
+    FrameOutputs outputs;
+    outputs.start_frame = saved_.frame;
+    outputs.overlap = false;
+    outputs.report = [&](const FrameRecord& record) {
+      saved_.frame = record.frame;
+      saved_.summary.add(record);
+      lock_.beat();
+      if (record.frame % checkpoint_every == 0 && record.frame < frames) {
+        save();
+      }
+      if (report) {
+        report(static_cast<double>(record.frame) / frames);
+      }
+    };
+    run_frames(simulation, frames, outputs);
+    if (sweep_.pictures) {
+      const std::vector<renderer::PngText> texts = {{"taut-sweep", sweep_.describe(run_)}};
+      write_file(sweep_.file(run_, ".png"), renderer::encode_png(draw(*loaded_), texts));
+    }
+    const std::string excess = describe_excess(loaded_->scene, saved_.summary);
+    const bool is_broken = !excess.empty() && !loaded_->scene.simulation.solver.bounded.allow_exceeding;
+    return {is_broken ? AttemptEnd::broken : AttemptEnd::done, is_broken ? excess : ""};
+  }
+
+  /// Whether it goes on from where an earlier attempt at this very run stopped.
+  bool resume() {
+    if (std::error_code error; !std::filesystem::exists(checkpoint_, error)) {
+      return false;
+    }
+    try {
+      RunCheckpoint saved = read_run_checkpoint(checkpoint_);
+      if (saved.scene_name != saved_.scene_name) {
+        return false;
+      }
+      restore(checkpoint_, saved, loaded_->simulation);
+      saved_ = std::move(saved);
+      return true;
+    } catch (const InputError&) {
+      return false;  // damaged: the run begins anew
+    }
+  }
+
+  void save() {
+    if (loaded_ && saved_.summary.frames > 0) {
+      saved_.simulation = sim::encode(loaded_->simulation.save(), loaded_->simulation.garment());
+      write_run_checkpoint(checkpoint_, saved_);
+    }
+  }
+
+  void write(const Attempt& attempt) {
+    Json result = {{"index", run_},
+                   {"values", sweep_.values(run_)},
+                   {"scene", sweep_.scene_hash(run_)},
+                   {"program", sweep_.program},
+                   {"end", name_of(attempt.end)}};
+    if (!attempt.what.empty()) {
+      result["where"] = attempt.what;
+    }
+    if (loaded_ && saved_.summary.frames > 0) {
+      result["vertices"] = loaded_->simulation.garment().mesh.positions.size();
+      result["triangles"] = loaded_->simulation.garment().mesh.triangles.size();
+      result["state_hash"] = hash_text(sim::hash(loaded_->simulation.state()));
+      result.update(Json::parse(statistics_end(StatisticsFormat::json_lines, saved_.summary))["summary"]);
+    }
+    result["host"] = host_name();
+    write_text_file(sweep_.file(run_, ".json"),
+                    result.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+    std::error_code ignored;
+    std::filesystem::remove(checkpoint_, ignored);
+  }
+
+  const Sweep& sweep_;
+  std::size_t run_;
+  RunLock& lock_;
+  std::filesystem::path checkpoint_;
+  RunCheckpoint saved_;
+  std::optional<Loaded> loaded_;
+};
+
+/// The result of an earlier attempt that need not be tried again.
+std::optional<Attempt> earlier(const Sweep& sweep, std::size_t run) {
+  const std::optional<Json> result = result_of(sweep, run);
+  return result && is_final(*result)
+             ? std::optional(Attempt{end_named(result->value("end", "")), result->value("where", ""), false})
+             : std::nullopt;
+}
+
+}  // namespace
+
+Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback& report) {
+  if (const auto there = earlier(sweep, run)) {
+    return *there;
+  }
+  // Not prepare_folder_of, whose probe is one for all threads. What the lock cannot write to it says.
+  std::error_code ignored;
+  std::filesystem::create_directories(sweep.file(run, ".json").parent_path(), ignored);
+  RunLock lock(sweep.file(run, ".lock"));
+  if (!lock.is_held()) {
+    return {AttemptEnd::busy, lock.owner() + " works on it"};
+  }
+  // It may have come while this process waited for nothing but a file system.
+  const auto there = earlier(sweep, run);
+  return there ? *there : SweepRun(sweep, run, lock).go(report);
+}
+
+std::string hash_of_run(const Sweep& sweep, std::size_t run) {
+  Loaded loaded = Loaded::of(sweep.scene(run));
+  FrameOutputs outputs;
+  try {
+    outputs.start_frame = go_to_start(loaded.scene, loaded.simulation);
+    run_frames(loaded.simulation, loaded.scene.frames, outputs);
+  } catch (const PromiseBroken&) {
+    // It ends there on every machine.
+  } catch (const sim::Diverged&) {
+    // As well.
+  }
+  return hash_text(sim::hash(loaded.simulation.state()));
+}
+
+void WorstEnd::add(AttemptEnd end) {
+  const bool has_to_be_tried_again = end == AttemptEnd::stopped || end == AttemptEnd::busy;
+  if (has_to_be_tried_again || code_ == exit_can_be_resumed) {
+    code_ = exit_can_be_resumed;
+  } else if (end == AttemptEnd::failed || code_ == exit_bad_input) {
+    code_ = exit_bad_input;
+  } else if (end == AttemptEnd::broken) {
+    code_ = exit_promise_broken;
+  }
+}
+
+void require_planned_program(const Sweep& sweep) {
+  const std::string program = program_hash();
+  if (program != sweep.program) {
+    throw InputError(
+        fmt::format("'{}' was planned for the program {}, found {}; taut sweep plan again makes all "
+                    "runs anew with this one",
+                    sweep.folder.string(), sweep.program, program));
+  }
+}
+
+}  // namespace taut::app

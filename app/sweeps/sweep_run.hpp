@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "app/base/job_runner.hpp"
+#include "app/sweeps/sweep.hpp"
+
+namespace taut::app {
+
+/// How an attempt at a run ended. The first three are results that were written.
+enum class AttemptEnd {
+  done,
+  broken,   ///< a promise was not kept
+  failed,   ///< it could not be run
+  stopped,  ///< by a signal; it goes on from its checkpoint
+  busy,     ///< another process works on it
+};
+
+/// An attempt at a run.
+struct Attempt {
+  AttemptEnd end = AttemptEnd::done;
+  std::string what;    ///< what was broken, what failed or who works on it
+  bool is_new = true;  ///< false: the result was there already
+};
+
+/// Makes one run of a sweep and writes its result, unless that is there, going on from where an earlier
+/// attempt stopped. Safe beside other processes that do the same. Throws InputError where a result cannot be
+/// written, and what `report` throws.
+Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback& report = {});
+
+/// Simulates a run and returns the hash of its last state, also where it breaks a promise. Writes nothing.
+std::string hash_of_run(const Sweep& sweep, std::size_t run);
+
+/// The exit code of the program for several attempts: 75 if one has to be tried again, else 1 if one failed,
+/// else 3 if one is broken.
+class WorstEnd {
+ public:
+  void add(AttemptEnd end);
+  int exit_code() const { return code_; }
+
+ private:
+  int code_ = 0;
+};
+
+/// Throws InputError unless this is the program that the sweep was planned for.
+void require_planned_program(const Sweep& sweep);
+
+}  // namespace taut::app

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""taut sweep as a person uses it on one machine.   sweep.py PROGRAM FOLDER"""
+import csv
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+program, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
+failures = 0
+STUDY = '''
+scene = "pinned-9x9-5"
+frames = 2000
+[axes]
+solver.kind = ["bounded"]
+rest.speed = [0]
+wind.gust_amplitude = [0.5]
+wind.speed = [1, 2, 3, 4, 5, 6]
+'''
+
+
+def expect(is_so, otherwise):
+    global failures
+    if not is_so:
+        failures += 1
+        print(otherwise)
+
+
+def sweep(*arguments, code=0, **how):
+    done = subprocess.run([program, 'sweep', *arguments], cwd=folder, capture_output=True, text=True, **how)
+    expect(done.returncode == code, '%s ended with %d, expected %d: %s' % (arguments, done.returncode, code, done.stderr))
+    return done.stdout + done.stderr
+
+
+def start(*arguments):
+    return subprocess.Popen([program, 'sweep', *arguments], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
+
+def rows(name):
+    sweep('merge', name)
+    with open(folder / name / 'table.csv', newline='') as file:
+        return [{key: row[key] for key in ('index', 'end', 'wind.speed', 'frames', 'max_stretch', 'state_hash')}
+                for row in csv.DictReader(file)]
+
+
+def stops_and_goes_on():
+    stopped = start('run', 'stopped', '--all', '--jobs', '2')
+    for _ in range(1000):
+        if list((folder / 'stopped').rglob('*.checkpoint')):
+            break
+        time.sleep(0.01)
+    stopped.send_signal(signal.SIGTERM)
+    stopped.communicate()
+    expect(stopped.returncode == 75, 'SIGTERM ended it with %d' % stopped.returncode)
+    expect(not list((folder / 'stopped').rglob('*.lock')), 'a lock is left')
+    expect('1 stopped' in sweep('status', 'stopped') or '2 stopped' in sweep('status', 'stopped'), 'nothing was saved')
+    killed = start('run', 'stopped', '--index', '5')
+    time.sleep(0.3)
+    killed.kill()
+    killed.communicate()
+    sweep('run', 'stopped', '--all', '--jobs', '2')
+
+
+def two_at_once():
+    both = [start('run', 'twice', '--all', '--jobs', '2') for _ in range(2)]
+    for process in both:
+        process.communicate()
+        expect(process.returncode in (0, 75), 'one of two ended with %d' % process.returncode)
+    sweep('run', 'twice', '--all')
+
+
+def tasks():
+    for task in range(2):
+        sweep('run', 'tasks', '--chunk', '4', env={**os.environ, 'SLURM_ARRAY_TASK_ID': str(task)})
+    expect(sweep('status', 'tasks', '--missing') == '\n', 'tasks left something out')
+    os.remove(folder / 'tasks/runs/000/000002.json')
+    expect(sweep('status', 'tasks', '--missing') == '2\n', 'what is missing is not said')
+    submitted = sweep('submit', 'tasks', '--slurm', '--missing', '--dry-run', '--chunk', '2', '--sbatch=--time=60')
+    expect('--array=1 ' in submitted and '#SBATCH --time=60' in submitted and 'afterany:JOB' in submitted, submitted)
+    expect("cannot start 'scontrol'" in sweep('submit', 'tasks', '--slurm', '--missing', code=1, env={'PATH': '/none'}),
+           'it does not say that there is no Slurm')
+    expect('range(6)' in sweep('export', 'tasks', '--snakemake'), 'no Snakefile')
+    (folder / 'all.sh').write_text(sweep('export', 'tasks', '--parallel', '--chunk', '3'))
+    (folder / 'bin').mkdir()
+    # What GNU parallel does, one after the other.
+    (folder / 'bin/parallel').write_text('#!/bin/sh\nshift 2\nwhile read n; do "$@" "$n"; done\n'.replace('"$@" "$n"',
+                                         'eval "$(echo "$@" | sed "s/{}/$n/")"'))
+    (folder / 'bin/parallel').chmod(0o755)
+    path = '%s:%s' % (folder / 'bin', os.environ['PATH'])
+    subprocess.run(['bash', 'all.sh'], cwd=folder, env={**os.environ, 'PATH': path}, check=True, capture_output=True)
+    expect(sweep('status', 'tasks', '--missing') == '\n', 'the script for GNU parallel left something out')
+
+
+shutil.rmtree(folder, ignore_errors=True)
+folder.mkdir(parents=True)
+(folder / 'study.toml').write_text(STUDY)
+for name in ('stopped', 'twice', 'tasks'):
+    sweep('plan', 'study.toml', '-o', name)
+stops_and_goes_on()
+two_at_once()
+tasks()
+expect(rows('stopped') == rows('twice') == rows('tasks'), 'the same runs differ')
+expect([row['end'] for row in rows('twice')] == ['done'] * 6, 'not all are done: %s' % rows('twice'))
+expect('the same bits 2 times' in sweep('check', 'twice', '--index', '1'), 'runs were not compared')
+(folder / 'run.toml').write_text(sweep('show', 'twice', '--index', '3'))
+shown = subprocess.run([program, 'simulate', 'run.toml', '--json'], cwd=folder, capture_output=True, text=True)
+expect(json.loads(shown.stdout.splitlines()[-2])['state_hash'] == rows('twice')[3]['state_hash'],
+       'the scene that is shown is not that of the run')
+expect(not list(folder.rglob('*.part*')) and not list(folder.rglob('*.lock*')), 'something unfinished is left')
+sys.exit(1 if failures else 0)

@@ -1,0 +1,12 @@
+# Run by CPack when all is installed: what Debian's policy asks of a package.
+if(CPACK_GENERATOR STREQUAL "DEB")
+  set(share ${CMAKE_CURRENT_BINARY_DIR}${CPACK_PACKAGING_INSTALL_PREFIX}/share)
+  set(sources ${CPACK_PROJECT_SOURCE_DIR})
+  file(READ ${sources}/LICENSE license)
+  file(READ ${sources}/assets/patterns/tshirt/LICENSE pattern_license)
+  file(WRITE ${share}/doc/taut/copyright "${license}\nThe T-shirt's pattern:\n\n${pattern_license}")
+  file(REMOVE ${share}/doc/taut/LICENSE ${share}/doc/taut/LICENSE.garments)
+  string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
+  file(WRITE ${share}/doc/taut/changelog "taut (${CPACK_PACKAGE_VERSION}) bookworm; urgency=medium\n\n  * Package of the sources.\n\n -- ${CPACK_PACKAGE_CONTACT}  ${now}\n")
+  execute_process(COMMAND gzip -9nf ${share}/doc/taut/changelog ${share}/man/man1/taut.1 COMMAND_ERROR_IS_FATAL ANY)
+endif()

@@ -1,0 +1,195 @@
+"""A garment of Blender as a cloth of the library. There, metres count and y is up."""
+import contextlib
+
+import numpy as np
+
+from . import cache, library
+from .library import Refused
+from .settings import fabric_file
+
+
+def shown(number: float) -> float:
+    """Blender keeps 0.01 as a float of 32 bits: the number that is shown instead."""
+    return float(str(np.float32(number)))
+
+
+def turned(points: np.ndarray) -> np.ndarray:
+    """From z up to y up."""
+    return np.stack([points[..., 0], points[..., 2], -points[..., 1]], axis=-1)
+
+
+def turned_back(points: np.ndarray) -> np.ndarray:
+    return np.stack([points[..., 0], -points[..., 2], points[..., 1]], axis=-1)
+
+
+def coordinates(mesh) -> np.ndarray:
+    flat = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get('co', flat)
+    return flat.reshape(-1, 3).astype(float)
+
+
+def transformed(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+    return sum(points[:, k:k + 1] * matrix[:3, k] for k in range(3)) + matrix[:3, 3]
+
+
+def faces_of(mesh, matrix: np.ndarray) -> list:
+    """What is mirrored is turned inside out."""
+    way = -1 if np.linalg.det(matrix[:3, :3]) < 0 else 1
+    return [tuple(face.vertices)[::way] for face in mesh.polygons]
+
+
+@contextlib.contextmanager
+def evaluated(obj, depsgraph):
+    """Its mesh with all that moves it, and its matrix."""
+    instance = obj.evaluated_get(depsgraph)
+    try:
+        yield instance.to_mesh(), np.array(instance.matrix_world)
+    finally:
+        instance.to_mesh_clear()
+
+
+@contextlib.contextmanager
+def without_cache(obj):
+    """The modifiers before the cache alone."""
+    off = [modifier for modifier in obj.modifiers[cache.place_in_stack(obj):] if modifier.show_viewport]
+    for modifier in off:
+        modifier.show_viewport = False
+    try:
+        yield
+    finally:
+        for modifier in off:
+            modifier.show_viewport = True
+
+
+class Simulation:
+    """Goes from frame to frame with what leads the cloth there. Raises Refused with what to mend."""
+
+    def __init__(self, context, obj):
+        self.scene, self.view_layer, self.obj = context.scene, context.view_layer, obj
+        self.taut = library.load()
+        units = self.scene.unit_settings
+        self.scale = 1.0 if units.system == 'NONE' else shown(units.scale_length)
+        self.frame = self.first_frame = obj.taut.frame_start
+        self.largest_stretch = 0.0
+        self.wind = None
+        self.pins = pinned(obj)
+        self.bodies = []  # and where they are
+        with self.evaluation(self.frame) as depsgraph:
+            self.cloth = self.make_cloth(depsgraph)
+            self.positions = self.read_back()
+            for body in bodies_of(obj):
+                self.add_body(body, depsgraph)
+
+    @contextlib.contextmanager
+    def evaluation(self, frame: int):
+        with without_cache(self.obj):
+            if self.scene.frame_current != frame:
+                self.scene.frame_set(frame)
+            self.view_layer.update()
+            yield self.view_layer.depsgraph
+
+    def in_world(self, points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+        return turned(transformed(points, matrix)) * self.scale
+
+    def garment(self, depsgraph) -> np.ndarray:
+        """Where the garment is before the cache, and self.matrix of this frame."""
+        with evaluated(self.obj, depsgraph) as (mesh, self.matrix):
+            if len(mesh.vertices) != len(self.obj.data.vertices):
+                raise Refused(f'{self.obj.name}: found {len(mesh.vertices)} vertices with its modifiers and '
+                              f'{len(self.obj.data.vertices)} without. Move what changes them below {cache.MODIFIER}')
+            return self.in_world(coordinates(mesh), self.matrix)
+
+    def make_cloth(self, depsgraph):
+        start = self.garment(depsgraph)
+        if abs(np.linalg.det(self.matrix[:3, :3])) < 1e-12:
+            raise Refused(f'{self.obj.name}: found a scale of 0')
+        modelled = self.obj.data
+        rest = self.in_world(coordinates(modelled), self.matrix)
+        settings, render = self.obj.taut, self.scene.render
+        gravity = [shown(g) * self.scale for g in self.scene.gravity] if self.scene.use_gravity else [0.0] * 3
+        keys = {'time.frame_rate': render.fps / shown(render.fps_base),
+                'solver.max_stretch': shown(settings.max_stretch) / 100,
+                'gravity.acceleration': turned(np.array(gravity))}
+        if settings.fabric:
+            keys['cloth.fabric'] = fabric_file(settings.fabric)
+        cloth = self.call(self.obj.name, self.taut.Cloth, positions=rest, faces=faces_of(modelled, self.matrix),
+                          start=None if np.array_equal(rest, start) else start, settings=keys,
+                          log=lambda line: print(f'Taut: {self.obj.name}: {line}'))
+        cloth.pins = self.pins
+        self.targets = start[self.pins]
+        return cloth
+
+    def add_body(self, body, depsgraph) -> None:
+        with evaluated(body, depsgraph) as (mesh, matrix):
+            positions = self.in_world(coordinates(mesh), matrix)
+            self.call(body.name, self.cloth.add_body, positions, faces_of(mesh, matrix), name=body.name)
+            self.bodies.append((body, positions))
+
+    def call(self, what: str, function, *arguments, **named):
+        try:
+            return function(*arguments, **named)
+        except self.taut.Error as error:
+            raise Refused(f'{what}: {error}') from error
+
+    def lead(self, frame: int, depsgraph) -> None:
+        """What does not move is not led: it stays."""
+        targets = self.garment(depsgraph)[self.pins]
+        moving = (targets != self.targets).any(axis=1)
+        if moving.any():
+            self.cloth.move_pins(self.pins[moving], targets[moving])
+        self.targets = targets
+        for number, (body, before) in enumerate(self.bodies):
+            with evaluated(body, depsgraph) as (mesh, matrix):
+                target = self.in_world(coordinates(mesh), matrix)
+            if len(target) != len(before):
+                raise Refused(f'{body.name}: found {len(target)} vertices at frame {frame} and {len(before)} before')
+            if not np.array_equal(target, before):
+                self.call(f'{body.name}, frame {frame}', self.cloth.move_body, number, target)
+                self.bodies[number] = body, target
+        wind = [shown(speed) for speed in self.obj.taut.wind]
+        if wind != self.wind:
+            self.cloth.set_wind(turned(np.array(wind)))
+            self.wind = wind
+
+    def step(self) -> np.ndarray:
+        """One frame on; the positions in the space of the object."""
+        frame = self.frame + 1
+        with self.evaluation(frame) as depsgraph:
+            self.lead(frame, depsgraph)
+            result = self.call(f'Frame {frame}', self.cloth.step)
+        self.largest_stretch = max(self.largest_stretch, result.max_surface_stretch)
+        self.frame = frame
+        self.positions = self.read_back()
+        return self.positions
+
+    def read_back(self) -> np.ndarray:
+        world = turned_back(self.cloth.positions()) / self.scale
+        return transformed(world, np.linalg.inv(self.matrix))
+
+
+def pinned(obj) -> np.ndarray:
+    """Vertices of the group that is chosen."""
+    if obj.type != 'MESH':
+        raise Refused(f'{obj.name}: found an object that is no mesh')
+    if obj.mode != 'OBJECT':
+        raise Refused(f'{obj.name}: found {obj.mode.lower()} mode, expected object mode')
+    if not obj.data.polygons:
+        raise Refused(f'{obj.name}: found a mesh without faces')
+    name = obj.taut.pin_group
+    if not name:
+        return np.array([], int)
+    group = obj.vertex_groups.get(name)
+    pins = [] if group is None else [v.index for v in obj.data.vertices
+                                     if any(e.group == group.index and e.weight >= 0.5 for e in v.groups)]
+    if not pins:
+        found = 'no such vertex group' if group is None else 'no vertex of weight 0.5 or more'
+        raise Refused(f'{obj.name}: pins: found {found}: {name}')
+    return np.array(pins)
+
+
+def bodies_of(obj) -> list:
+    collection = obj.taut.bodies
+    found = [body for body in collection.all_objects if body.type == 'MESH' and body != obj] if collection else []
+    if collection and not found:
+        raise Refused(f'{obj.name}: bodies: found no mesh in {collection.name}')
+    return found

@@ -1,5 +1,6 @@
 """A garment of Blender as a cloth of the library. There, metres count and y is up."""
 import contextlib
+import re
 
 import numpy as np
 
@@ -122,14 +123,23 @@ class Simulation:
     def add_body(self, body, depsgraph) -> None:
         with evaluated(body, depsgraph) as (mesh, matrix):
             positions = self.in_world(coordinates(mesh), matrix)
-            self.call(body.name, self.cloth.add_body, positions, faces_of(mesh, matrix), name=body.name)
+            self.call(f'{self.obj.name}: bodies', self.cloth.add_body, positions, faces_of(mesh, matrix), name=body.name)
             self.bodies.append((body, positions))
 
     def call(self, what: str, function, *arguments, **named):
         try:
             return function(*arguments, **named)
         except self.taut.Error as error:
-            raise Refused(f'{what}: {error}') from error
+            raise Refused(f'{what}: {self.with_places_turned(str(error))}') from error
+
+    def with_places_turned(self, text: str) -> str:
+        """Places as Blender shows them, in its unit and z up."""
+        def place(found):
+            point = turned_back(np.array(found[1].split(', '), float)) / self.scale
+            return '[' + ', '.join(f'{coordinate:.5g}' for coordinate in point) + ']'
+
+        number = r'-?[\d.]+(?:e[-+]?\d+)?'
+        return re.sub(rf'\[({number}(?:, {number}){{2}})\](?: m\b)?', place, text)
 
     def lead(self, frame: int, depsgraph) -> None:
         """What does not move is not led: it stays."""

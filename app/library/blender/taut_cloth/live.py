@@ -28,7 +28,7 @@ def begin(obj) -> None:
     # Here, as what is set of an object names `switched`.
     from .simulation import Simulation
     end(obj.name)
-    simulation = Simulation(bpy.context, obj)
+    simulation = Simulation(bpy.context, obj, follows_timeline=True)
     path = pathlib.Path(bpy.app.tempdir) / pathlib.Path(cache.relative_path(obj)).name
     writer = cache.Writer(path, len(obj.data.vertices), simulation.first_frame)
     writer.add(simulation.positions)

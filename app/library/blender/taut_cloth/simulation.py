@@ -65,7 +65,8 @@ def without_cache(obj):
 class Simulation:
     """Goes from frame to frame with what leads the cloth there. Raises Refused with what to mend."""
 
-    def __init__(self, context, obj):
+    def __init__(self, context, obj, follows_timeline=False):
+        self.follows_timeline = follows_timeline
         self.scene, self.view_layer, self.obj = context.scene, context.view_layer, obj
         self.taut = library.load()
         units = self.scene.unit_settings
@@ -84,7 +85,8 @@ class Simulation:
     @contextlib.contextmanager
     def evaluation(self, frame: int):
         with without_cache(self.obj):
-            if self.scene.frame_current != frame:
+            # Of the frame that is current, too: what was changed by hand since it came gives way to what is keyed.
+            if not self.follows_timeline:
                 self.scene.frame_set(frame)
             self.view_layer.update()
             yield self.view_layer.depsgraph

@@ -347,6 +347,23 @@ class AddOn(unittest.TestCase):
         self.assertTrue(4 <= len(frames) <= 8)
         self.assertIn(f'Frames 1 to {len(frames)},', obj.taut.message)
 
+    def test_what_crosses_at_the_start_is_said(self):
+        obj = self.cloth(height=0.9, frames=1)
+        ball, obj.taut.bodies = self.ball()
+        self.simulate(obj)
+        self.assertRegex(obj.taut.message, r'\n\d+ pairs of faces cross Sphere at the start and may go on to$')
+        ball.location.z = 0
+        self.simulate(obj)
+        self.assertNotIn('cross', obj.taut.message)
+
+    def test_what_is_keyed_counts_at_the_start_too(self):
+        obj = self.cloth(frames=1)
+        self.keyed(obj, 'location', {1: (0, 0, 0), 3: (0.02, 0, 0)})
+        bpy.context.scene.frame_set(1)
+        obj.location.x = 5
+        self.simulate(obj)
+        self.assertLess(np.abs(self.cache(obj)[1]).max(), 1.1)
+
     def test_without_the_library_it_says_where_it_looked(self):
         obj = self.cloth()
         preferences = bpy.context.preferences.addons['taut_cloth'].preferences

@@ -11,10 +11,10 @@ import sys
 
 import bpy
 import numpy as np
-from mathutils import Euler, Matrix, Vector
+from mathutils import Matrix, Vector
 
 FRAMES = 70
-SHOWN = (31, 40, 49)  # of the stride
+SHOWN = (34, 43, 51)  # of the stride
 TO_Z_UP = Matrix.Rotation(math.radians(90), 3, 'X')
 
 arguments = sys.argv[sys.argv.index('--') + 1:]
@@ -24,7 +24,8 @@ assets = pathlib.Path(arguments[0])
 def put_on():
     """The shirt as it is sewn, and as it lies on the mannequin: vertices in one order."""
     shirt = str(assets / 'garments' / 'tshirt_10600.obj')
-    body = ['--body', str(assets / 'bodies' / 'mannequin_male_40.glb'), '--dress', '90', '--set', 'pins.at="none"']
+    body = ['--body', str(assets / 'bodies' / 'mannequin_male_40.glb'), '--dress', '90', '--set', 'pins.at="none"',
+            '--set', 'solver.max_stretch=0.01', '--fabric', 'jersey']
     for name, more in (('sewn.obj', []), ('worn.obj', body)):
         subprocess.run(['taut', 'simulate', shirt, '--frames', '0', '--quiet', '--export', name, *more], check=True)
 
@@ -48,6 +49,7 @@ def make_shirt(bodies):
     worn.value = 1
     settings = shirt.taut
     settings.fabric, settings.max_stretch, settings.bodies = 'jersey', 1, bodies
+    settings.wind = 6, 2, 0
     settings.frame_start, settings.frame_end = 1, FRAMES
     return shirt
 
@@ -108,46 +110,52 @@ def moment(objects, frame, aside):
         bpy.context.scene.collection.objects.link(copy)
 
 
-def light(name, energy, size, place, target):
-    lamp = bpy.data.objects.new(name, bpy.data.lights.new(name, 'AREA'))
-    lamp.data.energy, lamp.data.size = energy, size
-    lamp.location = place
-    lamp.rotation_euler = (Vector(target) - Vector(place)).to_track_quat('-Z', 'Y').to_euler()
+def backdrop():
+    """A floor that bends up into a wall, so that there is no horizon."""
+    bend = [(0, -30, 0)] + [(0, 6 + 4 * math.sin(a), 4 - 4 * math.cos(a)) for a in np.linspace(0, math.pi / 2, 25)] + [(0, 10, 30)]
+    points = [(x, y, z) for _, y, z in bend for x in (-60, 60)]
+    mesh = bpy.data.meshes.new('backdrop')
+    mesh.from_pydata(points, [], [(k, k + 1, k + 3, k + 2) for k in range(0, len(points) - 2, 2)])
+    mesh.materials.append(material('paper', (0.62, 0.62, 0.62), 1.0))
+    for face in mesh.polygons:
+        face.use_smooth = True
+    bpy.context.scene.collection.objects.link(bpy.data.objects.new('backdrop', mesh))
+
+
+def sun(energy, direction):
+    lamp = bpy.data.objects.new('sun', bpy.data.lights.new('sun', 'SUN'))
+    lamp.data.energy, lamp.data.angle = energy, math.radians(12)
+    lamp.rotation_euler = Vector(direction).to_track_quat('-Z', 'Y').to_euler()
     bpy.context.scene.collection.objects.link(lamp)
 
 
 def draw(shirt, body, path, samples):
     scene = bpy.context.scene
-    shirt.data.materials.append(material('jersey', (0.035, 0.20, 0.24), 0.85, 0.4))
+    shirt.data.materials.append(material('jersey', (0.05, 0.26, 0.30), 0.85, 0.3))
     body.data.materials.clear()
     body.data.materials.append(material('plaster', (0.62, 0.60, 0.57), 0.55))
     for obj in (shirt, body):
         for face in obj.data.polygons:
             face.use_smooth = True
-    finer = shirt.modifiers.new('finer', 'SUBSURF')
-    finer.levels = 1
     for k, frame in enumerate(SHOWN):
-        moment((shirt, body), frame, 0.95 * (k - 1))
+        moment((shirt, body), frame, 1.08 * (k - 1))
     for obj in (shirt, body):
         obj.hide_render = True
-    bpy.ops.mesh.primitive_plane_add(size=200)
-    bpy.context.object.data.materials.append(material('floor', (0.8, 0.8, 0.79), 0.9))
-    light('key', 260, 2.5, (-3, -4, 4.5), (0, 0, 1))
-    light('fill', 70, 4, (4, -3.5, 2.5), (0, 0, 1))
-    light('rim', 120, 2, (1.5, 4, 3.5), (0, 0, 1.3))
+    backdrop()
+    sun(3.2, (0.9, 0.35, -0.75))
     scene.world = bpy.data.worlds.new('sky')
     scene.world.use_nodes = True
-    scene.world.node_tree.nodes['Background'].inputs[0].default_value = (0.86, 0.88, 0.9, 1)
-    scene.world.node_tree.nodes['Background'].inputs[1].default_value = 0.55
+    scene.world.node_tree.nodes['Background'].inputs[0].default_value = (0.95, 0.97, 1, 1)
+    scene.world.node_tree.nodes['Background'].inputs[1].default_value = 0.35
     camera = bpy.data.objects.new('camera', bpy.data.cameras.new('camera'))
     scene.collection.objects.link(camera)
-    camera.location = (-2.3, -8.2, 1.55)
+    camera.location = (2.6, -8.4, 1.35)
     camera.data.lens = 85
-    camera.rotation_euler = (Vector((0, 0, 0.98)) - camera.location).to_track_quat('-Z', 'Y').to_euler()
+    camera.rotation_euler = (Vector((0.04, 0, 0.93)) - camera.location).to_track_quat('-Z', 'Y').to_euler()
     scene.camera = camera
     scene.render.engine = 'CYCLES'
     scene.cycles.samples, scene.cycles.use_denoising = samples, False
-    scene.render.resolution_x, scene.render.resolution_y = 1000, 720
+    scene.render.resolution_x, scene.render.resolution_y = 1000, 600
     scene.view_settings.view_transform = 'Standard'
     scene.render.filepath = str(pathlib.Path(path).absolute())
     bpy.ops.render.render(write_still=True)

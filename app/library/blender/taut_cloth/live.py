@@ -40,7 +40,7 @@ def follow(obj, frame: int) -> None:
     """The cloth at this frame, if it is the start, the next, or one that was."""
     if frame == obj.taut.frame_start:
         begin(obj)
-        obj.taut.message = ''
+        obj.taut.message = '\n'.join(runs[obj.name][0].remarks)
     elif obj.name not in runs:
         obj.taut.message = f'Live begins at frame {obj.taut.frame_start}'
     elif frame == runs[obj.name][0].frame + 1:

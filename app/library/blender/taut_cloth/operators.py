@@ -40,7 +40,8 @@ class Run:
         first, last = self.simulation.first_frame, self.simulation.frame
         cache.attach(self.obj, cache.relative_path(self.obj), first)
         kept = f'Frames {first} to {last}, stretch at most {100 * self.simulation.largest_stretch:.2f} %'
-        self.obj.taut.message = kept if self.is_done() else f'Stopped before frame {last + 1}\n{kept}'
+        stopped = [] if self.is_done() else [f'Stopped before frame {last + 1}']
+        self.obj.taut.message = '\n'.join([*stopped, kept, *self.simulation.remarks])
         return self.obj.taut.message.replace('\n', '. ')
 
 

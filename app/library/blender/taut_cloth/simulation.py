@@ -3,6 +3,7 @@ import contextlib
 import re
 
 import numpy as np
+from mathutils.bvhtree import BVHTree
 
 from . import cache, library
 from .library import Refused
@@ -73,6 +74,7 @@ class Simulation:
         self.scale = 1.0 if units.system == 'NONE' else shown(units.scale_length)
         self.frame = self.first_frame = obj.taut.frame_start
         self.largest_stretch = 0.0
+        self.remarks = []
         self.wind = None
         self.pins = pinned(obj)
         self.bodies = []  # and where they are
@@ -127,6 +129,14 @@ class Simulation:
             positions = self.in_world(coordinates(mesh), matrix)
             self.call(f'{self.obj.name}: bodies', self.cloth.add_body, positions, faces_of(mesh, matrix), name=body.name)
             self.bodies.append((body, positions))
+            self.remark_on_start(body.name, faces_of(mesh, matrix), positions)
+
+    def remark_on_start(self, name: str, faces: list, positions: np.ndarray) -> None:
+        """What crosses a body at the start may stay there."""
+        cloth = BVHTree.FromPolygons(self.cloth.positions().tolist(), faces_of(self.obj.data, self.matrix))
+        pairs = cloth.overlap(BVHTree.FromPolygons(positions.tolist(), faces))
+        if pairs:
+            self.remarks.append(f'{len(pairs)} pairs of faces cross {name} at the start and may go on to')
 
     def call(self, what: str, function, *arguments, **named):
         try:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
-# time: when all is there it does nothing.
+# time: when all is there it does nothing. With --blender also Blender, for the tests behind TAUT_BLENDER_TESTS.
 set -euo pipefail
 
 packages=(
@@ -53,6 +53,16 @@ packages=(
   xvfb                # a display for it
   xauth               # what xvfb-run asks for and no package brings
 )
+
+for wanted in "$@"; do
+  case $wanted in
+    --blender) packages+=(blender) ;;
+    *)
+      echo "usage: setup.sh [--blender]" >&2
+      exit 2
+      ;;
+  esac
+done
 
 # Another way to OpenGL without a display, gone from distributions with Mesa 25.1 or newer.
 packages_if_offered=(

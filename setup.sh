@@ -54,9 +54,12 @@ packages=(
   xauth               # what xvfb-run asks for and no package brings
 )
 
+packages_of_blender=(
+  blender
+)
 for wanted in "$@"; do
   case $wanted in
-    --blender) packages+=(blender) ;;
+    --blender) packages+=("${packages_of_blender[@]}") ;;
     *)
       echo "usage: setup.sh [--blender]" >&2
       exit 2

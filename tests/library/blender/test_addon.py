@@ -141,18 +141,18 @@ class AddOn(unittest.TestCase):
         return armature
 
     def test_a_pinned_cloth_has_the_bits_of_the_program(self):
-        obj = self.cloth()
+        obj = self.cloth(frames=40)
         self.assertEqual(self.simulate(obj), {'FINISHED'})
         start, frames = self.cache(obj)
-        self.assertEqual((start, frames.shape), (1, (13, SIDE * SIDE, 3)))
+        self.assertEqual((start, frames.shape), (1, (41, SIDE * SIDE, 3)))
         np.testing.assert_array_equal(frames[0], np.array([v.co for v in obj.data.vertices], np.float32))
-        np.testing.assert_array_equal(frames[-1], self.by_program(obj, 12).astype(np.float32))
-        bpy.context.scene.frame_set(13)
+        np.testing.assert_array_equal(frames[-1], self.by_program(obj, 40).astype(np.float32))
+        bpy.context.scene.frame_set(41)
         np.testing.assert_array_equal(world(obj), frames[-1])
         modifier = obj.modifiers['Taut']
         self.assertEqual(modifier.filepath, '//taut_cache/Grid.pc2')
         self.assertEqual(os.listdir(self.folder / 'made' / 'taut_cache'), ['Grid.pc2'])
-        self.assertRegex(obj.taut.message, r'^Frames 1 to 13, stretch at most [01]\.\d\d %$')
+        self.assertRegex(obj.taut.message, r'^Frames 1 to 41, stretch at most [01]\.\d\d %$')
 
     def test_a_body_that_an_armature_moves_has_the_bits_of_the_program(self):
         obj = self.cloth(height=0.96, frames=8)
@@ -356,8 +356,32 @@ class AddOn(unittest.TestCase):
         self.simulate(obj)
         self.assertNotIn('cross', obj.taut.message)
 
+    def test_it_begins_as_posed_and_has_the_lengths_it_is_modelled_with(self):
+        obj = self.cloth(frames=30)
+        obj.taut.pin_group = ''
+        obj.shape_key_add(name='Basis')
+        narrow = obj.shape_key_add(name='narrow')
+        for point in narrow.data:
+            point.co.x *= 0.8
+        narrow.value = 1
+        bpy.context.scene.gravity = (0, 0, 0)
+        self.simulate(obj)
+        frames = self.cache(obj)[1]
+        np.testing.assert_array_equal(frames[0], np.array([point.co for point in narrow.data], np.float32))
+        # Cloth that is pressed together goes apart.
+        self.assertGreater(np.ptp(frames[-1][:, 0]), 0.43)
+
+    def test_a_mirrored_body_keeps_cloth_out(self):
+        obj = self.cloth(height=0.96)
+        obj.taut.pin_group = ''
+        ball, obj.taut.bodies = self.ball()
+        ball.scale.x = -1
+        self.simulate(obj)
+        self.assertGreater(self.cache(obj)[1][-1][:, 2].max(), 0.95)
+
     def test_what_is_keyed_counts_at_the_start_too(self):
         obj = self.cloth(frames=1)
+        obj.taut.pin_group = ''
         self.keyed(obj, 'location', {1: (0, 0, 0), 3: (0.02, 0, 0)})
         bpy.context.scene.frame_set(1)
         obj.location.x = 5

@@ -46,7 +46,6 @@ def follow(obj, frame: int) -> None:
     elif frame == runs[obj.name][0].frame + 1:
         simulation, writer = runs[obj.name]
         writer.add(simulation.step())
-        obj.update_tag()
         obj.taut.message = f'Stretch at most {100 * simulation.largest_stretch:.2f} %'
     elif frame > runs[obj.name][0].frame:
         obj.taut.message = f'Live is at frame {runs[obj.name][0].frame}\nand needs every frame'

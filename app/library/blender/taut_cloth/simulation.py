@@ -34,10 +34,8 @@ def transformed(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     return sum(points[:, k:k + 1] * matrix[:3, k] for k in range(3)) + matrix[:3, 3]
 
 
-def faces_of(mesh, matrix: np.ndarray) -> list:
-    """What is mirrored is turned inside out."""
-    way = -1 if np.linalg.det(matrix[:3, :3]) < 0 else 1
-    return [tuple(face.vertices)[::way] for face in mesh.polygons]
+def faces_of(mesh) -> list:
+    return [tuple(face.vertices) for face in mesh.polygons]
 
 
 @contextlib.contextmanager
@@ -117,7 +115,7 @@ class Simulation:
                 'gravity.acceleration': turned(np.array(gravity))}
         if settings.fabric:
             keys['cloth.fabric'] = fabric_file(settings.fabric)
-        cloth = self.call(self.obj.name, self.taut.Cloth, positions=rest, faces=faces_of(modelled, self.matrix),
+        cloth = self.call(self.obj.name, self.taut.Cloth, positions=rest, faces=faces_of(modelled),
                           start=None if np.array_equal(rest, start) else start, settings=keys,
                           log=lambda line: print(f'Taut: {self.obj.name}: {line}'))
         cloth.pins = self.pins
@@ -127,13 +125,13 @@ class Simulation:
     def add_body(self, body, depsgraph) -> None:
         with evaluated(body, depsgraph) as (mesh, matrix):
             positions = self.in_world(coordinates(mesh), matrix)
-            self.call(f'{self.obj.name}: bodies', self.cloth.add_body, positions, faces_of(mesh, matrix), name=body.name)
+            self.call(f'{self.obj.name}: bodies', self.cloth.add_body, positions, faces_of(mesh), name=body.name)
             self.bodies.append((body, positions))
-            self.remark_on_start(body.name, faces_of(mesh, matrix), positions)
+            self.remark_on_start(body.name, faces_of(mesh), positions)
 
     def remark_on_start(self, name: str, faces: list, positions: np.ndarray) -> None:
         """What crosses a body at the start may stay there."""
-        cloth = BVHTree.FromPolygons(self.cloth.positions().tolist(), faces_of(self.obj.data, self.matrix))
+        cloth = BVHTree.FromPolygons(self.cloth.positions().tolist(), faces_of(self.obj.data))
         pairs = cloth.overlap(BVHTree.FromPolygons(positions.tolist(), faces))
         if pairs:
             self.remarks.append(f'{len(pairs)} pairs of faces cross {name} at the start and may go on to')

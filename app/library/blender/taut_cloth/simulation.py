@@ -10,11 +10,6 @@ from .library import Refused
 from .settings import fabric_file
 
 
-def shown(number: float) -> float:
-    """Blender keeps 0.01 as a float of 32 bits: the number that is shown instead."""
-    return float(str(np.float32(number)))
-
-
 def turned(points: np.ndarray) -> np.ndarray:
     """From z up to y up."""
     return np.stack([points[..., 0], points[..., 2], -points[..., 1]], axis=-1)
@@ -42,6 +37,8 @@ def faces_of(mesh) -> list:
 def evaluated(obj, depsgraph):
     """Its mesh with all that moves it, and its matrix."""
     instance = obj.evaluated_get(depsgraph)
+    if not instance.is_evaluated:
+        raise Refused(f'{obj.name}: found it left out of the view layer')
     try:
         yield instance.to_mesh(), np.array(instance.matrix_world)
     finally:
@@ -69,7 +66,7 @@ class Simulation:
         self.scene, self.view_layer, self.obj = context.scene, context.view_layer, obj
         self.taut = library.load()
         units = self.scene.unit_settings
-        self.scale = 1.0 if units.system == 'NONE' else shown(units.scale_length)
+        self.scale = 1.0 if units.system == 'NONE' else units.scale_length
         self.frame = self.first_frame = obj.taut.frame_start
         self.largest_stretch = 0.0
         self.remarks = []
@@ -109,10 +106,10 @@ class Simulation:
         modelled = self.obj.data
         rest = self.in_world(coordinates(modelled), self.matrix)
         settings, render = self.obj.taut, self.scene.render
-        gravity = [shown(g) * self.scale for g in self.scene.gravity] if self.scene.use_gravity else [0.0] * 3
-        keys = {'time.frame_rate': render.fps / shown(render.fps_base),
-                'solver.max_stretch': shown(settings.max_stretch) / 100,
-                'gravity.acceleration': turned(np.array(gravity))}
+        gravity = np.array(self.scene.gravity) * self.scale * self.scene.use_gravity
+        keys = {'time.frame_rate': render.fps / render.fps_base,
+                'solver.max_stretch': settings.max_stretch / 100,
+                'gravity.acceleration': turned(gravity)}
         if settings.fabric:
             keys['cloth.fabric'] = fabric_file(settings.fabric)
         cloth = self.call(self.obj.name, self.taut.Cloth, positions=rest, faces=faces_of(modelled),
@@ -166,7 +163,7 @@ class Simulation:
             if not np.array_equal(target, before):
                 self.call(f'{body.name}, frame {frame}', self.cloth.move_body, number, target)
                 self.bodies[number] = body, target
-        wind = [shown(speed) for speed in self.obj.taut.wind]
+        wind = list(self.obj.taut.wind)
         if wind != self.wind:
             self.cloth.set_wind(turned(np.array(wind)))
             self.wind = wind
@@ -193,8 +190,6 @@ def pinned(obj) -> np.ndarray:
         raise Refused(f'{obj.name}: found an object that is no mesh')
     if obj.mode != 'OBJECT':
         raise Refused(f'{obj.name}: found {obj.mode.lower()} mode, expected object mode')
-    if not obj.data.polygons:
-        raise Refused(f'{obj.name}: found a mesh without faces')
     name = obj.taut.pin_group
     if not name:
         return np.array([], int)
@@ -212,4 +207,9 @@ def bodies_of(obj) -> list:
     found = [body for body in collection.all_objects if body.type == 'MESH' and body != obj] if collection else []
     if collection and not found:
         raise Refused(f'{obj.name}: bodies: found no mesh in {collection.name}')
+    for body in found:
+        # The eye hides and lets move; the other ways to hide do not.
+        if body.hide_viewport or not (body.visible_get() or body.hide_get()):
+            raise Refused(f'{body.name}: found it disabled in viewports or left out of the view layer, where '
+                          'Blender does not move it')
     return found

@@ -332,6 +332,7 @@ class AddOn(unittest.TestCase):
         obj.taut.bodies.objects.link(plane)
         self.refused(obj, "Grid: bodies: 'Plane': found the edge from .* with 1 triangle")
         obj.taut.bodies = None
+        obj.rotation_euler = 1, 2, 3
         obj.scale = (1, 1, 0)
         self.refused(obj, 'Grid: found a scale of 0')
         obj.scale = (1, 1, 1)
@@ -347,7 +348,11 @@ class AddOn(unittest.TestCase):
         self.refused(points, 'points: found it left out of the view layer')
         bpy.context.scene.collection.objects.link(points)
         self.refused(points, 'points: found a mesh without faces')
-        self.assertFalse((self.folder / 'made' / 'taut_cache').exists())
+        cache = self.folder / 'made' / 'taut_cache'
+        self.assertFalse(cache.exists())
+        obj.modifiers.clear()
+        cache.write_text('')
+        self.refused(obj, 'File exists: .*taut_cache')
 
     def test_a_frame_that_cannot_be_made_ends_the_run_and_those_before_are_kept(self):
         obj = self.cloth(height=0.96)

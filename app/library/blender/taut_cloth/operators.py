@@ -58,7 +58,7 @@ class TAUT_OT_simulate(bpy.types.Operator):
     def begin(self, context) -> bool:
         try:
             self.run = Run(context, context.object)
-        except Refused as refusal:
+        except (Refused, OSError) as refusal:
             self.report({'ERROR'}, str(refusal))
             return False
         return True
@@ -77,7 +77,7 @@ class TAUT_OT_simulate(bpy.types.Operator):
         try:
             while not self.run.is_done():
                 self.run.step()
-        except Refused as refusal:
+        except (Refused, OSError) as refusal:
             return self.end(refusal)
         return self.end()
 
@@ -97,7 +97,7 @@ class TAUT_OT_simulate(bpy.types.Operator):
         if event.type == 'TIMER':
             try:
                 self.run.step()
-            except Refused as refusal:
+            except (Refused, OSError) as refusal:
                 return self.end_modal(context, refusal)
             context.window_manager.progress_update(self.run.simulation.frame)
             context.workspace.status_text_set(self.run.status())

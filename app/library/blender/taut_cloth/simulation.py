@@ -97,12 +97,12 @@ class Simulation:
             if len(mesh.vertices) != len(self.obj.data.vertices):
                 raise Refused(f'{self.obj.name}: found {len(mesh.vertices)} vertices with its modifiers and '
                               f'{len(self.obj.data.vertices)} without. Move what changes them below {cache.MODIFIER}')
+            if np.linalg.cond(self.matrix[:3, :3]) > 1e6:
+                raise Refused(f'{self.obj.name}: found a scale of 0')
             return self.in_world(coordinates(mesh), self.matrix)
 
     def make_cloth(self, depsgraph):
         start = self.garment(depsgraph)
-        if abs(np.linalg.det(self.matrix[:3, :3])) < 1e-12:
-            raise Refused(f'{self.obj.name}: found a scale of 0')
         modelled = self.obj.data
         rest = self.in_world(coordinates(modelled), self.matrix)
         settings, render = self.obj.taut, self.scene.render

@@ -112,8 +112,9 @@ class AddOn(unittest.TestCase):
         points = np.array([v.co for v in obj.data.vertices], np.float32)
         write_obj(self.folder / 'cloth.obj', y_up(points), [list(f.vertices) for f in obj.data.polygons])
         (self.folder / 'scene.toml').write_text(
-            f'garment = {{ file = "cloth.obj", scale = 1.0, up = "y" }}\npins = {{ at = {self.corners if pins is None else pins} }}\n'
-            f'solver = {{ max_stretch = {bound} }}\ncloth = {{ fabric = "cotton" }}\ntime = {{ frames = {frames}, frame_rate = 64 }}\n' + more)
+            'garment = { file = "cloth.obj", scale = 1.0, up = "y" }\ncloth = { fabric = "cotton" }\n'
+            f'pins = {{ at = {self.corners if pins is None else pins} }}\nsolver = {{ max_stretch = {bound} }}\n'
+            f'time = {{ frames = {frames}, frame_rate = 64 }}\n' + more)
         subprocess.run([TAUT, 'simulate', 'scene.toml', '--quiet', '--export', 'end.obj'], cwd=self.folder, check=True)
         end = read_obj(self.folder / 'end.obj')
         return np.stack([end[:, 0], -end[:, 2], end[:, 1]], axis=1)
@@ -361,7 +362,8 @@ class AddOn(unittest.TestCase):
         obj.taut.pin_group = 'all'
         ball, obj.taut.bodies = self.ball()
         self.keyed(ball, 'location', {1: (0, 0, 0.8), 4: (0, 0, 0.8), 8: (0, 0, 1.0)})
-        self.refused(obj, r"Frame \d+: .*'Sphere' close in .* at \[[^]]*, 0\.9\d+\]\. Stopped before frame \d+\. Frames 1 to \d+, stretch")
+        self.refused(obj, r"Frame \d+: .*'Sphere' close in .* at \[[^]]*, 0\.9\d+\]\. "
+                     r'Stopped before frame \d+\. Frames 1 to \d+, stretch')
         frames = self.cache(obj)[1]
         self.assertTrue(4 <= len(frames) <= 8)
         self.assertIn(f'Frames 1 to {len(frames)},', obj.taut.message)

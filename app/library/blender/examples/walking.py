@@ -112,8 +112,8 @@ def moment(objects, frame, aside):
 
 def backdrop():
     """A floor that bends up into a wall, so that there is no horizon."""
-    bend = [(0, -30, 0)] + [(0, 6 + 4 * math.sin(a), 4 - 4 * math.cos(a)) for a in np.linspace(0, math.pi / 2, 25)] + [(0, 10, 30)]
-    points = [(x, y, z) for _, y, z in bend for x in (-60, 60)]
+    bend = [(6 + 4 * math.sin(a), 4 - 4 * math.cos(a)) for a in np.linspace(0, math.pi / 2, 25)]
+    points = [(x, y, z) for y, z in [(-30, 0), *bend, (10, 30)] for x in (-60, 60)]
     mesh = bpy.data.meshes.new('backdrop')
     mesh.from_pydata(points, [], [(k, k + 1, k + 3, k + 2) for k in range(0, len(points) - 2, 2)])
     mesh.materials.append(material('paper', (0.62, 0.62, 0.62), 1.0))

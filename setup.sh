@@ -1,11 +1,8 @@
 #!/usr/bin/env bash
 # Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
-# time: when all is there it does nothing. With --farms also a Slurm, for the tests behind TAUT_SLURM_TESTS.
+# time: when all is there it does nothing. With --blender also Blender, for the tests behind TAUT_BLENDER_TESTS, with
+# --farms a Slurm, for those behind TAUT_SLURM_TESTS.
 set -euo pipefail
-if [[ $# -gt 1 || "${1---farms}" != --farms ]]; then
-  echo "usage: setup.sh [--farms]" >&2
-  exit 2
-fi
 
 packages=(
   # build
@@ -58,11 +55,23 @@ packages=(
   xauth               # what xvfb-run asks for and no package brings
 )
 
+packages_of_blender=(
+  blender
+)
 packages_of_farms=(
   munge               # how the parts of Slurm know each other
   slurm-wlm
 )
-[ $# -eq 0 ] || packages+=("${packages_of_farms[@]}")
+for wanted in "$@"; do
+  case $wanted in
+    --blender) packages+=("${packages_of_blender[@]}") ;;
+    --farms) packages+=("${packages_of_farms[@]}") ;;
+    *)
+      echo "usage: setup.sh [--blender] [--farms]" >&2
+      exit 2
+      ;;
+  esac
+done
 
 # Another way to OpenGL without a display, gone from distributions with Mesa 25.1 or newer.
 packages_if_offered=(

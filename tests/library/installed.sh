@@ -35,6 +35,11 @@ mv "$prefix/libexec/taut/taut-import" .
   fail "that there is no importer is said so: $(cat log.txt)"
 mv taut-import "$prefix/libexec/taut"
 
+python3 -m zipfile -l "$prefix/share/taut/taut_cloth.zip" >log.txt
+for file in __init__.py taut/__init__.py fabrics/cotton.toml; do
+  grep -q "^taut_cloth/$file " log.txt || fail "Blender's add-on has no $file"
+done
+
 for python in python3 /usr/bin/python3; do
   "$python" -c 'import numpy' 2>/dev/null || continue
   PYTHONPATH=$prefix/lib/python3/dist-packages LD_LIBRARY_PATH= "${without_sources[@]}" \

@@ -1,0 +1,46 @@
+"""What a person sets of a cloth, saved with its object."""
+import pathlib
+
+import bpy
+from bpy.props import BoolProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty, StringProperty
+
+from . import library, live
+
+FABRICS = pathlib.Path(__file__).parent / 'fabrics'
+
+
+def fabric_file(name: str) -> str:
+    """Of a name of the list, or of a file of one's own."""
+    along = FABRICS / (name + '.toml')
+    return str(along) if along.exists() else bpy.path.abspath(name)
+
+
+class TautPreferences(bpy.types.AddonPreferences):
+    bl_idname = __package__
+    library: StringProperty(name='Library', subtype='FILE_PATH', update=lambda _self, _context: library.forget(),
+                            description='libtaut.so of an installed Taut; empty: looked for')
+
+    def draw(self, _context):
+        self.layout.prop(self, 'library')
+
+
+class TautSettings(bpy.types.PropertyGroup):
+    fabric: StringProperty(
+        name='Fabric', default='cotton', options=set(), search_options={'SUGGESTION'},
+        search=lambda _self, _context, _typed: sorted(file.stem for file in FABRICS.glob('*.toml')),
+        description='What it is made of: one of the list, or a file like theirs; empty: light and soft')
+    max_stretch: FloatProperty(
+        name='Largest stretch', default=1, min=0.01, max=100, subtype='PERCENTAGE', precision=2, options=set(),
+        description='No triangle is ever longer than this, along any direction')
+    pin_group: StringProperty(
+        name='Pins', options=set(), description='Vertex group; vertices of weight 0.5 and more go where the object, its '
+        'shape keys and its armature take them')
+    wind: FloatVectorProperty(name='Wind', subtype='XYZ', description='Velocity of the air in m/s; may be animated')
+    bodies: PointerProperty(name='Bodies', type=bpy.types.Collection,
+                            description='Meshes that the cloth stays out of: closed, and moved by whatever moves them')
+    frame_start: IntProperty(name='Start', default=1, options=set(),
+                             description='The cloth is as it is modelled or posed here')
+    frame_end: IntProperty(name='End', default=250, options=set())
+    live: BoolProperty(name='Live', update=live.switched, options=set(),
+                       description='Simulates while the timeline plays, from the start frame on')
+    message: StringProperty(options={'SKIP_SAVE'})

@@ -168,7 +168,8 @@ void add_run(SceneKeys& keys) {
                         MEMBER(simulation.solver.ideal.stiffness.structural_n_per_m),
                         "ideal, provot, vassilev: of mesh edges"));
   keys.push_back(number("solver.stiffness.shear", "N/m", not_negative,
-                        MEMBER(simulation.solver.ideal.stiffness.shear_n_per_m), "ideal, provot, vassilev, fast-projection: of grid diagonals"));
+                        MEMBER(simulation.solver.ideal.stiffness.shear_n_per_m),
+                        "ideal, provot, vassilev, fast-projection: of grid diagonals"));
   keys.push_back(number("solver.stiffness.flexural", "N/m", not_negative,
                         MEMBER(simulation.solver.ideal.stiffness.flexural_n_per_m),
                         "the same: of flexural springs"));
@@ -217,8 +218,9 @@ void add_forces(SceneKeys& keys) {
              "of one layer, as a gauge measures it; kept to bodies, and by bounded between layers too"));
   keys.push_back(number("cloth.friction", "", friction, MEMBER(material.friction),
                         "Coulomb's coefficient, between layers and of bodies that have none of their own"));
-  keys.push_back(number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m),
-                        "bounded, implicit: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 98e-6"));
+  keys.push_back(
+      number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m),
+             "bounded, implicit: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 98e-6"));
   keys.push_back(number("cloth.compression_stiffness", "N/m", not_negative,
                         MEMBER(material.compression_stiffness_n_per_m),
                         "bounded: of springs that are too short; less crumples more easily"));

@@ -35,7 +35,8 @@ double cosine_of_turns(double turns) {
   return sine_of_turns(0.25 - std::abs(turns - std::floor(turns + 0.5)));
 }
 
-// A rough guess within the first quarter, right to 0.005 radians; the arc sine's series for what is left of it.
+// A rough guess within the first quarter, right to 0.005 radians; the arc sine's series for what is left of
+// it.
 double turns_of(double y, double x) {
   const double length = std::sqrt(x * x + y * y);
   if (!(length > 0.0)) {

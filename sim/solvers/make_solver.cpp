@@ -21,9 +21,6 @@ namespace {
 constexpr int enough_for_small_sheets = 20;
 
 std::optional<SpringStiffness> hooke_springs(const SolverMethod& method) {
-  if (const auto* projection = std::get_if<FastProjectionSettings>(&method)) {
-    return soft_springs(*projection);
-  }
   return std::visit(
       [](const auto& settings) -> std::optional<SpringStiffness> {
         if constexpr (requires { settings.stiffness; }) {
@@ -100,19 +97,20 @@ std::unique_ptr<SpringResponse> spring_response(const StrongSettings& settings) 
   return std::make_unique<StrongConstraint>(settings);
 }
 
-std::unique_ptr<SpringResponse> spring_response(const FastProjectionSettings& settings) {
-  require_max_stretch(settings.max_strain);
-  if (settings.most_projections < 1) {
+std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const FastProjectionSettings& projection) {
+  require_max_stretch(projection.max_strain);
+  if (projection.most_projections < 1) {
     throw std::invalid_argument("fast projection needs at least 1 projection");
   }
-  return std::make_unique<FastProjection>(settings);
+  return std::make_unique<FastProjectionSolver>(projection, settings.substeps);
 }
 
 std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const ImplicitSettings& implicit) {
   if (!(implicit.stretch_n_per_m >= 0.0 && implicit.shear_n_per_m >= 0.0 && implicit.damping_s >= 0.0 &&
         implicit.tolerance > 0.0 && implicit.largest_stretch_change > 0.0)) {
     throw std::invalid_argument(
-        "the stiffness and the damping of implicit steps must be at least 0, their tolerance and their largest "
+        "the stiffness and the damping of implicit steps must be at least 0, their tolerance and their "
+        "largest "
         "change of stretch above 0");
   }
   return std::make_unique<ImplicitSolver>(implicit, settings.substeps, settings.max_substeps);

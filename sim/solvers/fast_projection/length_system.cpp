@@ -10,9 +10,9 @@
 namespace taut::sim {
 namespace {
 
-/// What the diagonal is raised by, as a fraction of what it is at rest. More solves systems that are nearly singular with
-/// smaller, safer steps; less takes fewer projections where lengths can be kept.
-constexpr double regularisation = 1e-4;
+/// What the diagonal is raised by, as a fraction of what it is at rest. More solves systems that are nearly
+/// singular with smaller, safer steps; less takes fewer projections where lengths can be kept.
+constexpr double regularisation = 1e-6;
 
 using Matrix = Eigen::SparseMatrix<double>;
 
@@ -92,8 +92,8 @@ void LengthSystem::fill(std::span<const Vec3> positions_m) {
         entry.valueRef() = w * (glm::dot(along, along) + 4.0 * regularisation);
       } else {
         const Index v = shared_end(edges_[r], edges_[c]);
-        entry.valueRef() = inverse_masses_per_kg_[v] *
-                           glm::dot(gradient(r, v, positions_m), gradient(c, v, positions_m));
+        entry.valueRef() =
+            inverse_masses_per_kg_[v] * glm::dot(gradient(r, v, positions_m), gradient(c, v, positions_m));
       }
     }
   }

@@ -104,6 +104,23 @@ Vec3 derivative(const WovenTriangle& triangle, const std::array<double, 3>& weig
   return weights[1] * (b - a) + weights[2] * (c - a);
 }
 
+Condition spring_condition(const Edge& ends, double rest_length_m, std::span<const Vec3> positions_m) {
+  Condition condition;
+  condition.count = 2;
+  condition.vertices = {ends[0], ends[1]};
+  const Vec3 spring = positions_m[ends[0]] - positions_m[ends[1]];
+  const double length_m = glm::length(spring);
+  condition.value = length_m - rest_length_m;
+  if (!(length_m > 0.0)) {
+    return condition;
+  }
+  const Vec3 direction = spring / length_m;
+  condition.gradients = {direction, -direction};
+  condition.weights = {1.0, -1.0};
+  condition.curvature = (Mat3(1.0) - glm::outerProduct(direction, direction)) / length_m;
+  return condition;
+}
+
 Condition stretch_condition(const WovenTriangle& triangle, const std::array<double, 3>& weights,
                             std::span<const Vec3> positions_m) {
   Condition condition = condition_of(triangle);
@@ -152,8 +169,8 @@ Condition bend_condition(const Hinge& hinge, std::span<const Vec3> p) {
   constexpr double turn_rad = 2.0 * std::numbers::pi;
   condition.value = bent_rad - turn_rad * std::round(bent_rad / turn_rad);
   // The derivatives of a dihedral angle, as in Bridson, Marino and Fedkiw (2003), section 4.
-  const Vec3 by_c = n.first * (length_m / first);
-  const Vec3 by_d = n.second * (length_m / second);
+  const Vec3 by_c = -n.first * (length_m / first);
+  const Vec3 by_d = -n.second * (length_m / second);
   const double share_c = glm::dot(p[c] - p[a], edge) / (length_m * length_m);
   const double share_d = glm::dot(p[d] - p[a], edge) / (length_m * length_m);
   condition.gradients = {-(1.0 - share_c) * by_c - (1.0 - share_d) * by_d, -share_c * by_c - share_d * by_d,

@@ -15,9 +15,9 @@ using Mat3 = glm::dmat3;
 /// Witkin 1998, section 4.1). Its energy is 1/2 k C^2.
 struct Condition {
   double value = 0.0;
-  int count = 0;                     ///< of the vertices
-  std::array<Index, 4> vertices{};   ///< each once
-  std::array<Vec3, 4> gradients{};   ///< dC / dx_i
+  int count = 0;                    ///< of the vertices
+  std::array<Index, 4> vertices{};  ///< each once
+  std::array<Vec3, 4> gradients{};  ///< dC / dx_i
   /// d2C / dx_i dx_j = weights[i] weights[j] curvature, as far as it is used; never negative definite.
   std::array<double, 4> weights{};
   Mat3 curvature = Mat3(0.0);
@@ -50,6 +50,8 @@ std::vector<Hinge> hinges(const Garment& garment);
 Vec3 derivative(const WovenTriangle& triangle, const std::array<double, 3>& weights,
                 std::span<const Vec3> positions_m);
 
+/// A spring: C = its length minus that at rest, in m, so that 1/2 k C^2 is Hooke's law.
+Condition spring_condition(const Edge& ends, double rest_length_m, std::span<const Vec3> positions_m);
 /// Stretch, eq. (10), along the direction of the weights: C = sqrt(a) (|w| - 1) for the area a. The paper
 /// multiplies by a. With its root the stiffness is in N/m and does not depend on the mesh.
 Condition stretch_condition(const WovenTriangle& triangle, const std::array<double, 3>& weights,

@@ -6,9 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "sim/measures.hpp"
-#include "sim/solvers/implicit/conjugate_gradients.hpp"
-#include "sim/solvers/implicit/system.hpp"
-#include "sim/step.hpp"
 
 namespace taut::sim {
 namespace {
@@ -29,14 +26,8 @@ std::vector<Edge> coupled_pairs(const Garment& garment, std::span<const Hinge> h
 
 }  // namespace
 
-/// What stays the same during a frame.
-struct ImplicitSolver::Frame {
-  const Garment& garment;
-  const Pins& pins;
-  const Surroundings& surroundings;
-};
-
-ImplicitSolver::ImplicitSolver(const ImplicitSettings& settings, std::optional<int> substeps, int max_substeps)
+ImplicitSolver::ImplicitSolver(const ImplicitSettings& settings, std::optional<int> substeps,
+                               int max_substeps)
     : settings_(settings),
       substeps_(substeps),
       most_halvings_(std::bit_width(static_cast<unsigned>(max_substeps)) - 1) {}
@@ -49,42 +40,22 @@ void ImplicitSolver::prepare(const Garment& garment) {
   }
 }
 
-/// Fills the predicted positions: p(t + h) = p(t) + h (v + dv).
 void ImplicitSolver::predict(const Frame& frame, double time_step_s, State& state) {
-  const std::size_t count = state.current.size();
-  std::vector<Vec3> velocities(count), forces_n(count), right_side(count), changes(count);
-  for (Index v = 0; v < count; ++v) {
-    velocities[v] = velocity(state, v);
-  }
-  matrix_.clear();
-  const System system = {time_step_s, velocities, matrix_, right_side};
-  const ExternalForces& external = frame.surroundings.forces;
-  add_external_forces(frame.garment, state, external, time_step_s, forces_n);
-  add_inertia(frame.garment.masses_kg, forces_n, external.air_drag_per_s, system);
   const double damping_s = settings_.damping_s;
-  for (const WovenTriangle& triangle : triangles_) {
-    for (const auto& weights : {triangle.along_warp, triangle.along_weft}) {
-      add_condition(stretch_condition(triangle, weights, state.current), {settings_.stretch_n_per_m, damping_s},
-                    system);
+  const auto add_conditions = [&](const State& now, const System& system) {
+    for (const WovenTriangle& triangle : triangles_) {
+      for (const auto& weights : {triangle.along_warp, triangle.along_weft}) {
+        add_condition(stretch_condition(triangle, weights, now.current),
+                      {settings_.stretch_n_per_m, damping_s}, system);
+      }
+      add_condition(shear_condition(triangle, now.current), {settings_.shear_n_per_m, damping_s}, system);
     }
-    add_condition(shear_condition(triangle, state.current), {settings_.shear_n_per_m, damping_s}, system);
-  }
-  for (const Hinge& hinge : hinges_) {
-    const double rigidity = frame.garment.material.bending_rigidity_n_m * hinge.shape;
-    add_condition(bend_condition(hinge, state.current), {rigidity, damping_s}, system);
-  }
-
-  state.predicted = state.current;
-  move_pins(frame.pins, frame.surroundings, time_step_s, state);
-  for (const Index pin : frame.pins.vertices) {
-    changes[pin] = (state.predicted[pin] - state.current[pin]) / time_step_s - velocities[pin];
-  }
-  solve(matrix_, right_side, frame.pins.inverse_masses_per_kg, settings_.tolerance, changes);
-  for (std::size_t v = 0; v < count; ++v) {
-    if (frame.pins.inverse_masses_per_kg[v] > 0.0) {
-      state.predicted[v] += time_step_s * (velocities[v] + changes[v]);
+    for (const Hinge& hinge : hinges_) {
+      const double rigidity = frame.garment.material.bending_rigidity_n_m * hinge.shape;
+      add_condition(bend_condition(hinge, now.current), {rigidity, damping_s}, system);
     }
-  }
+  };
+  implicit::predict(frame, time_step_s, settings_.tolerance, add_conditions, matrix_, state);
 }
 
 bool ImplicitSolver::stretch_changes_too_much(const State& state) const {

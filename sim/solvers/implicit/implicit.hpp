@@ -2,8 +2,7 @@
 
 #include <optional>
 
-#include "sim/solvers/implicit/block_matrix.hpp"
-#include "sim/solvers/implicit/conditions.hpp"
+#include "sim/solvers/implicit/prediction.hpp"
 #include "sim/solvers/implicit/settings.hpp"
 #include "sim/solvers/solver.hpp"
 
@@ -26,16 +25,14 @@ class ImplicitSolver : public Solver {
   FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
                             double frame_time_s, State& state) override;
   void save(const Garment& garment, const Pins& pins, ByteWriter& memory) const override;
-  void restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings, double frame_time_s,
-               ByteReader& memory) override;
+  void restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+               double frame_time_s, ByteReader& memory) override;
 
  private:
-  struct Frame;
-
   void prepare(const Garment& garment);
-  void predict(const Frame& frame, double time_step_s, State& state);
+  void predict(const implicit::Frame& frame, double time_step_s, State& state);
   bool stretch_changes_too_much(const State& state) const;
-  int adapt(const Frame& frame, double frame_time_s, State& state);
+  int adapt(const implicit::Frame& frame, double frame_time_s, State& state);
 
   ImplicitSettings settings_;
   std::optional<int> substeps_;

@@ -18,8 +18,8 @@ void add_condition(const Condition& condition, const Stiffness& stiffness, const
   const double h = system.time_step_s;
   const double k = stiffness.k;
   const double d = stiffness.damping_s * k;
-  double rate = 0.0;        // dC/dt
-  Vec3 weighted_sum(0.0);   // of velocities
+  double rate = 0.0;       // dC/dt
+  Vec3 weighted_sum(0.0);  // of velocities
   const auto count = static_cast<std::size_t>(condition.count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3& velocity = system.velocities_m_per_s[condition.vertices[i]];

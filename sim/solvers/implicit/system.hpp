@@ -7,7 +7,8 @@
 
 namespace taut::sim::implicit {
 
-/// The linear system of one step of backward Euler (Baraff and Witkin 1998, section 3, eq. 6, times the mass):
+/// The linear system of one step of backward Euler (Baraff and Witkin 1998, section 3, eq. 6, times the
+/// mass):
 ///   (M - h df/dv - h^2 df/dx) dv = h (f + h df/dx v)
 /// for the change dv of the velocities v in a time step h.
 struct System {
@@ -29,9 +30,9 @@ void add_inertia(std::span<const double> masses_kg, std::span<const Vec3> forces
                  const System& system);
 
 /// Adds a condition's force with damping (eqs. 7 and 11), f_i = -(k C + d dC/dt) dC/dx_i with d = damping_s
-/// k, and its derivatives (eqs. 8 and 12). What is left out keeps the matrix positive definite: the terms with the
-/// second derivative of C where k C + d dC/dt is negative, as in cloth that is pressed together, and those
-/// that are not symmetric.
+/// k, and its derivatives (eqs. 8 and 12). What is left out keeps the matrix positive definite: the terms
+/// with the second derivative of C where k C + d dC/dt is negative, as in cloth that is pressed together, and
+/// those that are not symmetric.
 void add_condition(const Condition& condition, const Stiffness& stiffness, const System& system);
 
 }  // namespace taut::sim::implicit

@@ -127,6 +127,19 @@ TEST(FastProjection, TrianglesThatLockAreSolved) {
   }
 }
 
+// Two edges that are too long between two pins on a line: neither can be kept.
+TEST(FastProjection, LengthsThatContradictEachOtherAreSolvedToo) {
+  Garment chain;
+  chain.mesh.positions = {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}};
+  chain.masses_kg = {1.0, 1.0, 1.0};
+  const std::vector<Edge> edges = {{0, 1}, {1, 2}};
+  LengthSystem system(edges, std::vector<double>{0.4, 0.4}, make_pins(chain, {0, 2}));
+  std::vector<Vec3> positions = chain.mesh.positions;
+  ASSERT_TRUE(system.project(positions));
+  EXPECT_NEAR(glm::distance(positions[1], chain.mesh.positions[1]), 0.0, 1e-6);
+  EXPECT_EQ(positions[0], chain.mesh.positions[0]);
+}
+
 TEST(FastProjection, NothingToProjectIsNoError) {
   const Garment cloth = make_garment(make_grid({.columns = 2, .rows = 2}));
   Simulation simulation(share(cloth), {0, 1, 2, 3}, settings_with(0.01), {});

@@ -285,6 +285,27 @@ TEST(Implicit, DampsASwingAsBackwardEulerDoes) {
   }
 }
 
+// The upper masses are led up and down: their new velocity u pulls at the lower ones in the same step,
+// v' = (v + h w^2 (e + h u)) / (1 + h^2 w^2) with the extension e.
+TEST(Implicit, PinsThatAreLedPullWithTheVelocityTheyWillHave) {
+  const Garment cell = make_garment(make_grid({.columns = 2, .rows = 2, .width_m = 0.3, .height_m = 0.2}));
+  Surroundings led = vacuum(0.0);
+  led.pin_motion = {{0.0, 0.02, 0.0}, 3.0};
+  const ImplicitSettings implicit = {.stretch_n_per_m = 0.5, .damping_s = 0.0, .tolerance = exact};
+  Simulation simulation(share(cell), {0, 1}, settings_of(implicit, 1), led);
+  const double w_squared = (0.5 * 0.3 / (2.0 * 0.2)) / (0.15 * 0.3 * 0.2 / 4.0);
+  const double h = 1.0 / 60.0;
+  double pin = 0.0, x = 0.0, v = 0.0;
+  for (int step = 0; step < 40; ++step) {
+    const double moved = pin_displacement(led.pin_motion, {step * h, (step + 1) * h}).y;
+    v = (v + h * w_squared * (pin - x + moved)) / (1.0 + h * h * w_squared);
+    pin += moved;
+    x += h * v;
+    simulation.advance_frame();
+    ASSERT_NEAR(simulation.state().current[2].y - cell.mesh.positions[2].y, x, 1e-9) << step;
+  }
+}
+
 TEST(Implicit, AHangingStripStretchesByTheWeightBelow) {
   const double stiffness = 20.0;
   const Index rows = 11;
@@ -409,6 +430,29 @@ TEST(Implicit, HalvesItsStepWhereStretchChangesAndDoublesItAgain) {
   }
   EXPECT_EQ(simulation.frame_report().substeps, 1);
   EXPECT_NEAR(simulation.state().time_s, 61.0 / 60.0, 1e-12);
+}
+
+// What it goes on from decides which steps it tries.
+TEST(Implicit, GoesOnWithTheStepItHad) {
+  const Garment cloth = make_garment(make_grid({}));
+  Positions start = cloth.mesh.positions;
+  for (Vec3& p : start) {
+    p.y *= 1.6;
+  }
+  const SimulationSettings settings = settings_of({.largest_stretch_change = 0.05});
+  Simulation simulation(share(cloth), {0, 8}, settings, {}, start);
+  int shortened = 0;
+  for (int frame = 0; frame < 12; ++frame) {
+    simulation.advance_frame();
+    Simulation other(share(cloth), {0, 8}, settings, {});
+    other.restore(simulation.save());
+    shortened += simulation.save().solver_memory.front() != 0 ? 1 : 0;
+    simulation.advance_frame();
+    other.advance_frame();
+    EXPECT_EQ(hash(other.state()), hash(simulation.state())) << frame;
+    EXPECT_EQ(other.frame_report(), simulation.frame_report()) << frame;
+  }
+  EXPECT_GT(shortened, 2);
 }
 
 TEST(Implicit, RefusesSettingsThatMakeNoSense) {

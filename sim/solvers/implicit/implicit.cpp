@@ -78,23 +78,24 @@ bool ImplicitSolver::stretch_changes_too_much(const State& state) const {
 int ImplicitSolver::adapt(const Frame& frame, double frame_time_s, State& state) {
   const int parts = 1 << most_halvings_;
   int steps = 0;
+  int successes = 0;  // of the present length in this frame
   for (int done = 0; done < parts;) {
     const int length = parts >> halvings_;
     const double time_step_s = frame_time_s * length / parts;
     predict(frame, time_step_s, state);
     if (halvings_ < most_halvings_ && stretch_changes_too_much(state)) {
       ++halvings_;
-      successes_ = 0;
+      successes = 0;
       continue;
     }
     finish_step(frame.garment, frame.pins, frame.surroundings, time_step_s, state);
     done += length;
     ++steps;
-    successes_ = std::min(successes_ + 1, successes_to_double);
+    successes = std::min(successes + 1, successes_to_double);
     // A longer step begins where a frame that is divided so has one.
-    if (successes_ == successes_to_double && halvings_ > 0 && done % (2 * length) == 0) {
+    if (successes == successes_to_double && halvings_ > 0 && done % (2 * length) == 0) {
       --halvings_;
-      successes_ = 0;
+      successes = 0;
     }
   }
   return steps;
@@ -121,12 +122,10 @@ FrameReport ImplicitSolver::advance_frame(const Garment& garment, const Pins& pi
 
 void ImplicitSolver::save(const Garment&, const Pins&, ByteWriter& memory) const {
   memory.put(halvings_);
-  memory.put(successes_);
 }
 
 void ImplicitSolver::restore(const Garment&, const Pins&, const Surroundings&, double, ByteReader& memory) {
   halvings_ = memory.get("how often the time step is halved", 0, most_halvings_);
-  successes_ = memory.get("how many steps went well", 0, successes_to_double);
 }
 
 }  // namespace taut::sim

@@ -38,8 +38,7 @@ class ImplicitSolver : public Solver {
   std::optional<int> substeps_;
   int most_halvings_ = 0;
 
-  int halvings_ = 0;   ///< the time step is a frame divided by 2 to this power
-  int successes_ = 0;  ///< steps of that length since it last changed
+  int halvings_ = 0;  ///< the time step is a frame divided by 2 to this power
 
   std::vector<implicit::WovenTriangle> triangles_;
   std::vector<implicit::Hinge> hinges_;

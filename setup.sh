@@ -18,6 +18,7 @@ packages=(
   libcairo2-dev       # text and page composition
   libcli11-dev
   libdeflate-dev      # compresses PNG
+  libeigen3-dev       # solves sparse systems
   libfmt-dev
   libfontconfig-dev   # finds the window's font
   libglfw3-dev        # the window

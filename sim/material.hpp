@@ -6,7 +6,7 @@ namespace taut::sim {
 struct Material {
   /// Must be above 0. The default is a light jersey. Wind moves heavier cloth less.
   double areal_density_kg_per_m2 = 0.15;
-  /// Used by `bounded` only. The default is a soft jersey. Denim has about ten times this value and folds
+  /// Used by `bounded` and `implicit`. The default is a soft jersey. Denim has about ten times this value and folds
   /// less.
   double bending_rigidity_n_m = 5e-6;
   /// Used by `bounded` only: the stiffness of springs that are shorter than their rest length. A lower value

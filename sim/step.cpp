@@ -18,6 +18,12 @@ void predict(const Pins& pins, std::span<const Vec3> forces_n, double time_step_
                     state.predicted);
 }
 
+void constrain(const Garment& garment, const Pins& pins, SpringResponse& springs, State& state) {
+  springs.compensate(garment, pins, state);
+}
+
+}  // namespace
+
 void move_pins(const Pins& pins, const Surroundings& surroundings, double time_step_s, State& state) {
   if (surroundings.pin_motion.amplitude_m == Vec3(0.0) && !has_pins_of_their_own(surroundings)) {
     return;
@@ -33,27 +39,20 @@ void move_pins(const Pins& pins, const Surroundings& surroundings, double time_s
   }
 }
 
-void constrain(const Garment& garment, const Pins& pins, const SpringResponse& springs, State& state) {
-  springs.compensate(garment, pins, state);
-}
-
-void push_out(const Material& cloth, const Pins& pins, const Surroundings& surroundings, double time_step_s,
-              State& state) {
+void finish_step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+                 double time_step_s, State& state) {
+  const Material& cloth = garment.material;
   push_out_of_bodies(surroundings.bodies, {cloth.thickness_m, cloth.friction},
                      {state.time_s, state.time_s + time_step_s}, pins.inverse_masses_per_kg, state.current,
                      state.predicted);
-}
-
-void end_step(double time_step_s, State& state) {
   rotate_positions(state);
+  state.time_step_s = time_step_s;
   state.time_s += time_step_s;
   ++state.step_count;
 }
 
-}  // namespace
-
-void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-          const SpringResponse& springs, double time_step_s, State& state, std::span<Vec3> forces_n) {
+void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, SpringResponse& springs,
+          double time_step_s, State& state, std::span<Vec3> forces_n) {
   set_time_step(state, time_step_s);
 
   // Step 2: impose the forces on the mass points ...
@@ -64,10 +63,9 @@ void step(const Garment& garment, const Pins& pins, const Surroundings& surround
 
   // Step 3: compensate the predicted positions, eqs. (2)-(3), and eliminate the forces.
   constrain(garment, pins, springs, state);
-  push_out(garment.material, pins, surroundings, time_step_s, state);
   std::fill(forces_n.begin(), forces_n.end(), Vec3(0.0));
 
-  end_step(time_step_s, state);
+  finish_step(garment, pins, surroundings, time_step_s, state);
 }
 
 }  // namespace taut::sim

@@ -20,10 +20,9 @@ Stroke stroke_of(sim::SolverKind kind) {
       return {palette::vermilion, 4.0F, {5.0F, 2.0F}};
     case sim::SolverKind::strong:
       return {palette::blue, 4.5F, {}};
-    case sim::SolverKind::bounded:
-      break;
+    default:
+      return {};
   }
-  return {};
 }
 
 std::string legend_name(const MethodRun& run) {

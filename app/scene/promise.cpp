@@ -15,8 +15,18 @@ std::optional<std::string> beyond_promise(const Scene& scene) {
 
 std::optional<double> stretch_bound(const Scene& scene) {
   const SolverChoice& solver = scene.simulation.solver;
-  const bool keeps_bound = solver.kind != sim::SolverKind::ideal && solver.kind != sim::SolverKind::strong;
-  return keeps_bound ? std::optional(solver.bounded.max_stretch) : std::nullopt;
+  const sim::SolverMethod method = solver_settings(solver).method;
+  return std::visit(
+      [&](const auto& settings) {
+        constexpr bool has_bound = requires {
+          settings.max_stretch;
+        }
+        || requires {
+          settings.max_strain;
+        };
+        return has_bound ? std::optional(solver.bounded.max_stretch) : std::nullopt;
+      },
+      method);
 }
 
 sim::BoundKind bound_kind(const Scene& scene) {

@@ -11,6 +11,13 @@ sim::SolverMethod method_of(const SolverChoice& choice) {
       return sim::ProvotSettings{choice.ideal.stiffness, choice.bounded.max_stretch};
     case sim::SolverKind::strong:
       return choice.strong;
+    case sim::SolverKind::vassilev:
+      return sim::VassilevSettings{choice.ideal.stiffness, choice.bounded.max_stretch};
+    case sim::SolverKind::fast_projection:
+      return sim::FastProjectionSettings{choice.ideal.stiffness, choice.bounded.max_stretch,
+                                         choice.fast_projection.most_projections};
+    case sim::SolverKind::implicit:
+      return choice.implicit;
     case sim::SolverKind::bounded:
       break;
   }

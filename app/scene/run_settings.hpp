@@ -12,9 +12,13 @@ struct SolverChoice {
   sim::SolverKind kind = sim::SolverKind::bounded;
   std::optional<int> substeps;                            ///< time steps per frame; empty: the solver chooses
   int max_substeps = sim::SolverSettings{}.max_substeps;  ///< the most that a solver may choose
-  sim::IdealSettings ideal;                               ///< `provot` uses these springs too
+  /// `provot`, `vassilev` and `fast-projection` use these springs too.
+  sim::IdealSettings ideal;
   sim::StrongSettings strong;
-  sim::BoundedSettings bounded;  ///< `provot` uses this largest stretch too
+  /// `provot`, `vassilev` and `fast-projection` use this largest stretch too.
+  sim::BoundedSettings bounded;
+  sim::FastProjectionSettings fast_projection;  ///< without what is used of the others
+  sim::ImplicitSettings implicit;
 
   bool operator==(const SolverChoice&) const = default;
 };

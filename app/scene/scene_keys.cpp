@@ -105,6 +105,24 @@ void add_pins(SceneKeys& keys) {
                         MEMBER(surroundings.pin_motion.frequency_hz), "how often they swing"));
 }
 
+void add_implicit(SceneKeys& keys) {
+  keys.push_back(number("solver.implicit.stretch", "N/m", not_negative,
+                        MEMBER(simulation.solver.implicit.stretch_n_per_m),
+                        "implicit: of the surface along warp and weft; more stretches less and costs more"));
+  keys.push_back(number("solver.implicit.shear", "N/m", not_negative,
+                        MEMBER(simulation.solver.implicit.shear_n_per_m),
+                        "implicit: against shear; half of the stretch's is alike in all directions"));
+  keys.push_back(number("solver.implicit.damping", "s", not_negative,
+                        MEMBER(simulation.solver.implicit.damping_s),
+                        "implicit: of each stiffness, in parts of it; more comes to rest sooner"));
+  keys.push_back(number("solver.implicit.tolerance", "", {1e-12, 0.5},
+                        MEMBER(simulation.solver.implicit.tolerance),
+                        "implicit: the residual that linear systems are solved to; less costs more"));
+  keys.push_back(number("solver.implicit.stretch_change", "", {1e-6, 1e3},
+                        MEMBER(simulation.solver.implicit.largest_stretch_change),
+                        "implicit: a step that changes a triangle's stretch by more is halved"));
+}
+
 void add_run(SceneKeys& keys) {
   keys.push_back(checkpoint_key());
   keys.push_back(number("time.frame_rate", "Hz", {1.0, 10000.0}, MEMBER(simulation.frame_rate_hz),
@@ -127,7 +145,10 @@ void add_run(SceneKeys& keys) {
   keys.push_back(
       number("solver.max_stretch", "", not_negative, MEMBER(simulation.solver.bounded.max_stretch),
              "bounded: no frame shows what solver.bound names stretched more; provot: springs stretched more "
-             "are pulled back"));
+             "are pulled back; vassilev: those stretch no further; fast-projection: what is left of strain"));
+  keys.push_back(whole("solver.projections", 1, 1000,
+                       MEMBER(simulation.solver.fast_projection.most_projections),
+                       "fast-projection: the most in a step; more come nearer to solver.max_stretch"));
   keys.push_back(choice_key<Scene>(
       "solver.bound", named(sim::all_bound_kinds), MEMBER(simulation.solver.bounded.bound),
       "bounded: what is held: every spring; or the surface, which is every triangle in every direction, and "
@@ -145,15 +166,17 @@ void add_run(SceneKeys& keys) {
   keys.push_back(allow_key());
   keys.push_back(number("solver.stiffness.structural", "N/m", not_negative,
                         MEMBER(simulation.solver.ideal.stiffness.structural_n_per_m),
-                        "ideal: of mesh edges"));
+                        "ideal, provot, vassilev: of mesh edges"));
   keys.push_back(number("solver.stiffness.shear", "N/m", not_negative,
-                        MEMBER(simulation.solver.ideal.stiffness.shear_n_per_m), "ideal: of grid diagonals"));
+                        MEMBER(simulation.solver.ideal.stiffness.shear_n_per_m),
+                        "ideal, provot, vassilev, fast-projection: of grid diagonals"));
   keys.push_back(number("solver.stiffness.flexural", "N/m", not_negative,
                         MEMBER(simulation.solver.ideal.stiffness.flexural_n_per_m),
-                        "ideal: of flexural springs"));
+                        "the same: of flexural springs"));
   keys.push_back(number("solver.stiffness.damping", "N s/m", not_negative,
                         MEMBER(simulation.solver.ideal.stiffness.damping_n_s_per_m),
-                        "ideal: of every spring"));
+                        "the same: of every spring"));
+  add_implicit(keys);
   keys.push_back(number("rest.speed", "m/s", not_negative, MEMBER(simulation.rest.speed_m_per_s),
                         "cloth that goes no further than by this speed (root mean square) counts as at rest "
                         "and is put to sleep"));
@@ -195,8 +218,9 @@ void add_forces(SceneKeys& keys) {
              "of one layer, as a gauge measures it; kept to bodies, and by bounded between layers too"));
   keys.push_back(number("cloth.friction", "", friction, MEMBER(material.friction),
                         "Coulomb's coefficient, between layers and of bodies that have none of their own"));
-  keys.push_back(number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m),
-                        "bounded: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 98e-6"));
+  keys.push_back(
+      number("cloth.bending_rigidity", "N m", not_negative, MEMBER(material.bending_rigidity_n_m),
+             "bounded, implicit: of the fabric, whatever its mesh; a soft jersey 5e-6, denim 98e-6"));
   keys.push_back(number("cloth.compression_stiffness", "N/m", not_negative,
                         MEMBER(material.compression_stiffness_n_per_m),
                         "bounded: of springs that are too short; less crumples more easily"));

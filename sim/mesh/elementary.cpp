@@ -1,5 +1,6 @@
 #include "sim/mesh/elementary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace taut::sim {
@@ -32,6 +33,24 @@ double sine_of_turns(double turns) {
 // The part of a turn is taken first: a quarter added to many turns would round them off.
 double cosine_of_turns(double turns) {
   return sine_of_turns(0.25 - std::abs(turns - std::floor(turns + 0.5)));
+}
+
+// A rough guess within the first quarter, right to 0.005 radians; the arc sine's series for what is left of
+// it.
+double turns_of(double y, double x) {
+  const double length = std::sqrt(x * x + y * y);
+  if (!(length > 0.0)) {
+    return 0.0;
+  }
+  const double cosine = std::abs(x) / length;
+  const double sine = std::abs(y) / length;
+  const double slope = std::min(cosine, sine) / std::max(cosine, sine);
+  const double guess = slope * (0.125 + 0.0434 * (1.0 - slope));
+  double turns = sine > cosine ? 0.25 - guess : guess;
+  const double left = sine * cosine_of_turns(turns) - cosine * sine_of_turns(turns);
+  const double squared = left * left;
+  turns += left * (1.0 + squared * (1.0 / 6.0 + squared * (3.0 / 40.0))) / two_pi;
+  return std::copysign(x < 0.0 ? 0.5 - turns : turns, y);
 }
 
 double exponential(double x) {

@@ -9,6 +9,9 @@ namespace taut::sim {
 double sine_of_turns(double turns);
 /// cos(2 pi `turns`) with the same error.
 double cosine_of_turns(double turns);
+/// Returns the angle from the first axis to (x, y), in turns, -1/2 to 1/2, with an error of at most 4e-16; 0
+/// for (0, 0). Requires that the squares of x and y are finite.
+double turns_of(double y, double x);
 
 /// e^x with a relative error of at most 1e-15. Requires |x| < 700.
 double exponential(double x);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/solvers/bounded/bounded.hpp"
+#include "sim/solvers/implicit/implicit.hpp"
 #include "sim/solvers/stable_step.hpp"
 #include "sim/step.hpp"
 
@@ -19,19 +20,22 @@ namespace {
 /// stretch.
 constexpr int enough_for_small_sheets = 20;
 
-const SpringStiffness* hooke_springs(const SolverSettings& settings) {
-  if (const auto* ideal = std::get_if<IdealSettings>(&settings.method)) {
-    return &ideal->stiffness;
-  }
-  const auto* provot = std::get_if<ProvotSettings>(&settings.method);
-  return provot != nullptr ? &provot->stiffness : nullptr;
+std::optional<SpringStiffness> hooke_springs(const SolverMethod& method) {
+  return std::visit(
+      [](const auto& settings) -> std::optional<SpringStiffness> {
+        if constexpr (requires { settings.stiffness; }) {
+          return settings.stiffness;
+        }
+        return std::nullopt;
+      },
+      method);
 }
 
 /// Hooke's springs need steps that are short enough for their stiffness.
 int least_substeps(const SolverSettings& settings, const Garment& garment, const Pins& pins,
                    const ExternalForces& forces, double frame_time_s) {
-  const SpringStiffness* springs = hooke_springs(settings);
-  if (settings.substeps || springs == nullptr) {
+  const std::optional<SpringStiffness> springs = hooke_springs(settings.method);
+  if (settings.substeps || !springs) {
     return 0;
   }
   const double needed = frame_time_s / stable_time_step_s(garment, pins, *springs, forces.air_drag_per_s);
@@ -81,11 +85,35 @@ std::unique_ptr<SpringResponse> spring_response(const ProvotSettings& settings) 
   return std::make_unique<ProvotThreshold>(settings);
 }
 
+std::unique_ptr<SpringResponse> spring_response(const VassilevSettings& settings) {
+  require_max_stretch(settings.max_stretch);
+  return std::make_unique<VelocityModification>(settings);
+}
+
 std::unique_ptr<SpringResponse> spring_response(const StrongSettings& settings) {
   if (settings.iterations < 1) {
     throw std::invalid_argument("the strong constraint needs at least 1 iteration");
   }
   return std::make_unique<StrongConstraint>(settings);
+}
+
+std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const FastProjectionSettings& projection) {
+  require_max_stretch(projection.max_strain);
+  if (projection.most_projections < 1) {
+    throw std::invalid_argument("fast projection needs at least 1 projection");
+  }
+  return std::make_unique<FastProjectionSolver>(projection, settings.substeps);
+}
+
+std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const ImplicitSettings& implicit) {
+  if (!(implicit.stretch_n_per_m >= 0.0 && implicit.shear_n_per_m >= 0.0 && implicit.damping_s >= 0.0 &&
+        implicit.tolerance > 0.0 && implicit.largest_stretch_change > 0.0)) {
+    throw std::invalid_argument(
+        "the stiffness and the damping of implicit steps must be at least 0, their tolerance and their "
+        "largest "
+        "change of stretch above 0");
+  }
+  return std::make_unique<ImplicitSolver>(implicit, settings.substeps, settings.max_substeps);
 }
 
 std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const BoundedSettings& bounded) {
@@ -105,7 +133,8 @@ std::unique_ptr<Solver> solver_of(const SolverSettings& settings, const Settings
 }  // namespace
 
 const char* name_of(SolverKind kind) {
-  constexpr std::array names = {"ideal", "provot", "strong", "bounded"};
+  constexpr std::array names = {"ideal",    "provot",          "strong",  "bounded",
+                                "vassilev", "fast-projection", "implicit"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -6,22 +6,27 @@
 #include <variant>
 
 #include "sim/solvers/bounded/settings.hpp"
+#include "sim/solvers/fast_projection/fast_projection.hpp"
 #include "sim/solvers/ideal.hpp"
+#include "sim/solvers/implicit/settings.hpp"
 #include "sim/solvers/provot.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/solvers/strong.hpp"
+#include "sim/solvers/vassilev/vassilev.hpp"
 
 namespace taut::sim {
 
-enum class SolverKind { ideal, provot, strong, bounded };
+enum class SolverKind { ideal, provot, strong, bounded, vassilev, fast_projection, implicit };
 
-inline constexpr std::array all_solver_kinds = {SolverKind::ideal, SolverKind::provot, SolverKind::strong,
-                                                SolverKind::bounded};
+inline constexpr std::array all_solver_kinds = {
+    SolverKind::ideal,    SolverKind::provot,          SolverKind::strong,  SolverKind::bounded,
+    SolverKind::vassilev, SolverKind::fast_projection, SolverKind::implicit};
 
 const char* name_of(SolverKind kind);
 
 /// The settings of one solver. The alternatives are in the order of SolverKind.
-using SolverMethod = std::variant<IdealSettings, ProvotSettings, StrongSettings, BoundedSettings>;
+using SolverMethod = std::variant<IdealSettings, ProvotSettings, StrongSettings, BoundedSettings,
+                                  VassilevSettings, FastProjectionSettings, ImplicitSettings>;
 
 struct SolverSettings {
   /// Time steps in a frame; none leaves the choice to the solver. More steps stretch less and cost in
@@ -38,12 +43,13 @@ struct SolverSettings {
 
 SolverKind kind_of(const SolverMethod& method);
 
-/// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20. `ideal` and
-/// `provot` that may choose take more where their springs would swing up, see stable_time_step_s.
+/// The time steps in a frame of the solvers that divide all frames alike: those asked for, or 20. Solvers
+/// with Hooke's springs that may choose take more where these would swing up, see stable_time_step_s.
 int equal_substeps(const SolverSettings& settings);
 
 /// Throws std::invalid_argument on fewer than one substep or iteration, a number of threads that is out of
-/// range, a largest stretch below 0 or a vector unit this processor lacks.
+/// range, a largest stretch below 0, settings of `implicit` that are
+/// out of range or a vector unit this processor lacks.
 std::unique_ptr<Solver> make_solver(const SolverSettings& settings);
 
 }  // namespace taut::sim

@@ -74,9 +74,14 @@ Faces take_faces(Bytes& bytes) {
 void run(const Mesh& mesh, std::uint8_t choice) {
   SimulationSettings settings;
   const double max_stretch = choice % 3 == 0 ? 0.0 : 0.05;
-  const std::array<SolverMethod, 4> methods = {
-      IdealSettings{}, ProvotSettings{{}, max_stretch}, StrongSettings{},
-      BoundedSettings{.max_stretch = max_stretch, .allow_exceeding = true}};
+  const std::array<SolverMethod, 7> methods = {
+      IdealSettings{},
+      ProvotSettings{{}, max_stretch},
+      StrongSettings{},
+      BoundedSettings{.max_stretch = max_stretch, .allow_exceeding = true},
+      VassilevSettings{{}, max_stretch},
+      FastProjectionSettings{{}, max_stretch},
+      ImplicitSettings{}};
   settings.solver.method = methods[choice % methods.size()];
   settings.solver.substeps = 1 + choice % 8;
   const std::vector<Index> pins = choice % 2 == 0 ? std::vector<Index>{0} : std::vector<Index>{};

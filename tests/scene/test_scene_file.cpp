@@ -112,7 +112,9 @@ TEST(SceneFile, NamesTheLineOfAGarmentThatIsNotThere) {
 
 TEST(SceneFile, TakesKeysOfEverySolverInAnyOrderAndTheKindLast) {
   const TemporaryFolder folder;
-  const std::string keys = "[solver]\niterations = 7\nmax_stretch = 0.2\nstiffness.structural = 30\n";
+  const std::string keys =
+      "[solver]\niterations = 7\nprojections = 9\nmax_stretch = 0.2\n"
+      "stiffness.structural = 30\nimplicit.shear = 3\n";
   const auto method_of = [&](const std::string& kind) {
     const auto path = folder.write("scene.toml", grid + keys + "kind = \"" + kind + "\"\n");
     return simulation_settings(read_scene_file(path).simulation).solver.method;
@@ -120,6 +122,9 @@ TEST(SceneFile, TakesKeysOfEverySolverInAnyOrderAndTheKindLast) {
   const sim::SpringStiffness soft = {.structural_n_per_m = 30.0};
   EXPECT_EQ(method_of("ideal"), sim::SolverMethod(sim::IdealSettings{soft}));
   EXPECT_EQ(method_of("provot"), sim::SolverMethod(sim::ProvotSettings{soft, 0.2}));
+  EXPECT_EQ(method_of("vassilev"), sim::SolverMethod(sim::VassilevSettings{soft, 0.2}));
+  EXPECT_EQ(method_of("fast-projection"), sim::SolverMethod(sim::FastProjectionSettings{soft, 0.2, 9}));
+  EXPECT_EQ(method_of("implicit"), sim::SolverMethod(sim::ImplicitSettings{.shear_n_per_m = 3.0}));
   EXPECT_EQ(method_of("strong"), sim::SolverMethod(sim::StrongSettings{.iterations = 7}));
   EXPECT_EQ(method_of("bounded"), sim::SolverMethod(sim::BoundedSettings{.max_stretch = 0.2}));
 }

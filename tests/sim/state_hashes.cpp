@@ -108,4 +108,14 @@ int main() {
   for (const BoundKind bound : all_bound_kinds) {
     print_bounded(bound, square, sheet);
   }
+
+  const SpringStiffness weak = {.structural_n_per_m = 50.0};
+  const FastProjectionSettings projection = {.max_strain = 0.01};
+  print_hash("vassilev, 9x9 under gravity", square, VassilevSettings{weak, 0.02}, {}, 30);
+  print_hash("vassilev, irregular sheet in a storm over obstacles", sheet, VassilevSettings{{}, 0.02},
+             storm_over_obstacles(), 6);
+  print_hash("fast-projection, 9x9 under gravity", square, projection, {}, 30);
+  print_hash("fast-projection, same storm", sheet, projection, storm_over_obstacles(), 6);
+  print_hash("implicit, 9x9 under gravity", square, ImplicitSettings{}, {}, 30);
+  print_hash("implicit, same storm", sheet, ImplicitSettings{}, storm_over_obstacles(), 6);
 }

@@ -45,6 +45,12 @@ SolverSettings solver_of(SolverKind kind) {
       return {.method = ProvotSettings{.max_stretch = 0.1}};
     case SolverKind::strong:
       return {.method = StrongSettings{}};
+    case SolverKind::vassilev:
+      return {.method = VassilevSettings{.max_stretch = 0.02}};
+    case SolverKind::fast_projection:
+      return {.method = FastProjectionSettings{.max_strain = 0.01}};
+    case SolverKind::implicit:
+      return {.max_substeps = 32, .method = ImplicitSettings{.largest_stretch_change = 0.02}};
     case SolverKind::bounded:
       break;
   }
@@ -134,6 +140,9 @@ const Case cases[] = {{"in a storm", cloth_on_a_line, SolverKind::ideal, storm()
                       {"in a storm", cloth_on_a_line, SolverKind::provot, storm(), 90, 9},
                       {"in a storm", cloth_on_a_line, SolverKind::strong, storm(), 90, 9},
                       {"in a storm", cloth_on_a_line, SolverKind::bounded, storm(), 120, 3},
+                      {"in a storm", cloth_on_a_line, SolverKind::vassilev, storm(), 90, 9},
+                      {"in a storm", cloth_on_a_line, SolverKind::fast_projection, storm(), 45, 9},
+                      {"in a storm", cloth_on_a_line, SolverKind::implicit, storm(), 45, 9},
                       {"at rest", cloth_on_a_line, SolverKind::strong, {}, 1200, 61},
                       {"at rest", cloth_on_a_line, SolverKind::bounded, {}, 900, 3}};
 INSTANTIATE_TEST_SUITE_P(Checkpoint, GoingOn, testing::ValuesIn(cases));

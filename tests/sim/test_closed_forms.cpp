@@ -10,6 +10,7 @@
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
 #include "sim/verlet.hpp"
+#include "vacuum.hpp"
 
 namespace taut::sim {
 namespace {
@@ -28,14 +29,6 @@ Garment chain(const std::vector<Vec3>& positions, double mass_kg) {
   }
   garment.springs.structural_count = garment.springs.ends.size();
   return garment;
-}
-
-Surroundings vacuum(double gravity_m_per_s2) {
-  Surroundings surroundings;
-  surroundings.forces.air_drag_per_s = 0.0;
-  surroundings.forces.wind.pressure_coefficient = surroundings.forces.wind.friction_coefficient = 0.0;
-  surroundings.forces.gravity_m_per_s2 = {0, -gravity_m_per_s2, 0};
-  return surroundings;
 }
 
 SimulationSettings steps(const SolverMethod& method, int substeps) {

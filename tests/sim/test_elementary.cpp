@@ -29,6 +29,18 @@ TEST(Elementary, TheCosineOfTurnsAgreesWithTheLibrary) {
   EXPECT_DOUBLE_EQ(cosine_of_turns(-0.5), -1.0);
 }
 
+TEST(Elementary, TheTurnsOfADirectionAgreeWithTheLibrary) {
+  for (int k = 0; k <= 4000; ++k) {
+    const double angle = 2.0 * std::numbers::pi * (k / 4000.0 - 0.5);
+    const double x = 3.0 * std::cos(angle), y = 3.0 * std::sin(angle);
+    EXPECT_NEAR(turns_of(y, x), std::atan2(y, x) / (2.0 * std::numbers::pi), 4e-16) << angle;
+  }
+  EXPECT_EQ(turns_of(0.0, 0.0), 0.0);
+  EXPECT_EQ(turns_of(0.0, 2.0), 0.0);
+  EXPECT_EQ(turns_of(-2.0, 0.0), -0.25);
+  EXPECT_EQ(turns_of(0.0, -2.0), 0.5);
+}
+
 TEST(Elementary, TheExponentialAgreesWithTheLibrary) {
   for (int k = -4000; k <= 4000; ++k) {
     const double x = k / 11.0;

@@ -207,6 +207,29 @@ void lay_out_stiffness(ViewerState& state) {
                 "%.0f N/m");
 }
 
+// Of Hooke's springs, side by side: against bending, and their damping.
+void lay_out_springs(ViewerState& state) {
+  sim::SpringStiffness& springs = state.scene.simulation.solver.ideal.stiffness;
+  const Halves halves;
+  halves.begin_left();
+  number_slider(state, "##flexural", "solver.stiffness.flexural", springs.flexural_n_per_m, 0.0, 100.0,
+                "%.1f N/m", true);
+  halves.begin_right();
+  number_slider(state, "bend, damp", "solver.stiffness.damping", springs.damping_n_s_per_m, 0.0, 0.2,
+                "%.3f N s/m");
+}
+
+// Of the surface, side by side: against stretch, and its damping.
+void lay_out_implicit(ViewerState& state) {
+  sim::ImplicitSettings& implicit = state.scene.simulation.solver.implicit;
+  const Halves halves;
+  halves.begin_left();
+  number_slider(state, "##stretch stiffness", "solver.implicit.stretch", implicit.stretch_n_per_m, 1.0,
+                10000.0, "%.0f N/m", true);
+  halves.begin_right();
+  number_slider(state, "stretch, damp", "solver.implicit.damping", implicit.damping_s, 0.0, 0.05, "%.4f s");
+}
+
 void lay_out_solver(ViewerState& state) {
   SolverChoice& solver = state.scene.simulation.solver;
   lay_out_solver_list(state);
@@ -215,7 +238,9 @@ void lay_out_solver(ViewerState& state) {
                solver.substeps ? "%d" : chosen_substeps(state).c_str());
   solver.substeps = substeps > 0 ? std::optional(substeps) : std::nullopt;
   const bool sweeps = solver.kind == sim::SolverKind::strong;
-  const bool hooke = solver.kind == sim::SolverKind::ideal || solver.kind == sim::SolverKind::provot;
+  const bool hooke = solver.kind == sim::SolverKind::ideal || solver.kind == sim::SolverKind::provot ||
+                     solver.kind == sim::SolverKind::vassilev ||
+                     solver.kind == sim::SolverKind::fast_projection;
   if (sweeps) {
     whole_slider(state, "iterations", "solver.iterations", solver.strong.iterations, 1, 200);
     number_slider(state, "flexural", "solver.flexural", solver.strong.rigidity.flexural, 0.0, 1.0, "%.3f");
@@ -227,13 +252,10 @@ void lay_out_solver(ViewerState& state) {
     lay_out_stiffness(state);
   }
   if (hooke) {
-    const Halves halves;
-    halves.begin_left();
-    number_slider(state, "##flexural", "solver.stiffness.flexural", solver.ideal.stiffness.flexural_n_per_m,
-                  0.0, 100.0, "%.1f N/m", true);
-    halves.begin_right();
-    number_slider(state, "bend, damp", "solver.stiffness.damping", solver.ideal.stiffness.damping_n_s_per_m,
-                  0.0, 0.2, "%.3f N s/m");
+    lay_out_springs(state);
+  }
+  if (solver.kind == sim::SolverKind::implicit) {
+    lay_out_implicit(state);
   }
   number_slider(state, "air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0,
                 "%.2f /s");

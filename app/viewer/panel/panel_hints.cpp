@@ -20,7 +20,7 @@ constexpr std::array hints = {
     Hint{"gravity", "How fast things fall, in m/s². On Earth 9.81."},
     Hint{"measured.stretch",
          "The largest stretch, in percent, over the last frames: of springs, or of the surface if the bound"
-         " is for it. Red: the bound that bounded keeps, or the threshold that provot pulls back to."},
+         " is for it. Red: the bound that bounded keeps, or the threshold of another solver."},
     Hint{"measured.stretches",
          "p99: 99 of 100 are stretched no more. A spring is stretched along itself, the surface along any"
          " direction in a triangle."},
@@ -60,12 +60,21 @@ constexpr std::array hints = {
          "Choose how the body moves, over and over. The scene begins anew, and the body is dressed again."},
     Hint{"solver",
          "How springs answer. bounded: ours, keeps its bound on stretch. strong: the paper's. ideal: Hooke's"
-         " springs. provot: Hooke's springs, pulled back beyond a threshold."},
+         " springs. provot, vassilev: those, held at a threshold. fast-projection: keeps lengths. implicit: "
+         "large"
+         " steps."},
     Hint{"solver.ideal", "Hooke's springs alone: cloth stretches under its weight, and vibrates."},
     Hint{"solver.provot", "Hooke's springs, pulled back where they exceed the threshold (Provot 1995)."},
     Hint{"solver.strong", "The paper's strong constraint: sweeps over all springs in their order."},
     Hint{"solver.bounded",
          "The paper's equations, organised so that the bound on stretch is kept in every frame."},
+    Hint{"solver.vassilev",
+         "Hooke's springs, whose ends part no further beyond the threshold (Vassilev and others 2001)."},
+    Hint{"solver.fast-projection",
+         "Edges keep their lengths, all at once (Goldenthal and others 2007). Grids drape, triangles lock."},
+    Hint{"solver.implicit", "Stiff cloth in large steps by backward Euler (Baraff and Witkin 1998)."},
+    Hint{"solver.implicit.stretch", "Stiffness of the surface along warp and weft, in N/m."},
+    Hint{"solver.implicit.damping", "Damping of each stiffness, as a part of it. More comes to rest sooner."},
     Hint{"solver.substeps",
          "Time steps in a frame. 0: as many as the solver needs, up to the scene's"
          " solver.max_substeps. More stretch less and take longer."},
@@ -74,7 +83,8 @@ constexpr std::array hints = {
          "How much of its error a flexural spring corrects, 0 to 1. Less bends more easily."},
     Hint{"solver.max_stretch",
          "In percent of the length at rest. bounded: nothing is ever shown longer that the list beside"
-         " names. provot: above, springs are pulled back."},
+         " names. provot: above, springs are pulled back; vassilev: they stretch no further."
+         " fast-projection: what may be left of strain."},
     Hint{"solver.bound", "What the bound holds."},
     Hint{"solver.bound.springs", "Every spring along itself, as the paper has it."},
     Hint{"solver.bound.surface", "Every triangle along any direction, and with it the springs."},

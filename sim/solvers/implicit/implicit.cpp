@@ -1,0 +1,131 @@
+#include "sim/solvers/implicit/implicit.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/measures.hpp"
+
+namespace taut::sim {
+namespace {
+
+using namespace implicit;
+
+/// Steps that went well before a longer one is tried. More tries less often, in vain or not.
+constexpr int successes_to_double = 2;
+
+std::vector<Edge> coupled_pairs(const Garment& garment, std::span<const Hinge> hinges) {
+  std::vector<Edge> pairs = garment.adjacency.edges;
+  for (const Hinge& hinge : hinges) {
+    const auto [a, b, c, d] = hinge.vertices;
+    pairs.push_back({c, d});
+  }
+  return pairs;
+}
+
+}  // namespace
+
+ImplicitSolver::ImplicitSolver(const ImplicitSettings& settings, std::optional<int> substeps,
+                               int max_substeps)
+    : settings_(settings),
+      substeps_(substeps),
+      most_halvings_(std::bit_width(static_cast<unsigned>(max_substeps)) - 1) {}
+
+void ImplicitSolver::prepare(const Garment& garment) {
+  if (triangles_.empty()) {
+    triangles_ = woven_triangles(garment);
+    hinges_ = hinges(garment);
+    matrix_ = BlockMatrix(garment.mesh.positions.size(), coupled_pairs(garment, hinges_));
+  }
+}
+
+void ImplicitSolver::predict(const Frame& frame, double time_step_s, State& state) {
+  const double damping_s = settings_.damping_s;
+  const auto add_conditions = [&](const State& now, const System& system) {
+    for (const WovenTriangle& triangle : triangles_) {
+      for (const auto& weights : {triangle.along_warp, triangle.along_weft}) {
+        add_condition(stretch_condition(triangle, weights, now.current),
+                      {settings_.stretch_n_per_m, damping_s}, system);
+      }
+      add_condition(shear_condition(triangle, now.current), {settings_.shear_n_per_m, damping_s}, system);
+    }
+    for (const Hinge& hinge : hinges_) {
+      const double rigidity = frame.garment.material.bending_rigidity_n_m * hinge.shape;
+      add_condition(bend_condition(hinge, now.current), {rigidity, damping_s}, system);
+    }
+  };
+  implicit::predict(frame, time_step_s, settings_.tolerance, add_conditions, matrix_, state);
+}
+
+bool ImplicitSolver::stretch_changes_too_much(const State& state) const {
+  if (first_lost(state.predicted) < state.predicted.size()) {
+    return true;
+  }
+  for (const WovenTriangle& triangle : triangles_) {
+    for (const auto& weights : {triangle.along_warp, triangle.along_weft}) {
+      const double before = glm::length(derivative(triangle, weights, state.current));
+      const double after = glm::length(derivative(triangle, weights, state.predicted));
+      if (std::abs(after - before) > settings_.largest_stretch_change) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Returns how many time steps it took.
+int ImplicitSolver::adapt(const Frame& frame, double frame_time_s, State& state) {
+  const int parts = 1 << most_halvings_;
+  int steps = 0;
+  int successes = 0;  // of the present length in this frame
+  for (int done = 0; done < parts;) {
+    const int length = parts >> halvings_;
+    const double time_step_s = frame_time_s * length / parts;
+    predict(frame, time_step_s, state);
+    if (halvings_ < most_halvings_ && stretch_changes_too_much(state)) {
+      ++halvings_;
+      successes = 0;
+      continue;
+    }
+    finish_step(frame.garment, frame.pins, frame.surroundings, time_step_s, state);
+    done += length;
+    ++steps;
+    successes = std::min(successes + 1, successes_to_double);
+    // A longer step begins where a frame that is divided so has one.
+    if (successes == successes_to_double && halvings_ > 0 && done % (2 * length) == 0) {
+      --halvings_;
+      successes = 0;
+    }
+  }
+  return steps;
+}
+
+FrameReport ImplicitSolver::advance_frame(const Garment& garment, const Pins& pins,
+                                          const Surroundings& surroundings, double frame_time_s,
+                                          State& state) {
+  prepare(garment);
+  const Frame frame = {garment, pins, surroundings};
+  FrameReport report;
+  if (!substeps_) {
+    report.substeps = adapt(frame, frame_time_s, state);
+    return report;
+  }
+  report.substeps = *substeps_;
+  const double time_step_s = frame_time_s / report.substeps;
+  for (int step = 0; step < report.substeps; ++step) {
+    predict(frame, time_step_s, state);
+    finish_step(garment, pins, surroundings, time_step_s, state);
+  }
+  return report;
+}
+
+void ImplicitSolver::save(const Garment&, const Pins&, ByteWriter& memory) const {
+  memory.put(halvings_);
+}
+
+void ImplicitSolver::restore(const Garment&, const Pins&, const Surroundings&, double, ByteReader& memory) {
+  halvings_ = memory.get("how often the time step is halved", 0, most_halvings_);
+}
+
+}  // namespace taut::sim

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/solvers/implicit/prediction.hpp"
+#include "sim/solvers/implicit/settings.hpp"
+#include "sim/solvers/solver.hpp"
+
+namespace taut::sim {
+
+/// Large steps by backward Euler (Baraff and Witkin 1998). Triangles oppose stretch and shear, edges bending
+/// (conditions.hpp); a model without triangles falls apart. Each time step solves one linear system for the
+/// change of velocities (system.hpp). Pins are constraints of that system. Cloth is pushed out of bodies as
+/// by the explicit solvers; its layers pass through each other. Wind and hands are forces of the step's
+/// beginning.
+///
+/// The time step adapts (section 6): it begins as a whole frame, is halved where a triangle's stretch changes
+/// too much in it, and doubled after two steps that went well. The numerical damping grows with it.
+class ImplicitSolver : public Solver {
+ public:
+  /// `substeps` divides every frame into so many equal steps; none lets the step adapt, down to
+  /// a frame divided by the largest power of 2 that is at most `max_substeps`, which must be at least 1.
+  ImplicitSolver(const ImplicitSettings& settings, std::optional<int> substeps, int max_substeps);
+
+  FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+                            double frame_time_s, State& state) override;
+  void save(const Garment& garment, const Pins& pins, ByteWriter& memory) const override;
+  void restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+               double frame_time_s, ByteReader& memory) override;
+
+ private:
+  void prepare(const Garment& garment);
+  void predict(const implicit::Frame& frame, double time_step_s, State& state);
+  bool stretch_changes_too_much(const State& state) const;
+  int adapt(const implicit::Frame& frame, double frame_time_s, State& state);
+
+  ImplicitSettings settings_;
+  std::optional<int> substeps_;
+  int most_halvings_ = 0;
+
+  int halvings_ = 0;  ///< the time step is a frame divided by 2 to this power
+
+  std::vector<implicit::WovenTriangle> triangles_;
+  std::vector<implicit::Hinge> hinges_;
+  implicit::BlockMatrix matrix_;
+};
+
+}  // namespace taut::sim

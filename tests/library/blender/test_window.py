@@ -9,6 +9,7 @@ import shutil
 import struct
 import sys
 import tempfile
+import time
 
 import bpy
 import numpy as np
@@ -45,6 +46,15 @@ def check(obj):
     assert shown.tobytes() == data[-12 * count:] and shown[:, 2].min() < -0.01, shown[:, 2].min()
 
 
+def wait_until(is_so, what):
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
+        if is_so():
+            return
+        yield 0.1
+    raise AssertionError(f'waited a minute until {what}')
+
+
 def drive():
     """What a person does, one thing after the other; each yields the seconds until the next."""
     window = bpy.context.window_manager.windows[0]
@@ -53,13 +63,11 @@ def drive():
         obj = make_scene()
         yield 0.5
         bpy.ops.taut.simulate('INVOKE_DEFAULT')
-    while len(told) < 10:
-        yield 0.1
+    yield from wait_until(lambda: len(told) >= 10, 'ten frames were told of')
     assert not cache.exists() and cache.with_name('Grid.pc2.part').exists()
     for value in ('PRESS', 'RELEASE'):
         window.event_simulate(type='ESC', value=value, x=100, y=100)
-    while not cache.exists():
-        yield 0.1
+    yield from wait_until(cache.exists, 'Esc kept the frames')
     yield 0.5
     check(obj)
 

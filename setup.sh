@@ -49,6 +49,9 @@ packages=(
   mono-mcs            # and its C#
   mono-runtime
   abigail-tools       # whether its interface has changed
+  dpkg-dev            # packages, and
+  file                # what of them needs libraries
+  lintian             # judges them
   git                 # tests/fresh_machine.sh clones with it
   debootstrap         # and makes a bare Debian
   xdotool             # keys and pointer for a window

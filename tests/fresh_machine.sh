@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# fresh_machine.sh test|figures [FOLDER]
+# fresh_machine.sh test|figures|package [FOLDER]
 # Runs that command of the README, as it is written there, on a bare Debian 12 with a clone of what is committed: the
-# proof that setup.sh names all that is needed. Needs root, debootstrap and a mirror of Debian in apt's sources;
-# takes up to half an hour and 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes.
+# proof that setup.sh names all that is needed. With `package`, installs what cpack makes of build/release there, without
+# the sources, and runs it. Needs root, debootstrap and a mirror of Debian in apt's sources; takes up to half an hour and
+# 5 GB in FOLDER (default: a new one in $TMPDIR or /tmp), which it removes.
 set -euo pipefail
 if [ $# -eq 0 ] || [ $# -gt 2 ]; then
-  sed -n '2,5s/^# //p' "$0" >&2
+  sed -n '2,6s/^# //p' "$0" >&2
   exit 2
 fi
 preset=$1
@@ -19,7 +20,7 @@ fail() {
 [ "$(id -u)" -eq 0 ] || fail "this user is not root, who alone makes file systems to change into"
 command -v debootstrap >/dev/null || fail "there is no debootstrap"
 command=$(sed -En "s|^(\./setup\.sh && cmake --workflow --preset $preset)( .*)?\$|\1|p" "$source/README.md")
-[ -n "$command" ] || fail "README.md has no command for '$preset'; expected test or figures"
+[ -n "$command" ] || [ "$preset" = package ] || fail "README.md has no command for '$preset'; expected test, figures or package"
 # What apt on this machine takes Debian from: a line each for the release, its updates and its security.
 sources=$(apt-get indextargets --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' \
   'Created-By: Packages' 'Origin: Debian' |
@@ -59,7 +60,13 @@ make_debian() {
     >"$folder/log.txt" || { tail -n 30 "$folder/log.txt"; return 1; }
   echo "$sources" >"$machine/etc/apt/sources.list"
   rm -r "$machine"/var/lib/apt/lists/*  # as in the image of a container
-  git clone --quiet --no-local "$source" "$machine/root/taut"
+  if [ "$preset" = package ]; then
+    mkdir "$machine/root/taut"
+    cpack --config "$source/build/release/CPackConfig.cmake" -G DEB -B "$machine/root/taut" >"$folder/log.txt" 2>&1 ||
+      { tail -n 30 "$folder/log.txt"; return 1; }
+  else
+    git clone --quiet --no-local "$source" "$machine/root/taut"
+  fi
 }
 
 # on_the_machine COMMAND [OPTION of unshare...]
@@ -83,6 +90,15 @@ timed() {
 # In braces bash reads it all before it begins, and another script may be checked out meanwhile.
 {
   timed "a bare Debian" make_debian
+  if [ "$preset" = package ]; then
+    timed "installing the package" on_the_machine \
+      'export DEBIAN_FRONTEND=noninteractive; { apt-get update && apt-get install -y ./taut_*.deb; } >/tmp/setup.log 2>&1 ||
+       { tail -n 30 /tmp/setup.log; exit 1; }'
+    timed "running it" on_the_machine \
+      'cd / && taut render tshirt-wind-10 --resolution 320x240 --output /tmp/a.png &&
+       python3 -c "import taut; print(taut.Cloth(scene=\"tshirt\").step().max_surface_stretch)"' --net
+    exit
+  fi
   timed ./setup.sh on_the_machine './setup.sh >/tmp/setup.log 2>&1 || { tail -n 30 /tmp/setup.log; exit 1; }'
   # Without a network: setup.sh has nothing left to do, and nothing else may need one.
   timed "$command" on_the_machine "$command" --net

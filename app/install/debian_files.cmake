@@ -1,6 +1,6 @@
-# Run by CPack when all is installed: what Debian's policy asks of a package.
+# Run by CPack when all is staged: what Debian's policy asks of a package.
 if(CPACK_GENERATOR STREQUAL "DEB")
-  set(share ${CMAKE_CURRENT_BINARY_DIR}${CPACK_PACKAGING_INSTALL_PREFIX}/share)
+  set(share ${CPACK_TEMPORARY_INSTALL_DIRECTORY}${CPACK_PACKAGING_INSTALL_PREFIX}/share)
   set(sources ${CPACK_PROJECT_SOURCE_DIR})
   file(READ ${sources}/LICENSE license)
   file(READ ${sources}/assets/patterns/tshirt/LICENSE pattern_license)

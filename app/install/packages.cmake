@@ -8,20 +8,19 @@ set(CPACK_PACKAGE_DESCRIPTION
 constraint: in no frame is anything longer than its bound, and nothing crosses
 anything. With the program, which draws without a display, come the library
 libtaut for C, C++, Python and C#, and an add-on for Blender.")
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 # What is loaded while it runs, which the linker does not know of.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core, python3")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, libosmesa6, python3-numpy")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "blender, mono-runtime")
 file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/triggers)
 # Debian's own files beside what every installation has.
-set(CPACK_INSTALL_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian_files.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian_files.cmake)
 set(CPACK_PROJECT_SOURCE_DIR ${PROJECT_SOURCE_DIR})
 set(CPACK_SOURCE_GENERATOR TGZ)
 set(CPACK_SOURCE_IGNORE_FILES "^${PROJECT_SOURCE_DIR}/build/;/\\\\.git/;/__pycache__/;\\\\.swp$")

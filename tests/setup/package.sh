@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# package.sh CPACK CMAKE BUILD: Debian's package has the program, the library and the add-on, and lintian finds no error
+# in it where lintian is there; the archive of the sources is configured where no git is.
+set -euo pipefail
+cpack=$1 cmake=$2 build=$3
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+fail() {
+  echo "$*"
+  exit 1
+}
+
+"$cpack" --config "$build/CPackConfig.cmake" -G DEB -B "$folder" >"$folder/log.txt" 2>&1 || fail "$(cat "$folder/log.txt")"
+package=$(echo "$folder"/taut_*.deb)
+dpkg-deb --contents "$package" >"$folder/files.txt"
+for file in bin/taut lib/libtaut.so include/taut.h lib/pkgconfig/taut.pc lib/cmake/Taut/TautConfig.cmake \
+  libexec/taut/taut-import lib/python3/dist-packages/taut/__init__.py share/taut/taut_cloth.zip \
+  share/taut/csharp/Taut.cs share/taut/scenes/tshirt.toml share/doc/taut/copyright share/man/man1/taut.1.gz; do
+  grep -q " \./usr/$file" "$folder/files.txt" || fail "the package lacks /usr/$file"
+done
+! grep -v ' \./usr/\| \./$' "$folder/files.txt" || fail "the package has files outside /usr"
+if command -v lintian >/dev/null; then
+  lintian --fail-on error "$package" || fail "lintian finds errors"
+fi
+
+"$cpack" --config "$build/CPackSourceConfig.cmake" -B "$folder" >"$folder/log.txt" 2>&1 || fail "$(cat "$folder/log.txt")"
+mkdir "$folder/sources" "$folder/no_git"
+tar xzf "$folder"/taut-*-Source.tar.gz -C "$folder/sources" --strip-components=1
+[ ! -e "$folder/sources/build" ] || fail "the archive has a build in it"
+printf '#!/bin/sh\necho "git was asked for: $*"\nexit 1\n' >"$folder/no_git/git"
+chmod +x "$folder/no_git/git"
+(cd "$folder/sources" && PATH="$folder/no_git:$PATH" "$cmake" --preset release) >"$folder/log.txt" 2>&1 ||
+  fail "$(cat "$folder/log.txt")"

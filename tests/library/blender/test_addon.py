@@ -25,8 +25,17 @@ def install():
 
 
 def number_by_faces(obj):
-    """As the program numbers the vertices of a file, on which the last bits depend."""
-    faces = [list(face.vertices) for face in obj.data.polygons]
+    """As the program numbers the vertices of a file, on which the last bits depend. Blender makes a sphere's faces in
+    another order every time it is started: they are sorted by where they are."""
+    def place(v):
+        return obj.data.vertices[v].co[:]
+
+    faces = []
+    for face in obj.data.polygons:
+        corners = list(face.vertices)
+        first = corners.index(min(corners, key=place))
+        faces.append(corners[first:] + corners[:first])
+    faces.sort(key=lambda corners: [place(v) for v in corners])
     order = list(dict.fromkeys(v for face in faces for v in face))
     points = [obj.data.vertices[v].co[:] for v in order]
     number = {v: k for k, v in enumerate(order)}

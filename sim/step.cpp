@@ -18,7 +18,7 @@ void predict(const Pins& pins, std::span<const Vec3> forces_n, double time_step_
                     state.predicted);
 }
 
-void constrain(const Garment& garment, const Pins& pins, SpringResponse& springs, State& state) {
+void constrain(const Garment& garment, const Pins& pins, const SpringResponse& springs, State& state) {
   springs.compensate(garment, pins, state);
 }
 
@@ -51,8 +51,8 @@ void finish_step(const Garment& garment, const Pins& pins, const Surroundings& s
   ++state.step_count;
 }
 
-void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, SpringResponse& springs,
-          double time_step_s, State& state, std::span<Vec3> forces_n) {
+void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+          const SpringResponse& springs, double time_step_s, State& state, std::span<Vec3> forces_n) {
   set_time_step(state, time_step_s);
 
   // Step 2: impose the forces on the mass points ...

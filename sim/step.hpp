@@ -19,14 +19,14 @@ class SpringResponse {
                                  std::span<Vec3> forces_n) const = 0;
 
   /// Corrects the predicted positions; pinned vertices stay where they are.
-  virtual void compensate(const Garment& garment, const Pins& pins, State& state) = 0;
+  virtual void compensate(const Garment& garment, const Pins& pins, State& state) const = 0;
 };
 
 /// Does one time step: Steps 2 and 3 of the paper. Cloth is pushed out of bodies (push_out_of_bodies); its
 /// layers pass through each other. `time_step_s` must be above 0. `forces_n` is memory to work in, one entry
 /// per vertex: all zero before and after a step.
-void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings, SpringResponse& springs,
-          double time_step_s, State& state, std::span<Vec3> forces_n);
+void step(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
+          const SpringResponse& springs, double time_step_s, State& state, std::span<Vec3> forces_n);
 
 /// A part of the above: predicts that pins move as the surroundings have it.
 void move_pins(const Pins& pins, const Surroundings& surroundings, double time_step_s, State& state);

@@ -16,6 +16,7 @@
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
+#include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
 
 namespace taut::app {
@@ -104,7 +105,7 @@ void require_video_size(const fs::path& file, const VideoSettings& settings) {
 
 VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
     : file_(std::move(file)),
-      temporary_(file_.string() + ".part" + std::to_string(::getpid())),
+      temporary_(temporary_name(file_)),
       picture_bytes_(static_cast<std::size_t>(settings.width_px) * 3U *
                      static_cast<std::size_t>(settings.height_px)),
       is_live_(settings.is_live),

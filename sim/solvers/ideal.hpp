@@ -32,7 +32,7 @@ class IdealSprings : public SpringResponse {
   explicit IdealSprings(const IdealSettings& settings) : stiffness_(settings.stiffness) {}
 
   void add_spring_forces(const Garment& garment, const State& state, std::span<Vec3> forces_n) const override;
-  void compensate(const Garment&, const Pins&, State&) override {}
+  void compensate(const Garment&, const Pins&, State&) const override {}
 
  private:
   SpringStiffness stiffness_;

@@ -21,7 +21,7 @@ class ProvotThreshold : public IdealSprings {
   explicit ProvotThreshold(const ProvotSettings& settings)
       : IdealSprings({settings.stiffness}), max_stretch_(settings.max_stretch) {}
 
-  void compensate(const Garment& garment, const Pins& pins, State& state) override;
+  void compensate(const Garment& garment, const Pins& pins, State& state) const override;
 
  private:
   double max_stretch_;

@@ -20,7 +20,7 @@ class StrongConstraint : public SpringResponse {
   explicit StrongConstraint(const StrongSettings& settings) : settings_(settings) {}
 
   void add_spring_forces(const Garment&, const State&, std::span<Vec3>) const override {}
-  void compensate(const Garment& garment, const Pins& pins, State& state) override;
+  void compensate(const Garment& garment, const Pins& pins, State& state) const override;
 
  private:
   StrongSettings settings_;

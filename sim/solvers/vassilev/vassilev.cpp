@@ -6,7 +6,7 @@
 
 namespace taut::sim {
 
-void VelocityModification::compensate(const Garment& garment, const Pins& pins, State& state) {
+void VelocityModification::compensate(const Garment& garment, const Pins& pins, State& state) const {
   const Springs& springs = garment.springs;
   for (std::size_t s = 0; s < springs.begin_of(SpringKind::flexural); ++s) {
     const auto [i, j] = springs.ends[s];

@@ -26,7 +26,7 @@ class VelocityModification : public IdealSprings {
   explicit VelocityModification(const VassilevSettings& settings)
       : IdealSprings({settings.stiffness}), max_stretch_(settings.max_stretch) {}
 
-  void compensate(const Garment& garment, const Pins& pins, State& state) override;
+  void compensate(const Garment& garment, const Pins& pins, State& state) const override;
 
  private:
   double max_stretch_;

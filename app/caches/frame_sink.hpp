@@ -7,6 +7,7 @@
 
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_range.hpp"
+#include "sim/checkpoint.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {
@@ -23,6 +24,18 @@ struct ExportSettings {
   std::optional<int> last_kept = {};  ///< goes on after this frame of an earlier run
 };
 
+/// What is written of a frame.
+struct WrittenMoment {
+  const sim::Garment& garment;
+  const sim::State& state;
+  const sim::FrameReport& report;
+
+  WrittenMoment(const sim::Simulation& simulation)
+      : garment(simulation.garment()), state(simulation.state()), report(simulation.frame_report()) {}
+  WrittenMoment(const sim::Garment& of, const sim::Checkpoint& checkpoint)
+      : garment(of), state(checkpoint.state), report(checkpoint.report) {}
+};
+
 /// Where the frames of a run go: files that other programs read. All functions throw InputError if something
 /// cannot be written. A sink that is destroyed before `finish` leaves complete files alone, and what
 /// `can_be_resumed` asks for.
@@ -30,8 +43,8 @@ class FrameSink {
  public:
   virtual ~FrameSink() = default;
 
-  /// Takes the next frame; the simulation is in it.
-  virtual void write(int frame, const sim::Simulation& moment) = 0;
+  /// Takes the next frame.
+  virtual void write(int frame, const WrittenMoment& moment) = 0;
   /// Called before a checkpoint of the frame is written: what came so far must survive the program.
   virtual void keep() {}
   /// Completes what was written, of all frames or of those before the run ended. Returns what that is, for
@@ -44,9 +57,12 @@ class FrameSink {
 /// Makes the folder; throws InputError if that cannot be written to. Call it before a long run.
 void require_export(const ExportSettings& settings, const std::filesystem::path& garment);
 
-/// Opens what the name's ending says. `loaded` must outlive the sink. `simulation` is where the run begins or
-/// goes on. Throws InputError if what an earlier run left is not of this one.
+/// The most frames of this garment that a file with the name's ending can hold.
+int most_frames(const std::string& name, const GarmentInScene& loaded);
+
+/// Opens what the name's ending says. `loaded` must outlive the sink. `start` is where the run begins or goes
+/// on. Throws InputError if what an earlier run left is not of this one.
 std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const GarmentInScene& loaded,
-                                     const sim::Simulation& simulation);
+                                     const WrittenMoment& start);
 
 }  // namespace taut::app

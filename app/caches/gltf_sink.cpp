@@ -53,6 +53,11 @@ struct SplitVertices {
   }
 };
 
+// Positions and normals of the rest and of each frame, and of each frame the weights of all.
+double bytes_of(double frames, const SplitVertices& vertices) {
+  return 24.0 * (frames + 1.0) * static_cast<double>(vertices.uv.size()) + 4.0 * frames * frames;
+}
+
 /// The binary part with what describes it.
 class Buffer {
  public:
@@ -129,7 +134,7 @@ class GltfSink final : public FrameSink {
  public:
   GltfSink(const ExportSettings& settings, const GarmentInScene& loaded);
 
-  void write(int frame, const sim::Simulation& moment) override;
+  void write(int frame, const WrittenMoment& moment) override;
   std::string finish() override;
 
  private:
@@ -165,8 +170,7 @@ std::vector<glm::vec3> in_single_precision(const std::vector<sim::Vec3>& positio
 GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
     : settings_(settings), loaded_(loaded), vertices_(loaded) {
   const double frames = settings.frames.count();
-  const double bytes =
-      24.0 * (frames + 1.0) * static_cast<double>(vertices_.uv.size()) + 4.0 * frames * frames;
+  const double bytes = bytes_of(frames, vertices_);
   if (bytes > most_bytes) {
     throw InputError(
         fmt::format("cannot write '{}': {:.0f} frames of {} vertices are {:.1f} GiB, and a .glb is held in "
@@ -188,13 +192,13 @@ GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
   }
 }
 
-void GltfSink::write(int frame, const sim::Simulation& moment) {
+void GltfSink::write(int frame, const WrittenMoment& moment) {
   if (!settings_.frames.contains(frame)) {
     return;
   }
-  const std::vector<sim::Vec3>& positions_m = moment.state().current;
+  const std::vector<sim::Vec3>& positions_m = moment.state.current;
   std::vector<float> moved = flat_numbers(in_single_precision(positions_m));
-  std::vector<float> turned = flat_numbers(mesh_normals(moment.garment().mesh, positions_m));
+  std::vector<float> turned = flat_numbers(mesh_normals(moment.garment.mesh, positions_m));
   for (std::size_t k = 0; k < moved.size(); ++k) {
     moved[k] -= rest_positions_[k];
     turned[k] -= rest_normals_[k];
@@ -275,6 +279,15 @@ std::string GltfSink::finish() {
 }
 
 }  // namespace
+
+int most_gltf_frames(const GarmentInScene& loaded) {
+  const SplitVertices vertices(loaded);
+  int most = 0;
+  for (int step = 1 << 15; step > 0; step /= 2) {
+    most += bytes_of(most + step, vertices) <= most_bytes ? step : 0;
+  }
+  return most;
+}
 
 std::unique_ptr<FrameSink> make_gltf_sink(const ExportSettings& settings, const GarmentInScene& loaded) {
   return std::make_unique<GltfSink>(settings, loaded);

@@ -15,9 +15,9 @@ class ObjSink final : public FrameSink {
     last_ = settings.last_kept.value_or(range_.first - 1);
   }
 
-  void write(int frame, const sim::Simulation& moment) override {
+  void write(int frame, const WrittenMoment& moment) override {
     if (range_.contains(frame)) {
-      write_text_file(pattern_.path_of(frame), cloth_.obj(moment.state().current));
+      write_text_file(pattern_.path_of(frame), cloth_.obj(moment.state.current));
       last_ = frame;
     }
   }

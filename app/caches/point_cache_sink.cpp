@@ -19,20 +19,20 @@ namespace fs = std::filesystem;
 class PointCacheSink final : public FrameSink {
  public:
   PointCacheSink(PointCacheFormat format, const ExportSettings& settings, const GarmentInScene& loaded,
-                 const sim::Simulation& simulation);
+                 const WrittenMoment& start);
   ~PointCacheSink() override;
   PointCacheSink(const PointCacheSink&) = delete;
   PointCacheSink& operator=(const PointCacheSink&) = delete;
 
-  void write(int frame, const sim::Simulation& moment) override;
+  void write(int frame, const WrittenMoment& moment) override;
   void keep() override;
   std::string finish() override;
 
  private:
   std::string header(std::size_t frames) const;
-  std::string frame_of(const sim::Simulation& moment) const;
+  std::string frame_of(const WrittenMoment& moment) const;
   void put(const std::string& bytes);
-  void go_on(std::size_t kept, const sim::Simulation& simulation);
+  void go_on(std::size_t kept, const WrittenMoment& start);
   void copy(const fs::path& from, std::size_t header_bytes, std::size_t frames, const std::string& header);
 
   PointCacheFormat format_;
@@ -45,12 +45,12 @@ class PointCacheSink final : public FrameSink {
 };
 
 PointCacheSink::PointCacheSink(PointCacheFormat format, const ExportSettings& settings,
-                               const GarmentInScene& loaded, const sim::Simulation& simulation)
+                               const GarmentInScene& loaded, const WrittenMoment& start)
     : format_(format), settings_(settings), cloth_(loaded), path_(settings.name) {
   part_ = settings.can_be_resumed ? fs::path(settings.name + ".part") : temporary_name(path_);
   const int kept = settings.last_kept.value_or(0) - settings.frames.first + 1;
   if (settings.last_kept && kept > 0) {
-    go_on(static_cast<std::size_t>(kept), simulation);
+    go_on(static_cast<std::size_t>(kept), start);
     return;
   }
   file_.open(part_, std::ios::binary | std::ios::trunc);
@@ -69,8 +69,8 @@ std::string PointCacheSink::header(std::size_t frames) const {
                             {cloth_.vertices(), frames, settings_.frames.first, settings_.frame_rate_hz});
 }
 
-std::string PointCacheSink::frame_of(const sim::Simulation& moment) const {
-  return point_cache_frame(format_, cloth_.positions(moment.state().current));
+std::string PointCacheSink::frame_of(const WrittenMoment& moment) const {
+  return point_cache_frame(format_, cloth_.positions(moment.state.current));
 }
 
 void PointCacheSink::put(const std::string& bytes) {
@@ -81,13 +81,13 @@ void PointCacheSink::put(const std::string& bytes) {
 }
 
 // Of the part that an earlier run left, or of what it completed.
-void PointCacheSink::go_on(std::size_t kept, const sim::Simulation& simulation) {
+void PointCacheSink::go_on(std::size_t kept, const WrittenMoment& start) {
   std::error_code error;
   const SeekableFile earlier(fs::exists(part_, error) ? part_ : path_);
   const auto refuse = [&](const std::string& reason) {
     throw InputError("cannot go on with '" + earlier.path().string() + "': " + reason);
   };
-  const std::string expected = frame_of(simulation);
+  const std::string expected = frame_of(start);
   const std::optional<std::size_t> frames = point_cache_frames(format_, earlier);
   const std::size_t header_bytes = point_cache_header_bytes(format_, frames.value_or(0));
   const std::uint64_t bytes = header_bytes + kept * expected.size();
@@ -130,7 +130,7 @@ void PointCacheSink::copy(const fs::path& from, std::size_t header_bytes, std::s
   }
 }
 
-void PointCacheSink::write(int frame, const sim::Simulation& moment) {
+void PointCacheSink::write(int frame, const WrittenMoment& moment) {
   if (settings_.frames.contains(frame)) {
     put(frame_of(moment));
     ++written_;
@@ -166,9 +166,8 @@ std::string PointCacheSink::finish() {
 }  // namespace
 
 std::unique_ptr<FrameSink> make_point_cache_sink(PointCacheFormat format, const ExportSettings& settings,
-                                                 const GarmentInScene& loaded,
-                                                 const sim::Simulation& simulation) {
-  return std::make_unique<PointCacheSink>(format, settings, loaded, simulation);
+                                                 const GarmentInScene& loaded, const WrittenMoment& start) {
+  return std::make_unique<PointCacheSink>(format, settings, loaded, start);
 }
 
 }  // namespace taut::app

@@ -36,9 +36,9 @@ std::string field(const std::string& name, double value) {
 }
 
 /// The shape's own measures: not a number where the solver has none.
-std::string fields_text(const sim::Simulation& moment) {
-  const double distance_m = moment.frame_report().contact.smallest_distance_m;
-  return "<FieldData>\n" + field("TimeValue", moment.state().time_s) +
+std::string fields_text(const WrittenMoment& moment) {
+  const double distance_m = moment.report.contact.smallest_distance_m;
+  return "<FieldData>\n" + field("TimeValue", moment.state.time_s) +
          field("smallest_distance",
                std::isfinite(distance_m) ? distance_m : std::numeric_limits<double>::quiet_NaN()) +
          "</FieldData>\n";
@@ -54,9 +54,9 @@ std::string polygons_text(const std::vector<sim::Triangle>& triangles) {
   return "<Polys>\n" + data_array("connectivity", corners) + data_array("offsets", ends) + "</Polys>\n";
 }
 
-std::string vtp_text(const sim::Simulation& moment) {
-  const sim::Garment& garment = moment.garment();
-  const std::vector<sim::Vec3>& positions_m = moment.state().current;
+std::string vtp_text(const WrittenMoment& moment) {
+  const sim::Garment& garment = moment.garment;
+  const std::vector<sim::Vec3>& positions_m = moment.state.current;
   std::vector<double> coordinates;
   for (const sim::Vec3& p : positions_m) {
     coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
@@ -80,7 +80,7 @@ class VtkSink final : public FrameSink {
   explicit VtkSink(const ExportSettings& settings)
       : settings_(settings), last_(settings.last_kept.value_or(settings.frames.first - 1)) {}
 
-  void write(int frame, const sim::Simulation& moment) override {
+  void write(int frame, const WrittenMoment& moment) override {
     if (settings_.frames.contains(frame)) {
       write_text_file(vtp_beside(settings_.name, frame), vtp_text(moment));
       last_ = frame;

@@ -66,10 +66,10 @@ void view_headless(const ViewOptions& options, const Session& session, const Dra
   try {
     play(session, viewer, recorder);
   } catch (const Interrupted&) {
-    viewer.viewer().finish_recording();
+    viewer.viewer().finish_recordings();
     throw;
   }
-  viewer.viewer().finish_recording();
+  viewer.viewer().finish_recordings();
   for (const Message& message : viewer.viewer().state().messages) {
     fmt::print("{}{}\n", message.is_error ? "error: " : "", message.text);
   }

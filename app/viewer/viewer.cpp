@@ -55,6 +55,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
 
   const std::uint64_t advances_before = state_.newest->advances;
   note_snapshot(simulation_.begin_frame(frame.elapsed_s, frame.pace));
+  follow_clip();
   note_speed(advances_before);
   warn();
   interface_.begin_frame(layout().width_px, layout().height_px, frame.elapsed_s);
@@ -259,7 +260,7 @@ void Viewer::note_changes(const SessionFrame& frame) {
       std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
   const bool moves = !state_.paused && !state_.newest->record.asleep && !state_.newest->stopped;
   const bool is_changing = moves || !frame.events.empty() || gone > 0 || hands_.is_busy() || recorder_ ||
-                           !key_actions_.empty() || is_hint_due(state_);
+                           clip_ || !key_actions_.empty() || is_hint_due(state_);
   frames_since_input_ = !frame.events.empty() || hands_.is_busy() ? 0 : frames_since_input_ + 1;
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }

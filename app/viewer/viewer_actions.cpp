@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,15 +5,12 @@
 #include <utility>
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/caches/written_cloth.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/models/hanger.hpp"
 #include "app/viewer/state/motion_choices.hpp"
 #include "app/viewer/viewer.hpp"
-#include "renderer/page/png.hpp"
 
 // What keys and buttons of the viewer do.
 
@@ -88,6 +83,8 @@ void Viewer::perform(Action action) {
       return save_scene();
     case Action::export_shape:
       return export_shape();
+    case Action::record_clip:
+      return start_or_stop_clip();
     case Action::copy_camera:
       clipboard_ = camera_text(state_.camera.camera());
       return tell("copied the camera", false);
@@ -155,75 +152,6 @@ void Viewer::see_from(const Side& side) {
   state_.camera.turn_to(glm::radians(static_cast<float>(side.azimuth_deg)),
                         glm::radians(static_cast<float>(side.elevation_deg)));
   show_whole_garment();
-}
-
-void Viewer::save_scene() {
-  const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".toml");
-  DrawnScene scene = kept_scene(state_, scene_area(layout()));
-  if (!is_pristine(state_)) {
-    const std::filesystem::path moment = std::filesystem::path(file).replace_extension(".checkpoint");
-    scene.checkpoint = moment.filename();
-    write_run_checkpoint(moment, kept_moment(state_, scene));
-  }
-  write_text_file(file, scene_text(scene, GarmentNaming::full_path));
-  tell(fmt::format("saved {}; taut render of it draws this frame", file.string()), false);
-}
-
-void Viewer::export_shape() {
-  const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".obj");
-  write_text_file(file, WrittenCloth(*state_.shown->loaded).obj(state_.shown->positions()));
-  tell("wrote " + file.string() + ", in metres with y up", false);
-}
-
-void Viewer::start_or_stop_recording() {
-  if (recorder_) {
-    finish_recording();
-    return;
-  }
-  const ViewArea area = scene_area(layout());
-  recorder_.emplace(keep_folder_, state_.scene.name, state_.recording_kind, area.width_px, area.height_px);
-  state_.is_recording = true;
-  tell("recording; F10 ends it", false);
-}
-
-std::optional<std::string> Viewer::finish_recording() {
-  if (!recorder_) {
-    return std::nullopt;
-  }
-  state_.is_recording = false;
-  std::string outcome;
-  try {
-    outcome = recorder_->finish();
-    tell(outcome, false);
-  } catch (const InputError& error) {
-    outcome = error.what();
-    tell(outcome, true);
-  }
-  recorder_.reset();
-  return outcome;
-}
-
-void Viewer::take_picture(const renderer::Image& picture) {
-  try {
-    if (std::exchange(screenshot_, false)) {
-      const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".png");
-      write_file(file, renderer::encode_png(picture));
-      tell("wrote " + file.string(), false);
-    }
-  } catch (const std::runtime_error& error) {
-    tell(error.what(), true);
-  }
-  if (!recorder_) {
-    return;
-  }
-  try {
-    recorder_->add(picture, elapsed_s_);
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const std::exception& error) {
-    tell(error.what(), true);
-    finish_recording();
-  }
 }
 
 void Viewer::choose_fabric(const std::string& name) {

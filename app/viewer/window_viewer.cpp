@@ -59,8 +59,8 @@ class WindowViewer {
  private:
   // Nobody can see messages any more, but the terminal is there.
   void finish() {
-    if (const auto outcome = viewer_.finish_recording()) {
-      fmt::print("{}\n", *outcome);
+    for (const std::string& outcome : viewer_.finish_recordings()) {
+      fmt::print("{}\n", outcome);
     }
     finish_record();
   }

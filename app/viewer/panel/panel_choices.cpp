@@ -127,23 +127,6 @@ void choose_solver(ViewerState& state, sim::SolverKind kind) {
   }
 }
 
-// A list of the kinds; each entry is placed at the name of the list, a full stop and its own name. `closed`
-// is shown instead of the one that is chosen.
-template <class Kinds, class Kind>
-void kind_list(ViewerState& state, const char* label, const char* name, const Kinds& kinds, Kind& chosen,
-               const char* closed = nullptr) {
-  if (begin_list(label, closed != nullptr ? closed : name_of(chosen))) {
-    for (const Kind kind : kinds) {
-      if (ImGui::Selectable(name_of(kind), kind == chosen)) {
-        chosen = kind;
-      }
-      note_place(state, (std::string(name) + '.' + name_of(kind)).c_str());
-    }
-    ImGui::EndCombo();
-  }
-  note_place(state, name);
-}
-
 // Two items in the place of one.
 struct Halves {
   float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -303,29 +286,6 @@ void lay_out_looks(ViewerState& state) {
   if (picture.surface == SurfaceLook::stretch) {
     kind_list(state, "stretch of", "look.stretch_of", all_stretch_of, picture.stretch_of);
   }
-}
-
-void lay_out_keeping(ViewerState& state) {
-  ImGui::Separator();
-  const float width = (ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
-  action_button(state, "Picture F12", Action::screenshot, "keep.screenshot", width);
-  ImGui::SameLine();
-  action_button(state, "Scene S", Action::save_scene, "keep.scene", width);
-  ImGui::SameLine();
-  action_button(state, "Camera C", Action::copy_camera, "keep.camera", width);
-  action_button(state, state.is_recording ? "Stop F10" : "Record F10", Action::record, "keep.record", width);
-  ImGui::SameLine();
-  if (ImGui::RadioButton("video", state.recording_kind == RecordingKind::video)) {
-    state.recording_kind = RecordingKind::video;
-  }
-  note_place(state, "keep.video");
-  ImGui::SameLine();
-  if (ImGui::RadioButton("PNG", state.recording_kind == RecordingKind::pictures)) {
-    state.recording_kind = RecordingKind::pictures;
-  }
-  note_place(state, "keep.pictures");
-  ImGui::SameLine();
-  action_button(state, "Shape E", Action::export_shape, "keep.shape", ImGui::GetContentRegionAvail().x);
 }
 
 }  // namespace taut::app

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <imgui.h>
+
+#include <string>
+
 #include "app/viewer/panel/panel.hpp"
 
 namespace taut::app {
@@ -22,6 +26,22 @@ void note_place(ViewerState& state, const char* name);
 /// Begins a list of choices. If it returns true the list is open and ImGui::EndCombo must be called. Escape
 /// closes it.
 bool begin_list(const char* label, const char* chosen);
+/// A list of the kinds; each entry is placed at the name of the list, a full stop and its own name. `closed`
+/// is shown instead of the one that is chosen.
+template <class Kinds, class Kind>
+void kind_list(ViewerState& state, const char* label, const char* name, const Kinds& kinds, Kind& chosen,
+               const char* closed = nullptr) {
+  if (begin_list(label, closed != nullptr ? closed : name_of(chosen))) {
+    for (const Kind kind : kinds) {
+      if (ImGui::Selectable(name_of(kind), kind == chosen)) {
+        chosen = kind;
+      }
+      note_place(state, (std::string(name) + '.' + name_of(kind)).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  note_place(state, name);
+}
 /// A button that asks for an action.
 void action_button(ViewerState& state, const char* label, Action action, const char* name,
                    float width_px = 0.0F);

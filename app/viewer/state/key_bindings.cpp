@@ -7,7 +7,7 @@ namespace {
 
 namespace keys = renderer::keys;
 
-constexpr std::array<KeyBinding, 30> bindings = {{
+constexpr std::array<KeyBinding, 31> bindings = {{
     {"Left drag", "on cloth: pull it; elsewhere: orbit"},
     {"Right drag", "move the view"},
     {"Wheel", "nearer to what is under the pointer, farther"},
@@ -31,6 +31,7 @@ constexpr std::array<KeyBinding, 30> bindings = {{
     {"F10", "record the scene, stop recording", keys::f10, Action::record},
     {"S", "save the settings as a scene file", 'S', Action::save_scene},
     {"E", "export the cloth as it is, as OBJ", 'E', Action::export_shape},
+    {"X", "export a clip: every frame from now on; end it", 'X', Action::record_clip},
     {"C", "copy the camera as TOML", 'C', Action::copy_camera},
     {"Tab", "panel on, off", keys::tab, Action::show_panel},
     {"H", "this sheet", 'H', Action::show_keys},

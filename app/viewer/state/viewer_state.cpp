@@ -13,6 +13,11 @@ constexpr std::size_t most_messages = 4;
 
 }  // namespace
 
+const char* name_of(ClipFormat format) {
+  constexpr std::array names = {"PC2", "MDD", "glTF", "VTK", "OBJ"};
+  return names[static_cast<std::size_t>(format)];
+}
+
 void tell(ViewerState& state, const std::string& text, bool is_error) {
   std::erase_if(state.messages, [&](const Message& old) { return old.text == text; });
   if (state.messages.size() >= most_messages) {

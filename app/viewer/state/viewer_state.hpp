@@ -37,6 +37,7 @@ enum class Action {
   record,
   save_scene,
   export_shape,
+  record_clip,
   copy_camera,
   show_keys,
   close_keys,
@@ -87,6 +88,18 @@ struct HeldCloth {
 /// What a recording of the window becomes.
 enum class RecordingKind { video, pictures };
 
+/// What the shapes of a clip are written as.
+enum class ClipFormat { pc2, mdd, gltf, vtk, obj };
+inline constexpr std::array all_clip_formats = {ClipFormat::pc2, ClipFormat::mdd, ClipFormat::gltf,
+                                                ClipFormat::vtk, ClipFormat::obj};
+const char* name_of(ClipFormat format);
+
+/// A clip that is being recorded.
+struct RunningClip {
+  std::string file;  ///< its name, without folders
+  int frames = 0;    ///< so far
+};
+
 /// What the panel shows and changes. `scene` holds the settings from now on.
 struct ViewerState {
   DrawnScene scene;
@@ -98,6 +111,7 @@ struct ViewerState {
   double speed = 1.0;             ///< simulated seconds per second; below 1 is slow motion
   std::optional<int> past_frame;  ///< frame of the past that is shown; empty: the newest
   RecordingKind recording_kind = RecordingKind::video;
+  ClipFormat clip_format = ClipFormat::pc2;
 
   // To be shown.
   SnapshotPtr newest;
@@ -111,6 +125,7 @@ struct ViewerState {
   std::vector<Message> messages;
   std::string warning;  ///< shown while it applies; empty: none
   bool is_recording = false;
+  std::optional<RunningClip> clip;
 
   // What was asked for in this frame.
   std::vector<Action> asked;

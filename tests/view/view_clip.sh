@@ -1,0 +1,36 @@
+#!/bin/sh
+# A clip of each format, as the window writes it, is what `taut simulate --export` writes of the same frames.
+#   view_clip.sh TAUT FOLDER
+set -eu
+taut=$1
+folder=$2
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+
+click() { printf 'at %s 0.5 0.5\nbutton left down\nframe\nbutton left up\nframe 2\n' "$1"; }
+press() { printf 'key %s down\nframe\nkey %s up\n' "$1" "$1"; }
+{
+  printf 'taut-session 1\nscene pinned-9x9-5\nwindow 1000 780 1\nframe 2\n'
+  press space
+  for format in PC2 MDD glTF VTK OBJ; do
+    press r
+    click keep.clip_format
+    click keep.clip_format.$format
+    press x
+    press space
+    echo frame 20
+    press space
+    press x
+  done
+  echo frame
+} >session.txt
+"$taut" view --headless --script session.txt --keep . >view.log
+
+number=0
+for name in .pc2 .mdd .glb .pvd '_{frame:04}.obj'; do
+  number=$((number + 1))
+  "$taut" simulate pinned-9x9-5 --quiet --frames 0:22 --export "run/pinned-9x9-5$name"
+  diff -r run pinned-9x9-5-$number-clip >&2 || { cat view.log >&2; exit 1; }
+  rm -r run
+done

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -109,9 +110,9 @@ void prepare_folder_of(const fs::path& file) {
   if (is_written_straight(file)) {
     return;
   }
-  // Asking for permissions is not enough: a read-only file system, a full quota.
-  const fs::path probe = temporary_name(folder / ".taut");
-  const int descriptor = ::open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+  // Asking for permissions is not enough: a read-only file system, a full quota. Another thread may ask too.
+  std::string probe = folder / ".taut.part-XXXXXX";
+  const int descriptor = ::mkostemp(probe.data(), O_CLOEXEC);
   if (descriptor < 0) {
     throw InputError("cannot write to the output folder '" + folder.string() + "': " + reason_of(errno));
   }

@@ -201,9 +201,7 @@ Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback&
   if (const auto there = earlier(sweep, run)) {
     return *there;
   }
-  // Not prepare_folder_of, whose probe is one for all threads. What the lock cannot write to it says.
-  std::error_code ignored;
-  std::filesystem::create_directories(sweep.file(run, ".json").parent_path(), ignored);
+  prepare_folder_of(sweep.file(run, ".json"));
   RunLock lock(sweep.file(run, ".lock"));
   if (!lock.is_held()) {
     return {AttemptEnd::busy, lock.owner() + " works on it"};

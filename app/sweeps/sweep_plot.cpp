@@ -2,44 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/drawing/plots/plot.hpp"
+#include "app/drawing/plots/legend_rows.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/sweeps/sweep_results.hpp"
+#include "app/sweeps/sweep_columns.hpp"
 #include "app/sweeps/sweep_table.hpp"
 
 namespace taut::app {
 namespace {
-
-constexpr std::size_t most_columns = 4;
-
-/// What was measured where: of one column of plots, one curve, one x.
-struct Place {
-  std::size_t column;
-  std::size_t curve;
-  std::size_t x;
-  auto operator<=>(const Place&) const = default;
-};
-
-struct Found {
-  std::vector<double> values;
-  bool is_broken = false;
-};
-
-struct Columns {
-  std::vector<std::string> titles;
-  std::map<std::vector<std::size_t>, std::size_t> of_choice;  ///< of the other axes
-};
-
-struct AxesOfPlot {
-  std::size_t x;
-  std::size_t curves;  ///< as many as there are axes: one curve
-};
 
 std::size_t axis_named(const Sweep& sweep, const std::string& key) {
   std::vector<std::string> keys;
@@ -66,56 +40,6 @@ const SweepMeasure& measure_named(const std::string& name) {
                    joined(names));
 }
 
-std::vector<std::size_t> others_of(const Sweep& sweep, const AxesOfPlot& axes, std::size_t run) {
-  std::vector<std::size_t> choice = sweep.choice(run);
-  choice[axes.x] = 0;
-  if (axes.curves < choice.size()) {
-    choice[axes.curves] = 0;
-  }
-  return choice;
-}
-
-/// A column for each combination of the axes that are neither across nor curves, or one for all of them.
-Columns columns_of(const Sweep& sweep, const AxesOfPlot& axes) {
-  Columns columns;
-  for (std::size_t run = 0; run < sweep.runs() && columns.of_choice.size() <= most_columns; ++run) {
-    const std::vector<std::size_t> choice = others_of(sweep, axes, run);
-    if (columns.of_choice.emplace(choice, columns.of_choice.size()).second) {
-      std::string title;
-      for (std::size_t k = 0; k < choice.size(); ++k) {
-        if (k != axes.x && k != axes.curves && sweep.axes[k].values.size() > 1) {
-          title += (title.empty() ? "" : ", ") + sweep.axes[k].key + " = " +
-                   value_label(sweep.axes[k].values[choice[k]]);
-        }
-      }
-      columns.titles.push_back(title);
-    }
-  }
-  return columns.of_choice.size() <= most_columns
-             ? columns
-             : Columns{{"mean, smallest and largest of the other axes"}, {}};
-}
-
-using Table = std::map<Place, Found>;
-
-Table gather(const Sweep& sweep, const AxesOfPlot& axes, const Columns& columns,
-             const SweepMeasure& measure) {
-  Table table;
-  for_each_result(sweep, [&](std::size_t run, const Json* result) {
-    if (result == nullptr || !result->contains(measure.name) || !result->at(measure.name).is_number()) {
-      return;
-    }
-    const std::vector<std::size_t> choice = sweep.choice(run);
-    const std::size_t column =
-        columns.of_choice.empty() ? 0 : columns.of_choice.at(others_of(sweep, axes, run));
-    const std::size_t curve = axes.curves < choice.size() ? choice[axes.curves] : 0;
-    Found& found = table[{column, curve, choice[axes.x]}];
-    found.values.push_back(measure.factor * result->at(measure.name).get<double>());
-    found.is_broken = found.is_broken || result->value("end", "") == "broken";
-  });
-  return table;
-}
-
 /// The key with its unit.
 std::string label_of(const std::string& key) {
   for (const Key<DrawnScene>& known : drawn_scene_format().keys) {
@@ -139,7 +63,39 @@ Axis axis_around(const std::string& label, const std::vector<double>& values, do
   return {label, *least - room, *most + room};
 }
 
-Curve curve_of(const Table& table, std::size_t column, std::size_t k, const std::vector<double>& xs) {
+/// What goes across: values, or names at equal distances, where curves stand side by side.
+struct Across {
+  Axis axis;
+  std::vector<double> xs;
+  double apart = 0.0;     ///< curves
+  double first_at = 0.0;  ///< the first curve
+
+  double x_of(std::size_t curve, std::size_t x) const {
+    return xs[x] + first_at + apart * static_cast<double>(curve);
+  }
+};
+
+Across across_of(const SweepAxis& axis, std::size_t curves) {
+  Across across;
+  const auto is_number = [](const Json& value) { return value.is_number(); };
+  if (std::all_of(axis.values.begin(), axis.values.end(), is_number)) {
+    across.xs.assign(axis.values.begin(), axis.values.end());
+    across.axis = axis_around(label_of(axis.key), across.xs, 100.0);
+    across.axis.chosen = across.xs.size() <= 6 ? across.xs : std::vector<double>{};
+    return across;
+  }
+  std::vector<std::string> names;
+  for (const Json& value : axis.values) {
+    names.push_back(value_label(value));
+  }
+  across.axis = axis_of_names(label_of(axis.key), std::move(names));
+  across.xs = across.axis.chosen;
+  across.apart = 0.7 / static_cast<double>(curves);
+  across.first_at = -0.5 * across.apart * static_cast<double>(curves - 1);
+  return across;
+}
+
+Curve curve_of(const Table& table, std::size_t column, std::size_t k, const Across& across) {
   constexpr std::array markers = {Marker::disc, Marker::square};
   const std::array colours = {palette::blue, palette::vermilion, palette::ink, palette::orange, palette::sky};
   Curve curve;
@@ -148,7 +104,10 @@ Curve curve_of(const Table& table, std::size_t column, std::size_t k, const std:
     curve.stroke.dashes = {4.0F, 2.5F};
   }
   curve.marker = markers[k % markers.size()];
-  for (std::size_t x = 0; x < xs.size(); ++x) {
+  if (!across.axis.names.empty()) {
+    curve.stroke.thickness_px = 0.0F;  // nothing is between names
+  }
+  for (std::size_t x = 0; x < across.xs.size(); ++x) {
     const auto found = table.find({column, k, x});
     if (found != table.end()) {
       const std::vector<double>& values = found->second.values;
@@ -157,7 +116,7 @@ Curve curve_of(const Table& table, std::size_t column, std::size_t k, const std:
         sum += value;
       }
       const auto [least, most] = std::minmax_element(values.begin(), values.end());
-      curve.points.push_back({xs[x], sum / static_cast<double>(values.size())});
+      curve.points.push_back({across.x_of(k, x), sum / static_cast<double>(values.size())});
       curve.bars.push_back({*least, *most});
     }
   }
@@ -169,40 +128,29 @@ Curve curve_of(const Table& table, std::size_t column, std::size_t k, const std:
   return curve;
 }
 
-Curve rings_of(const Table& table, std::size_t column, const std::vector<double>& xs) {
+Curve rings_of(const Table& table, std::size_t column, const Across& across) {
   Curve rings{"a promise was broken", {}, {palette::ink, 0.0F, {}}, Marker::ring};
   for (const auto& [place, found] : table) {
     if (place.column == column && found.is_broken) {
-      rings.points.push_back({xs[place.x], found.values.front()});
+      rings.points.push_back({across.x_of(place.curve, place.x), found.values.front()});
     }
   }
   return rings;
-}
-
-std::vector<double> numbers_of(const SweepAxis& axis) {
-  std::vector<double> numbers;
-  for (const Json& value : axis.values) {
-    if (!value.is_number()) {
-      throw UsageError("--over: found " + axis.key + ", which is not a number, expected one to go across");
-    }
-    numbers.push_back(value);
-  }
-  return numbers;
 }
 
 /// The plots of one measure, one for each column, with the same axes.
 std::vector<Plot> plots_of(const Sweep& sweep, const AxesOfPlot& axes, const Columns& columns,
                            const SweepMeasure& measure) {
   const Table table = gather(sweep, axes, columns, measure);
-  const std::vector<double> xs = numbers_of(sweep.axes[axes.x]);
+  const std::size_t count = axes.curves < sweep.axes.size() ? sweep.axes[axes.curves].values.size() : 1;
+  const Across across = across_of(sweep.axes[axes.x], count);
   std::vector<double> ys;
   for (const auto& [place, found] : table) {
     ys.insert(ys.end(), found.values.begin(), found.values.end());
   }
   Plot plot;
   plot.legend = LegendCorner::none;
-  plot.x = axis_around(label_of(sweep.axes[axes.x].key), xs, 100.0);
-  plot.x.chosen = xs.size() <= 6 ? xs : std::vector<double>{};
+  plot.x = across.axis;
   plot.y = axis_around(measure.label, ys, 30.0);
   plot.y.suffix = measure.suffix;
   if (const double least = ys.empty() ? 0.0 : *std::min_element(ys.begin(), ys.end());
@@ -211,13 +159,12 @@ std::vector<Plot> plots_of(const Sweep& sweep, const AxesOfPlot& axes, const Col
   }
   std::vector<Plot> plots(columns.titles.size(), plot);
   for (std::size_t column = 0; column < plots.size(); ++column) {
-    const std::size_t count = axes.curves < sweep.axes.size() ? sweep.axes[axes.curves].values.size() : 1;
     for (std::size_t k = 0; k < count; ++k) {
-      Curve curve = curve_of(table, column, k, xs);
+      Curve curve = curve_of(table, column, k, across);
       curve.name = count > 1 ? value_label(sweep.axes[axes.curves].values[k]) : "";
       plots[column].curves.push_back(std::move(curve));
     }
-    Curve rings = rings_of(table, column, xs);
+    Curve rings = rings_of(table, column, across);
     if (!rings.points.empty()) {
       plots[column].curves.push_back(std::move(rings));
     }
@@ -247,8 +194,7 @@ struct PlotSheet {
   float panel_height = 700.0F;
   float gap = 50.0F;
   PlotStyle style;
-  float title = 0.0F;   ///< height of the titles
-  float legend = 0.0F;  ///< height of the legend
+  float title = 0.0F;  ///< height of the titles
 };
 
 void draw_titles(renderer::Canvas& canvas, const std::vector<std::string>& titles, const PlotSheet& sheet) {
@@ -260,24 +206,16 @@ void draw_titles(renderer::Canvas& canvas, const std::vector<std::string>& title
   }
 }
 
-/// One row, in the middle, that begins with what the curves differ in.
-void draw_legend(renderer::Canvas& canvas, const std::string& heading, const std::vector<Curve>& legend,
-                 const PlotSheet& sheet) {
-  const float between = 1.5F * sheet.style.text_px;
-  renderer::TextStyle style = text_style(sheet.style.text_px);
-  style.vertical = renderer::VerticalAlign::middle;
-  const float heading_width = canvas.measure(heading, style).width_px;
-  float width = heading_width;
-  for (const Curve& curve : legend) {
-    width += between + 3.1F * sheet.style.text_px + canvas.measure(curve.name, style).width_px;
-  }
-  float left = 0.5F * (static_cast<float>(canvas.width_px()) - width);
-  const float middle = sheet.title + 0.5F * sheet.legend;
-  canvas.text(left, middle, heading, style);
-  left += heading_width + between;
-  for (const Curve& curve : legend) {
-    left = draw_legend_entry(canvas, curve, left, middle, sheet.style) + between;
-  }
+/// What lines of names below the first one would take from a plot's height.
+float lines_of_names(const Plot& plot, const PlotSheet& sheet) {
+  const renderer::Canvas ruler(1, 1);
+  Plot with_numbers = plot;
+  with_numbers.x.names.clear();
+  const auto height = [&](const Plot& any) {
+    return data_area_of(ruler, any, {0.0F, 0.0F, sheet.panel_width, sheet.panel_height}, sheet.style)
+        .height_px;
+  };
+  return height(with_numbers) - height(plot);
 }
 
 }  // namespace
@@ -292,24 +230,22 @@ Drawing draw_sweep(const Sweep& sweep, const SweepPlot& wanted) {
   for (const std::string& name : wanted.measures) {
     rows.push_back(plots_of(sweep, axes, columns, measure_named(name)));
   }
-  const std::vector<Curve> legend = legend_of(rows);
-  const std::string heading = wanted.curves.empty() ? "" : label_of(wanted.curves);
   PlotSheet sheet;
   const auto width = static_cast<float>(columns.titles.size()) * (sheet.panel_width + sheet.gap) + sheet.gap;
   // Not below smallest_text_pt on a page of that width.
   sheet.style.text_px = std::max(34.0F, 1.02F * smallest_text_pt * width / (72.0F * page_width_inches));
+  sheet.panel_height += lines_of_names(rows.front().front(), sheet);
   sheet.title = columns.titles.front().empty() ? 0.3F * sheet.gap : 2.0F * sheet.style.text_px;
-  sheet.legend = legend.empty() ? 0.0F : 2.0F * sheet.style.text_px;
-  const float top = sheet.title + sheet.legend;
+  const LegendRows legend(wanted.curves.empty() ? "" : label_of(wanted.curves), legend_of(rows),
+                          width - 2.0F * sheet.gap, sheet.style);
+  const float top = sheet.title + legend.height_px();
   Drawing drawing;
   drawing.width_px = static_cast<int>(width);
   drawing.height_px =
       static_cast<int>(top + (sheet.panel_height + sheet.gap) * static_cast<float>(rows.size()));
   drawing.draw = [=](renderer::Canvas& canvas) {
     draw_titles(canvas, columns.titles, sheet);
-    if (!legend.empty()) {
-      draw_legend(canvas, heading, legend, sheet);
-    }
+    legend.draw(canvas, sheet.title);
     for (std::size_t row = 0; row < rows.size(); ++row) {
       for (std::size_t column = 0; column < rows[row].size(); ++column) {
         const float left = sheet.gap + (sheet.panel_width + sheet.gap) * static_cast<float>(column);

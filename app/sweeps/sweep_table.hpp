@@ -42,7 +42,8 @@ struct SweepPlot {
 
 /// Plots measures over two axes, with a column for every combination of the other axes' values; where those
 /// are more than four, one column with the mean and bars from the smallest to the largest. Rings mark runs
-/// that broke a promise. Throws UsageError for a name or an axis that cannot be plotted.
+/// that broke a promise. Values that are not numbers stand side by side in the study's order. Throws
+/// UsageError for a name or an axis that cannot be plotted.
 Drawing draw_sweep(const Sweep& sweep, const SweepPlot& plot);
 
 }  // namespace taut::app

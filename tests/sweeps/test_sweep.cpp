@@ -318,6 +318,19 @@ TEST_F(SweepTest, TheTableHasEveryRun) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 7);
 }
 
+TEST_F(SweepTest, WordsGoAcrossAPlotInTheirOrder) {
+  const auto plot_over = [&](const std::string& words, const std::string& name) {
+    const Sweep sweep = planned("scene = \"scene.toml\"\nframes = 1\n[axes]\ncloth.fabric = " + words, name);
+    for (std::size_t run = 0; run < sweep.runs(); ++run) {
+      attempt_run(sweep, run);
+    }
+    return to_image(draw_sweep(sweep, {{"frames"}, "cloth.fabric", ""}), 0.2F).pixels;
+  };
+  const auto silk_first = plot_over("[\"silk\", \"denim\"]", "silk_first");
+  EXPECT_EQ(silk_first, plot_over("[\"silk\", \"denim\"]", "again"));
+  EXPECT_NE(silk_first, plot_over("[\"denim\", \"silk\"]", "denim_first"));
+}
+
 TEST_F(SweepTest, PlotsNameAxesAndMeasures) {
   const Sweep sweep = planned(axes);
   attempt_run(sweep, 0);

@@ -35,21 +35,54 @@ float widest_label_px(const Canvas& canvas, const Axis& axis, const PlotStyle& s
   return widest_px;
 }
 
+// Which line below the axis each label of it is on. Numbers share one; names that have no room there go
+// below.
+std::vector<int> label_lines(const Canvas& canvas, const Axis& axis, float width_px, const PlotStyle& style) {
+  const std::vector<Tick> ticks = ticks_of(axis);
+  std::vector<int> lines(ticks.size(), 0);
+  std::vector<float> ends_px(ticks.size(), -INFINITY);
+  for (std::size_t k = 0; k < ticks.size() && !axis.names.empty(); ++k) {
+    const float half_px = 0.5F * canvas.measure(ticks[k].label, text_style(style.text_px)).width_px;
+    const float middle_px = width_px * static_cast<float>(position_on(axis, ticks[k].value));
+    const auto line = std::find_if(ends_px.begin(), ends_px.end(),
+                                   [&](float end_px) { return end_px < middle_px - half_px; });
+    *line = middle_px + half_px + 0.5F * style.text_px;
+    lines[k] = static_cast<int>(line - ends_px.begin());
+  }
+  return lines;
+}
+
+// What lines of labels beside the first need.
+float lower_lines_px(const std::vector<int>& lines, const PlotStyle& style) {
+  return lines.empty()
+             ? 0.0F
+             : 1.2F * style.text_px * static_cast<float>(*std::max_element(lines.begin(), lines.end()));
+}
+
 void draw_x_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   renderer::TextStyle text = text_style(style.text_px);
   text.horizontal = HorizontalAlign::centre;
   text.vertical = VerticalAlign::top;
   const float bottom_px = axes.area.y_px + axes.area.height_px;
-  for (const Tick& tick : ticks_of(axes.plot.x)) {
+  const std::vector<Tick> ticks = ticks_of(axes.plot.x);
+  const std::vector<int> lines = label_lines(canvas, axes.plot.x, axes.area.width_px, style);
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    const Tick& tick = ticks[k];
     const float x_px = axes.x_of(tick.value);
     const float length_px = tick.label.empty() ? 0.5F * style.tick_px : style.tick_px;
     if (!tick.label.empty()) {
       canvas.line(x_px, axes.area.y_px, x_px, bottom_px, palette::hairline, 0.6F * style.line_px);
     }
     canvas.line(x_px, bottom_px, x_px, bottom_px + length_px, palette::ink, style.line_px);
-    canvas.text(x_px, bottom_px + style.tick_px + 0.15F * style.text_px, tick.label, text);
+    if (lines[k] > 0) {
+      const float down_px = style.tick_px + 1.2F * style.text_px * static_cast<float>(lines[k]);
+      canvas.line(x_px, bottom_px + length_px, x_px, bottom_px + down_px, palette::hairline, style.line_px);
+    }
+    const float line_px = (0.15F + 1.2F * static_cast<float>(lines[k])) * style.text_px;
+    canvas.text(x_px, bottom_px + style.tick_px + line_px, tick.label, text);
   }
-  canvas.text(axes.area.x_px + 0.5F * axes.area.width_px, bottom_px + style.tick_px + 1.5F * style.text_px,
+  canvas.text(axes.area.x_px + 0.5F * axes.area.width_px,
+              bottom_px + style.tick_px + 1.5F * style.text_px + lower_lines_px(lines, style),
               axes.plot.x.label, text);
 }
 
@@ -154,6 +187,11 @@ void draw_levels(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   }
 }
 
+// A marker alone is as wide as it is.
+float sample_width(const Curve& curve, const PlotStyle& style) {
+  return curve.stroke.thickness_px > 0.0F ? 2.6F * style.text_px : 2.0F * style.marker_px;
+}
+
 void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   const renderer::TextStyle text = text_style(style.text_px);
   const float sample_px = 2.6F * style.text_px, row_px = 1.5F * style.text_px;
@@ -184,9 +222,9 @@ void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style)
 
 }  // namespace
 
-float draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float middle_px,
-                        const PlotStyle& style) {
-  const float sample_px = 2.6F * style.text_px;
+void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float middle_px,
+                       const PlotStyle& style) {
+  const float sample_px = sample_width(curve, style);
   if (curve.stroke.thickness_px > 0.0F) {
     draw_polyline(canvas, std::vector<glm::vec2>{{left_px, middle_px}, {left_px + sample_px, middle_px}},
                   curve.stroke);
@@ -194,9 +232,12 @@ float draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float
   draw_marker(canvas, left_px + 0.5F * sample_px, middle_px, curve, style.marker_px);
   renderer::TextStyle name = text_style(style.text_px);
   name.vertical = VerticalAlign::middle;
-  const float name_px = left_px + sample_px + 0.5F * style.text_px;
-  canvas.text(name_px, middle_px, curve.name, name);
-  return name_px + canvas.measure(curve.name, name).width_px;
+  canvas.text(left_px + sample_px + 0.5F * style.text_px, middle_px, curve.name, name);
+}
+
+float legend_entry_width(const Canvas& canvas, const Curve& curve, const PlotStyle& style) {
+  return sample_width(curve, style) + 0.5F * style.text_px +
+         canvas.measure(curve.name, text_style(style.text_px)).width_px;
 }
 
 std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::vec2& b, const Area& area) {
@@ -220,11 +261,18 @@ std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::v
 }
 
 Area data_area_of(const Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
-  const float left_px = widest_label_px(canvas, plot.y, style) + style.tick_px + 0.5F * style.text_px;
-  // The last number of the x axis is centred under its tick and half of it stands out.
-  const float right_px = 0.5F * widest_label_px(canvas, plot.x, style) + style.line_px;
+  // The first and the last label of the x axis are centred under their ticks, and what has no room there
+  // stands out.
+  const float cell_px =
+      0.75F * area.width_px / static_cast<float>(std::max<std::size_t>(plot.x.names.size(), 1));
+  const float half_px =
+      0.5F * (widest_label_px(canvas, plot.x, style) - (plot.x.names.empty() ? 0.0F : cell_px));
+  const float left_px =
+      std::max(widest_label_px(canvas, plot.y, style) + style.tick_px + 0.5F * style.text_px, half_px);
+  const float right_px = std::max(half_px, 0.0F) + style.line_px;
   const float top_px = 1.9F * style.text_px;
-  const float bottom_px = style.tick_px + 2.9F * style.text_px;
+  const std::vector<int> lines = label_lines(canvas, plot.x, area.width_px - left_px - right_px, style);
+  const float bottom_px = style.tick_px + 2.9F * style.text_px + lower_lines_px(lines, style);
   return {area.x_px + left_px, area.y_px + top_px, area.width_px - left_px - right_px,
           area.height_px - top_px - bottom_px};
 }

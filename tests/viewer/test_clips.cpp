@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "app/bodies/point_cache.hpp"
 #include "app/models/garment_loading.hpp"
 #include "person.hpp"

@@ -29,6 +29,15 @@ std::string task_command(const Sweep& sweep, const FarmSettings& settings) {
   return this_command({"sweep", "run", full(sweep.folder), "--chunk", std::to_string(settings.chunk)});
 }
 
+/// As snakemake has it where names in braces stand for something.
+std::string with_plain_braces(const std::string& command) {
+  std::string text;
+  for (const char letter : command) {
+    text.append(letter == '{' || letter == '}' ? 2 : 1, letter);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<ArrayJob> array_jobs(std::span<const std::size_t> missing, std::size_t chunk,
@@ -99,8 +108,9 @@ std::string parallel_script(const Sweep& sweep, const FarmSettings& settings) {
 
 std::string snakefile(const Sweep& sweep, const FarmSettings& settings) {
   const Json folder = full(sweep.folder);
-  const Json merge = this_command({"sweep", "merge", full(sweep.folder)});
-  const Json task = task_command(sweep, settings) + " --task {wildcards.task} || [ $? = 3 ]";
+  const Json merge = with_plain_braces(this_command({"sweep", "merge", full(sweep.folder)}));
+  const Json task =
+      with_plain_braces(task_command(sweep, settings)) + " --task {wildcards.task} || [ $? = 3 ]";
   return fmt::format(
       "# A promise that was broken, exit code 3, is a result.\n"
       "workdir: {}\n\n"

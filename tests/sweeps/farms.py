@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 program, farm = os.path.abspath(sys.argv[1]), sys.argv[3]
-folder = pathlib.Path(sys.argv[2]).resolve() / "it's a study"
+folder = pathlib.Path(sys.argv[2]).resolve() / "it's {a} study"
 SCENE = '''
 [garment.grid]
 columns = 4

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# package.sh CPACK CMAKE BUILD: Debian's package has the program, the library and the add-on, and lintian finds no error
-# in it where lintian is there; the archive of the sources is configured where no git is.
+# package.sh CPACK BUILD: Debian's package has the program, the library and the add-on, and lintian finds no error in it
+# where lintian is there.
 set -euo pipefail
-cpack=$1 cmake=$2 build=$3
+cpack=$1 build=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 fail() {
@@ -22,12 +22,3 @@ done
 if command -v lintian >/dev/null; then
   lintian --fail-on error "$package" || fail "lintian finds errors"
 fi
-
-"$cpack" --config "$build/CPackSourceConfig.cmake" -B "$folder" >"$folder/log.txt" 2>&1 || fail "$(cat "$folder/log.txt")"
-mkdir "$folder/sources" "$folder/no_git"
-tar xzf "$folder"/taut-*-Source.tar.gz -C "$folder/sources" --strip-components=1
-[ ! -e "$folder/sources/build" ] || fail "the archive has a build in it"
-printf '#!/bin/sh\necho "git was asked for: $*"\nexit 1\n' >"$folder/no_git/git"
-chmod +x "$folder/no_git/git"
-(cd "$folder/sources" && PATH="$folder/no_git:$PATH" "$cmake" --preset release) >"$folder/log.txt" 2>&1 ||
-  fail "$(cat "$folder/log.txt")"

@@ -84,11 +84,23 @@ Curve line_at(double x, const Axis& y) {
   return {"", {{x, y.minimum}, {x, y.maximum}}, {palette::quiet_ink, 3.0F, {2.0F, 4.0F}}};
 }
 
+/// Around the percents, with powers of ten written in full.
+Axis stretch_axis(const std::vector<double>& percents) {
+  Axis axis = decades_around("largest stretch of an edge", percents);
+  axis.suffix = " %";
+  for (double tick = axis.minimum; tick < 0.99 * axis.maximum; tick *= 10.0) {
+    axis.chosen.push_back(tick);
+  }
+  const double largest = *std::max_element(percents.begin(), percents.end());
+  axis.maximum = std::clamp(1.7 * largest, 2.0 * axis.minimum, axis.maximum);
+  return axis;
+}
+
 PlotPanel time_panel(const MethodTrials& trials) {
   Plot plot;
-  std::vector<double> times_ms, stretches;
+  std::vector<double> times_ms, stretches = {100.0 * trial_max_stretch};
   plot.curves = curves_of(trials, true, [&](const MethodTrial& trial, Curve& curve) {
-    if (trial.frames.empty()) {
+    if (trial.is_lost || trial.frames.empty()) {
       return;
     }
     curve.points.push_back({100.0 * trial.largest_stretch(), trial.ranked_ms(0.5)});
@@ -96,8 +108,7 @@ PlotPanel time_panel(const MethodTrials& trials) {
     times_ms.push_back(trial.ranked_ms(0.5));
     stretches.push_back(curve.points.back()[0]);
   });
-  plot.x = decades_around("largest stretch of an edge", stretches);
-  plot.x.suffix = " %";
+  plot.x = stretch_axis(stretches);
   plot.y = decades_around("processor time of a frame in ms", times_ms);
   plot.curves.insert(plot.curves.begin(), line_at(100.0 * trial_max_stretch, plot.y));
   plot.legend = LegendCorner::none;
@@ -216,6 +227,10 @@ void draw_methods(renderer::Canvas& canvas, const Area& area, const PlotSheet& s
                 look_of(kind).setting, text_style(sheet.caption.measured_px, palette::quiet_ink));
     top_px += row_px;
   }
+  canvas.text(area.x_px + 60.0F, top_px + 1.2F * sheet.plot.text_px,
+              fmt::format("all without contact, on one thread, asked for {:g} % where they can be",
+                          100.0 * trial_max_stretch),
+              text_style(sheet.caption.measured_px));
 }
 
 }  // namespace

@@ -227,10 +227,10 @@ void draw_methods(renderer::Canvas& canvas, const Area& area, const PlotSheet& s
                 look_of(kind).setting, text_style(sheet.caption.measured_px, palette::quiet_ink));
     top_px += row_px;
   }
-  canvas.text(area.x_px + 60.0F, top_px + 1.2F * sheet.plot.text_px,
-              fmt::format("all without contact, on one thread, asked for {:g} % where they can be",
-                          100.0 * trial_max_stretch),
-              text_style(sheet.caption.measured_px));
+  canvas.text(
+      area.x_px + 60.0F, top_px + 1.2F * sheet.plot.text_px,
+      fmt::format("no contact, one thread; asked for {:g} % where possible", 100.0 * trial_max_stretch),
+      text_style(sheet.caption.measured_px));
 }
 
 }  // namespace

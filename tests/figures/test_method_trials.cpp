@@ -59,7 +59,9 @@ TEST(MethodTrials, LoseEnergyToAirInAirAlone) {
   for (const sim::SolverKind kind : trial_methods) {
     const TrialFrame& slowed = trial_of(with_longer_steps(), kind).frames[1];
     const TrialFrame& free = trial_of(without, kind).frames[1];
-    EXPECT_GT(free.speed_m_per_s, slowed.speed_m_per_s) << sim::name_of(kind);
+    // Drag takes a fortieth in two frames, pressure a tenth of that.
+    EXPECT_GT(free.speed_m_per_s, (kind == bounded ? 1.0255 : 1.02) * slowed.speed_m_per_s)
+        << sim::name_of(kind);
     EXPECT_LT(free.energy_j, 0.0) << sim::name_of(kind);
   }
 }

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "app/bench/bench_output.hpp"
-#include "app/drawing/plots/plot.hpp"
+#include "app/drawing/plots/plot_sheet.hpp"
 
 namespace taut::app {
 namespace {
@@ -130,11 +130,6 @@ Plot growth_plot(const BenchResults& results, const std::string& scene) {
   return plot;
 }
 
-struct BenchPanel {
-  Plot plot;
-  Caption caption;
-};
-
 const Heat* heat_at_usual_size(const BenchResults& results, const std::string& scene) {
   const Heat* nearest = nullptr;
   const auto distance = [](const Heat& heat) { return std::abs(heat.size.triangles - usual_triangles); };
@@ -146,8 +141,8 @@ const Heat* heat_at_usual_size(const BenchResults& results, const std::string& s
   return nearest;
 }
 
-std::vector<BenchPanel> panels_of(const BenchResults& results) {
-  std::vector<BenchPanel> panels;
+std::vector<PlotPanel> panels_of(const BenchResults& results) {
+  std::vector<PlotPanel> panels;
   for (const std::string& scene : bench_scene_names()) {
     if (const Heat* heat = heat_at_usual_size(results, scene)) {
       panels.push_back({stretch_plot(results, *heat),
@@ -177,32 +172,23 @@ std::vector<BenchPanel> panels_of(const BenchResults& results) {
 
 std::vector<Plot> bench_plots(const BenchResults& results) {
   std::vector<Plot> plots;
-  for (const BenchPanel& panel : panels_of(results)) {
+  for (const PlotPanel& panel : panels_of(results)) {
     plots.push_back(panel.plot);
   }
   return plots;
 }
 
 Drawing draw_bench(const BenchResults& results) {
-  constexpr float width_px = 1300.0F, height_px = 1000.0F, gap_px = 60.0F;
-  const CaptionStyle style;
-  const std::vector<BenchPanel> panels = panels_of(results);
-  const std::size_t columns = std::min<std::size_t>(2, std::max<std::size_t>(1, panels.size()));
-  const std::size_t rows = std::max<std::size_t>(1, (panels.size() + columns - 1) / columns);
-  const float cell_height_px = height_px + style.height_px() + gap_px;
-  Drawing drawing;
-  drawing.width_px = static_cast<int>((width_px + gap_px) * static_cast<float>(columns) + gap_px);
-  drawing.height_px = static_cast<int>(cell_height_px * static_cast<float>(rows) + 0.5F * gap_px);
-  drawing.draw = [=](renderer::Canvas& canvas) {
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-      const float x_px = gap_px + (width_px + gap_px) * static_cast<float>(i % columns);
-      const float y_px = 0.5F * gap_px + cell_height_px * static_cast<float>(i / columns);
-      draw_plot(canvas, panels[i].plot, {x_px, y_px, width_px, height_px},
-                {.text_px = 34.0F, .marker_px = 12.0F});
-      draw_caption(canvas, panels[i].caption, x_px + 0.5F * width_px, y_px + height_px + 20.0F, style);
-    }
-  };
-  return drawing;
+  std::vector<PlotPanel> panels = panels_of(results);
+  PlotSheet sheet;
+  sheet.columns = std::clamp<std::size_t>(panels.size(), 1, 2);
+  sheet.left_px = sheet.right_px = sheet.gap_px = sheet.row_gap_px = 60.0F;
+  sheet.top_px = 30.0F;
+  sheet.width_px = 1300.0F;
+  sheet.height_px = 1000.0F;
+  sheet.caption = {};
+  sheet.plot.marker_px = 12.0F;
+  return draw_plot_sheet(std::move(panels), sheet);
 }
 
 }  // namespace taut::app

@@ -19,10 +19,6 @@
 namespace taut::app {
 namespace {
 
-// Repeats of each timing. One disturbance does not change their median. Each repeat takes a fraction of a
-// second.
-constexpr int frame_time_repeats = 15;
-
 // Figures are compressed more than frames of a sequence, for which speed matters more.
 constexpr renderer::PngEffort effort = {.deflate_level = 6, .filter = 4};
 
@@ -138,6 +134,7 @@ void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Exp
     done.insert(experiments[job]);
     for (const Figure& figure : figures) {
       const bool is_ready =
+          figure.measure == nullptr &&
           std::find(figure.needs.begin(), figure.needs.end(), experiments[job]) != figure.needs.end() &&
           std::all_of(figure.needs.begin(), figure.needs.end(),
                       [&](Experiment e) { return done.contains(e); });
@@ -163,10 +160,9 @@ int run(const FiguresOptions& options) {
   }
   simulate_and_draw(figures, experiments_for(figures, with_report), results, writer);
   for (const Figure& figure : figures) {
-    if (figure.needs_frame_times) {
+    if (figure.measure != nullptr) {
       // Only now, with every other thread gone: they would take from what is measured.
-      measure_frame_times(
-          frame_time_repeats, [](double) { throw_if_interrupted(); }, results);
+      figure.measure([](double) { throw_if_interrupted(); }, results);
       writer.write(figure, results);
     }
   }

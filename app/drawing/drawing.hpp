@@ -39,6 +39,8 @@ inline const renderer::Colour blue = renderer::rgb(0x0059A0);
 inline const renderer::Colour vermilion = renderer::rgb(0xD55E00);
 inline const renderer::Colour orange = renderer::rgb(0xE69F00);
 inline const renderer::Colour sky = renderer::rgb(0x56B4E9);
+inline const renderer::Colour green = renderer::rgb(0x009E73);
+inline const renderer::Colour purple = renderer::rgb(0xCC79A7);
 }  // namespace palette
 
 /// The font style for text of this height.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/drawing/plots/plot.hpp"
+#include "app/drawing/plots/plot_sheet.hpp"
 #include "app/figures/csv.hpp"
 #include "app/figures/figures.hpp"
 
@@ -133,30 +133,17 @@ void read_figure7(const std::filesystem::path& folder, Results& results) {
 
 // Section III: do springs that are pulled back to a threshold vibrate, and does the strong constraint not?
 Drawing draw_figure7(const Results& results, LazyOffscreenRenderer&) {
-  const CaptionStyle style = {.text_px = 38.0F, .measured_px = 34.0F};
-  constexpr float width_px = 1200.0F, height_px = 800.0F;
-  std::vector<Plot> plots;
-  std::vector<Caption> captions;
+  std::vector<PlotPanel> stretch, unrest;
   for (std::size_t rate = 0; rate < method_rates_hz.size(); ++rate) {
     const std::vector<MethodRun> runs = runs_with(results, rate);
     const std::string step = fmt::format("steps of 1/{:.0f} s", method_rates_hz[rate]);
     const char letter = rate == 0 ? 'a' : 'b';
-    plots.push_back(stretch_plot(runs));
-    captions.push_back({letter, "stretch, " + step, ""});
-    plots.push_back(unrest_plot(runs));
-    captions.push_back({static_cast<char>(letter + 2), "movement in a step, " + step, unrest_text(runs)});
+    stretch.push_back({stretch_plot(runs), {letter, "stretch, " + step, ""}});
+    unrest.push_back({unrest_plot(runs),
+                      {static_cast<char>(letter + 2), "movement in a step, " + step, unrest_text(runs)}});
   }
-  const float row_px = height_px + style.height_px();
-  Drawing drawing{2440, static_cast<int>(2.0F * row_px) + 30, {}};
-  drawing.draw = [=](renderer::Canvas& canvas) {
-    for (std::size_t i = 0; i < plots.size(); ++i) {
-      const float x_px = 20.0F + static_cast<float>(i / 2) * width_px;
-      const float y_px = 15.0F + static_cast<float>(i % 2) * row_px;
-      draw_plot(canvas, plots[i], {x_px, y_px, width_px - 40.0F, height_px});
-      draw_caption(canvas, captions[i], x_px + 0.53F * width_px, y_px + height_px, style);
-    }
-  };
-  return drawing;
+  stretch.insert(stretch.end(), unrest.begin(), unrest.end());
+  return draw_plot_sheet(std::move(stretch), {});
 }
 
 }  // namespace taut::app

@@ -10,7 +10,7 @@
 
 namespace taut::app {
 
-/// One figure of the paper: which experiments it needs and how it is drawn.
+/// One figure, of the paper or about it: which experiments it needs and how it is drawn.
 struct Figure {
   std::string name;               ///< "fig2"
   std::string title;              ///< what it shows, for the report
@@ -22,7 +22,9 @@ struct Figure {
   std::string (*shapes_csv)(const Results&) = nullptr;
   /// Reads these tables into the results, so that the figure can be drawn without its experiments.
   void (*read)(const std::filesystem::path& folder, Results&) = nullptr;
-  bool needs_frame_times = false;  ///< needs measure_frame_times()
+  /// Measures times that it shows. It is called when all experiments are done: they would take from what is
+  /// measured.
+  void (*measure)(const ProgressCallback&, Results&) = nullptr;
 };
 
 /// Each draws one figure from the results of its experiments, which must have been made. Throws
@@ -34,6 +36,7 @@ Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure6(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure7(const Results& results, LazyOffscreenRenderer& offscreen);
+Drawing draw_figure8(const Results& results, LazyOffscreenRenderer& offscreen);
 
 /// The data of a figure as table: the first line holds the names of the columns.
 std::string figure2_csv(const Results& results);
@@ -42,6 +45,7 @@ std::string figure4_csv(const Results& results);
 std::string figure5_csv(const Results& results);
 std::string figure6_csv(const Results& results);
 std::string figure7_csv(const Results& results);
+std::string figure8_csv(const Results& results);
 /// The shapes of a figure as table (moment_tables.hpp).
 std::string figure2_shapes_csv(const Results& results);
 std::string figure4_shapes_csv(const Results& results);
@@ -54,6 +58,7 @@ void read_figure4(const std::filesystem::path& folder, Results& results);
 void read_figure5(const std::filesystem::path& folder, Results& results);
 void read_figure6(const std::filesystem::path& folder, Results& results);
 void read_figure7(const std::filesystem::path& folder, Results& results);
+void read_figure8(const std::filesystem::path& folder, Results& results);
 
 /// All figures, in the order of the paper.
 const std::vector<Figure>& all_figures();

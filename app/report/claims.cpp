@@ -16,15 +16,21 @@ struct Rule {
   Judgement (*judge)(const Results&);
 };
 
-constexpr std::array<Rule, 9> rules = {{{"stretch-bound", judge_overstretch},
-                                        {"free-surface", judge_surface},
-                                        {"convergence", judge_fall},
-                                        {"no-velocity", judge_velocity},
-                                        {"real-time", judge_speed},
-                                        {"growth", judge_cost},
-                                        {"any-garment", judge_garments},
-                                        {"threshold-vibrates", judge_threshold},
-                                        {"ideal-overstretches", judge_ideal}}};
+constexpr std::array<Rule, 15> rules = {{{"stretch-bound", judge_overstretch},
+                                         {"free-surface", judge_surface},
+                                         {"convergence", judge_fall},
+                                         {"no-velocity", judge_velocity},
+                                         {"real-time", judge_speed},
+                                         {"growth", judge_cost},
+                                         {"any-garment", judge_garments},
+                                         {"threshold-vibrates", judge_threshold},
+                                         {"ideal-overstretches", judge_ideal},
+                                         {"large-steps", judge_large_steps},
+                                         {"execution-speed", judge_execution},
+                                         {"threshold-force", judge_threshold_force},
+                                         {"neighbours-stretch", judge_neighbours},
+                                         {"others-stretch", judge_others_stretch},
+                                         {"robust", judge_robustness}}};
 
 // The numbers of the rules stand in the program alone.
 std::string filled(const toml::table& texts, const char* key) {
@@ -35,7 +41,12 @@ std::string filled(const toml::table& texts, const char* key) {
       fmt::arg("proportional_exponent", proportional_exponent), fmt::arg("trial_frames", trial_frames),
       fmt::arg("trial_steps", trial_steps), fmt::arg("trial_sweeps", trial_sweeps),
       fmt::arg("short_step_hz", method_rates_hz[0]), fmt::arg("long_step_hz", method_rates_hz[1]),
-      fmt::arg("duration_s", methods_duration_s), fmt::arg("vibration_m_per_s", vibration_m_per_s));
+      fmt::arg("duration_s", methods_duration_s), fmt::arg("vibration_m_per_s", vibration_m_per_s),
+      fmt::arg("faster", significantly_faster), fmt::arg("excess_percent", 100.0 * threshold_excess),
+      fmt::arg("asked_percent", 100.0 * trial_max_stretch),
+      fmt::arg("timed_frames", TrialLengths{}.timed_frames), fmt::arg("held_s", TrialLengths{}.rest_s),
+      fmt::arg("shaken_cm", 100.0 * shaken_by_m), fmt::arg("shaken_s", shaken_s),
+      fmt::arg("steps_s", TrialLengths{}.steps_s));
 }
 
 }  // namespace

@@ -191,7 +191,7 @@ std::string film_html(const Film& film, const Recording& run) {
 
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine,
-                        const std::string& film_figure) {
+                        const std::string& film_figure, const std::string& methods) {
   std::string html = report_page;
   const auto put = [&html](const std::string& place, const std::string& text) {
     html.replace(html.find(place), place.size(), text);
@@ -209,6 +209,7 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
   put("<!--claims-->\n", claims_html);
   put("<!--promises-->\n", promises_html(promises));
   put("<!--figures-->\n", figures_html);
+  put("<!--methods-->\n", methods);
   return html;
 }
 

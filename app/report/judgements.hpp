@@ -35,6 +35,12 @@ Judgement judge_cost(const Results& results);
 Judgement judge_garments(const Results& results);
 Judgement judge_threshold(const Results& results);
 Judgement judge_ideal(const Results& results);
+Judgement judge_large_steps(const Results& results);
+Judgement judge_execution(const Results& results);
+Judgement judge_threshold_force(const Results& results);
+Judgement judge_neighbours(const Results& results);
+Judgement judge_others_stretch(const Results& results);
+Judgement judge_robustness(const Results& results);
 
 /// Makes a judgement. `part` is dropped unless the verdict is holds_in_part.
 Judgement judged(Verdict verdict, std::string part, Finding finding, Finding bounded = {});

@@ -41,11 +41,14 @@ Report make_report(const Results& results, const Film& film, std::span<const Dra
 /// The film of a checked run and what was measured in it, as a figure of the page.
 std::string film_html(const Film& film, const Recording& run);
 
-/// The report as one HTML file with `film_figure` at its top. Pictures are embedded, so it opens from any
-/// folder. The PDFs that it links to are expected beside it.
+/// What stands below figure 8: who made each of its methods for what, and a table of what was measured.
+std::string methods_html(const Results& results);
+
+/// The report as one HTML file with `film_figure` at its top and `methods` below the figures. Pictures are
+/// embedded, so it opens from any folder. The PDFs that it links to are expected beside it.
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine,
-                        const std::string& film_figure = "");
+                        const std::string& film_figure = "", const std::string& methods = "");
 
 /// How pictures lie on a contact sheet.
 struct SheetLayout {

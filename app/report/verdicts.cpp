@@ -28,6 +28,12 @@ std::size_t count_if(const Range& range, Predicate predicate) {
   return static_cast<std::size_t>(std::count_if(range.begin(), range.end(), predicate));
 }
 
+template <class Predicate>
+Verdict all_or_any(std::span<const double> numbers, Predicate predicate) {
+  const std::size_t holding = count_if(numbers, predicate);
+  return all_or_some(holding, holding > 0 ? numbers.size() : 0, numbers.size());
+}
+
 }  // namespace
 
 const char* name_of(Verdict verdict) {
@@ -126,6 +132,38 @@ Verdict judge_ideal_overstretches(std::span<const double> ideal_stretches, doubl
     return Verdict::does_not_hold;
   }
   return over == ideal_stretches.size() ? Verdict::holds : Verdict::holds_in_part;
+}
+
+Verdict judge_faster(std::span<const double> times_as_long, double least) {
+  return all_or_any(times_as_long, [=](double ratio) { return std::isfinite(ratio) && ratio >= least; });
+}
+
+Verdict judge_threshold_unrest(double with_threshold_m_per_s, double without_m_per_s) {
+  if (vibrates(with_threshold_m_per_s) && !vibrates(without_m_per_s)) {
+    return Verdict::holds;
+  }
+  return with_threshold_m_per_s > 2.0 * without_m_per_s ? Verdict::holds_in_part : Verdict::does_not_hold;
+}
+
+Verdict judge_neighbours_stretch(std::span<const double> multiples) {
+  return all_or_any(multiples, [](double multiple) {
+    return std::isfinite(multiple) && multiple > 1.0 + threshold_excess;
+  });
+}
+
+Verdict judge_stretch_ignored(std::span<const double> stretches) {
+  const std::size_t over = count_if(
+      stretches, [](double stretch) { return std::isfinite(stretch) && stretch > paper_stretch_bound; });
+  if (2 * over > stretches.size()) {
+    return Verdict::holds;
+  }
+  return over > 0 ? Verdict::holds_in_part : Verdict::does_not_hold;
+}
+
+Verdict judge_robust(std::span<const double> stretches) {
+  const auto keeps_bound = [](double stretch) { return stretch <= paper_stretch_bound; };
+  const auto goes_on = [](double stretch) { return std::isfinite(stretch); };
+  return all_or_some(count_if(stretches, keeps_bound), count_if(stretches, goes_on), stretches.size());
 }
 
 }  // namespace taut::app

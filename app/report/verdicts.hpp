@@ -28,6 +28,10 @@ inline constexpr double vibration_m_per_s = 0.01;
 /// theirs. No triangle is stretched by less than any of its edges, so that a mere difference would decide
 /// nothing.
 inline constexpr double surface_excess = 0.1;
+/// A method is significantly faster than another if it takes at most one part in so many of its time.
+inline constexpr double significantly_faster = 2.0;
+/// A threshold is exceeded by stretch that is larger by more than this fraction of it.
+inline constexpr double threshold_excess = 0.05;
 /// Up to this exponent, growth counts as proportional. Measured times are uncertain by about that much.
 inline constexpr double proportional_exponent = 1.2;
 
@@ -89,5 +93,27 @@ Verdict judge_threshold_vibrates(const UnrestNumbers& threshold, const UnrestNum
 /// (infinite: diverged). Holds if the strong constraint keeps the bound and all ideal springs exceed it; in
 /// part if only some ideal springs exceed it.
 Verdict judge_ideal_overstretches(std::span<const double> ideal_stretches, double strong_stretch);
+
+// Of the methods in figure 8.
+
+/// How many times as long as a method another takes, per mesh. Holds if it is at least `least` for all
+/// meshes; in part if for some.
+Verdict judge_faster(std::span<const double> times_as_long, double least);
+
+/// Root mean square speed in m/s of cloth that should be at rest, with a threshold and with the same springs
+/// without. Holds if it vibrates with the threshold alone; in part if it moves more than twice as fast with
+/// it.
+Verdict judge_threshold_unrest(double with_threshold_m_per_s, double without_m_per_s);
+
+/// The largest stretch as multiple of the threshold, of each method that has one the least of all meshes.
+/// Holds if all exceed it by more than `threshold_excess`; in part if some do.
+Verdict judge_neighbours_stretch(std::span<const double> multiples);
+
+/// The largest stretch of each method. Holds if more than half exceed the paper's bound; in part if any does.
+Verdict judge_stretch_ignored(std::span<const double> stretches);
+
+/// The largest stretch with each length of a time step (infinite: diverged). Holds if all keep the paper's
+/// bound; in part if none diverged.
+Verdict judge_robust(std::span<const double> stretches);
 
 }  // namespace taut::app

@@ -6,6 +6,7 @@
 
 #include "app/base/base64.hpp"
 #include "app/report/report.hpp"
+#include "figures/made_trials.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -62,7 +63,14 @@ Results results_of_the_paper() {
     results.ideal_stiffnesses.push_back(
         {sim::SolverKind::ideal, 0.001, {0.08}, {1e-9}, {}, stiffness_n_per_m});
   }
+  test::make_up_trials(results);
   return results;
+}
+
+using enum sim::SolverKind;
+
+MethodTrial& trial(Results& results, MethodTest test, sim::SolverKind kind) {
+  return test::trial_in(results, {test, kind});
 }
 
 Results results_in_part() {
@@ -77,6 +85,16 @@ Results results_in_part() {
   }
   results.methods[1].moved_rms_m = {1e-9};
   results.ideal_stiffnesses[1].max_stretch = {0.04};
+  trial(results, MethodTest::time, implicit).frames = {{0.1, 10.0, 0.1}};
+  trial(results, MethodTest::time, strong).frames = {{0.1, 20.0, 0.01}};
+  trial(results, MethodTest::time, fast_projection).frames = {{0.1, 10.0, 0.005}, {0.2, 10.0, 0.005}};
+  for (TrialFrame& frame : trial(results, MethodTest::rest, vassilev).frames) {
+    frame.speed_m_per_s = 0.005;
+  }
+  for (const sim::SolverKind kind : {vassilev, implicit}) {
+    test::trial_in(results, {MethodTest::time, kind, 10600}).frames = {{0.1, 10.0, 0.04}};
+  }
+  trial(results, MethodTest::steps, strong).frames[1].stretch = 0.06;
   return results;
 }
 
@@ -92,6 +110,14 @@ Results results_against_it() {
   }
   results.methods[4].moved_rms_m = results.methods[1].moved_rms_m = {1e-9};
   results.ideal_stiffnesses[0].max_stretch = results.ideal_stiffnesses[1].max_stretch = {0.04};
+  for (MethodTrial& timed : results.trials_of(MethodTest::time)) {
+    for (TrialFrame& frame : timed.frames) {
+      frame.frame_ms = timed.kind == strong ? 20.0 : 10.0;
+      frame.stretch = 0.01;
+    }
+  }
+  trial(results, MethodTest::rest, vassilev).frames = trial(results, MethodTest::rest, ideal).frames;
+  trial(results, MethodTest::steps, strong).is_lost = true;
   return results;
 }
 
@@ -244,7 +270,7 @@ TEST(Claims, JsonIsCompleteEvenWhereARunDiverged) {
   const auto json = nlohmann::json::parse(claims_json(judge_claims(results), {}, machine));
   EXPECT_EQ(json["machine"]["processor"], "a \"quoted\" one");
   EXPECT_TRUE(json["versions"].contains("compiler"));
-  ASSERT_EQ(json["claims"].size(), 9U);
+  ASSERT_EQ(json["claims"].size(), 15U);
   bool has_null = false;
   for (const auto& claim : json["claims"]) {
     for (const char* key : {"id", "section", "claim", "test", "rule", "measured", "verdict", "part",
@@ -269,6 +295,23 @@ TEST(Report, IsOneFileWithPicturesInside) {
   EXPECT_NE(html.find("A &amp; B"), std::string::npos);
   EXPECT_EQ(html.find("http"), std::string::npos) << "nothing from elsewhere";
   EXPECT_EQ(contact_sheet(figures).width_px, 2560);
+}
+
+TEST(Report, SaysBelowFigure8WhatWasMeasuredOfEachMethod) {
+  Results results = results_of_the_paper();
+  MethodTrial& longest =
+      test::trial_in(results, {MethodTest::steps, ideal, trial_shirt_triangles, trial_step_factors.back()});
+  longest.is_lost = true;
+  const std::string html = report_html({}, {}, {}, {}, "", methods_html(results));
+  EXPECT_CONTAINS(html,
+                  "<tr><td>ideal</td><td class=\"number\">20</td><td class=\"number\">10</td>"
+                  "<td class=\"number\">10 to 10</td><td class=\"number\">10 %</td>"
+                  "<td class=\"number\">20 %</td><td class=\"number\">1.0</td>"
+                  "<td class=\"number\">lost</td><td class=\"number\">1.0</td></tr>");
+  for (const sim::SolverKind kind : trial_methods) {
+    EXPECT_CONTAINS(html, std::string("<tr><td>") + name_of(kind) + "</td>");
+  }
+  EXPECT_EQ(html.find("<!--"), std::string::npos);
 }
 
 TEST(Report, LinksToTheFilesBesideIt) {

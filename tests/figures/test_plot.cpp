@@ -5,6 +5,7 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/plots/legend_rows.hpp"
+#include "app/drawing/plots/plot_sheet.hpp"
 #include "app/figures/csv.hpp"
 
 namespace taut::app {
@@ -163,6 +164,43 @@ TEST(Plot, CurveEndsAtTheDataAreaAndStandsWhereItsValuesSay) {
   for (int x = 0; x < 600; ++x) {
     EXPECT_GT(image.at(x, 2)[0], 200) << "nothing above the data_area";
   }
+}
+
+TEST(Plot, CrossesAreCrosses) {
+  Plot plot;
+  plot.curves = {{"", {{0.5, 0.5}}, {renderer::Colour{0.0F}, 0.0F, {}}, Marker::cross}};
+  plot.legend = LegendCorner::none;
+  const Area area{0.0F, 0.0F, 600.0F, 400.0F};
+  renderer::Canvas canvas(600, 400);
+  const Area data_area = data_area_of(canvas, plot, area);
+  draw_plot(canvas, plot, area, {.marker_px = 20.0F});
+  const renderer::Image image = canvas.to_image();
+  const auto is_dark = [&](float right_px, float down_px) {
+    return image.at(static_cast<int>(data_area.x_px + 0.5F * data_area.width_px + right_px),
+                    static_cast<int>(data_area.y_px + 0.5F * data_area.height_px + down_px))[0] < 60;
+  };
+  for (const float side : {-15.0F, 15.0F}) {
+    EXPECT_TRUE(is_dark(side, 15.0F));
+    EXPECT_TRUE(is_dark(side, -15.0F));
+    EXPECT_FALSE(is_dark(side, 0.0F));
+  }
+}
+
+TEST(Plot, PlotsAreArrangedRowByRow) {
+  const PlotSheet sheet = {.columns = 2,
+                           .left_px = 10.0F,
+                           .right_px = 30.0F,
+                           .top_px = 5.0F,
+                           .width_px = 300.0F,
+                           .height_px = 200.0F,
+                           .gap_px = 20.0F,
+                           .row_gap_px = 7.0F};
+  const Area fourth = plot_area(sheet, 3);
+  EXPECT_EQ(fourth.x_px, 330.0F);
+  EXPECT_EQ(fourth.y_px, 5.0F + 200.0F + sheet.caption.height_px() + 7.0F);
+  const Drawing drawing = draw_plot_sheet(std::vector<PlotPanel>(3), sheet);
+  EXPECT_EQ(drawing.width_px, 660);
+  EXPECT_EQ(drawing.height_px, static_cast<int>(2.0F * (fourth.y_px - 5.0F) + 10.0F));
 }
 
 TEST(Csv, QuotesWhatNeedsItAndReadsBackExactly) {

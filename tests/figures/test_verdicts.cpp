@@ -140,5 +140,45 @@ TEST(Verdicts, IdealOverstretchesWhereAllExceedWhatStrongKeeps) {
   EXPECT_EQ(judge_ideal_overstretches(Numbers{0.078}, NAN), no);
 }
 
+TEST(Verdicts, FasterIsWhatOthersTakeLongerThanOnAllMeshes) {
+  EXPECT_EQ(judge_faster(Numbers{2.0, 3.0}, 2.0), yes);
+  EXPECT_EQ(judge_faster(Numbers{1.9, 3.0}, 2.0), partly);
+  EXPECT_EQ(judge_faster(Numbers{1.9, 1.0}, 2.0), no);
+  EXPECT_EQ(judge_faster(Numbers{INFINITY, NAN}, 1.0), no);
+  EXPECT_EQ(judge_faster(Numbers{}, 1.0), no);
+}
+
+TEST(Verdicts, AThresholdIsBlamedForUnrestThatItsSpringsLack) {
+  EXPECT_EQ(judge_threshold_unrest(0.011, 0.01), yes);
+  EXPECT_EQ(judge_threshold_unrest(INFINITY, 0.01), yes) << "diverged is not calm";
+  EXPECT_EQ(judge_threshold_unrest(0.005, 0.002), partly);
+  EXPECT_EQ(judge_threshold_unrest(0.005, 0.003), no);
+  EXPECT_EQ(judge_threshold_unrest(0.03, 0.02), no) << "the springs vibrate by themselves";
+  EXPECT_EQ(judge_threshold_unrest(INFINITY, INFINITY), no);
+}
+
+TEST(Verdicts, NeighboursStretchWhereTheThresholdIsExceeded) {
+  EXPECT_EQ(judge_neighbours_stretch(Numbers{1.06, 1.5}), yes);
+  EXPECT_EQ(judge_neighbours_stretch(Numbers{1.06, 1.05}), partly);
+  EXPECT_EQ(judge_neighbours_stretch(Numbers{0.2, 1.05}), no);
+  EXPECT_EQ(judge_neighbours_stretch(Numbers{INFINITY}), no);
+  EXPECT_EQ(judge_neighbours_stretch(Numbers{}), no);
+}
+
+TEST(Verdicts, StretchIsIgnoredWhereMoreThanHalfExceedTheBound) {
+  EXPECT_EQ(judge_stretch_ignored(Numbers{0.06, 0.06, 0.01}), yes);
+  EXPECT_EQ(judge_stretch_ignored(Numbers{0.06, 0.06, 0.01, 0.05}), partly) << "just half";
+  EXPECT_EQ(judge_stretch_ignored(Numbers{0.05, INFINITY}), no) << "what is lost is not ignored";
+  EXPECT_EQ(judge_stretch_ignored(Numbers{}), no);
+}
+
+TEST(Verdicts, RobustIsWhatKeepsTheBoundWithEveryStep) {
+  EXPECT_EQ(judge_robust(Numbers{0.01, 0.05}), yes);
+  EXPECT_EQ(judge_robust(Numbers{0.01, 0.06}), partly);
+  EXPECT_EQ(judge_robust(Numbers{0.01, INFINITY}), no);
+  EXPECT_EQ(judge_robust(Numbers{0.01, NAN}), no);
+  EXPECT_EQ(judge_robust(Numbers{}), no);
+}
+
 }  // namespace
 }  // namespace taut::app

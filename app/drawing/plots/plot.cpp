@@ -154,6 +154,12 @@ void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, flo
       canvas.fill_rectangle(x_px - 0.9F * radius_px, y_px - 0.9F * radius_px, 1.8F * radius_px,
                             1.8F * radius_px, curve.stroke.colour);
       return;
+    case Marker::cross:
+      for (const float rise_px : {radius_px, -radius_px}) {
+        canvas.line(x_px - radius_px, y_px + rise_px, x_px + radius_px, y_px - rise_px, curve.stroke.colour,
+                    0.5F * radius_px);
+      }
+      return;
   }
 }
 

@@ -15,7 +15,7 @@ namespace taut::app {
 using DataPoint = std::array<double, 2>;
 
 /// What is drawn at each point of a curve.
-enum class Marker { none, disc, square, ring };
+enum class Marker { none, disc, square, ring, cross };
 
 /// One series of points in a plot.
 struct Curve {

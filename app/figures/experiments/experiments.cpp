@@ -98,6 +98,13 @@ Job recording_job(const std::string& scene_name, double cost, std::optional<Reco
           }};
 }
 
+Job trials_job(MethodTest test, double cost, Results& results) {
+  return {std::string("methods: ") + name_of(test), cost,
+          [test, &results](const ProgressCallback& report_progress) {
+            results.trials_of(test) = make_trials(test, report_progress);
+          }};
+}
+
 void record_strong_wind(Results& results, const ProgressCallback& report_progress) {
   std::vector<int> frames(strong_wind_frames - film_first_frame + 1);
   std::iota(frames.begin(), frames.end(), film_first_frame);
@@ -131,6 +138,12 @@ Job job_of(Experiment experiment, Results& results) {
     case Experiment::methods:
       return {"methods", 0.3,
               [&results](const ProgressCallback& report_progress) { run_methods(results, report_progress); }};
+    case Experiment::methods_energy:
+      return trials_job(MethodTest::energy, 12.0, results);
+    case Experiment::methods_rest:
+      return trials_job(MethodTest::rest, 22.0, results);
+    case Experiment::methods_steps:
+      return trials_job(MethodTest::steps, 10.0, results);
     case Experiment::stiffnesses:
       return {"stiffnesses", 0.2, [&results](const ProgressCallback& report_progress) {
                 run_stiffnesses(results, report_progress);

@@ -7,6 +7,7 @@
 
 #include "app/base/job_runner.hpp"
 #include "app/figures/experiments/garment_trials.hpp"
+#include "app/figures/experiments/method_trials.hpp"
 #include "app/figures/experiments/power_law.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "app/figures/experiments/spring_patch.hpp"
@@ -89,8 +90,12 @@ struct Results {
   std::vector<MethodRun> ideal_stiffnesses;
   std::vector<StrongRun> strong_runs;
   RestartRun restart;
-  std::vector<FrameTimes> frame_times;    ///< of the paper's method
-  std::vector<FrameTimes> bounded_times;  ///< of `bounded`, on the same shirts and frames
+  std::vector<FrameTimes> frame_times;                       ///< of the paper's method
+  std::vector<FrameTimes> bounded_times;                     ///< of `bounded`, on the same shirts and frames
+  std::array<MethodTrials, all_method_tests.size()> trials;  ///< one for each of MethodTest
+
+  MethodTrials& trials_of(MethodTest test) { return trials[static_cast<std::size_t>(test)]; }
+  const MethodTrials& trials_of(MethodTest test) const { return trials[static_cast<std::size_t>(test)]; }
 };
 
 /// Simulations that figures and the report need.
@@ -103,6 +108,9 @@ enum class Experiment {
   shirt_wind_1,
   shirt_wind_10,
   methods,
+  methods_energy,
+  methods_rest,
+  methods_steps,
   stiffnesses,
   strong_runs,
   garments,

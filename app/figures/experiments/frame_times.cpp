@@ -53,7 +53,7 @@ std::vector<TimedRun> make_timed_runs() {
 }
 
 void time_frame(TimedRun& run) {
-  const Stopwatch stopwatch;
+  const ProcessorStopwatch stopwatch;
   run.simulation.advance_frame();
   run.times.frame_ms.push_back(stopwatch.elapsed_ms());
   const double stretch =

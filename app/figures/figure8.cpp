@@ -1,0 +1,256 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/drawing/plots/plot_sheet.hpp"
+#include "app/figures/figures.hpp"
+
+namespace taut::app {
+namespace {
+
+struct Look {
+  const char* name;
+  const char* setting;
+  Stroke stroke;
+  Marker marker;
+};
+
+Look look_of(sim::SolverKind kind) {
+  using enum sim::SolverKind;
+  switch (kind) {
+    case ideal:
+      return {"ideal springs",
+              "200 N/m; steps as short as these ask for",
+              {palette::orange, 4.5F, {1.2F, 1.8F}},
+              Marker::square};
+    case provot:
+      return {"Provot 1995",
+              "these springs; over-long ones pulled back once a step",
+              {palette::vermilion, 4.5F, {5.0F, 2.0F}},
+              Marker::square};
+    case implicit:
+      return {"Baraff and Witkin 1998",
+              "implicit; 1000 N/m, 1 step a frame if it may",
+              {palette::green, 4.5F, {}},
+              Marker::disc};
+    case vassilev:
+      return {"Vassilev 2001",
+              "these springs; over-long ones part no further",
+              {palette::purple, 4.5F, {3.0F, 1.5F}},
+              Marker::ring};
+    case fast_projection:
+      return {"Goldenthal 2007",
+              "fast projection of all edges; 5 steps a frame",
+              {palette::sky, 4.5F, {}},
+              Marker::disc};
+    case strong:
+      return {"the paper, literally",
+              "strong constraint; 20 steps of 4 sweeps a frame",
+              {palette::blue, 4.5F, {}},
+              Marker::disc};
+    default:
+      return {"bounded (this program)",
+              "1 % of the surface; chooses its steps",
+              {palette::ink, 9.0F, {}},
+              Marker::disc};
+  }
+}
+
+Curve curve_of(sim::SolverKind kind, bool has_markers) {
+  const Look look = look_of(kind);
+  return {"", {}, look.stroke, has_markers ? look.marker : Marker::none};
+}
+
+/// The curves of all methods, each with the points that `point_of` gives of their trials of the test.
+template <class AddPoints>
+std::vector<Curve> curves_of(const MethodTrials& trials, bool has_markers, AddPoints add_points) {
+  std::vector<Curve> curves;
+  for (const sim::SolverKind kind : trial_methods) {
+    Curve curve = curve_of(kind, has_markers);
+    for (const MethodTrial& trial : trials) {
+      if (trial.kind == kind) {
+        add_points(trial, curve);
+      }
+    }
+    curves.push_back(std::move(curve));
+  }
+  // The last method's line is the thickest and lies below the others.
+  std::rotate(curves.begin(), curves.end() - 1, curves.end());
+  return curves;
+}
+
+Curve line_at(double x, const Axis& y) {
+  return {"", {{x, y.minimum}, {x, y.maximum}}, {palette::quiet_ink, 3.0F, {2.0F, 4.0F}}};
+}
+
+/// Around the percents, with powers of ten written in full.
+Axis stretch_axis(const std::vector<double>& percents) {
+  Axis axis = decades_around("largest stretch of an edge", percents);
+  axis.suffix = " %";
+  for (double tick = axis.minimum; tick < 0.99 * axis.maximum; tick *= 10.0) {
+    axis.chosen.push_back(tick);
+  }
+  const double largest = *std::max_element(percents.begin(), percents.end());
+  axis.maximum = std::clamp(1.7 * largest, 2.0 * axis.minimum, axis.maximum);
+  return axis;
+}
+
+PlotPanel time_panel(const MethodTrials& trials) {
+  Plot plot;
+  std::vector<double> times_ms, stretches = {100.0 * trial_max_stretch};
+  plot.curves = curves_of(trials, true, [&](const MethodTrial& trial, Curve& curve) {
+    if (trial.is_lost || trial.frames.empty()) {
+      return;
+    }
+    curve.points.push_back({100.0 * trial.largest_stretch(), trial.ranked_ms(0.5)});
+    curve.bars.push_back({trial.ranked_ms(0.25), trial.ranked_ms(0.75)});
+    times_ms.push_back(trial.ranked_ms(0.5));
+    stretches.push_back(curve.points.back()[0]);
+  });
+  plot.x = stretch_axis(stretches);
+  plot.y = decades_around("processor time of a frame in ms", times_ms);
+  plot.curves.insert(plot.curves.begin(), line_at(100.0 * trial_max_stretch, plot.y));
+  plot.legend = LegendCorner::none;
+  return {std::move(plot),
+          {'a', "time and stretch, on four meshes",
+           "upwards: 9x9 cloth, T-shirts of 1028, 5280, 10600 triangles"}};
+}
+
+PlotPanel energy_panel(const MethodTrials& trials) {
+  Plot plot;
+  double lowest_mj = 0.0, highest_mj = 0.0, end_s = 0.0;
+  plot.curves = curves_of(trials, false, [&](const MethodTrial& trial, Curve& curve) {
+    for (const TrialFrame& frame : trial.frames) {
+      curve.points.push_back({frame.time_s, 1e3 * frame.energy_j});
+      lowest_mj = std::min(lowest_mj, 1e3 * frame.energy_j);
+      highest_mj = std::max(highest_mj, 1e3 * frame.energy_j);
+      end_s = std::max(end_s, frame.time_s);
+    }
+  });
+  const double room_mj = 0.06 * (highest_mj - lowest_mj);
+  plot.x = {"time in s", 0.0, std::max(end_s, 1e-3)};
+  plot.y = {"energy of motion and height in mJ", lowest_mj - room_mj, highest_mj + room_mj + 1e-6};
+  plot.legend = LegendCorner::none;
+  return {std::move(plot),
+          {'b', "energy in the fall, without air", "T-shirt of 1028; what springs store is not in it"}};
+}
+
+PlotPanel rest_panel(const MethodTrials& trials) {
+  Plot plot;
+  std::vector<double> speeds;
+  double end_s = shaken_s;
+  plot.curves = curves_of(trials, false, [&](const MethodTrial& trial, Curve& curve) {
+    // Swings to and fro would hide each other: the largest in a quarter of a second.
+    constexpr std::size_t window = 15;
+    for (std::size_t i = 0; i < trial.frames.size(); i += window) {
+      double largest = 0.0;
+      for (std::size_t k = i; k < std::min(i + window, trial.frames.size()); ++k) {
+        largest = std::max(largest, trial.frames[k].speed_m_per_s);
+        end_s = std::max(end_s, trial.frames[k].time_s);
+      }
+      curve.points.push_back({trial.frames[i].time_s, largest});
+      speeds.push_back(largest);
+    }
+  });
+  plot.x = {"time in s", 0.0, end_s};
+  plot.y = decades_around("RMS speed in m/s, the largest in 1/4 s", speeds);
+  plot.curves.insert(plot.curves.begin(), line_at(shaken_s, plot.y));
+  plot.legend = LegendCorner::none;
+  return {std::move(plot),
+          {'c', fmt::format("speed; pins are shaken, and held from {:g} s on", shaken_s),
+           fmt::format("T-shirt of 1028, in air; shaken by {:g} cm, {:g} times a second", 1e2 * shaken_by_m,
+                       shaken_hz)}};
+}
+
+Axis factor_axis() {
+  return {"length of a time step, times its own", 0.85, 7.5, true, "", {1.0, 2.0, 5.0}};
+}
+
+PlotPanel steps_panel(const MethodTrials& trials) {
+  Plot plot;
+  std::vector<double> stretches = {1.0};
+  plot.curves = curves_of(trials, true, [&](const MethodTrial& trial, Curve& curve) {
+    const double percent = 100.0 * trial.largest_stretch();
+    curve.points.push_back({static_cast<double>(trial.step_factor), percent});
+    if (std::isfinite(percent)) {
+      stretches.push_back(percent);
+    }
+  });
+  plot.x = factor_axis();
+  plot.y = decades_around("largest stretch of an edge", stretches);
+  plot.y.suffix = " %";
+  // Above all that is measured.
+  plot.y.maximum *= 10.0;
+  const double lost_at = std::pow(10.0, -0.4) * plot.y.maximum;
+  plot.levels = {{lost_at, "lost"}, {100.0 * trial_max_stretch, ""}};
+  for (std::size_t i = 0; i < trial_methods.size(); ++i) {
+    Curve lost = curve_of(trial_methods[i], true);
+    lost.stroke.thickness_px = 0.0F;
+    lost.marker = Marker::cross;
+    for (const MethodTrial& trial : trials) {
+      if (trial.kind == trial_methods[i] && trial.is_lost) {
+        // Side by side.
+        lost.points.push_back({trial.step_factor * std::pow(1.07, static_cast<double>(i) - 3.0), lost_at});
+      }
+    }
+    plot.curves.push_back(std::move(lost));
+  }
+  plot.legend = LegendCorner::none;
+  return {std::move(plot), {'d', "stretch with longer time steps", "T-shirt of 1028, 1 s; a cross: lost"}};
+}
+
+PlotPanel sunk_panel(const MethodTrials& trials) {
+  Plot plot;
+  double deepest_cm = 1.0;
+  plot.curves = curves_of(trials, true, [&](const MethodTrial& trial, Curve& curve) {
+    if (!trial.is_lost && !trial.frames.empty()) {
+      curve.points.push_back({static_cast<double>(trial.step_factor), 1e2 * trial.frames.back().sunk_m});
+      deepest_cm = std::max(deepest_cm, curve.points.back()[1]);
+    }
+  });
+  plot.x = factor_axis();
+  plot.y = {"centre of mass, cm below the start", 0.0, 1.1 * deepest_cm};
+  plot.legend = LegendCorner::none;
+  return {std::move(plot),
+          {'e', "how far it sinks into folds", "the same runs at their end; near 0 it is locked"}};
+}
+
+void draw_methods(renderer::Canvas& canvas, const Area& area, const PlotSheet& sheet) {
+  const float row_px = area.height_px / static_cast<float>(trial_methods.size());
+  float top_px = area.y_px + 0.6F * sheet.plot.text_px;
+  for (const sim::SolverKind kind : trial_methods) {
+    Curve entry = curve_of(kind, true);
+    entry.name = look_of(kind).name;
+    draw_legend_entry(canvas, entry, area.x_px + 60.0F, top_px + 0.5F * sheet.plot.text_px, sheet.plot);
+    canvas.text(area.x_px + 60.0F + 3.1F * sheet.plot.text_px, top_px + 2.1F * sheet.plot.text_px,
+                look_of(kind).setting, text_style(sheet.caption.measured_px, palette::quiet_ink));
+    top_px += row_px;
+  }
+  canvas.text(
+      area.x_px + 60.0F, top_px + 1.2F * sheet.plot.text_px,
+      fmt::format("no contact, one thread; asked for {:g} % where possible", 100.0 * trial_max_stretch),
+      text_style(sheet.caption.measured_px));
+}
+
+}  // namespace
+
+// What the methods of sections I and III cost and do, on the same meshes.
+Drawing draw_figure8(const Results& results, LazyOffscreenRenderer&) {
+  PlotSheet sheet;
+  sheet.plot = {.text_px = 38.0F, .marker_px = 13.0F};
+  sheet.row_gap_px = 30.0F;
+  const MethodTrials& steps = results.trials_of(MethodTest::steps);
+  std::vector<PlotPanel> panels = {
+      time_panel(results.trials_of(MethodTest::time)), energy_panel(results.trials_of(MethodTest::energy)),
+      rest_panel(results.trials_of(MethodTest::rest)), steps_panel(steps), sunk_panel(steps)};
+  const Area free = plot_area(sheet, panels.size());
+  Drawing drawing = draw_plot_sheet(std::move(panels), sheet);
+  drawing.draw = [=, draw_plots = drawing.draw](renderer::Canvas& canvas) {
+    draw_plots(canvas);
+    draw_methods(canvas, free, sheet);
+  };
+  return drawing;
+}
+
+}  // namespace taut::app

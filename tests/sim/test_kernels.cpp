@@ -283,7 +283,8 @@ TEST(Kernels, TheWindAgreesWithTheOtherSolvers) {
   external.wind = wind;
   for (const VectorUnit unit : available_vector_units()) {
     ParallelKernels kernels(kernels_for(unit), 1);
-    forces.update(garment, external, motion, 0.0, 1e-3, 2e-3, kernels);
+    forces.update_wind(garment, external.wind, motion, 0.0, 1e-3, 2e-3, kernels);
+    forces.update(garment, external, motion, 0.0, 1e-3, 1e-3, kernels);
     for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
       const Index v = layout.vertex_of_row[row];
       const Vec3 force = vector_of(forces.accelerations()[row]) * garment.masses_kg[v];
@@ -291,6 +292,51 @@ TEST(Kernels, TheWindAgreesWithTheOtherSolvers) {
           << name_of(unit) << ", vertex " << v;
     }
   }
+}
+
+TEST(SlowForces, TheWindNeedNotFollowTheFastestWavesOfBending) {
+  const Garment garment = make_garment(irregular_sheet(9, 1.0));
+  const Pins no_pins = make_pins(garment, {});
+  const Layout layout = make_layout(garment, no_pins);
+  const SlowForces stiff(garment, no_pins, layout, 1.0, 1.0 / 60.0);
+  const SlowForces limp(garment, no_pins, layout, 0.0, 1.0 / 60.0);
+  ExternalForces external;
+  external.wind.speed_m_per_s = 10.0;
+  EXPECT_EQ(stiff.wind_updates_per_frame(external, 1.0 / 60.0),
+            limp.wind_updates_per_frame(external, 1.0 / 60.0));
+  EXPECT_GT(stiff.updates_per_frame(external, 1.0 / 60.0),
+            3 * stiff.wind_updates_per_frame(external, 1.0 / 60.0));
+  external.wind.speed_m_per_s = 100.0;
+  EXPECT_EQ(limp.updates_per_frame(external, 1.0 / 60.0), limp.wind_updates_per_frame(external, 1.0 / 60.0));
+}
+
+TEST(SlowForces, TheWindGoesOnAsItWasUntilItIsUpdated) {
+  const Garment garment = make_garment(irregular_sheet(9, 1.0));
+  const Pins no_pins = make_pins(garment, {});
+  const Layout layout = make_layout(garment, no_pins);
+  SlowForces forces(garment, no_pins, layout, 0.0, 1.0);
+  Motion motion;
+  set_start(layout, garment.mesh.positions, motion.start);
+  motion.start_m = garment.mesh.positions;
+  motion.current.resize(layout.row_count());
+  motion.previous.resize(layout.row_count());
+  ExternalForces external;
+  external.gravity_m_per_s2 = {0, -10, 0};
+  external.wind.speed_m_per_s = 8.0;
+  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+  const auto first_row_at = [&](double gravity) {
+    external.gravity_m_per_s2.y = gravity;
+    forces.update(garment, external, motion, 0.0, 1e-3, 1e-3, kernels);
+    return vector_of(forces.accelerations()[0]);
+  };
+  EXPECT_EQ(first_row_at(-10.0), Vec3(0, -10, 0));
+  forces.update_wind(garment, external.wind, motion, 0.0, 1e-3, 2e-3, kernels);
+  const Vec3 blown = first_row_at(0.0);
+  EXPECT_LT(blown.z, -1.0);
+  external.wind.speed_m_per_s = 0.0;
+  EXPECT_EQ(first_row_at(0.0), blown);
+  forces.update_wind(garment, external.wind, motion, 0.0, 1e-3, 2e-3, kernels);
+  EXPECT_EQ(first_row_at(0.0), Vec3(0.0));
 }
 
 }  // namespace

@@ -178,6 +178,9 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
   const double dt = frame_time_s / substeps;
   const int updates = cloth.forces.updates_per_frame(surroundings.forces, frame_time_s);
   const int substeps_per_update = std::max(1, substeps / updates);
+  const int wind_updates = cloth.forces.wind_updates_per_frame(surroundings.forces, frame_time_s);
+  const int substeps_per_wind =
+      std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
   begin_substeps(dt);
   cloth.contacts.begin_attempt({time_s, time_s + frame_time_s}, earlier_attempts);
   for (int substep = 0; substep < substeps; ++substep) {
@@ -188,6 +191,8 @@ void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& sur
     time.time_step_s = dt;
     time.updates_forces = substep % substeps_per_update == 0;
     time.update_interval_s = substeps_per_update * dt;
+    time.updates_wind = substep % substeps_per_wind == 0;
+    time.wind_interval_s = substeps_per_wind * dt;
     bounded::step(garment, surroundings, time, *kernels_, cloth);
   }
 }

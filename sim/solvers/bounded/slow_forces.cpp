@@ -49,6 +49,12 @@ double fastest_bending_per_s(const Garment& garment, double rigidity_n_m, double
   return rise * fastest_bending_per_frame / frame_time_s;
 }
 
+int whole_updates(double wanted) {
+  const double rounded = std::ceil(wanted);
+  return std::max(least_updates_per_frame,
+                  static_cast<int>(rounded < most_updates_per_frame ? rounded : most_updates_per_frame));
+}
+
 AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s,
                  double interval_s) {
   const Vec3 velocity = wind_velocity(wind, time_s);
@@ -72,14 +78,16 @@ SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& l
                fastest_bending_per_s(garment, bending_rigidity_n_m, frame_time_s)),
       accelerations_(layout.row_count()),
       corner_forces_n_(layout.triangles.lane_count()),
+      wind_accelerations_(layout.row_count()),
       positions_(layout.row_count()) {}
 
+int SlowForces::wind_updates_per_frame(const ExternalForces& external, double frame_time_s) const {
+  return whole_updates(external.wind.speed_m_per_s * frame_time_s / wind_update_m);
+}
+
 int SlowForces::updates_per_frame(const ExternalForces& external, double frame_time_s) const {
-  const double for_wind = external.wind.speed_m_per_s * frame_time_s / wind_update_m;
   const double for_bending = bending_.largest_rate_per_s() * frame_time_s / largest_rate_times_interval;
-  const double wanted = std::ceil(std::max(for_wind, for_bending));
-  return std::max(least_updates_per_frame,
-                  static_cast<int>(wanted < most_updates_per_frame ? wanted : most_updates_per_frame));
+  return std::max(wind_updates_per_frame(external, frame_time_s), whole_updates(for_bending));
 }
 
 void SlowForces::add_gravity_and_artificial(const ExternalForces& external, double time_s) {
@@ -111,8 +119,8 @@ void SlowForces::add_hand(const Garment& garment, const ExternalForces& external
   }
 }
 
-void SlowForces::add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
-                          double time_step_s, double interval_s, ParallelKernels& kernels) {
+void SlowForces::update_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
+                             double time_step_s, double interval_s, ParallelKernels& kernels) {
   const TriangleLanes& triangles = layout_.triangles;
   kernels.wind(triangles, air_flow(garment, wind, time_s, time_step_s, interval_s), motion.start.high.data(),
                motion.current.data(), motion.previous.data(), corner_forces_n_.data());
@@ -122,7 +130,16 @@ void SlowForces::add_wind(const Garment& garment, const Wind& wind, const Motion
       for (std::uint32_t k = triangles.corner_begin[row]; k < triangles.corner_begin[row + 1]; ++k) {
         add_scaled(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
       }
-      add_scaled(accelerations_[row], force_n, layout_.inverse_masses_per_kg[row]);
+      wind_accelerations_[row] = Float4{};
+      add_scaled(wind_accelerations_[row], force_n, layout_.inverse_masses_per_kg[row]);
+    }
+  });
+}
+
+void SlowForces::add_wind(ParallelKernels& kernels) {
+  kernels.for_rows(0, layout_.vertex_count(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      add_scaled(accelerations_[row], wind_accelerations_[row], 1.0F);
     }
   });
 }
@@ -148,7 +165,7 @@ void SlowForces::update(const Garment& garment, const ExternalForces& external, 
                         double time_s, double time_step_s, double interval_s, ParallelKernels& kernels) {
   add_gravity_and_artificial(external, time_s);
   add_hand(garment, external, motion, time_step_s, interval_s);
-  add_wind(garment, external.wind, motion, time_s, time_step_s, interval_s, kernels);
+  add_wind(kernels);
   if (!bending_.empty()) {
     add_bending(motion, interval_s / time_step_s, kernels);
   }

@@ -20,10 +20,16 @@ class SlowForces {
   /// Returns how many evaluations per frame keep the cloth stable although the forces stay constant in
   /// between.
   int updates_per_frame(const ExternalForces& external, double frame_time_s) const;
+  /// The same for the wind alone, which turns with the cloth and need not follow waves of bending.
+  int wind_updates_per_frame(const ExternalForces& external, double frame_time_s) const;
 
-  /// Evaluates all forces at the current motion. The result, accelerations(), is used for the next
-  /// `interval_s`. `time_step_s` is the time between the two displacements of `motion`. Requires that the
-  /// vertices of artificial forces and hands exist.
+  /// Evaluates the wind at the current motion, for the updates of the next `interval_s`. `time_step_s` is the
+  /// time between the two displacements of `motion`.
+  void update_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
+                   double time_step_s, double interval_s, ParallelKernels& kernels);
+
+  /// Evaluates all other forces at the current motion and adds the wind. The result, accelerations(), is used
+  /// for the next `interval_s`. Requires that the vertices of artificial forces and hands exist.
   void update(const Garment& garment, const ExternalForces& external, const Motion& motion, double time_s,
               double time_step_s, double interval_s, ParallelKernels& kernels);
 
@@ -34,14 +40,14 @@ class SlowForces {
   void add_gravity_and_artificial(const ExternalForces& external, double time_s);
   void add_hand(const Garment& garment, const ExternalForces& external, const Motion& motion,
                 double time_step_s, double interval_s);
-  void add_wind(const Garment& garment, const Wind& wind, const Motion& motion, double time_s,
-                double time_step_s, double interval_s, ParallelKernels& kernels);
+  void add_wind(ParallelKernels& kernels);
   void add_bending(const Motion& motion, double ahead, ParallelKernels& kernels);
 
   const Layout& layout_;
   Bending bending_;
   Float4Array accelerations_;
   Float4Array corner_forces_n_;
+  Float4Array wind_accelerations_;  ///< by row, in m/s^2, of the last update of the wind
   Float4Array positions_;
 };
 

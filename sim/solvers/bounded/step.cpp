@@ -9,6 +9,10 @@ namespace {
 
 void impose_forces(const Garment& garment, const ExternalForces& external, const TimeStep& time,
                    ParallelKernels& kernels, SteppedCloth& cloth) {
+  if (time.updates_wind) {
+    cloth.forces.update_wind(garment, external.wind, cloth.motion, time.time_s, time.time_step_s,
+                             time.wind_interval_s, kernels);
+  }
   cloth.forces.update(garment, external, cloth.motion, time.time_s, time.time_step_s, time.update_interval_s,
                       kernels);
 }

@@ -38,6 +38,8 @@ struct TimeStep {
   bool updates_forces = false;
   /// From one update of the forces to the next.
   double update_interval_s = 0.0;
+  bool updates_wind = false;  ///< only where forces are updated
+  double wind_interval_s = 0.0;
 };
 
 /// Returns how far each pin moves within the time, which begins with the frame, in m, by row.

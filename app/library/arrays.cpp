@@ -5,11 +5,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numeric>
 
 #include "app/library/structs.hpp"
-#include "app/models/garment_import.hpp"
-#include "sim/mesh/polygons.hpp"
 
 namespace taut::library {
 namespace {
@@ -136,19 +133,16 @@ std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t
   return {vertices, vertices + count};
 }
 
-sim::Mesh mesh_from(const TautMesh* given) {
+app::ImportedModel model_from(const TautMesh* given) {
   const TautMesh mesh = read_struct(given);
   if (mesh.corner_count > most_vertices) {
     throw ArgumentError(
         fmt::format("found {} corners of faces, expected at most {}", mesh.corner_count, most_vertices));
   }
-  sim::Mesh made;
-  made.positions = points_from(&mesh.positions);
-  const std::vector<sim::Index> corners =
-      vertices_from(mesh.corners, mesh.corner_count, made.positions.size());
+  std::vector<sim::Vec3> positions_m = points_from(&mesh.positions);
+  std::vector<sim::Index> corners = vertices_from(mesh.corners, mesh.corner_count, positions_m.size());
   require(!corners.empty(), "found a mesh without faces");
-  made.triangles = sim::cut_into_triangles({made.positions, corner_counts(mesh), corners});
-  return made;
+  return app::model_of(std::move(positions_m), corner_counts(mesh), std::move(corners));
 }
 
 }  // namespace taut::library

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/library/taut.h"
-#include "sim/mesh/mesh.hpp"
+#include "app/models/garment_import.hpp"
 
 namespace taut::library {
 
@@ -38,7 +38,8 @@ sim::Vec3 vector_of(double x, double y, double z);
 /// Returns the numbers, each below `limit`. Throws ArgumentError.
 std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t count, std::size_t limit);
 
-/// Returns the mesh as triangles, cut but not repaired. Throws ArgumentError on arrays that cannot be used.
-sim::Mesh mesh_from(const TautMesh* mesh);
+/// Returns the mesh as one that is read from a file, cut into triangles but not repaired. Throws
+/// ArgumentError on arrays that cannot be used.
+app::ImportedModel model_from(const TautMesh* mesh);
 
 }  // namespace taut::library

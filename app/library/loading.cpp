@@ -46,7 +46,7 @@ app::Scene scene_of(const TautOptions& options, const std::vector<app::Override>
   }
   app::Scene scene;
   scene.name = "mesh";
-  scene.garment.given = std::make_shared<const sim::Mesh>(mesh_from(options.mesh));
+  scene.garment.given = std::make_shared<const app::ImportedModel>(model_from(options.mesh));
   app::apply_overrides(app::undrawn_format(), overrides, scene);
   require(scene.garment.file.empty(), "garment.file: expected no file where a mesh is given");
   require(scene.garment.subdivisions == 0,
@@ -87,9 +87,6 @@ Start load(const TautOptions& options) {
   set_threads(options, start.scene);
   tell(options, load_bodies(start.scene));
   start.loaded = app::load_garment(start.scene);
-  if (options.mesh != nullptr) {
-    start.given_m = start.scene.garment.given->positions;
-  }
   app::put_on_hanger(start.loaded, start.scene);
   tell(options, app::put_on(start.loaded, start.scene));
   if (options.log != nullptr) {

@@ -49,9 +49,8 @@ std::vector<sim::Index> first_of_each(const std::vector<sim::Index>& mesh_vertex
 Session::Session(const TautOptions& options, Start start)
     : scene_(std::move(start.scene)),
       loaded_(std::move(start.loaded)),
-      given_m_(std::move(start.given_m)),
-      mesh_vertex_(given_m_.empty() ? counted_up(loaded_.garment->mesh.positions.size())
-                                    : loaded_.file_vertices.mesh_vertex),
+      mesh_vertex_(scene_.garment.given ? loaded_.file_vertices.mesh_vertex
+                                        : counted_up(loaded_.garment->mesh.positions.size())),
       own_vertex_(first_of_each(mesh_vertex_, loaded_.garment->mesh.positions.size())),
       simulation_([&] {
         if (options.start != nullptr) {
@@ -242,10 +241,10 @@ std::vector<sim::Vec3> Session::in_mesh(const std::vector<sim::Vec3>& positions_
 }
 
 std::vector<sim::Vec3> Session::positions_m() const {
-  if (given_m_.empty()) {
+  if (!scene_.garment.given) {
     return simulation_.state().current;
   }
-  std::vector<sim::Vec3> positions_m = given_m_;
+  std::vector<sim::Vec3> positions_m = loaded_.file_rest_m;
   for (std::size_t v = 0; v < positions_m.size(); ++v) {
     if (mesh_vertex_[v] != sim::no_vertex) {
       positions_m[v] = simulation_.state().current[mesh_vertex_[v]];

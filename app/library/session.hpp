@@ -21,7 +21,6 @@ namespace taut::library {
 struct Start {
   app::Scene scene;
   app::LoadedGarment loaded;
-  std::vector<sim::Vec3> given_m;  ///< per vertex of the caller's mesh; empty: a scene
 };
 
 /// Reads what the options name and tells their log what was guessed. Throws ArgumentError, and as
@@ -53,7 +52,7 @@ class Session {
 
   /// Returns its number. Throws InputError on a mesh that is not closed.
   std::size_t add_body(sim::Body body);
-  std::size_t add_body(sim::Body body, sim::Mesh mesh);
+  std::size_t add_body(sim::Body body, const app::ImportedModel& model);
   /// How many positions the mesh of a body was given with.
   std::size_t positions_of_body(std::size_t body) const;
   void move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m);
@@ -95,7 +94,6 @@ class Session {
 
   app::Scene scene_;
   app::GarmentInScene loaded_;
-  std::vector<sim::Vec3> given_m_;
   std::vector<sim::Index> mesh_vertex_;  ///< per vertex of the caller, or sim::no_vertex
   std::vector<sim::Index> own_vertex_;   ///< per vertex of the mesh
   sim::Simulation simulation_;

@@ -18,14 +18,9 @@ std::size_t Session::add_body(sim::Body body) {
   return scene_.surroundings.bodies.size() - 1;
 }
 
-std::size_t Session::add_body(sim::Body body, sim::Mesh mesh) {
-  app::ImportedModel model;
-  model.positions = std::move(mesh.positions);
-  model.triangles = std::move(mesh.triangles);
+std::size_t Session::add_body(sim::Body body, const app::ImportedModel& model) {
   app::BodySource source;
   source.file = body.name.empty() ? "body" : body.name;
-  source.scale = 1.0;
-  source.up = app::ModelAxis::y;
   app::LoadedMesh loaded = app::make_body_mesh(source, model);
   body.shape = sim::BodyMesh{std::make_shared<const sim::BodyMeshData>(
       sim::BodyMeshData{std::move(loaded.mesh.positions), std::move(loaded.mesh.triangles)})};

@@ -210,7 +210,7 @@ TautResult taut_add_body(TautCloth cloth, const TautBody* body, int32_t* number)
     }
     const std::size_t added = given.mesh == nullptr
                                   ? session.add_body(std::move(made))
-                                  : session.add_body(std::move(made), mesh_from(given.mesh));
+                                  : session.add_body(std::move(made), model_from(given.mesh));
     if (number != nullptr) {
       *number = static_cast<int32_t>(added);
     }

@@ -85,8 +85,9 @@ typedef struct TautPointsOut {
   int32_t type;
 } TautPointsOut;
 
-/* Faces of three corners, or of as many as `corners_per_face` says. Faces are kept in their order; vertices at equal
- * positions at borders are one to the simulation, and keep their numbers for the caller. */
+/* Faces of three corners, or of as many as `corners_per_face` says. A mesh is mended as one of a file is, with which it
+ * shares all bits: vertices at equal positions at borders are one to the simulation, and so are those of parts whose
+ * borders meet within 1 mm, unless garment.weld says otherwise. All keep their numbers for the caller. */
 typedef struct TautMesh {
   uint32_t struct_size;
   TautPoints positions;             /* in m */

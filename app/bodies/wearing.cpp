@@ -9,6 +9,7 @@
 #include "app/bodies/dressing.hpp"
 #include "app/bodies/joint_names.hpp"
 #include "app/models/garment_measures.hpp"
+#include "app/models/hanger.hpp"
 #include "app/models/scene_crossings.hpp"
 
 namespace taut::app {
@@ -199,6 +200,11 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
     said.emplace_back("the arms begin in its sleeves");
   }
   return said;
+}
+
+std::vector<std::string> put_where_it_begins(LoadedGarment& loaded, Scene& scene) {
+  put_on_hanger(loaded, scene);
+  return put_on(loaded, scene);
 }
 
 }  // namespace taut::app

@@ -164,7 +164,7 @@ sim::Vec3 front_of_dressed(const Scene& scene) {
 
 std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
   const Dressed dressed = dressed_body(scene);
-  if (dressed.wearer == nullptr || !scene.garment.start.empty()) {
+  if (dressed.wearer == nullptr || scene.garment.has_start()) {
     return {};
   }
   const Wearer& wearer = *dressed.wearer;

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -112,6 +113,15 @@ void put_points(std::span<const sim::Vec3> points, const TautPointsOut* out) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     char* at = static_cast<char*>(out->data) + k * out->stride;
     out->type == TAUT_FLOAT ? write_point<float>(points[k], at) : write_point<double>(points[k], at);
+  }
+}
+
+void put_bytes(std::string_view bytes, char* buffer, std::size_t capacity, std::size_t* size) {
+  require(size != nullptr, "found a size of NULL");
+  *size = bytes.size();
+  if (buffer != nullptr) {
+    require(capacity >= bytes.size(), "found a buffer that is too small");
+    std::copy(bytes.begin(), bytes.end(), buffer);
   }
 }
 

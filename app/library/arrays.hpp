@@ -4,6 +4,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/library/taut.h"
@@ -31,6 +32,9 @@ std::vector<sim::Vec3> points_from(const TautPoints* points);
 
 /// Fills an array with the points. Throws ArgumentError as points_from() does.
 void put_points(std::span<const sim::Vec3> points, const TautPointsOut* out);
+
+/// Fills in the size, and the bytes where there is a buffer. Throws ArgumentError if they do not fit.
+void put_bytes(std::string_view bytes, char* buffer, std::size_t capacity, std::size_t* size);
 
 /// Returns the vector. Throws ArgumentError if a number is not finite.
 sim::Vec3 vector_of(double x, double y, double z);

@@ -52,13 +52,11 @@ Session::Session(const TautOptions& options, Start start)
       mesh_vertex_(scene_.garment.given ? loaded_.file_vertices.mesh_vertex
                                         : counted_up(loaded_.garment->mesh.positions.size())),
       own_vertex_(first_of_each(mesh_vertex_, loaded_.garment->mesh.positions.size())),
-      simulation_([&] {
-        if (options.start != nullptr) {
-          loaded_.start_m = in_mesh(points_from(options.start, vertex_count()));
-        }
-        return app::make_simulation(scene_, loaded_);
-      }()),
-      frame_(app::go_to_start(scene_, simulation_)) {
+      simulation_(app::make_simulation(scene_, loaded_)),
+      frame_(app::go_to_start(scene_, simulation_)),
+      lent_(std::move(start.lent)),
+      crossings_at_start_(start.crossings),
+      listener_(start.listener) {
   if (options.counts_crossings != 0) {
     verifier_.emplace();
   }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/bodies/placed_frames.hpp"
+#include "app/library/given_body.hpp"
 #include "app/library/taut.h"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"
@@ -17,14 +17,25 @@
 
 namespace taut::library {
 
+/// Who is told what was guessed, repaired or chosen.
+struct Listener {
+  TautLog log = nullptr;
+  void* user = nullptr;
+
+  void tell(const std::vector<std::string>& lines) const;
+};
+
 /// A scene as it begins, made of what a caller says.
 struct Start {
   app::Scene scene;
   app::LoadedGarment loaded;
+  std::map<std::size_t, LentBody> lent = {};  ///< by the number of the body
+  std::size_t crossings = 0;                  ///< as TautInfo has them
+  Listener listener = {};                     ///< of later calls
 };
 
 /// Reads what the options name and tells their log what was guessed. Throws ArgumentError, and as
-/// find_scene(), load_bodies(), load_garment() and put_on() do.
+/// find_scene(), take_body(), load_bodies(), load_garment() and put_where_it_begins() do.
 Start load(const TautOptions& options);
 
 /// A cloth of the library: the simulation of a scene as the program runs it, and what a caller leads in it.
@@ -50,9 +61,9 @@ class Session {
   std::vector<sim::Index> pins() const;
   void move_pins(const std::vector<sim::Index>& vertices, const std::vector<sim::Vec3>& targets_m);
 
-  /// Returns its number. Throws InputError on a mesh that is not closed.
-  std::size_t add_body(sim::Body body);
-  std::size_t add_body(sim::Body body, const app::ImportedModel& model);
+  /// Returns its number, and tells what is wrong with where it is. Throws as take_body() does.
+  std::size_t add_body(const TautBody* body);
+  std::size_t crossings_at_start() const { return crossings_at_start_; }
   /// How many positions the mesh of a body was given with.
   std::size_t positions_of_body(std::size_t body) const;
   void move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m);
@@ -71,13 +82,6 @@ class Session {
   void restore(const std::filesystem::path& name, const app::RunCheckpoint& checkpoint);
 
  private:
-  /// A body that was given as arrays.
-  struct LentBody {
-    app::FileVertexPlaces places;
-    std::size_t vertices = 0;
-    std::optional<std::vector<sim::Vec3>> target_m = {};  ///< of the next frame, per vertex of the body
-  };
-
   const LentBody& lent_body(std::size_t body) const;
   std::vector<sim::Vec3> in_body(const LentBody& lent, const std::vector<sim::Vec3>& positions_m) const;
   void set_shape(std::size_t body, std::vector<sim::Vec3> positions_m);
@@ -102,6 +106,8 @@ class Session {
   std::vector<sim::PointForce> forces_;            ///< besides those of the scene; vertices of the mesh
   std::map<sim::Index, sim::Vec3> pin_targets_m_;  ///< of the next frame; vertices of the mesh
   std::map<std::size_t, LentBody> lent_;           ///< by the number of the body
+  std::size_t crossings_at_start_;
+  Listener listener_;
 };
 
 }  // namespace taut::library

@@ -3,33 +3,33 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "app/bodies/body_mesh.hpp"
 #include "app/library/arrays.hpp"
 #include "app/library/session.hpp"
+#include "app/models/garment_remarks.hpp"
 
 namespace taut::library {
 
-std::size_t Session::add_body(sim::Body body) {
+std::size_t Session::add_body(const TautBody* body) {
+  GivenBody given = take_body(body, scene_);
+  require(given.source.dress == 0, "dress: expected 0 of a body that is added later");
   app::Scene next = scene_;
-  next.surroundings.bodies.push_back(std::move(body));
-  next.body_sources.resize(next.surroundings.bodies.size());
-  next.wearers.resize(next.surroundings.bodies.size());
+  const std::size_t number = put_in(given, next);
   change(std::move(next));
-  return scene_.surroundings.bodies.size() - 1;
-}
-
-std::size_t Session::add_body(sim::Body body, const app::ImportedModel& model) {
-  app::BodySource source;
-  source.file = body.name.empty() ? "body" : body.name;
-  app::LoadedMesh loaded = app::make_body_mesh(source, model);
-  body.shape = sim::BodyMesh{std::make_shared<const sim::BodyMeshData>(
-      sim::BodyMeshData{std::move(loaded.mesh.positions), std::move(loaded.mesh.triangles)})};
-  const std::size_t number = add_body(std::move(body));
-  lent_[number] = {std::move(loaded.places), loaded.file_vertices};
+  if (given.lent) {
+    lent_[number] = std::move(*given.lent);
+  }
+  const sim::State& state = simulation_.state();
+  const app::StartRemarks remarks = app::remarks_on_body(
+      scene_.surroundings.bodies, number, state.time_s, {state.current, simulation_.garment().mesh.triangles},
+      simulation_.pins().vertices);
+  crossings_at_start_ += remarks.crossings;
+  begin_again();
+  listener_.tell(given.remarks);
+  listener_.tell(remarks.lines);
   return number;
 }
 
-const Session::LentBody& Session::lent_body(std::size_t body) const {
+const LentBody& Session::lent_body(std::size_t body) const {
   const auto found = lent_.find(body);
   if (found == lent_.end()) {
     throw ArgumentError(fmt::format("found body {}, expected one that was added as a mesh", body));
@@ -79,6 +79,7 @@ void Session::place_body(std::size_t body, const std::vector<sim::Vec3>& positio
   set_shape(body, in_body(lent_body(body), positions_m));
   lent_[body].target_m.reset();
   simulation_.set_surroundings(surroundings_of(scene_));
+  begin_again();
 }
 
 }  // namespace taut::library

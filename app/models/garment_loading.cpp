@@ -239,22 +239,28 @@ std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::M
   return groups;
 }
 
-/// The positions that a file has, in m, for the vertices of the garment's file or for those of the mesh.
+/// The positions, in m, for the vertices of the garment's file or for those of the mesh.
 std::vector<sim::Vec3> read_start(const GarmentSource& source, const LoadedGarment& loaded) {
   const std::filesystem::path& file = source.start;
   const std::vector<sim::Vec3> found_m =
-      positions_in_file(import_garment(file, {.program = source.importer}));
+      source.given_start_m ? *source.given_start_m
+                           : positions_in_file(import_garment(file, {.program = source.importer}));
   const std::size_t count = loaded.garment->mesh.positions.size();
   const std::vector<sim::Index>& mesh_vertex = loaded.file_vertices.mesh_vertex;
-  if (loaded.file_faces.empty() || found_m.size() != mesh_vertex.size()) {
-    if (found_m.size() != count) {
-      throw InputError(fmt::format(
-          "garment.start: found {} in '{}', expected the garment's {}, in their order, as taut simulate "
-          "--export writes them",
-          counted(found_m.size(), "vertex", "vertices"), file.string(),
-          loaded.file_faces.empty() ? count : mesh_vertex.size()));
+  const bool has_file_order = !loaded.file_faces.empty() && (!source.given_start_m || source.given);
+  if (!has_file_order || found_m.size() != mesh_vertex.size()) {
+    if (found_m.size() == count && !source.given) {
+      return found_m;
     }
-    return found_m;
+    const std::string found = "found " + counted(found_m.size(), "vertex", "vertices");
+    const std::size_t expected = has_file_order ? mesh_vertex.size() : count;
+    if (source.given_start_m) {
+      throw std::invalid_argument(fmt::format("start: {}, expected {}", found, expected));
+    }
+    throw InputError(
+        fmt::format("garment.start: {} in '{}', expected the garment's {}, in their order, as taut simulate "
+                    "--export writes them",
+                    found, file.string(), expected));
   }
   std::vector<sim::Vec3> start_m(count);
   for (std::size_t v = mesh_vertex.size(); v-- > 0;) {
@@ -306,7 +312,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   for (const sim::MovingPins& group : loaded.moving_pins) {
     loaded.pins.insert(loaded.pins.end(), group.vertices.begin(), group.vertices.end());
   }
-  if (!scene.garment.start.empty()) {
+  if (scene.garment.has_start()) {
     loaded.start_m = read_start(scene.garment, loaded);
   }
   if (scene.garment.untangle) {

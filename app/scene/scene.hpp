@@ -37,7 +37,11 @@ struct GarmentSource {
   /// Instead of a file, in metres with y up; null: none. It keeps its place, and hangs by nothing that the
   /// scene does not name. What is repaired of a file is repaired of it.
   std::shared_ptr<const ImportedModel> given;
+  /// The positions at the start, instead of a file: per vertex of what was given, or else of the simulated
+  /// mesh; null: none.
+  std::shared_ptr<const std::vector<sim::Vec3>> given_start_m;
 
+  bool has_start() const { return !start.empty() || given_start_m; }
   /// Whether the garment is the grid.
   bool is_grid() const { return file.empty() && !given; }
 };

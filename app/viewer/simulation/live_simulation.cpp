@@ -91,7 +91,7 @@ void LiveSimulation::tell_of_start() {
   for (const std::string& remark : loaded_->drawn_colours.remarks) {
     tell(remark, false);
   }
-  for (const std::string& remark : remarks_on_start(loaded_->scene, *loaded_)) {
+  for (const std::string& remark : remarks_on_start(loaded_->scene, *loaded_).lines) {
     tell(remark, false);
   }
 }

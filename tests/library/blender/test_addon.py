@@ -360,10 +360,13 @@ class AddOn(unittest.TestCase):
         obj = self.cloth(height=0.9, frames=1)
         ball, obj.taut.bodies = self.ball()
         self.simulate(obj)
-        self.assertRegex(obj.taut.message, r'\n\d+ pairs of faces cross Sphere at the start and may go on to$')
-        ball.location.z = 0
+        self.assertRegex(obj.taut.message, r'\nCrossings with Sphere at the start, which may stay: \d+$')
+        ball.scale = 9, 9, 9
         self.simulate(obj)
-        self.assertNotIn('cross', obj.taut.message)
+        self.assertRegex(obj.taut.message, r': 1$', 'it is wholly within')
+        ball.location.z, ball.scale = 0, (1, 1, 1)
+        self.simulate(obj)
+        self.assertNotIn('Crossings', obj.taut.message)
 
     def test_it_begins_as_posed_and_has_the_lengths_it_is_modelled_with(self):
         obj = self.cloth(frames=30)

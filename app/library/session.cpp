@@ -102,10 +102,16 @@ app::FrameRecord Session::step() {
 void Session::apply_targets(sim::Surroundings& surroundings) const {
   const double from_s = simulation_.state().time_s;
   const double rate_hz = simulation_.settings().frame_rate_hz;
+  // Cloth with a pin that is led is not at rest, however short the way.
+  const bool stay_by_themselves =
+      surroundings.pin_motion.amplitude_m == sim::Vec3(0.0) && !sim::has_pins_of_their_own(surroundings);
   sim::LedPins& led = surroundings.led_pins;
   for (const auto& [vertex, target_m] : pin_targets_m_) {
-    led.vertices.push_back(vertex);
-    led.by_m.push_back(target_m - simulation_.state().current[vertex]);
+    const sim::Vec3& now_m = simulation_.state().current[vertex];
+    if (target_m != now_m || !stay_by_themselves) {
+      led.vertices.push_back(vertex);
+      led.by_m.push_back(target_m - now_m);
+    }
   }
   led.from_s = from_s;
   led.until_s = from_s + (led.vertices.empty() ? 0.0 : simulation_.frame_time_s());

@@ -203,5 +203,35 @@ TEST(Library, MeshesOfFilesAndOfArraysHaveTheSameBitsInAnyOrder) {
   EXPECT_EQ(cloth.result, TAUT_OK) << cloth.error();
 }
 
+// Whoever leads what stands still, as a loop over frames does, leads nothing.
+class LedNowhere : public testing::TestWithParam<double> {};
+
+TEST_P(LedNowhere, PinsAndBodiesChangeNoBitAndMayRest) {
+  Square square(7, 0.3, 0.02);
+  const std::uint32_t pins[] = {0, 6, 3};
+  Box box(-0.11);
+  std::vector<std::uint64_t> hashes[2];
+  for (const bool are_led : {false, true}) {
+    OwnCloth cloth(square.options);
+    ASSERT_EQ(taut_set_pins(cloth, pins, 2), TAUT_OK);
+    ASSERT_EQ(taut_add_body(cloth, &box.body, nullptr), TAUT_OK);
+    ASSERT_EQ(taut_set_gravity(cloth, 0.0, GetParam(), 0.0), TAUT_OK);
+    const double targets[2][3] = {{-0.15, 0.02, -0.15}, {0.15, 0.02, -0.15}};
+    const TautPoints points = {targets, 2, sizeof(targets[0]), TAUT_DOUBLE};
+    for (int frame = 0; frame < 40; ++frame) {
+      if (are_led) {
+        ASSERT_EQ(taut_move_pins(cloth, pins, &points), TAUT_OK);
+        ASSERT_EQ(taut_move_body(cloth, 0, &box.mesh.positions), TAUT_OK);
+      }
+      const TautFrame made_frame = cloth.step();
+      hashes[are_led].push_back(made_frame.state_hash + made_frame.is_asleep);
+    }
+    EXPECT_EQ(cloth.positions()[6][0], targets[1][0]);
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Library, LedNowhere, testing::Values(-9.81, 0.0));
+
 }  // namespace
 }  // namespace taut::test

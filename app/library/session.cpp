@@ -118,8 +118,7 @@ void Session::apply_targets(sim::Surroundings& surroundings) const {
   for (const auto& [number, lent] : lent_) {
     if (lent.target_m) {
       auto& mesh = std::get<sim::BodyMesh>(surroundings.bodies[number].shape);
-      mesh.frames =
-          std::make_shared<const WayOfBody>(mesh.data->positions_m, *lent.target_m, from_s, rate_hz);
+      mesh.frames = std::make_shared<const WayOfBody>(shape_m(number), *lent.target_m, from_s, rate_hz);
     }
   }
 }

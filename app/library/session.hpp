@@ -84,6 +84,7 @@ class Session {
  private:
   const LentBody& lent_body(std::size_t body) const;
   std::vector<sim::Vec3> in_body(const LentBody& lent, const std::vector<sim::Vec3>& positions_m) const;
+  std::vector<sim::Vec3> shape_m(std::size_t body) const;
   void set_shape(std::size_t body, std::vector<sim::Vec3> positions_m);
   sim::Surroundings surroundings_of(const app::Scene& scene) const;
   /// Throws sim::Diverged while the cloth is lost.

@@ -5,7 +5,9 @@
 
 #include "app/library/arrays.hpp"
 #include "app/library/session.hpp"
+#include "app/library/way_of_body.hpp"
 #include "app/models/garment_remarks.hpp"
+#include "app/models/scene_crossings.hpp"
 
 namespace taut::library {
 
@@ -54,16 +56,20 @@ std::vector<sim::Vec3> Session::in_body(const LentBody& lent,
   return in_body_m;
 }
 
+std::vector<sim::Vec3> Session::shape_m(std::size_t body) const {
+  return app::mesh_positions_m(scene_.surroundings.bodies[body], simulation_.state().time_s);
+}
+
+// Its data stay those that were given, as those of a file do: the last bits hang on them.
 void Session::set_shape(std::size_t body, std::vector<sim::Vec3> positions_m) {
-  auto& mesh = std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape);
-  mesh = {std::make_shared<const sim::BodyMeshData>(
-      sim::BodyMeshData{std::move(positions_m), mesh.data->triangles})};
+  std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape).frames =
+      std::make_shared<const StillBody>(std::move(positions_m));
 }
 
 void Session::move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m) {
   const LentBody& lent = lent_body(body);
   std::vector<sim::Vec3> target_m = in_body(lent, positions_m);
-  const auto& now_m = std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape).data->positions_m;
+  const std::vector<sim::Vec3> now_m = shape_m(body);
   for (std::size_t v = 0; v < target_m.size(); ++v) {
     const double way_m = glm::distance(target_m[v], now_m[v]);
     if (!(way_m <= app::furthest_in_frame_m)) {

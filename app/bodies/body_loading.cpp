@@ -177,7 +177,10 @@ std::shared_ptr<const Rig> read_rig(const std::filesystem::path& file) {
 }
 
 ReadBody read_body(const BodySource& source, const ShownTime& shown) {
-  ImportedModel model = import_garment(source.file, {.program = source.importer});
+  return body_of(source, import_garment(source.file, {.program = source.importer}), shown);
+}
+
+ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime& shown) {
   ReadBody body{{}, take_rig(source.file, model), {}, {}, model.format};
   LoadedMesh loaded = make_body_mesh(source, model);
   body.joints = joint_places(*body.rig, stored_pose(*body.rig), loaded.places.placement);
@@ -207,6 +210,8 @@ ReadBody read_body(const BodySource& source, const ShownTime& shown) {
   }
   body.mesh.data = std::make_shared<const sim::BodyMeshData>(
       sim::BodyMeshData{std::move(loaded.mesh.positions), std::move(loaded.mesh.triangles)});
+  body.places = std::move(loaded.places);
+  body.file_vertices = loaded.file_vertices;
   return body;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/bodies/body_girths.hpp"
 #include "app/bodies/dressing.hpp"
+#include "app/models/garment_import.hpp"
 #include "app/models/rig.hpp"
 #include "app/scene/scene.hpp"
 
@@ -30,6 +31,8 @@ struct ReadBody {
   std::shared_ptr<const Wearer> wearer;   ///< null: it is not dressed
   std::string format;                     ///< name of the file's format
   std::vector<std::string> remarks = {};  ///< as load_bodies() returns them
+  FileVertexPlaces places = {};           ///< of the mesh
+  std::size_t file_vertices = 0;
 };
 
 /// Reads what moves the body in a file; never null, empty if nothing does. Throws InputError that names the
@@ -44,6 +47,8 @@ struct ShownTime {
 
 /// Reads one body. Throws as load_bodies() does.
 ReadBody read_body(const BodySource& source, const ShownTime& shown);
+/// The same of a model that was read; the name of the source's file is for messages.
+ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime& shown);
 
 /// Prints the lines that load_bodies() returned, with the scene's name in front. Null: prints nothing.
 void print_body_remarks(const Scene& scene, const std::vector<std::string>& remarks, std::FILE* output);

@@ -9,6 +9,7 @@
 #include "app/bodies/dressing.hpp"
 #include "app/bodies/joint_names.hpp"
 #include "app/models/garment_measures.hpp"
+#include "app/models/hanger.hpp"
 #include "app/models/scene_crossings.hpp"
 
 namespace taut::app {
@@ -163,7 +164,7 @@ sim::Vec3 front_of_dressed(const Scene& scene) {
 
 std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
   const Dressed dressed = dressed_body(scene);
-  if (dressed.wearer == nullptr || !scene.garment.start.empty()) {
+  if (dressed.wearer == nullptr || scene.garment.has_start()) {
     return {};
   }
   const Wearer& wearer = *dressed.wearer;
@@ -199,6 +200,11 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
     said.emplace_back("the arms begin in its sleeves");
   }
   return said;
+}
+
+std::vector<std::string> put_where_it_begins(LoadedGarment& loaded, Scene& scene) {
+  put_on_hanger(loaded, scene);
+  return put_on(loaded, scene);
 }
 
 }  // namespace taut::app

@@ -16,6 +16,10 @@ namespace taut::app {
 /// at rest: nothing is stretched. Requires a scene whose bodies are loaded.
 std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene);
 
+/// Puts the garment where the run begins: on the hanger that it was loaded with, and about the body that is
+/// to be dressed. Returns what put_on() does.
+std::vector<std::string> put_where_it_begins(LoadedGarment& loaded, Scene& scene);
+
 /// The body that put_on() dresses.
 struct Dressed {
   const Wearer* wearer = nullptr;  ///< null: no body is dressed

@@ -9,7 +9,6 @@
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/drawing/inspection_picture.hpp"
-#include "app/models/hanger.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"
 #include "renderer/page/png.hpp"
@@ -55,8 +54,7 @@ int run(const InspectOptions& options) {
   }
   Progress progress(options.garment.filename().string());
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
-  put_on_hanger(loaded, scene);
-  print_body_remarks(scene, put_on(loaded, scene), options.json ? stderr : stdout);
+  print_body_remarks(scene, put_where_it_begins(loaded, scene), options.json ? stderr : stdout);
   progress.begin("measuring it");
   const Inspection inspection = inspect_garment(scene, loaded);
   progress.hide();

@@ -24,7 +24,6 @@
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
-#include "app/models/hanger.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
 #include "app/output/frame_verifier.hpp"
@@ -367,8 +366,7 @@ int run(const RenderOptions& options) {
   offscreen.renderer().prepare(settings_of(style), style.surface == SurfaceLook::stretch);
   LoadedGarment loaded = garment.get();
   progress.hide();
-  put_on_hanger(loaded, job.scene);
-  print_body_remarks(job.scene, put_on(loaded, job.scene), stdout);
+  print_body_remarks(job.scene, put_where_it_begins(loaded, job.scene), stdout);
   print_remarks(job.scene, loaded);
   const DrawnColours colours = drawn_colours(job.scene, loaded);
   for (const std::string& remark : colours.remarks) {

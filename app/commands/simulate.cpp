@@ -18,7 +18,6 @@
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
-#include "app/models/hanger.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
 #include "app/output/frame_verifier.hpp"
@@ -75,8 +74,7 @@ bool is_told(const SimulateOptions& options) {
 LoadedGarment load(DrawnScene& scene, Progress& progress, std::FILE* remarks) {
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   progress.hide();
-  put_on_hanger(loaded, scene);
-  print_body_remarks(scene, put_on(loaded, scene), remarks);
+  print_body_remarks(scene, put_where_it_begins(loaded, scene), remarks);
   if (remarks != nullptr) {
     print_remarks(scene, loaded, remarks);
   }

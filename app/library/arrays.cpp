@@ -2,14 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numeric>
 
 #include "app/library/structs.hpp"
-#include "app/models/garment_import.hpp"
-#include "sim/mesh/polygons.hpp"
 
 namespace taut::library {
 namespace {
@@ -118,6 +116,15 @@ void put_points(std::span<const sim::Vec3> points, const TautPointsOut* out) {
   }
 }
 
+void put_bytes(std::string_view bytes, char* buffer, std::size_t capacity, std::size_t* size) {
+  require(size != nullptr, "found a size of NULL");
+  *size = bytes.size();
+  if (buffer != nullptr) {
+    require(capacity >= bytes.size(), "found a buffer that is too small");
+    std::copy(bytes.begin(), bytes.end(), buffer);
+  }
+}
+
 sim::Vec3 vector_of(double x, double y, double z) {
   const sim::Vec3 vector(x, y, z);
   require(is_finite(vector), "found a number that is not finite");
@@ -136,19 +143,16 @@ std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t
   return {vertices, vertices + count};
 }
 
-sim::Mesh mesh_from(const TautMesh* given) {
+app::ImportedModel model_from(const TautMesh* given) {
   const TautMesh mesh = read_struct(given);
   if (mesh.corner_count > most_vertices) {
     throw ArgumentError(
         fmt::format("found {} corners of faces, expected at most {}", mesh.corner_count, most_vertices));
   }
-  sim::Mesh made;
-  made.positions = points_from(&mesh.positions);
-  const std::vector<sim::Index> corners =
-      vertices_from(mesh.corners, mesh.corner_count, made.positions.size());
+  std::vector<sim::Vec3> positions_m = points_from(&mesh.positions);
+  std::vector<sim::Index> corners = vertices_from(mesh.corners, mesh.corner_count, positions_m.size());
   require(!corners.empty(), "found a mesh without faces");
-  made.triangles = sim::cut_into_triangles({made.positions, corner_counts(mesh), corners});
-  return made;
+  return app::model_of(std::move(positions_m), corner_counts(mesh), std::move(corners));
 }
 
 }  // namespace taut::library

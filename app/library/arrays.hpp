@@ -4,10 +4,11 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/library/taut.h"
-#include "sim/mesh/mesh.hpp"
+#include "app/models/garment_import.hpp"
 
 namespace taut::library {
 
@@ -32,13 +33,17 @@ std::vector<sim::Vec3> points_from(const TautPoints* points);
 /// Fills an array with the points. Throws ArgumentError as points_from() does.
 void put_points(std::span<const sim::Vec3> points, const TautPointsOut* out);
 
+/// Fills in the size, and the bytes where there is a buffer. Throws ArgumentError if they do not fit.
+void put_bytes(std::string_view bytes, char* buffer, std::size_t capacity, std::size_t* size);
+
 /// Returns the vector. Throws ArgumentError if a number is not finite.
 sim::Vec3 vector_of(double x, double y, double z);
 
 /// Returns the numbers, each below `limit`. Throws ArgumentError.
 std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t count, std::size_t limit);
 
-/// Returns the mesh as triangles, cut but not repaired. Throws ArgumentError on arrays that cannot be used.
-sim::Mesh mesh_from(const TautMesh* mesh);
+/// Returns the mesh as one that is read from a file, cut into triangles but not repaired. Throws
+/// ArgumentError on arrays that cannot be used.
+app::ImportedModel model_from(const TautMesh* mesh);
 
 }  // namespace taut::library

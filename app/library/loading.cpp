@@ -3,10 +3,10 @@
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
+#include "app/library/arrays.hpp"
 #include "app/library/session.hpp"
 #include "app/library/structs.hpp"
 #include "app/models/garment_remarks.hpp"
-#include "app/models/hanger.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/solvers/bounded/settings.hpp"
 
@@ -46,7 +46,7 @@ app::Scene scene_of(const TautOptions& options, const std::vector<app::Override>
   }
   app::Scene scene;
   scene.name = "mesh";
-  scene.garment.given = std::make_shared<const sim::Mesh>(mesh_from(options.mesh));
+  scene.garment.given = std::make_shared<const app::ImportedModel>(model_from(options.mesh));
   app::apply_overrides(app::undrawn_format(), overrides, scene);
   require(scene.garment.file.empty(), "garment.file: expected no file where a mesh is given");
   require(scene.garment.subdivisions == 0,
@@ -70,31 +70,48 @@ void set_threads(const TautOptions& options, app::Scene& scene) {
   }
 }
 
-void tell(const TautOptions& options, const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) {
-    if (options.log != nullptr) {
-      options.log(options.log_user, line.c_str());
+void put_bodies_in(const TautOptions& options, Start& start) {
+  require(options.bodies != nullptr || options.body_count == 0, "found bodies of NULL");
+  for (std::size_t k = 0; k < options.body_count; ++k) {
+    GivenBody given = take_body(options.bodies[k], start.scene);
+    const std::size_t number = put_in(given, start.scene);
+    if (given.lent) {
+      start.lent[number] = std::move(*given.lent);
     }
+    start.listener.tell(given.remarks);
   }
 }
 
 }  // namespace
 
+void Listener::tell(const std::vector<std::string>& lines) const {
+  for (const std::string& line : lines) {
+    if (log != nullptr) {
+      log(user, line.c_str());
+    }
+  }
+}
+
 Start load(const TautOptions& options) {
   Start start;
+  start.listener = {options.log, options.log_user};
   start.scene = scene_of(options, overrides_of(options));
   set_importer(options, start.scene);
   set_threads(options, start.scene);
-  tell(options, load_bodies(start.scene));
-  start.loaded = app::load_garment(start.scene);
-  if (options.mesh != nullptr) {
-    start.given_m = start.scene.garment.given->positions;
+  if (options.start != nullptr) {
+    start.scene.garment.given_start_m =
+        std::make_shared<const std::vector<sim::Vec3>>(points_from(options.start));
   }
-  app::put_on_hanger(start.loaded, start.scene);
-  tell(options, app::put_on(start.loaded, start.scene));
-  if (options.log != nullptr) {
-    tell(options, app::remarks_of(start.loaded));
-    tell(options, app::remarks_on_start(start.scene, start.loaded));
+  put_bodies_in(options, start);
+  start.listener.tell(load_bodies(start.scene));
+  start.loaded = app::load_garment(start.scene);
+  start.listener.tell(app::put_where_it_begins(start.loaded, start.scene));
+  start.listener.tell(app::remarks_of(start.loaded));
+  const app::StartRemarks remarks = app::remarks_on_start(start.scene, start.loaded);
+  start.listener.tell(remarks.lines);
+  start.crossings = remarks.crossings;
+  if (options.struct_size == smallest_size<TautOptions>) {
+    start.listener = {};  // a caller of then may have ended its log with the call
   }
   return start;
 }

@@ -49,17 +49,14 @@ std::vector<sim::Index> first_of_each(const std::vector<sim::Index>& mesh_vertex
 Session::Session(const TautOptions& options, Start start)
     : scene_(std::move(start.scene)),
       loaded_(std::move(start.loaded)),
-      given_m_(std::move(start.given_m)),
-      mesh_vertex_(given_m_.empty() ? counted_up(loaded_.garment->mesh.positions.size())
-                                    : loaded_.file_vertices.mesh_vertex),
+      mesh_vertex_(scene_.garment.given ? loaded_.file_vertices.mesh_vertex
+                                        : counted_up(loaded_.garment->mesh.positions.size())),
       own_vertex_(first_of_each(mesh_vertex_, loaded_.garment->mesh.positions.size())),
-      simulation_([&] {
-        if (options.start != nullptr) {
-          loaded_.start_m = in_mesh(points_from(options.start, vertex_count()));
-        }
-        return app::make_simulation(scene_, loaded_);
-      }()),
-      frame_(app::go_to_start(scene_, simulation_)) {
+      simulation_(app::make_simulation(scene_, loaded_)),
+      frame_(app::go_to_start(scene_, simulation_)),
+      lent_(std::move(start.lent)),
+      crossings_at_start_(start.crossings),
+      listener_(start.listener) {
   if (options.counts_crossings != 0) {
     verifier_.emplace();
   }
@@ -105,18 +102,23 @@ app::FrameRecord Session::step() {
 void Session::apply_targets(sim::Surroundings& surroundings) const {
   const double from_s = simulation_.state().time_s;
   const double rate_hz = simulation_.settings().frame_rate_hz;
+  // Cloth with a pin that is led is not at rest, however short the way.
+  const bool stay_by_themselves =
+      surroundings.pin_motion.amplitude_m == sim::Vec3(0.0) && !sim::has_pins_of_their_own(surroundings);
   sim::LedPins& led = surroundings.led_pins;
   for (const auto& [vertex, target_m] : pin_targets_m_) {
-    led.vertices.push_back(vertex);
-    led.by_m.push_back(target_m - simulation_.state().current[vertex]);
+    const sim::Vec3& now_m = simulation_.state().current[vertex];
+    if (target_m != now_m || !stay_by_themselves) {
+      led.vertices.push_back(vertex);
+      led.by_m.push_back(target_m - now_m);
+    }
   }
   led.from_s = from_s;
   led.until_s = from_s + (led.vertices.empty() ? 0.0 : simulation_.frame_time_s());
   for (const auto& [number, lent] : lent_) {
     if (lent.target_m) {
       auto& mesh = std::get<sim::BodyMesh>(surroundings.bodies[number].shape);
-      mesh.frames =
-          std::make_shared<const WayOfBody>(mesh.data->positions_m, *lent.target_m, from_s, rate_hz);
+      mesh.frames = std::make_shared<const WayOfBody>(shape_m(number), *lent.target_m, from_s, rate_hz);
     }
   }
 }
@@ -242,10 +244,10 @@ std::vector<sim::Vec3> Session::in_mesh(const std::vector<sim::Vec3>& positions_
 }
 
 std::vector<sim::Vec3> Session::positions_m() const {
-  if (given_m_.empty()) {
+  if (!scene_.garment.given) {
     return simulation_.state().current;
   }
-  std::vector<sim::Vec3> positions_m = given_m_;
+  std::vector<sim::Vec3> positions_m = loaded_.file_rest_m;
   for (std::size_t v = 0; v < positions_m.size(); ++v) {
     if (mesh_vertex_[v] != sim::no_vertex) {
       positions_m[v] = simulation_.state().current[mesh_vertex_[v]];

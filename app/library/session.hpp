@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/bodies/placed_frames.hpp"
+#include "app/library/given_body.hpp"
 #include "app/library/taut.h"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"
@@ -17,15 +17,25 @@
 
 namespace taut::library {
 
+/// Who is told what was guessed, repaired or chosen.
+struct Listener {
+  TautLog log = nullptr;
+  void* user = nullptr;
+
+  void tell(const std::vector<std::string>& lines) const;
+};
+
 /// A scene as it begins, made of what a caller says.
 struct Start {
   app::Scene scene;
   app::LoadedGarment loaded;
-  std::vector<sim::Vec3> given_m;  ///< per vertex of the caller's mesh; empty: a scene
+  std::map<std::size_t, LentBody> lent = {};  ///< by the number of the body
+  std::size_t crossings = 0;                  ///< as TautInfo has them
+  Listener listener = {};                     ///< of later calls
 };
 
 /// Reads what the options name and tells their log what was guessed. Throws ArgumentError, and as
-/// find_scene(), load_bodies(), load_garment() and put_on() do.
+/// find_scene(), take_body(), load_bodies(), load_garment() and put_where_it_begins() do.
 Start load(const TautOptions& options);
 
 /// A cloth of the library: the simulation of a scene as the program runs it, and what a caller leads in it.
@@ -51,9 +61,9 @@ class Session {
   std::vector<sim::Index> pins() const;
   void move_pins(const std::vector<sim::Index>& vertices, const std::vector<sim::Vec3>& targets_m);
 
-  /// Returns its number. Throws InputError on a mesh that is not closed.
-  std::size_t add_body(sim::Body body);
-  std::size_t add_body(sim::Body body, sim::Mesh mesh);
+  /// Returns its number, and tells what is wrong with where it is. Throws as take_body() does.
+  std::size_t add_body(const TautBody* body);
+  std::size_t crossings_at_start() const { return crossings_at_start_; }
   /// How many positions the mesh of a body was given with.
   std::size_t positions_of_body(std::size_t body) const;
   void move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m);
@@ -72,15 +82,9 @@ class Session {
   void restore(const std::filesystem::path& name, const app::RunCheckpoint& checkpoint);
 
  private:
-  /// A body that was given as arrays.
-  struct LentBody {
-    app::FileVertexPlaces places;
-    std::size_t vertices = 0;
-    std::optional<std::vector<sim::Vec3>> target_m = {};  ///< of the next frame, per vertex of the body
-  };
-
   const LentBody& lent_body(std::size_t body) const;
   std::vector<sim::Vec3> in_body(const LentBody& lent, const std::vector<sim::Vec3>& positions_m) const;
+  std::vector<sim::Vec3> shape_m(std::size_t body) const;
   void set_shape(std::size_t body, std::vector<sim::Vec3> positions_m);
   sim::Surroundings surroundings_of(const app::Scene& scene) const;
   /// Throws sim::Diverged while the cloth is lost.
@@ -95,7 +99,6 @@ class Session {
 
   app::Scene scene_;
   app::GarmentInScene loaded_;
-  std::vector<sim::Vec3> given_m_;
   std::vector<sim::Index> mesh_vertex_;  ///< per vertex of the caller, or sim::no_vertex
   std::vector<sim::Index> own_vertex_;   ///< per vertex of the mesh
   sim::Simulation simulation_;
@@ -104,6 +107,8 @@ class Session {
   std::vector<sim::PointForce> forces_;            ///< besides those of the scene; vertices of the mesh
   std::map<sim::Index, sim::Vec3> pin_targets_m_;  ///< of the next frame; vertices of the mesh
   std::map<std::size_t, LentBody> lent_;           ///< by the number of the body
+  std::size_t crossings_at_start_;
+  Listener listener_;
 };
 
 }  // namespace taut::library

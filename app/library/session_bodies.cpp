@@ -3,38 +3,35 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "app/bodies/body_mesh.hpp"
 #include "app/library/arrays.hpp"
 #include "app/library/session.hpp"
+#include "app/library/way_of_body.hpp"
+#include "app/models/garment_remarks.hpp"
+#include "app/models/scene_crossings.hpp"
 
 namespace taut::library {
 
-std::size_t Session::add_body(sim::Body body) {
+std::size_t Session::add_body(const TautBody* body) {
+  GivenBody given = take_body(body, scene_);
+  require(given.source.dress == 0, "dress: expected 0 of a body that is added later");
   app::Scene next = scene_;
-  next.surroundings.bodies.push_back(std::move(body));
-  next.body_sources.resize(next.surroundings.bodies.size());
-  next.wearers.resize(next.surroundings.bodies.size());
+  const std::size_t number = put_in(given, next);
   change(std::move(next));
-  return scene_.surroundings.bodies.size() - 1;
-}
-
-std::size_t Session::add_body(sim::Body body, sim::Mesh mesh) {
-  app::ImportedModel model;
-  model.positions = std::move(mesh.positions);
-  model.triangles = std::move(mesh.triangles);
-  app::BodySource source;
-  source.file = body.name.empty() ? "body" : body.name;
-  source.scale = 1.0;
-  source.up = app::ModelAxis::y;
-  app::LoadedMesh loaded = app::make_body_mesh(source, model);
-  body.shape = sim::BodyMesh{std::make_shared<const sim::BodyMeshData>(
-      sim::BodyMeshData{std::move(loaded.mesh.positions), std::move(loaded.mesh.triangles)})};
-  const std::size_t number = add_body(std::move(body));
-  lent_[number] = {std::move(loaded.places), loaded.file_vertices};
+  if (given.lent) {
+    lent_[number] = std::move(*given.lent);
+  }
+  const sim::State& state = simulation_.state();
+  const app::StartRemarks remarks = app::remarks_on_body(
+      scene_.surroundings.bodies, number, state.time_s, {state.current, simulation_.garment().mesh.triangles},
+      simulation_.pins().vertices);
+  crossings_at_start_ += remarks.crossings;
+  begin_again();
+  listener_.tell(given.remarks);
+  listener_.tell(remarks.lines);
   return number;
 }
 
-const Session::LentBody& Session::lent_body(std::size_t body) const {
+const LentBody& Session::lent_body(std::size_t body) const {
   const auto found = lent_.find(body);
   if (found == lent_.end()) {
     throw ArgumentError(fmt::format("found body {}, expected one that was added as a mesh", body));
@@ -59,16 +56,20 @@ std::vector<sim::Vec3> Session::in_body(const LentBody& lent,
   return in_body_m;
 }
 
+std::vector<sim::Vec3> Session::shape_m(std::size_t body) const {
+  return app::mesh_positions_m(scene_.surroundings.bodies[body], simulation_.state().time_s);
+}
+
+// Its data stay those that were given, as those of a file do: the last bits hang on them.
 void Session::set_shape(std::size_t body, std::vector<sim::Vec3> positions_m) {
-  auto& mesh = std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape);
-  mesh = {std::make_shared<const sim::BodyMeshData>(
-      sim::BodyMeshData{std::move(positions_m), mesh.data->triangles})};
+  std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape).frames =
+      std::make_shared<const StillBody>(std::move(positions_m));
 }
 
 void Session::move_body(std::size_t body, const std::vector<sim::Vec3>& positions_m) {
   const LentBody& lent = lent_body(body);
   std::vector<sim::Vec3> target_m = in_body(lent, positions_m);
-  const auto& now_m = std::get<sim::BodyMesh>(scene_.surroundings.bodies[body].shape).data->positions_m;
+  const std::vector<sim::Vec3> now_m = shape_m(body);
   for (std::size_t v = 0; v < target_m.size(); ++v) {
     const double way_m = glm::distance(target_m[v], now_m[v]);
     if (!(way_m <= app::furthest_in_frame_m)) {
@@ -84,6 +85,7 @@ void Session::place_body(std::size_t body, const std::vector<sim::Vec3>& positio
   set_shape(body, in_body(lent_body(body), positions_m));
   lent_[body].target_m.reset();
   simulation_.set_surroundings(surroundings_of(scene_));
+  begin_again();
 }
 
 }  // namespace taut::library

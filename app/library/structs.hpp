@@ -13,6 +13,12 @@ namespace taut::library {
 template <class T>
 inline constexpr std::size_t smallest_size = sizeof(T);
 // When a struct grows, its size before stands here.
+template <>
+inline constexpr std::size_t smallest_size<TautOptions> = offsetof(TautOptions, bodies);
+template <>
+inline constexpr std::size_t smallest_size<TautBody> = offsetof(TautBody, dress);
+template <>
+inline constexpr std::size_t smallest_size<TautInfo> = offsetof(TautInfo, crossings_at_start);
 
 /// The largest size that a later version could have.
 inline constexpr std::size_t largest_struct = 1 << 16;

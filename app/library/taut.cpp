@@ -1,14 +1,14 @@
 #include "app/library/taut.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <string>
 
 #include "app/base/version.hpp"
 #include "app/library/border.hpp"
 #include "app/library/structs.hpp"
+#include "app/scene/fabric.hpp"
+#include "app/scene/scene_lookup.hpp"
 #include "sim/solvers/bounded/kernels/vector_unit.hpp"
 
 namespace taut::library {
@@ -43,24 +43,23 @@ TautInfo info_of(const Session& session) {
   info.edge_count = simulation.garment().adjacency.edges.size();
   info.pin_count = simulation.pins().vertices.size();
   info.body_count = simulation.surroundings().bodies.size();
+  info.crossings_at_start = session.crossings_at_start();
   return info;
 }
 
-sim::Body body_of(const TautBody& given) {
-  sim::Body body;
-  body.name = given.name != nullptr ? given.name : "";
-  if (given.has_friction != 0) {
-    require(given.friction >= 0.0 && given.friction <= 10.0, "friction: expected 0 to 10");
-    body.friction = given.friction;
+std::string names_of(std::int32_t kind) {
+  require(kind == TAUT_SCENES || kind == TAUT_FABRICS, "found an unknown kind of names");
+  std::string names;
+  if (kind == TAUT_FABRICS) {
+    for (const std::string& name : app::built_in_fabrics()) {
+      names += name + '\n';
+    }
+    return names;
   }
-  return body;
-}
-
-sim::Plane plane_of(const TautBody& given) {
-  const sim::Vec3 normal = vector_of(given.plane_normal[0], given.plane_normal[1], given.plane_normal[2]);
-  const double length = glm::length(normal);
-  require(length > 0.0 && std::isfinite(length), "plane_normal: expected a vector that is not 0");
-  return {vector_of(given.plane_point[0], given.plane_point[1], given.plane_point[2]), normal / length};
+  for (const app::BuiltInScene& scene : app::built_in_scenes()) {
+    names += scene.name + '\n';
+  }
+  return names;
 }
 
 std::vector<sim::Vec3> points_for(const Session& session, std::int32_t body, const TautPoints* points) {
@@ -110,6 +109,13 @@ const char* taut_build_info(void) {
     return text;
   }();
   return info.c_str();
+}
+
+TautResult taut_list(int32_t kind, char* buffer, size_t capacity, size_t* size) {
+  return guarded([&] {
+    const std::string names = names_of(kind);
+    put_bytes({names.c_str(), names.size() + 1}, buffer, capacity, size);
+  });
 }
 
 TautResult taut_create(const TautOptions* options, TautCloth* cloth, TautError* error) {
@@ -203,14 +209,7 @@ TautResult taut_move_pins(TautCloth cloth, const uint32_t* vertices, const TautP
 
 TautResult taut_add_body(TautCloth cloth, const TautBody* body, int32_t* number) {
   return with(cloth, [&](Session& session) {
-    const TautBody given = read_struct(body);
-    sim::Body made = body_of(given);
-    if (given.mesh == nullptr) {
-      made.shape = plane_of(given);
-    }
-    const std::size_t added = given.mesh == nullptr
-                                  ? session.add_body(std::move(made))
-                                  : session.add_body(std::move(made), mesh_from(given.mesh));
+    const std::size_t added = session.add_body(body);
     if (number != nullptr) {
       *number = static_cast<int32_t>(added);
     }

@@ -85,8 +85,9 @@ typedef struct TautPointsOut {
   int32_t type;
 } TautPointsOut;
 
-/* Faces of three corners, or of as many as `corners_per_face` says. Faces are kept in their order; vertices at equal
- * positions at borders are one to the simulation, and keep their numbers for the caller. */
+/* Faces of three corners, or of as many as `corners_per_face` says. A mesh is mended as one of a file is, with which it
+ * shares all bits: vertices at equal positions at borders are one to the simulation, and so are those of parts whose
+ * borders meet within 1 mm, unless garment.weld says otherwise. All keep their numbers for the caller. */
 typedef struct TautMesh {
   uint32_t struct_size;
   TautPoints positions;             /* in m */
@@ -96,7 +97,20 @@ typedef struct TautMesh {
   size_t face_count;                /* length of corners_per_face */
 } TautMesh;
 
-/* Told, line by line, what was guessed, repaired or chosen. During the call that it is about, on its thread. */
+/* A body that the cloth stays out of. Only the solver `bounded`, which is the default, knows bodies of meshes. */
+typedef struct TautBody {
+  uint32_t struct_size;
+  int32_t has_friction;    /* 1: `friction` holds; 0: that of the cloth does */
+  const char *name;        /* for messages; may be NULL */
+  const TautMesh *mesh;    /* closed; small holes are closed; NULL: the plane */
+  double plane_point[3];   /* in m */
+  double plane_normal[3];  /* towards the cloth, of any length above 0 */
+  double friction;         /* Coulomb's coefficient, at least 0 */
+  int32_t dress;           /* in TautOptions: frames before the first, in which a person grows into the clothes */
+} TautBody;
+
+/* Told, line by line, what was guessed, repaired or chosen, and what crosses: during taut_create() and taut_add_body(),
+ * on their thread. It lives as long as the cloth; callers built before `bodies` came are told in taut_create() alone. */
 typedef void (*TautLog)(void *user, const char *text);
 
 /* Exactly one of scene, scene_text and mesh is set. */
@@ -113,6 +127,8 @@ typedef struct TautOptions {
   TautLog log;                 /* NULL: nothing is told */
   void *log_user;
   int32_t counts_crossings;    /* 1: every frame is searched for triangles that cross, exactly, which takes time */
+  const TautBody *const *bodies; /* there before the start is made; their numbers follow those of the scene */
+  size_t body_count;
 } TautOptions;
 
 /* What a frame is worth. */
@@ -123,7 +139,8 @@ typedef struct TautFrame {
   double max_edge_stretch;      /* of the most stretched edge */
   double max_surface_stretch;   /* along any direction in any triangle: largest singular value - 1 */
   double smallest_distance_m;   /* between near parts where the frame began; infinite: nothing was near */
-  int64_t crossing_pairs;       /* pairs of triangles that cross and did not at the start; -1: not counted */
+  int64_t crossing_pairs;       /* pairs of triangles that cross and did not at the start, nor when a body was added or
+                                 * placed; -1: not counted */
   uint64_t state_hash;          /* of all bits of positions and velocities, as in the statistics of the program */
   int32_t substeps;             /* time steps that the frame was divided into */
   int32_t is_bound_kept;        /* 1: solver.max_stretch is kept, or the solver has no bound */
@@ -142,18 +159,10 @@ typedef struct TautInfo {
   size_t edge_count;
   size_t pin_count;
   size_t body_count;
+  /* Pairs of triangles that crossed, and parts of cloth wholly within bodies, where the cloth began and where bodies
+   * were added: they may stay so. 0: the cloth began apart. */
+  size_t crossings_at_start;
 } TautInfo;
-
-/* A body that the cloth stays out of. Only the solver `bounded`, which is the default, knows bodies of meshes. */
-typedef struct TautBody {
-  uint32_t struct_size;
-  int32_t has_friction;    /* 1: `friction` holds; 0: that of the cloth does */
-  const char *name;        /* for messages; may be NULL */
-  const TautMesh *mesh;    /* closed; small holes are closed; NULL: the plane */
-  double plane_point[3];   /* in m */
-  double plane_normal[3];  /* towards the cloth, of any length above 0 */
-  double friction;         /* Coulomb's coefficient, at least 0 */
-} TautBody;
 
 /* Set all members to 0 and struct_size to `struct_size`, which is sizeof of the struct. TAUT_ERROR_ARGUMENT on NULL
  * and on a size that no version has. */
@@ -168,6 +177,11 @@ TAUT_API TautResult taut_info_init(TautInfo *info, size_t struct_size);
 TAUT_API const char *taut_version(void);
 TAUT_API uint32_t taut_abi_version(void);
 TAUT_API const char *taut_build_info(void);
+
+/* Names that come with Taut, a line each: for `scene` of TautOptions, and for the key cloth.fabric. Fills in *size,
+ * which counts the 0 at the end; with a buffer of NULL nothing else. TAUT_ERROR_ARGUMENT if capacity is below it. */
+enum { TAUT_SCENES = 0, TAUT_FABRICS = 1 };
+TAUT_API TautResult taut_list(int32_t kind, char *buffer, size_t capacity, size_t *size);
 
 /* Makes a cloth. On failure *cloth is zero and *error, unless NULL, says why. Dressed scenes are dressed first, which
  * takes seconds. TAUT_ERROR_ARGUMENT, _INPUT, _PROMISE, _DIVERGED or _MEMORY. */
@@ -204,7 +218,9 @@ TAUT_API TautResult taut_get_pins(TautCloth cloth, uint32_t *vertices, size_t co
  * has targets->count entries. Of several calls before a frame the last holds. */
 TAUT_API TautResult taut_move_pins(TautCloth cloth, const uint32_t *vertices, const TautPoints *targets);
 
-/* Adds a body; *number counts all bodies from 0. TAUT_ERROR_INPUT on a mesh that is not closed. */
+/* Adds a body; *number counts all bodies from 0. Cloth that is in the way is left there, and the log and
+ * info.crossings_at_start say so: a mesh lets it go on crossing, a plane pushes it out in the next frame.
+ * TAUT_ERROR_INPUT on a mesh that is not closed. */
 TAUT_API TautResult taut_add_body(TautCloth cloth, const TautBody *body, int32_t *number);
 /* Where the vertices of a mesh that was added are at the end of the next frame, in m: they go there in straight
  * lines, each at most 1 m. `positions` has as many entries as the mesh had. */

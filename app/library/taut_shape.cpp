@@ -64,13 +64,7 @@ TautResult taut_state_hash(TautCloth cloth, uint64_t* hash) {
 
 TautResult taut_save(TautCloth cloth, void* buffer, size_t capacity, size_t* size) {
   return with(cloth, [&](const Session& session) {
-    require(size != nullptr, "found a size of NULL");
-    const std::string bytes = session.save();
-    *size = bytes.size();
-    if (buffer != nullptr) {
-      require(capacity >= bytes.size(), "found a buffer that is smaller than the state");
-      std::copy(bytes.begin(), bytes.end(), static_cast<char*>(buffer));
-    }
+    put_bytes(session.save(), static_cast<char*>(buffer), capacity, size);
   });
 }
 

@@ -66,30 +66,46 @@ std::string expectation(const std::string& reason) {
 
 }  // namespace
 
+ImportedModel model_of(ModelArrays arrays) {
+  ImportedModel model;
+  count_faces(arrays, model);
+  model.triangles = sim::cut_into_triangles({arrays.positions, arrays.corner_counts, arrays.corners});
+  std::vector<glm::vec2> corner_uv = arrays.colours.corner_uv;
+  model.colours =
+      cut_colours(std::move(arrays.colours), arrays.corner_counts, arrays.corners, model.triangles);
+  model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);
+  model.faces = faces_in_file(arrays);
+  model.faces.corner_uv = std::move(corner_uv);
+  model.positions = std::move(arrays.positions);
+  model.position_of_vertex = std::move(arrays.position_of_vertex);
+  model.format = std::move(arrays.format);
+  model.meshes = arrays.meshes;
+  model.ignored_lines = arrays.ignored_lines;
+  model.ignored_points = arrays.ignored_points;
+  model.metres_per_unit = arrays.metres_per_unit;
+  model.up = arrays.up;
+  model.rig = std::move(arrays.rig);
+  return model;
+}
+
+ImportedModel model_of(std::vector<sim::Vec3> positions_m, std::vector<std::uint32_t> corner_counts,
+                       std::vector<sim::Index> corners) {
+  ModelArrays arrays;
+  arrays.positions = std::move(positions_m);
+  arrays.corner_counts = std::move(corner_counts);
+  arrays.corners = std::move(corners);
+  arrays.metres_per_unit = 1.0;
+  arrays.up = ModelAxis::y;
+  number_by_first_use(arrays);
+  return model_of(std::move(arrays));
+}
+
 ImportedModel import_garment(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts) {
   require_file(path);
   try {
     ModelArrays arrays = read_model_in_process(path, limits, parts);
     require_size(arrays);
-    ImportedModel model;
-    count_faces(arrays, model);
-    model.triangles = sim::cut_into_triangles({arrays.positions, arrays.corner_counts, arrays.corners});
-    std::vector<glm::vec2> corner_uv = arrays.colours.corner_uv;
-    model.colours =
-        cut_colours(std::move(arrays.colours), arrays.corner_counts, arrays.corners, model.triangles);
-    model.shares_vertices = arrays.corner_counts.size() == 1 || !is_counting_up(arrays.corners);
-    model.faces = faces_in_file(arrays);
-    model.faces.corner_uv = std::move(corner_uv);
-    model.positions = std::move(arrays.positions);
-    model.position_of_vertex = std::move(arrays.position_of_vertex);
-    model.format = std::move(arrays.format);
-    model.meshes = arrays.meshes;
-    model.ignored_lines = arrays.ignored_lines;
-    model.ignored_points = arrays.ignored_points;
-    model.metres_per_unit = arrays.metres_per_unit;
-    model.up = arrays.up;
-    model.rig = std::move(arrays.rig);
-    return model;
+    return model_of(std::move(arrays));
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {

@@ -41,4 +41,12 @@ inline constexpr std::size_t most_triangles = 4'000'000;
 ImportedModel import_garment(const std::filesystem::path& path, const ImportLimits& limits = {},
                              ReadParts parts = ReadParts::shape);
 
+/// The model of arrays whose faces have three corners and more, which are cut. Throws std::invalid_argument
+/// as sim::cut_into_triangles() does.
+ImportedModel model_of(ModelArrays arrays);
+
+/// The same of a mesh that no file holds, in metres with y up, as if it were read from an OBJ.
+ImportedModel model_of(std::vector<sim::Vec3> positions_m, std::vector<std::uint32_t> corner_counts,
+                       std::vector<sim::Index> corners);
+
 }  // namespace taut::app

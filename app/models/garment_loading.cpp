@@ -102,15 +102,28 @@ void join_and_turn(const GarmentSource& source, sim::Mesh& mesh, LoadedGarment& 
   loaded.trims_sewn_on = source.weld_m ? 0 : sew_on_trims(parts, loaded.placement->scale, mesh);
 }
 
+/// What was given stays where it is.
+Placement place(const GarmentSource& source, const sim::Mesh& soup, const PlacementHints& hints) {
+  return source.given ? Placement{} : place_model(soup, hints);
+}
+
+double metres_per_uv_of(const GarmentSource& source, const sim::Mesh& mesh, const SurfaceColours& colours) {
+  const std::optional<double> known = source.given ? std::nullopt : known_metres_per_uv(source.file);
+  return known.value_or(metres_per_uv(mesh, colours.corner_uv));
+}
+
 sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const StageReport& begin) {
+  const std::string name =
+      source.given ? "the garment that was given" : "the garment '" + source.file.string() + '\'';
   tell(begin, "reading " + source.file.filename().string());
-  ImportedModel& model =
-      loaded.model.emplace(import_garment(source.file, {.program = source.importer}, ReadParts::model));
+  ImportedModel& model = loaded.model.emplace(
+      source.given ? *source.given
+                   : import_garment(source.file, {.program = source.importer}, ReadParts::model));
   const std::vector<sim::Triangle> imported = model.triangles;
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   loaded.strays = remove_strays(soup);
   PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
-  loaded.placement = place_model(soup, hints);
+  loaded.placement = place(source, soup, hints);
   require_size(source, *loaded.placement);
   tell(begin, "joining its vertices");
   try {
@@ -137,31 +150,16 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
     for (sim::Vec3& position : valid.mesh.positions) {
       position = (*loaded.placement)(position);
     }
-    loaded.metres_per_uv =
-        known_metres_per_uv(source.file).value_or(metres_per_uv(valid.mesh, loaded.colours.corner_uv));
+    loaded.metres_per_uv = metres_per_uv_of(source, valid.mesh, loaded.colours);
     return std::move(valid.mesh);
   } catch (const std::invalid_argument& error) {
-    throw InputError("cannot use the garment '" + source.file.string() + "': " + error.what());
-  }
-}
-
-sim::Mesh take_mesh(const sim::Mesh& given, LoadedGarment& loaded) {
-  try {
-    std::vector<sim::Index> kept;
-    sim::ValidatedMesh valid = sim::weld_and_validate(given, {}, kept);
-    loaded.repairs = valid.report;
-    loaded.file_vertices.mesh_vertex = std::move(kept);
-    require_one_size(valid.mesh);
-    return std::move(valid.mesh);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(std::string("cannot use the garment that was given: ") + error.what());
+    throw InputError("cannot use " + name + ": " + error.what());
   }
 }
 
 sim::Mesh make_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   if (!scene.garment.is_grid()) {
-    return scene.garment.given ? take_mesh(*scene.garment.given, loaded)
-                               : read_mesh(scene.garment, loaded, begin);
+    return read_mesh(scene.garment, loaded, begin);
   }
   sim::Mesh mesh = sim::make_grid(scene.garment.grid);
   loaded.file_vertices.mesh_vertex.resize(mesh.positions.size());
@@ -241,22 +239,28 @@ std::vector<sim::MovingPins> choose_moving_pins(const Scene& scene, const sim::M
   return groups;
 }
 
-/// The positions that a file has, in m, for the vertices of the garment's file or for those of the mesh.
+/// The positions, in m, for the vertices of the garment's file or for those of the mesh.
 std::vector<sim::Vec3> read_start(const GarmentSource& source, const LoadedGarment& loaded) {
   const std::filesystem::path& file = source.start;
   const std::vector<sim::Vec3> found_m =
-      positions_in_file(import_garment(file, {.program = source.importer}));
+      source.given_start_m ? *source.given_start_m
+                           : positions_in_file(import_garment(file, {.program = source.importer}));
   const std::size_t count = loaded.garment->mesh.positions.size();
   const std::vector<sim::Index>& mesh_vertex = loaded.file_vertices.mesh_vertex;
-  if (loaded.file_faces.empty() || found_m.size() != mesh_vertex.size()) {
-    if (found_m.size() != count) {
-      throw InputError(fmt::format(
-          "garment.start: found {} in '{}', expected the garment's {}, in their order, as taut simulate "
-          "--export writes them",
-          counted(found_m.size(), "vertex", "vertices"), file.string(),
-          loaded.file_faces.empty() ? count : mesh_vertex.size()));
+  const bool has_file_order = !loaded.file_faces.empty() && (!source.given_start_m || source.given);
+  if (!has_file_order || found_m.size() != mesh_vertex.size()) {
+    if (found_m.size() == count && !source.given) {
+      return found_m;
     }
-    return found_m;
+    const std::string found = "found " + counted(found_m.size(), "vertex", "vertices");
+    const std::size_t expected = has_file_order ? mesh_vertex.size() : count;
+    if (source.given_start_m) {
+      throw std::invalid_argument(fmt::format("start: {}, expected {}", found, expected));
+    }
+    throw InputError(
+        fmt::format("garment.start: {} in '{}', expected the garment's {}, in their order, as taut simulate "
+                    "--export writes them",
+                    found, file.string(), expected));
   }
   std::vector<sim::Vec3> start_m(count);
   for (std::size_t v = mesh_vertex.size(); v-- > 0;) {
@@ -293,7 +297,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   }
   sim::Mesh mesh = make_mesh(scene, loaded, begin);
   tell(begin, "mapping it to springs");
-  if (loaded.placement) {
+  if (!scene.garment.file.empty()) {
     loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh, loaded.file_vertices);
   }
   // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
@@ -308,7 +312,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   for (const sim::MovingPins& group : loaded.moving_pins) {
     loaded.pins.insert(loaded.pins.end(), group.vertices.begin(), group.vertices.end());
   }
-  if (!scene.garment.start.empty()) {
+  if (scene.garment.has_start()) {
     loaded.start_m = read_start(scene.garment, loaded);
   }
   if (scene.garment.untangle) {

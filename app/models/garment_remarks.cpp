@@ -69,32 +69,24 @@ std::string remark_on_pins(std::span<const sim::Body> bodies, std::size_t body, 
                                   describe_body(bodies, body), first);
 }
 
-/// Of cloth that begins wholly within a body that is a mesh, where it crosses nothing; empty: none does.
-std::string remark_on_parts_within(std::span<const sim::Body> bodies, const SceneCrossings& crossings,
-                                   double time_s, const Surface& start) {
-  if (!crossings.body || !crossings.pairs.empty() ||
-      !std::holds_alternative<sim::BodyMesh>(bodies[*crossings.body].shape)) {
-    return "";
+/// The first vertices of parts of the cloth that begin wholly within a body that is a mesh, where it crosses
+/// nothing.
+std::vector<sim::Index> parts_within(const sim::Body& body, double time_s, const Surface& start) {
+  std::vector<sim::Index> within;
+  if (std::holds_alternative<sim::BodyMesh>(body.shape)) {
+    within = sim::first_vertices_of_parts(start.positions_m.size(), start.triangles);
+    std::erase_if(within, [&](sim::Index v) { return !depth_in(body, time_s, start.positions_m[v]); });
   }
-  std::vector<sim::Index> within = sim::first_vertices_of_parts(start.positions_m.size(), start.triangles);
-  std::erase_if(
-      within, [&](sim::Index v) { return !depth_in(bodies[*crossings.body], time_s, start.positions_m[v]); });
-  return within.empty() ? ""
-                        : fmt::format(
-                              "at the start {} wholly within {}, the first: that of vertex {} at {}; "
-                              "nothing lets it out",
-                              counted(within.size(), "part of the cloth is", "parts of the cloth are"),
-                              describe_body(bodies, *crossings.body), within.front(),
-                              describe_place(start.positions_m[within.front()]));
+  return within;
 }
 
 /// Of a mesh that crosses itself; empty: it does not.
-std::string remark_on_body(std::span<const sim::Body> bodies, std::size_t body) {
+std::string remark_on_shape(std::span<const sim::Body> bodies, std::size_t body, double time_s) {
   const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[body].shape);
   if (mesh == nullptr) {
     return "";
   }
-  const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], 0.0);
+  const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], std::max(time_s, 0.0));
   const Surface surface = {positions_m, mesh->data->triangles};
   const std::vector<CrossingPair> pairs = crossing_pairs(surface);
   return pairs.empty() ? "" : describe_body(bodies, body) + " crosses itself: " + describe(surface, pairs);
@@ -139,28 +131,47 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   return lines;
 }
 
-std::vector<std::string> remarks_on_start(const Scene& scene, const GarmentInScene& loaded) {
+StartRemarks remarks_on_body(std::span<const sim::Body> bodies, std::size_t body, double time_s,
+                             const Surface& cloth, std::span<const sim::Index> pins) {
+  StartRemarks remarks;
+  const SceneCrossings crossings = crossings_with(bodies, body, time_s, cloth);
+  remarks.crossings = crossings.pairs.size();
+  if (!crossings.pairs.empty()) {
+    remarks.lines.push_back("at the start " + describe(crossings, cloth, bodies));
+  } else if (const std::vector<sim::Index> within = parts_within(bodies[body], time_s, cloth);
+             !within.empty()) {
+    remarks.crossings = within.size();
+    remarks.lines.push_back(fmt::format(
+        "at the start {} wholly within {}, the first: that of vertex {} at {}; nothing lets it out",
+        counted(within.size(), "part of the cloth is", "parts of the cloth are"), describe_body(bodies, body),
+        within.front(), describe_place(cloth.positions_m[within.front()])));
+  }
+  remarks.lines.push_back(remark_on_pins(bodies, body, time_s, cloth, pins));
+  remarks.lines.push_back(remark_on_shape(bodies, body, time_s));
+  std::erase(remarks.lines, "");
+  return remarks;
+}
+
+StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded) {
   const Surface start = surface_at_start(loaded);
   const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
-  std::vector<std::string> lines;
+  StartRemarks all;
   if (loaded.untangling) {
-    lines.push_back(describe(*loaded.untangling));
+    all.lines.push_back(describe(*loaded.untangling));
+  }
+  const std::vector<CrossingPair> own = crossing_pairs(start);
+  all.crossings = own.size();
+  if (!own.empty()) {
+    all.lines.push_back("at the start " + describe(start, own) +
+                        (scene.garment.untangle ? "" : "; --untangle parts what it can"));
   }
   const double begin_s = -scene.dressing_frames() / scene.simulation.frame_rate_hz;
-  for (const SceneCrossings& crossings : scene_crossings(start, bodies, begin_s)) {
-    if (!crossings.pairs.empty()) {
-      const bool may_be_parted = !crossings.body && !scene.garment.untangle;
-      lines.push_back("at the start " + describe(crossings, start, bodies) +
-                      (may_be_parted ? "; --untangle parts what it can" : ""));
-    }
-    lines.push_back(remark_on_parts_within(bodies, crossings, begin_s, start));
-  }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    lines.push_back(remark_on_pins(bodies, b, begin_s, start, loaded.pins));
-    lines.push_back(remark_on_body(bodies, b));
+    const StartRemarks of_body = remarks_on_body(bodies, b, begin_s, start, loaded.pins);
+    all.lines.insert(all.lines.end(), of_body.lines.begin(), of_body.lines.end());
+    all.crossings += of_body.crossings;
   }
-  std::erase(lines, "");
-  return lines;
+  return all;
 }
 
 void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* output) {
@@ -169,7 +180,7 @@ void print_remarks(const Scene& scene, const LoadedGarment& loaded, std::FILE* o
   if (loaded.file_vertices.are_corners && has_numbers(scene.pins)) {
     lines.push_back("pins.at counts " + loaded.file_vertices.describe());
   }
-  const std::vector<std::string> on_start = remarks_on_start(scene, loaded);
+  const std::vector<std::string> on_start = remarks_on_start(scene, loaded).lines;
   lines.insert(lines.end(), on_start.begin(), on_start.end());
   for (const std::string& line : lines) {
     fmt::print(output, "{}: {}\n", file, line);

@@ -1,6 +1,7 @@
 #include "app/models/model_arrays.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +13,28 @@ namespace {
 constexpr std::uint8_t no_axis = 255;
 
 }  // namespace
+
+void number_by_first_use(ModelArrays& model) {
+  constexpr sim::Index unused = std::numeric_limits<sim::Index>::max();
+  std::vector<sim::Index> number_of(model.positions.size(), unused);
+  std::vector<sim::Vec3> positions;
+  positions.reserve(model.positions.size());
+  const auto number = [&](sim::Index old) {
+    if (number_of[old] == unused) {
+      number_of[old] = static_cast<sim::Index>(positions.size());
+      positions.push_back(model.positions[old]);
+    }
+    return number_of[old];
+  };
+  for (sim::Index& corner : model.corners) {
+    corner = number(corner);
+  }
+  for (sim::Index old = 0; old < number_of.size(); ++old) {
+    number(old);
+  }
+  model.positions = std::move(positions);
+  model.position_of_vertex = std::move(number_of);
+}
 
 std::string encode(const ModelArrays& model) {
   ArrayWriter out;

@@ -33,6 +33,10 @@ struct ModelArrays {
   SurfaceColours colours;                 ///< of the same faces as `corners`
 };
 
+/// Numbers the positions in the order in which faces first use them; unused ones come last. The last bits of
+/// a simulation depend on it. Requires arrays whose `position_of_vertex` is empty, and fills it.
+void number_by_first_use(ModelArrays& model);
+
 /// What is read of a file.
 enum class ReadParts {
   shape,  ///< all but colours and texture coordinates

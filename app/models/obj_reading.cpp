@@ -245,28 +245,6 @@ void ObjReader::require_vertices() const {
   }
 }
 
-void number_by_first_use(ModelArrays& model) {
-  constexpr sim::Index unused = std::numeric_limits<sim::Index>::max();
-  std::vector<sim::Index> number_of(model.positions.size(), unused);
-  std::vector<sim::Vec3> positions;
-  positions.reserve(model.positions.size());
-  const auto number = [&](sim::Index old) {
-    if (number_of[old] == unused) {
-      number_of[old] = static_cast<sim::Index>(positions.size());
-      positions.push_back(model.positions[old]);
-    }
-    return number_of[old];
-  };
-  for (sim::Index& corner : model.corners) {
-    corner = number(corner);
-  }
-  for (sim::Index old = 0; old < number_of.size(); ++old) {
-    number(old);
-  }
-  model.positions = std::move(positions);
-  model.position_of_vertex = std::move(number_of);
-}
-
 std::optional<ModelArrays> ObjReader::read() {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   text_.remove_prefix(text_.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);

@@ -37,22 +37,23 @@ std::vector<CrossingPair> entries_into(const sim::Shape& shape, const Surface& c
   return entries;
 }
 
-std::vector<CrossingPair> crossings_with(const sim::Body& body, double time_s, const Surface& cloth) {
-  const auto* mesh = std::get_if<sim::BodyMesh>(&body.shape);
-  if (mesh == nullptr) {
-    return entries_into(sim::shape_at(body, time_s), cloth);
-  }
-  const std::vector<sim::Vec3> positions_m = mesh_positions_m(body, time_s);
-  return crossing_pairs(cloth, {positions_m, mesh->data->triangles});
-}
-
 }  // namespace
+
+SceneCrossings crossings_with(std::span<const sim::Body> bodies, std::size_t body, double time_s,
+                              const Surface& cloth) {
+  const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[body].shape);
+  if (mesh == nullptr) {
+    return {body, entries_into(sim::shape_at(bodies[body], time_s), cloth)};
+  }
+  const std::vector<sim::Vec3> positions_m = mesh_positions_m(bodies[body], time_s);
+  return {body, crossing_pairs(cloth, {positions_m, mesh->data->triangles})};
+}
 
 std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies,
                                             double time_s) {
   std::vector<SceneCrossings> all = {{{}, crossing_pairs(cloth)}};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    all.push_back({b, crossings_with(bodies[b], time_s, cloth)});
+    all.push_back(crossings_with(bodies, b, time_s, cloth));
   }
   return all;
 }

@@ -22,6 +22,10 @@ struct SceneCrossings {
 std::vector<SceneCrossings> scene_crossings(const Surface& cloth, std::span<const sim::Body> bodies,
                                             double time_s);
 
+/// The same with one of the bodies.
+SceneCrossings crossings_with(std::span<const sim::Body> bodies, std::size_t body, double time_s,
+                              const Surface& cloth);
+
 /// Returns how many pairs there are, of what, and the first with its place. Requires at least one pair.
 std::string describe(const SceneCrossings& crossings, const Surface& cloth,
                      std::span<const sim::Body> bodies);

@@ -16,6 +16,7 @@
 
 namespace taut::app {
 
+struct ImportedModel;
 struct Wearer;
 
 /// Where the garment comes from: a model file, or a regular grid if no file is named.
@@ -33,10 +34,14 @@ struct GarmentSource {
   sim::GridSettings grid;
   std::filesystem::path
       importer;  ///< program that reads the file (import_process.hpp); empty: that of the house
-  /// Triangles in metres with y up, instead of a file; null: none. Nothing about them is guessed: they keep
-  /// their places, and hang by nothing that the scene does not name.
-  std::shared_ptr<const sim::Mesh> given;
+  /// Instead of a file, in metres with y up; null: none. It keeps its place, and hangs by nothing that the
+  /// scene does not name. What is repaired of a file is repaired of it.
+  std::shared_ptr<const ImportedModel> given;
+  /// The positions at the start, instead of a file: per vertex of what was given, or else of the simulated
+  /// mesh; null: none.
+  std::shared_ptr<const std::vector<sim::Vec3>> given_start_m;
 
+  bool has_start() const { return !start.empty() || given_start_m; }
   /// Whether the garment is the grid.
   bool is_grid() const { return file.empty() && !given; }
 };

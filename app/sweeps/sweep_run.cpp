@@ -15,7 +15,6 @@
 #include "app/drawing/offscreen_renderer.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/models/hanger.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/picture_record.hpp"
 #include "app/output/run_checkpoint.hpp"
@@ -46,8 +45,7 @@ struct Loaded {
   static Loaded of(DrawnScene scene) {
     load_bodies(scene);
     LoadedGarment garment = load_garment(scene);
-    put_on_hanger(garment, scene);
-    put_on(garment, scene);
+    put_where_it_begins(garment, scene);
     sim::Simulation simulation = make_simulation(scene, garment);
     return {std::move(scene), std::move(garment), std::move(simulation)};
   }

@@ -131,7 +131,8 @@ TEST_F(Dressing, ClothThatBeganInTheBodyIsAroundItAtFrame0) {
         .pairs.size();
   };
   EXPECT_GT(crossings(), 0U) << "as it was modelled";
-  EXPECT_EQ(remarks_on_start(scene, loaded), std::vector<std::string>{}) << "the run begins with a thin body";
+  EXPECT_EQ(remarks_on_start(scene, loaded).lines, std::vector<std::string>{})
+      << "the run begins with a thin body";
   const sim::Surroundings surroundings = simulation.surroundings();
   EXPECT_EQ(go_to_start(scene, simulation), 0);
   EXPECT_EQ(simulation.surroundings(), surroundings) << "with gravity again";

@@ -76,6 +76,57 @@ static class TestTaut {
     Require(ResultOf(() => new Taut.Cloth("tshirtt"), "did you mean 'tshirt'") == 4, "a scene that is none");
   }
 
+  /// A box around the middle of the square.
+  static Taut.Body Box(float height) {
+    var box = new Taut.Body { Positions = new float[24], Name = "box", Friction = 0.5,
+      Corners = new[] { 0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5 },
+      CornersPerFace = new[] { 4, 4, 4, 4, 4, 4 } };
+    for (int v = 0; v < 8; ++v) {
+      box.Positions[3 * v] = 0.1f + 0.2f * (v & 1);
+      box.Positions[3 * v + 1] = height + 0.05f * (v & 2);
+      box.Positions[3 * v + 2] = 0.1f + 0.05f * (v & 4);
+    }
+    return box;
+  }
+
+  static void TestOptions() {
+    var mesh = Square();
+    var numbers = Numbers(mesh);
+    var start = Array.ConvertAll(numbers, number => number);
+    for (int v = 0; v < Side * Side; ++v) start[3 * v + 1] = 0.3f;
+    var lines = new System.Collections.Generic.List<string>();
+    var options = new Taut.Options { Positions = numbers, Corners = mesh.triangles, Start = start, Threads = 2,
+                                     Bodies = new[] { Box(-0.05f), new Taut.Body { PlanePoint = new[] { 0, -0.2, 0 } } },
+                                     CountsCrossings = true, Log = lines.Add };
+    using (var cloth = new Taut.Cloth(options)) {
+      Require((int)cloth.Info.BodyCount == 2 && (int)cloth.Info.CrossingsAtStart == 0 && lines.Count == 0, "bodies");
+      Require(cloth.Triangles.Length == mesh.triangles.Length, "triangles");
+      double[] lengths;
+      var edges = cloth.Edges(out lengths);
+      Require(edges.Length == 2 * lengths.Length && lengths.Length == (int)cloth.Info.EdgeCount, "edges");
+      Require(Math.Abs(lengths[0] - 0.05) < 0.03, "lengths of edges");
+      cloth.Set("cloth.fabric", Taut.Cloth.Fabrics[0]);
+      for (int k = 0; k < 25; ++k) Require(cloth.Step().CrossingPairs == 0, "crossings are counted");
+      cloth.GetPositions(numbers);
+      Require(numbers[1] < 0 && numbers[3 * (Side * Side / 2) + 1] > 0.05, "the cloth lies on the box");
+      GC.Collect();
+      Require(cloth.AddBody(Box(0)) == 2 && (int)cloth.Info.CrossingsAtStart > 0, "a body in the way");
+      Require(lines.Count == 1 && lines[0].Contains("with the body 'box'"), "what is logged: " + string.Join("; ", lines));
+      var file = System.IO.Path.GetTempFileName();
+      cloth.SaveFile(file);
+      var hash = cloth.StateHash;
+      cloth.SetPositions(start);
+      Require(cloth.StateHash != hash, "other positions");
+      cloth.RestoreFile(file);
+      System.IO.File.Delete(file);
+      Require(cloth.StateHash == hash, "the hash of a file");
+    }
+    using (var cloth = new Taut.Cloth(new Taut.Options { SceneText = "[garment.grid]\ncolumns = 4\n" }))
+      Require((int)cloth.Info.VertexCount == 36, "a text");
+    Require(Array.IndexOf(Taut.Cloth.Fabrics, "silk") >= 0 && Array.IndexOf(Taut.Cloth.Scenes, "tshirt") >= 0, "names");
+    Require(Taut.Cloth.BuildInfo.Contains(Taut.Cloth.Version), "build info");
+  }
+
   static void Call(object target, string method) {
     target.GetType().GetMethod(method, BindingFlags.Instance | BindingFlags.NonPublic).Invoke(target, null);
   }
@@ -96,6 +147,7 @@ static class TestTaut {
 
   static void Main() {
     TestCloth();
+    TestOptions();
     TestBehaviour();
     Console.WriteLine("taut " + Taut.Cloth.Version + " from C#: ok");
   }

@@ -134,6 +134,12 @@ class Calls {
     return value;
   }
 
+  TautResult list() {
+    std::array<char, 2048> names;
+    std::size_t size = 0;
+    return taut_list(next() % 4 - 1, or_null(names[0]), seldom() ? next() : names.size(), or_null(size));
+  }
+
   TautResult create() {
     TautOptions options = some<TautOptions>(taut_options_init);
     const TautMesh given = mesh();
@@ -148,6 +154,11 @@ class Calls {
     options.setting_count = seldom() ? 2 : 1;
     options.threads = seldom() ? next() - 100 : 1;
     options.counts_crossings = next() % 2;
+    const TautMesh of_body = mesh();
+    const TautBody body = some_body(of_body);
+    const TautBody* const bodies[] = {or_null(body)};
+    options.bodies = seldom() ? nullptr : bodies;
+    options.body_count = next() % 4 == 0 ? 1 : 0;
     TautCloth cloth = {};
     TautError error = some<TautError>(taut_error_init);
     if (cloths_.size() > 4) {
@@ -160,15 +171,21 @@ class Calls {
     return result;
   }
 
-  TautResult add_body(TautCloth cloth) {
+  TautBody some_body(const TautMesh& given) {
     TautBody body = some<TautBody>(taut_body_init);
-    const TautMesh given = mesh();
     body.mesh = next() % 4 == 0 ? &given : nullptr;
+    body.dress = seldom() ? next() - 10 : 0;
     body.name = text();
     body.plane_point[1] = number() - 0.5;
     body.plane_normal[1] = number();
     body.has_friction = next() % 2;
     body.friction = number();
+    return body;
+  }
+
+  TautResult add_body(TautCloth cloth) {
+    const TautMesh given = mesh();
+    const TautBody body = some_body(given);
     std::int32_t body_number = 0;
     return taut_add_body(cloth, or_null(body), or_null(body_number));
   }
@@ -237,7 +254,7 @@ class Calls {
       case 0:
         return create();
       case 1:
-        return seldom() ? taut_destroy(cloth) : TAUT_OK;
+        return seldom() ? taut_destroy(cloth) : list();
       case 2:
         return taut_get_info(cloth, or_null(info));
       case 3:

@@ -52,6 +52,37 @@ struct Square {
   TautOptions options;
 };
 
+/// A closed box.
+struct Box {
+  explicit Box(double height_m) {
+    for (int v = 0; v < 8; ++v) {
+      positions.push_back({v & 1 ? 0.1 : -0.1, height_m + (v & 2 ? 0.1 : -0.1), v & 4 ? 0.1 : -0.1});
+    }
+    mesh = made<TautMesh>(taut_mesh_init);
+    mesh.positions = {positions.data(), 8, sizeof(positions[0]), TAUT_DOUBLE};
+    mesh.corners = corners;
+    mesh.corner_count = 24;
+    mesh.corners_per_face = sizes;
+    mesh.face_count = 6;
+    body = made<TautBody>(taut_body_init);
+    body.mesh = &mesh;
+    body.name = "box";
+  }
+  Box(const Box&) = delete;
+
+  void lift(double by_m) {
+    for (auto& position : positions) {
+      position[1] += by_m;
+    }
+  }
+
+  std::vector<std::array<double, 3>> positions;
+  const std::uint32_t corners[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  const std::uint32_t sizes[6] = {4, 4, 4, 4, 4, 4};
+  TautMesh mesh;
+  TautBody body;
+};
+
 /// A cloth that is destroyed with this object.
 struct OwnCloth {
   explicit OwnCloth(const TautOptions& options) {

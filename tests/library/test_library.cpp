@@ -19,49 +19,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The hashes of the frames that the program counts.
-std::vector<std::uint64_t> hashes_of_program(const std::string& scene, int frames) {
-  const TemporaryFolder folder;
-  const std::string file = (folder / "run.jsonl").string();
-  const std::string command = std::string(TAUT_PROGRAM) + " simulate " + scene + " --quiet --frames " +
-                              std::to_string(frames) + " --stats " + file;
-  EXPECT_EQ(std::system(command.c_str()), 0);
-  std::vector<std::uint64_t> hashes;
-  std::ifstream lines(file);
-  const std::string key = "\"state_hash\":\"";
-  for (std::string line; std::getline(lines, line);) {
-    if (const std::size_t at = line.find(key); at != std::string::npos) {
-      hashes.push_back(std::stoull(line.substr(at + key.size()), nullptr, 16));
-    }
-  }
-  return hashes;
-}
-
-struct Run {
-  const char* scene;
-  std::int32_t threads;
-};
-class AsTheProgram : public testing::TestWithParam<Run> {};
-
-TEST_P(AsTheProgram, EveryFrameHasTheSameBits) {
-  const std::vector<std::uint64_t> expected = hashes_of_program(GetParam().scene, 4);
-  ASSERT_EQ(expected.size(), 4U);
-  OwnCloth cloth(GetParam().scene, GetParam().threads);
-  ASSERT_EQ(cloth.result, TAUT_OK) << cloth.text;
-  for (const std::uint64_t hash : expected) {
-    EXPECT_EQ(cloth.step().state_hash, hash);
-    EXPECT_EQ(cloth.hash(), hash);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Library, AsTheProgram,
-                         testing::Values(Run{"pinned-9x9-5", 1}, Run{"pinned-9x9-5", 2}, Run{"tshirt", 1},
-                                         Run{"tshirt", 2}),
-                         [](const auto& run) {
-                           return std::string(run.param.scene[0] == 't' ? "tshirt" : "pinned") + "_threads_" +
-                                  std::to_string(run.param.threads);
-                         });
-
 TEST(Library, KeepsTheBitsWhereTheCallersProgramRoundsOtherwise) {
   const std::uint64_t expected = OwnCloth("pinned-9x9-5").step(3).state_hash;
   OwnCloth cloth("pinned-9x9-5");
@@ -199,101 +156,6 @@ TEST(Library, PinsGoToTheirTargetsAndStay) {
     EXPECT_EQ(taut_move_pins(cloth, &loose, &one), TAUT_ERROR_ARGUMENT);
     EXPECT_EQ(cloth.error(), "found vertex 40, expected one that is pinned");
   }
-}
-
-/// A closed box.
-struct Box {
-  explicit Box(double height_m) {
-    for (int v = 0; v < 8; ++v) {
-      positions.push_back({v & 1 ? 0.1 : -0.1, height_m + (v & 2 ? 0.1 : -0.1), v & 4 ? 0.1 : -0.1});
-    }
-    mesh = made<TautMesh>(taut_mesh_init);
-    mesh.positions = {positions.data(), 8, sizeof(positions[0]), TAUT_DOUBLE};
-    mesh.corners = corners;
-    mesh.corner_count = 24;
-    mesh.corners_per_face = sizes;
-    mesh.face_count = 6;
-    body = made<TautBody>(taut_body_init);
-    body.mesh = &mesh;
-    body.name = "box";
-  }
-  Box(const Box&) = delete;
-
-  void lift(double by_m) {
-    for (auto& position : positions) {
-      position[1] += by_m;
-    }
-  }
-
-  std::vector<std::array<double, 3>> positions;
-  const std::uint32_t corners[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
-  const std::uint32_t sizes[6] = {4, 4, 4, 4, 4, 4};
-  TautMesh mesh;
-  TautBody body;
-};
-
-double lowest(const OwnCloth& cloth) {
-  double y = infinite;
-  for (const auto& position : cloth.positions()) {
-    y = std::min(y, position[1]);
-  }
-  return y;
-}
-
-TEST(Library, ClothFallsOnThePlaneAndIsLiftedByABodyThatMoves) {
-  Square square(9, 0.15, 0.02);
-  square.options.counts_crossings = 1;
-  OwnCloth cloth(square.options);
-  auto plane = made<TautBody>(taut_body_init);
-  plane.plane_normal[1] = 3.0;
-  std::int32_t number = -1;
-  ASSERT_EQ(taut_add_body(cloth, &plane, &number), TAUT_OK) << cloth.error();
-  EXPECT_EQ(number, 0);
-  EXPECT_EQ(taut_move_body(cloth, 0, &square.mesh.positions), TAUT_ERROR_ARGUMENT);
-  EXPECT_EQ(taut_move_body(cloth, -1, &square.mesh.positions), TAUT_ERROR_ARGUMENT);
-  Box box(-0.15);
-  ASSERT_EQ(taut_add_body(cloth, &box.body, &number), TAUT_OK) << cloth.error();
-  EXPECT_EQ(number, 1);
-  cloth.step(20);
-  EXPECT_GT(lowest(cloth), 0.0);
-  EXPECT_LT(lowest(cloth), 0.01);
-  for (int frame = 0; frame < 20; ++frame) {
-    box.lift(0.01);
-    ASSERT_EQ(taut_move_body(cloth, number, &box.mesh.positions), TAUT_OK) << cloth.error();
-    const TautFrame made_frame = cloth.step();
-    ASSERT_EQ(cloth.result, TAUT_OK) << cloth.error();
-    EXPECT_EQ(made_frame.crossing_pairs, 0);
-    EXPECT_LT(made_frame.smallest_distance_m, 0.02);
-  }
-  EXPECT_GT(lowest(cloth), 0.15);
-  box.lift(2.0);
-  EXPECT_EQ(taut_move_body(cloth, number, &box.mesh.positions), TAUT_ERROR_ARGUMENT);
-  EXPECT_CONTAINS(cloth.error(), "m from where it is, expected at most 1 m in a frame");
-  EXPECT_EQ(taut_place_body(cloth, number, &box.mesh.positions), TAUT_OK);
-  box.mesh.corner_count = 20;
-  box.mesh.face_count = 5;
-  EXPECT_EQ(taut_add_body(cloth, &box.body, &number), TAUT_ERROR_INPUT);
-  EXPECT_CONTAINS(cloth.error(), "a body has no holes");
-}
-
-TEST(Library, AFrameThatCannotBeMadeLeavesTheClothAsItWas) {
-  Square square(5, 0.1, 0.3);
-  OwnCloth cloth(square.options);
-  std::vector<std::uint32_t> all(25);
-  std::iota(all.begin(), all.end(), 0U);
-  ASSERT_EQ(taut_set_pins(cloth, all.data(), all.size()), TAUT_OK);
-  Box box(0.1);
-  std::int32_t number = 0;
-  ASSERT_EQ(taut_add_body(cloth, &box.body, &number), TAUT_OK);
-  cloth.step();
-  const std::uint64_t hash = cloth.hash();
-  box.lift(0.3);
-  ASSERT_EQ(taut_move_body(cloth, number, &box.mesh.positions), TAUT_OK);
-  EXPECT_EQ(taut_step(cloth, nullptr), TAUT_ERROR_PROMISE);
-  EXPECT_CONTAINS(cloth.error(), "box");
-  EXPECT_EQ(cloth.hash(), hash);
-  EXPECT_EQ(cloth.info().frame, 1);
-  EXPECT_EQ(taut_step(cloth, nullptr), TAUT_OK) << "the body stayed too: " << cloth.error();
 }
 
 TEST(Library, WindGravityForcesAndSettingsAct) {
@@ -480,6 +342,29 @@ TEST(Library, WhatCannotBeACloth) {
   options.setting_count = 1;
   EXPECT_CONTAINS(refusal(options), "wind.sped = 4: unknown key 'wind.sped'; did you mean 'wind.speed'");
   EXPECT_EQ(taut_create(nullptr, nullptr, nullptr), TAUT_ERROR_ARGUMENT);
+}
+
+std::string names_of(std::int32_t kind) {
+  std::size_t size = 0;
+  EXPECT_EQ(taut_list(kind, nullptr, 0, &size), TAUT_OK);
+  std::vector<char> names(size);
+  EXPECT_EQ(taut_list(kind, names.data(), size - 1, &size), TAUT_ERROR_ARGUMENT);
+  EXPECT_EQ(taut_list(kind, names.data(), size, &size), TAUT_OK);
+  EXPECT_EQ(names.back(), '\0');
+  return names.data();
+}
+
+TEST(Library, ListsWhatComesWithTaut) {
+  const std::string fabrics = names_of(TAUT_FABRICS);
+  EXPECT_CONTAINS(fabrics, "cotton\n");
+  EXPECT_CONTAINS(fabrics, "\nsilk\n");
+  const std::string scenes = names_of(TAUT_SCENES);
+  EXPECT_CONTAINS(scenes, "\ntshirt\n");
+  const std::string first = scenes.substr(0, scenes.find('\n'));
+  EXPECT_EQ(OwnCloth(first.c_str()).result, TAUT_OK) << first;
+  std::size_t size = 0;
+  EXPECT_EQ(taut_list(2, nullptr, 0, &size), TAUT_ERROR_ARGUMENT);
+  EXPECT_EQ(taut_list(TAUT_SCENES, nullptr, 0, nullptr), TAUT_ERROR_ARGUMENT);
 }
 
 TEST(Library, StructsMayGrow) {

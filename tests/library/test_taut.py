@@ -84,6 +84,24 @@ class Calls(unittest.TestCase):
         with self.assertRaisesRegex(taut.Error, 'a body has no holes'):
             taut.Cloth('pinned-9x9-5').add_body(SQUARE * 10, FACES)
 
+    def test_bodies_that_are_there_from_the_start_and_what_crosses(self):
+        lines = []
+        box = BOX + np.float32([0.15, -0.05, 0.15])
+        bodies = [taut.Body(box, SIDES, name='box', friction=0.2), taut.Body(point=(0, -0.3, 0))]
+        cloth = self.square(start=SQUARE + (0, 0.06, 0), bodies=bodies, log=lines.append)
+        self.assertEqual((cloth.info.body_count, cloth.info.crossings_at_start, lines), (2, 0, []))
+        cloth.step(20)
+        self.assertGreater(cloth.positions()[:, 1].max(), 0.05)
+        cloth.add_body(box + np.float32([0, 0.03, 0]), SIDES, name='higher')
+        self.assertGreater(cloth.info.crossings_at_start, 0)
+        self.assertRegex(lines[0], "pairs of triangles cross with the body 'higher'")
+        with self.assertRaisesRegex(taut.Error, 'to be dressed'):
+            self.square(bodies=[taut.Body(box, SIDES, dress=9)])
+
+    def test_names(self):
+        self.assertIn('silk', taut.fabrics())
+        self.assertIn('tshirt', taut.scenes())
+
     def test_it_goes_on_with_the_same_bits(self):
         cloth = self.square(start=SQUARE + (0, 1, 0))
         cloth.step(3)

@@ -81,7 +81,7 @@ TEST_F(Start, TellsOfClothAndPinsInBodiesAndOfBodiesThatCrossThemselves) {
   Scene scene;
   scene.garment.grid = {.columns = 5, .rows = 5, .width_m = 1.0, .height_m = 1.0};
   scene.pins = std::vector<PinSelector>{"top-left", "top-right"};
-  const auto remarks = [&] { return remarks_on_start(scene, load_garment(scene)); };
+  const auto remarks = [&] { return remarks_on_start(scene, load_garment(scene)).lines; };
   EXPECT_EQ(remarks(), std::vector<std::string>());
   const sim::Vec3 corner = load_garment(scene).garment->mesh.positions[0];
   scene.surroundings.bodies = {

@@ -31,7 +31,30 @@ public struct Info {
   internal uint StructSize;
   public int Frame;
   public double TimeS, FrameRateHz, MaxStretch;
-  public UIntPtr VertexCount, TriangleCount, EdgeCount, PinCount, BodyCount;
+  public UIntPtr VertexCount, TriangleCount, EdgeCount, PinCount, BodyCount, CrossingsAtStart;
+}
+
+/// What cloth stays out of: a closed mesh, or without positions the plane. One that the cloth is to be put on grows into
+/// it in `Dress` frames before the first.
+public sealed class Body {
+  public float[] Positions;
+  public int[] Corners, CornersPerFace;  // null: triangles
+  public string Name;
+  public double? Friction;
+  public double[] PlanePoint = { 0, 0, 0 }, PlaneNormal = { 0, 1, 0 };
+  public int Dress;
+}
+
+/// What a cloth is made of: one of Scene, SceneText and Positions with Corners; TautOptions of taut.h.
+public sealed class Options {
+  public string Scene, SceneText, Importer;
+  public float[] Positions, Start;
+  public int[] Corners, CornersPerFace;  // null: triangles
+  public Body[] Bodies = {};
+  public string[] Settings = {};
+  public int Threads;
+  public bool CountsCrossings;
+  public Action<string> Log;  // null under IL2CPP, which calls no delegate of an object back
 }
 
 /// The calls of taut.h.
@@ -62,7 +85,12 @@ static class Native {
     internal UIntPtr SettingCount;
     internal IntPtr Importer, Log, LogUser;
     internal int CountsCrossings;
+    internal IntPtr Bodies;
+    internal UIntPtr BodyCount;
   }
+
+  [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+  internal delegate void Log(IntPtr user, IntPtr text);
 
   [StructLayout(LayoutKind.Sequential)]
   internal struct Body {
@@ -70,6 +98,7 @@ static class Native {
     internal int HasFriction;
     internal IntPtr Name, Mesh;
     internal double PointX, PointY, PointZ, NormalX, NormalY, NormalZ, Friction;
+    internal int Dress;
   }
 
   [StructLayout(LayoutKind.Sequential)]
@@ -80,6 +109,9 @@ static class Native {
   }
 
   [DllImport(Library)] internal static extern IntPtr taut_version();
+  [DllImport(Library)] internal static extern IntPtr taut_build_info();
+  [DllImport(Library)]
+  internal static extern int taut_list(int kind, byte[] buffer, UIntPtr capacity, out UIntPtr size);
   [DllImport(Library)] internal static extern int taut_create(ref Options options, out Cloth cloth, ref Error error);
   [DllImport(Library)] internal static extern int taut_destroy(Cloth cloth);
   [DllImport(Library)] internal static extern IntPtr taut_last_error(Cloth cloth);
@@ -98,10 +130,15 @@ static class Native {
   [DllImport(Library)] internal static extern int taut_get_positions(Cloth cloth, ref Points positions);
   [DllImport(Library)] internal static extern int taut_set_positions(Cloth cloth, ref Points positions);
   [DllImport(Library)] internal static extern int taut_get_stretch(Cloth cloth, double[] stretch, UIntPtr count);
+  [DllImport(Library)] internal static extern int taut_get_triangles(Cloth cloth, uint[] vertices, UIntPtr count);
+  [DllImport(Library)]
+  internal static extern int taut_get_edges(Cloth cloth, uint[] vertices, double[] lengths, UIntPtr count);
   [DllImport(Library)] internal static extern int taut_state_hash(Cloth cloth, out ulong hash);
   [DllImport(Library)]
   internal static extern int taut_save(Cloth cloth, byte[] buffer, UIntPtr capacity, out UIntPtr size);
   [DllImport(Library)] internal static extern int taut_restore(Cloth cloth, byte[] buffer, UIntPtr size);
+  [DllImport(Library)] internal static extern int taut_save_file(Cloth cloth, byte[] path);
+  [DllImport(Library)] internal static extern int taut_restore_file(Cloth cloth, byte[] path);
 
   internal static byte[] Utf8(string text) { return Encoding.UTF8.GetBytes(text + "\0"); }
 
@@ -125,9 +162,19 @@ sealed class Pinned : IDisposable {
   internal Native.Points Points(float[] numbers) {
     return new Native.Points { Data = At(numbers), Count = (UIntPtr)(numbers.Length / 3), Stride = (UIntPtr)12 };
   }
-  internal Native.Mesh Mesh(float[] positions, int[] triangles) {
+  internal Native.Mesh Mesh(float[] positions, int[] corners, int[] cornersPerFace) {
     return new Native.Mesh { StructSize = (uint)Marshal.SizeOf(typeof(Native.Mesh)), Positions = Points(positions),
-                             Corners = At(triangles), CornerCount = (UIntPtr)triangles.Length };
+                             Corners = At(corners), CornerCount = (UIntPtr)corners.Length,
+                             CornersPerFace = At(cornersPerFace),
+                             FaceCount = (UIntPtr)(cornersPerFace == null ? 0 : cornersPerFace.Length) };
+  }
+  internal Native.Body Body(Body body) {
+    return new Native.Body {
+      StructSize = (uint)Marshal.SizeOf(typeof(Native.Body)), Name = Text(body.Name),
+      HasFriction = body.Friction.HasValue ? 1 : 0, Friction = body.Friction.GetValueOrDefault(), Dress = body.Dress,
+      Mesh = body.Positions == null ? IntPtr.Zero : At(Mesh(body.Positions, body.Corners, body.CornersPerFace)),
+      PointX = body.PlanePoint[0], PointY = body.PlanePoint[1], PointZ = body.PlanePoint[2],
+      NormalX = body.PlaneNormal[0], NormalY = body.PlaneNormal[1], NormalZ = body.PlaneNormal[2] };
   }
   public void Dispose() {
     foreach (var handle in handles) handle.Free();
@@ -137,27 +184,42 @@ sealed class Pinned : IDisposable {
 public sealed class Cloth : IDisposable {
   Native.Cloth cloth;
 
-  /// A cloth of a scene, a garment file or a scene that comes with Taut. Settings are "wind.speed = 4".
-  public Cloth(string scene, params string[] settings) { Create(scene, null, null, settings); }
+  readonly Native.Log log;  // it lives as long as the cloth
 
-  /// A cloth of triangles, which nothing holds.
-  public Cloth(float[] positions, int[] triangles, params string[] settings) {
-    Create(null, positions, triangles, settings);
-  }
-
-  void Create(string scene, float[] positions, int[] triangles, string[] settings) {
+  public Cloth(Options options) {
+    log = (user, text) => {
+      try {
+        options.Log(Native.Text(text));
+      } catch (Exception error) {
+        Console.Error.WriteLine(error);  // it must not go on through the library
+      }
+    };
     using (var pinned = new Pinned()) {
-      var options = new Native.Options { StructSize = (uint)Marshal.SizeOf(typeof(Native.Options)) };
-      options.Scene = pinned.Text(scene);
-      if (scene == null) options.Mesh = pinned.At(pinned.Mesh(positions, triangles));
-      options.Settings = pinned.At(Array.ConvertAll(settings, setting => pinned.Text(setting)));
-      options.SettingCount = (UIntPtr)settings.Length;
+      var native = new Native.Options {
+        StructSize = (uint)Marshal.SizeOf(typeof(Native.Options)), Threads = options.Threads,
+        Scene = pinned.Text(options.Scene), SceneText = pinned.Text(options.SceneText),
+        Importer = pinned.Text(options.Importer), CountsCrossings = options.CountsCrossings ? 1 : 0,
+        Settings = pinned.At(Array.ConvertAll(options.Settings, setting => pinned.Text(setting))),
+        SettingCount = (UIntPtr)options.Settings.Length,
+        Bodies = pinned.At(Array.ConvertAll(options.Bodies, body => pinned.At(pinned.Body(body)))),
+        BodyCount = (UIntPtr)options.Bodies.Length };
+      if (options.Positions != null)
+        native.Mesh = pinned.At(pinned.Mesh(options.Positions, options.Corners, options.CornersPerFace));
+      if (options.Start != null) native.Start = pinned.At(pinned.Points(options.Start));
+      if (options.Log != null) native.Log = Marshal.GetFunctionPointerForDelegate(log);
       var error = new Native.Error { StructSize = (uint)Marshal.SizeOf(typeof(Native.Error)), Text = new byte[1016] };
-      int result = Native.taut_create(ref options, out cloth, ref error);
+      int result = Native.taut_create(ref native, out cloth, ref error);
       if (result != 0)
         throw new TautException(result, Encoding.UTF8.GetString(error.Text, 0, Array.IndexOf(error.Text, (byte)0)));
     }
   }
+
+  /// A cloth of a scene, a garment file or a scene that comes with Taut. Settings are "wind.speed = 4".
+  public Cloth(string scene, params string[] settings) : this(new Options { Scene = scene, Settings = settings }) {}
+
+  /// A cloth of triangles, which nothing holds.
+  public Cloth(float[] positions, int[] triangles, params string[] settings)
+      : this(new Options { Positions = positions, Corners = triangles, Settings = settings }) {}
 
   ~Cloth() { Native.taut_destroy(cloth); }
 
@@ -171,6 +233,19 @@ public sealed class Cloth : IDisposable {
   }
 
   public static string Version { get { return Native.Text(Native.taut_version()); } }
+  public static string BuildInfo { get { return Native.Text(Native.taut_build_info()); } }
+
+  /// The names that come with Taut: for a cloth, and for Set("cloth.fabric", name).
+  public static string[] Scenes { get { return Names(0); } }
+  public static string[] Fabrics { get { return Names(1); } }
+
+  static string[] Names(int kind) {
+    UIntPtr size;
+    if (Native.taut_list(kind, null, UIntPtr.Zero, out size) != 0) throw new TautException(4, "found no scenes and fabrics");
+    var names = new byte[(int)size];
+    Native.taut_list(kind, names, size, out size);
+    return Encoding.UTF8.GetString(names).Split(new[] { '\n', '\0' }, StringSplitOptions.RemoveEmptyEntries);
+  }
 
   public Info Info {
     get {
@@ -180,9 +255,10 @@ public sealed class Cloth : IDisposable {
     }
   }
 
-  public Frame Step() {
+  /// Goes on by so many frames and returns what the last is worth.
+  public Frame Step(int frames = 1) {
     var frame = new Frame { StructSize = (uint)Marshal.SizeOf(typeof(Frame)) };
-    Check(Native.taut_step(cloth, ref frame));
+    for (int k = 0; k < frames; ++k) Check(Native.taut_step(cloth, ref frame));
     return frame;
   }
 
@@ -215,20 +291,19 @@ public sealed class Cloth : IDisposable {
     CheckWith(targets, (ref Native.Points points) => Native.taut_move_pins(cloth, vertices, ref points));
   }
 
-  /// A closed mesh that the cloth stays out of. Returns its number.
-  public int AddBody(float[] positions, int[] triangles) {
+  /// Returns the body's number. What crosses it may stay so: it is logged, and counted in Info.CrossingsAtStart.
+  public int AddBody(Body body) {
     using (var pinned = new Pinned()) {
-      return Add(new Native.Body { Mesh = pinned.At(pinned.Mesh(positions, triangles)) });
+      var native = pinned.Body(body);
+      int number;
+      Check(Native.taut_add_body(cloth, ref native, out number));
+      return number;
     }
   }
-  public int AddGround(double height) { return Add(new Native.Body { PointY = height, NormalY = 1 }); }
-
-  int Add(Native.Body body) {
-    body.StructSize = (uint)Marshal.SizeOf(typeof(Native.Body));
-    int number;
-    Check(Native.taut_add_body(cloth, ref body, out number));
-    return number;
+  public int AddBody(float[] positions, int[] triangles) {
+    return AddBody(new Body { Positions = positions, Corners = triangles });
   }
+  public int AddGround(double height) { return AddBody(new Body { PlanePoint = new[] { 0, height, 0 } }); }
 
   public void MoveBody(int number, float[] positions) {
     CheckWith(positions, (ref Native.Points points) => Native.taut_move_body(cloth, number, ref points));
@@ -249,6 +324,23 @@ public sealed class Cloth : IDisposable {
       Check(Native.taut_get_stretch(cloth, stretch, (UIntPtr)stretch.Length));
       return stretch;
     }
+  }
+
+  /// Three vertices for each triangle that is simulated.
+  public uint[] Triangles {
+    get {
+      var triangles = new uint[3 * (int)Info.TriangleCount];
+      Check(Native.taut_get_triangles(cloth, triangles, (UIntPtr)triangles.Length));
+      return triangles;
+    }
+  }
+
+  /// Two vertices for each edge, and its length at rest.
+  public uint[] Edges(out double[] lengths) {
+    lengths = new double[(int)Info.EdgeCount];
+    var edges = new uint[2 * lengths.Length];
+    Check(Native.taut_get_edges(cloth, edges, lengths, (UIntPtr)lengths.Length));
+    return edges;
   }
 
   public uint[] Pins {
@@ -276,6 +368,9 @@ public sealed class Cloth : IDisposable {
   }
 
   public void Restore(byte[] state) { Check(Native.taut_restore(cloth, state, (UIntPtr)state.Length)); }
+  /// The same as a file, which is written whole or not at all; `taut simulate --checkpoint` writes such, too.
+  public void SaveFile(string path) { Check(Native.taut_save_file(cloth, Native.Utf8(path))); }
+  public void RestoreFile(string path) { Check(Native.taut_restore_file(cloth, Native.Utf8(path))); }
 }
 
 }

@@ -8,7 +8,6 @@
 #include "app/bodies/wearing.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
-#include "app/models/hanger.hpp"
 #include "app/output/run_start.hpp"
 
 namespace taut::app {
@@ -17,8 +16,7 @@ namespace {
 std::shared_ptr<const LoadedScene> load(const DrawnScene& scene, std::uint64_t generation) {
   LoadedGarment loaded = load_garment(scene);
   DrawnScene hung = scene;
-  put_on_hanger(loaded, hung);
-  put_on(loaded, hung);
+  put_where_it_begins(loaded, hung);
   DrawnColours colours = drawn_colours(hung, loaded);
   return std::make_shared<const LoadedScene>(
       LoadedScene{std::move(loaded), std::move(hung), std::move(colours), generation});
@@ -93,7 +91,7 @@ void LiveSimulation::tell_of_start() {
   for (const std::string& remark : loaded_->drawn_colours.remarks) {
     tell(remark, false);
   }
-  for (const std::string& remark : remarks_on_start(loaded_->scene, *loaded_)) {
+  for (const std::string& remark : remarks_on_start(loaded_->scene, *loaded_).lines) {
     tell(remark, false);
   }
 }

@@ -120,8 +120,13 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
   rest_.resize(layout.row_count());
   std::transform(positions_m.begin(), positions_m.end(), rest_.begin(), float4_of);
   bodies_ = BodyContacts(bodies, garment.material.friction, static_cast<Index>(layout.row_count()));
-  const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(0.0);
-  positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
+  // As they were modelled, wherever they are: the order in which pairs are found hangs on it, and the last
+  // bits.
+  for (const Body& body : bodies) {
+    if (const auto* mesh = std::get_if<BodyMesh>(&body.shape)) {
+      positions_m.insert(positions_m.end(), mesh->data->positions_m.begin(), mesh->data->positions_m.end());
+    }
+  }
   near_.emplace(make_contact_mesh(triangles_, bodies_.mesh_triangles()), within_cloth_, positions_m);
   frame_memory_.resize(layout.row_count());
 }

@@ -3,7 +3,6 @@ import contextlib
 import re
 
 import numpy as np
-from mathutils.bvhtree import BVHTree
 
 from . import cache, library
 from .library import Refused
@@ -70,11 +69,13 @@ class Simulation:
         self.frame = self.first_frame = obj.taut.frame_start
         self.largest_stretch = 0.0
         self.remarks = []
+        self.crossings = 0  # so far
         self.wind = None
         self.pins = pinned(obj)
         self.bodies = []  # and where they are
         with self.evaluation(self.frame) as depsgraph:
             self.cloth = self.make_cloth(depsgraph)
+            self.remark_on_start('itself')
             self.positions = self.read_back()
             for body in bodies_of(obj):
                 self.add_body(body, depsgraph)
@@ -124,14 +125,14 @@ class Simulation:
             positions = self.in_world(coordinates(mesh), matrix)
             self.call(f'{self.obj.name}: bodies', self.cloth.add_body, positions, faces_of(mesh), name=body.name)
             self.bodies.append((body, positions))
-            self.remark_on_start(body.name, faces_of(mesh), positions)
+        self.remark_on_start(body.name)
 
-    def remark_on_start(self, name: str, faces: list, positions: np.ndarray) -> None:
-        """What crosses a body at the start may stay there."""
-        cloth = BVHTree.FromPolygons(self.cloth.positions().tolist(), faces_of(self.obj.data))
-        pairs = cloth.overlap(BVHTree.FromPolygons(positions.tolist(), faces))
-        if pairs:
-            self.remarks.append(f'{len(pairs)} pairs of faces cross {name} at the start and may go on to')
+    def remark_on_start(self, name: str) -> None:
+        """What crosses at the start may stay so."""
+        crossings = self.cloth.info.crossings_at_start
+        if crossings > self.crossings:
+            self.remarks.append(f'Crossings with {name} at the start, which may stay: {crossings - self.crossings}')
+        self.crossings = crossings
 
     def call(self, what: str, function, *arguments, **named):
         try:

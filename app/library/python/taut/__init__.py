@@ -54,6 +54,12 @@ class _Mesh(ctypes.Structure):
                 ('corners_per_face', c_void_p), ('face_count', c_size_t)]
 
 
+class _Body(ctypes.Structure):
+    _fields_ = [('struct_size', c_uint32), ('has_friction', c_int32), ('name', c_char_p), ('mesh', POINTER(_Mesh)),
+                ('plane_point', c_double * 3), ('plane_normal', c_double * 3), ('friction', c_double),
+                ('dress', c_int32)]
+
+
 _Log = ctypes.CFUNCTYPE(None, c_void_p, c_char_p)
 
 
@@ -61,7 +67,7 @@ class _Options(ctypes.Structure):
     _fields_ = [('struct_size', c_uint32), ('threads', c_int32), ('scene', c_char_p), ('scene_text', c_char_p),
                 ('mesh', POINTER(_Mesh)), ('start', POINTER(_Points)), ('settings', POINTER(c_char_p)),
                 ('setting_count', c_size_t), ('importer', c_char_p), ('log', _Log), ('log_user', c_void_p),
-                ('counts_crossings', c_int32)]
+                ('counts_crossings', c_int32), ('bodies', POINTER(POINTER(_Body))), ('body_count', c_size_t)]
 
 
 class _Frame(ctypes.Structure):
@@ -74,12 +80,8 @@ class _Frame(ctypes.Structure):
 class _Info(ctypes.Structure):
     _fields_ = [('struct_size', c_uint32), ('frame', c_int32), ('time_s', c_double), ('frame_rate_hz', c_double),
                 ('max_stretch', c_double), ('vertex_count', c_size_t), ('triangle_count', c_size_t),
-                ('edge_count', c_size_t), ('pin_count', c_size_t), ('body_count', c_size_t)]
-
-
-class _Body(ctypes.Structure):
-    _fields_ = [('struct_size', c_uint32), ('has_friction', c_int32), ('name', c_char_p), ('mesh', POINTER(_Mesh)),
-                ('plane_point', c_double * 3), ('plane_normal', c_double * 3), ('friction', c_double)]
+                ('edge_count', c_size_t), ('pin_count', c_size_t), ('body_count', c_size_t),
+                ('crossings_at_start', c_size_t)]
 
 
 class _Error(ctypes.Structure):
@@ -102,6 +104,7 @@ def _load() -> ctypes.CDLL:
     for name in ('taut_version', 'taut_build_info', 'taut_last_error'):
         getattr(library, name).restype = c_char_p
     library.taut_last_error.argtypes = [_Cloth]
+    library.taut_list.argtypes = [c_int32, c_char_p, c_size_t, POINTER(c_size_t)]
     vector = [c_double, c_double, c_double]
     points = POINTER(_Points)
     arguments = {
@@ -164,13 +167,54 @@ def _mesh(positions, faces, kept: list) -> _Mesh:
     return mesh
 
 
+class Body(NamedTuple):
+    """What cloth stays out of: a closed mesh of positions and faces, or without them the plane. A mesh that the cloth is
+    to be put on grows into it in `dress` frames before the first."""
+    positions: Optional[np.ndarray] = None
+    faces: Optional[Sequence] = None
+    name: Optional[str] = None
+    friction: Optional[float] = None
+    point: Sequence[float] = (0, 0, 0)
+    normal: Sequence[float] = (0, 1, 0)
+    dress: int = 0
+
+
+def _body(given: Body, kept: list) -> _Body:
+    body = _made(_Body)
+    if given.positions is not None:
+        body.mesh = ctypes.pointer(_mesh(given.positions, given.faces if given.faces is not None else [], kept))
+    body.name, body.dress = _text(given.name), given.dress
+    body.has_friction, body.friction = given.friction is not None, given.friction or 0.0
+    body.plane_point[:], body.plane_normal[:] = given.point, given.normal
+    return body
+
+
+def _names(kind: int) -> list[str]:
+    size = c_size_t()
+    if _library.taut_list(kind, None, 0, byref(size)) != 0:
+        raise Error(4, 'found no scenes and fabrics; expected those of share/taut, or of $TAUT_ASSETS')
+    buffer = ctypes.create_string_buffer(size.value)
+    _library.taut_list(kind, buffer, size, byref(size))
+    return buffer.value.decode().splitlines()
+
+
+def scenes() -> list[str]:
+    """The scenes that come with Taut, for Cloth(scene)."""
+    return _names(0)
+
+
+def fabrics() -> list[str]:
+    """The fabrics that come with Taut, for set('cloth.fabric', name)."""
+    return _names(1)
+
+
 class Cloth:
     """A cloth: of a scene or a garment file, of the text of a scene, or of positions (vertices, 3) and faces. `settings`
-    are keys of scenes, {'solver.max_stretch': 0.01}; `start` is the shape it begins in; `log` is called with lines about
-    what was guessed."""
+    are keys of scenes, {'solver.max_stretch': 0.01}; `start` is the shape it begins in; `bodies` are there from the
+    start, numbered behind those of the scene; `log` is called with lines about what was guessed, and what crosses."""
 
     def __init__(self, scene=None, *, text: Optional[str] = None, positions=None, faces=None, start=None,
-                 settings: Optional[dict] = None, threads: int = 0, counts_crossings: bool = False, importer=None,
+                 bodies: Sequence[Body] = (), settings: Optional[dict] = None, threads: int = 0, counts_crossings: bool = False, importer=None,
                  log: Optional[Callable[[str], None]] = None):
         self._cloth = _Cloth(0)
         kept: list = []
@@ -181,10 +225,12 @@ class Cloth:
             options.mesh = ctypes.pointer(_mesh(positions, faces if faces is not None else [], kept))
         if start is not None:
             options.start = ctypes.pointer(_points(start, kept))
+        pointers = [ctypes.pointer(_body(body, kept)) for body in bodies]
+        options.bodies, options.body_count = (POINTER(_Body) * len(pointers))(*pointers), len(pointers)
         lines = [f'{key} = {_value(value)}'.encode() for key, value in (settings or {}).items()]
         options.settings, options.setting_count = (c_char_p * len(lines))(*lines), len(lines)
         if log is not None:
-            options.log = _Log(lambda _user, line: log(line.decode()))
+            options.log = self._log = _Log(lambda _user, line: log(line.decode()))
         error = _made(_Error)
         result = _library.taut_create(byref(options), byref(self._cloth), byref(error))
         if result != 0:
@@ -195,6 +241,7 @@ class Cloth:
         if self._cloth.id != 0:
             _library.taut_destroy(self._cloth)
             self._cloth = _Cloth(0)
+            self._log = None
 
     def __enter__(self) -> 'Cloth':
         return self
@@ -266,20 +313,18 @@ class Cloth:
         self._call_at('move_pins', vertices, targets)
 
     def add_body(self, positions, faces, *, name: Optional[str] = None, friction: Optional[float] = None) -> int:
-        """Adds a closed mesh that the cloth stays out of. Returns its number."""
-        kept: list = []
-        return self._add_body(ctypes.pointer(_mesh(positions, faces, kept)), name, friction)
+        """Adds a closed mesh that the cloth stays out of. Returns its number. What crosses may stay so: it is logged, and
+        counted in info.crossings_at_start."""
+        return self._add_body(Body(positions, faces, name, friction))
 
     def add_plane(self, point=(0, 0, 0), normal=(0, 1, 0), *, friction: Optional[float] = None) -> int:
         """Adds a plane, the ground unless it is said otherwise. Returns its number."""
-        return self._add_body(None, None, friction, point, normal)
+        return self._add_body(Body(friction=friction, point=point, normal=normal))
 
-    def _add_body(self, mesh, name, friction, point=(0, 0, 0), normal=(0, 1, 0)) -> int:
-        body, number = _made(_Body), c_int32()
-        body.mesh, body.name = mesh, _text(name)
-        body.has_friction, body.friction = friction is not None, friction or 0.0
-        body.plane_point[:], body.plane_normal[:] = point, normal
-        self._call('add_body', byref(body), byref(number))
+    def _add_body(self, given: Body) -> int:
+        kept: list = []
+        number = c_int32()
+        self._call('add_body', byref(_body(given, kept)), byref(number))
         return number.value
 
     def move_body(self, number: int, positions) -> None:

@@ -18,6 +18,9 @@ constexpr double degree = 0.017453292519943295;
 // Smaller or larger, nothing on it can be told in double precision from its place.
 constexpr Range side = {.lowest = 1e-4, .highest = 1e4};
 constexpr Range friction = {.lowest = 0.0, .highest = 10.0};
+// Of what `implicit` solves for: with more, masses are lost beside it to rounding, and cloth floats where it
+// began.
+constexpr Range solvable = {.lowest = 0.0, .highest = 1e7};
 constexpr Range fraction = {.lowest = 0.0, .highest = 1.0};
 
 Key<Scene> number(std::string name, std::string unit, const Range& range, auto access, std::string meaning,
@@ -106,10 +109,10 @@ void add_pins(SceneKeys& keys) {
 }
 
 void add_implicit(SceneKeys& keys) {
-  keys.push_back(number("solver.implicit.stretch", "N/m", not_negative,
+  keys.push_back(number("solver.implicit.stretch", "N/m", solvable,
                         MEMBER(simulation.solver.implicit.stretch_n_per_m),
                         "implicit: of the surface along warp and weft; more stretches less and costs more"));
-  keys.push_back(number("solver.implicit.shear", "N/m", not_negative,
+  keys.push_back(number("solver.implicit.shear", "N/m", solvable,
                         MEMBER(simulation.solver.implicit.shear_n_per_m),
                         "implicit: against shear; half of the stretch's is alike in all directions"));
   keys.push_back(number("solver.implicit.damping", "s", not_negative,

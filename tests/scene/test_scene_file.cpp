@@ -27,6 +27,13 @@ std::string set_error(const std::string& text) {
   return message_of<UsageError>([&] { apply_overrides(std::vector{parse_override(text)}, scene); });
 }
 
+TEST(SceneFile, RefusesStiffnessBesideWhichMassesAreRoundedAway) {
+  for (const std::string key : {"solver.implicit.stretch", "solver.implicit.shear"}) {
+    EXPECT_EQ(set_error(key + "=1e7"), "");
+    EXPECT_CONTAINS(set_error(key + "=1.1e7"), "expected a number from 0 to");
+  }
+}
+
 TEST(SceneFile, ReadsEveryKindOfKey) {
   const TemporaryFolder folder;
   const auto path = folder.write("scene.toml", R"(

@@ -139,6 +139,34 @@ TEST(SimulationPair, TheSecondGoesOnWhereTheFirstIsLost) {
   EXPECT_EQ(pair.take_snapshot()->compared->record.frame, 0) << "both again from the start";
 }
 
+TEST(SimulationPair, SaysWhichHoldsBothBack) {
+  SimulationPair pair(scene_of("bounded"));
+  EXPECT_STREQ(slower_solver(*pair.take_snapshot()), "bounded");
+  pair.apply(Compare{sim::SolverKind::provot});
+  Snapshot second = *pair.take_snapshot()->compared;
+  second.record.sim_ms = 3.0;
+  Snapshot now = *pair.take_snapshot();
+  now.compared = std::make_shared<const Snapshot>(second);
+  now.record.sim_ms = 2.0;
+  EXPECT_STREQ(slower_solver(now), "provot");
+  now.record.sim_ms = 4.0;
+  EXPECT_STREQ(slower_solver(now), "bounded");
+}
+
+// The memory that the past may take is that of both.
+TEST(SimulationPair, TwoGarmentsReachHalfAsFarBack) {
+  SimulationPair pair(scene_of("bounded"));
+  Snapshot now = *pair.take_snapshot();
+  sim::Checkpoint large = *now.checkpoint;
+  large.state.current.resize(20000);
+  now.checkpoint = std::make_shared<const sim::Checkpoint>(std::move(large));
+  now.record.frame = 10000;
+  const int alone = 10000 - first_frame_in_reach(now);
+  now.compared = std::make_shared<const Snapshot>(now);
+  EXPECT_EQ((10000 - first_frame_in_reach(now)), alone / 2);
+  EXPECT_LT(alone, 600) << "memory decides";
+}
+
 TEST(SimulationPair, WhatASolverRefusesLeavesTheFirstAlone) {
   DrawnScene scene = scene_of("ideal");
   scene.simulation.solver.bounded.max_stretch = 1e-9;
@@ -162,7 +190,11 @@ TEST(Comparison, IsChosenInThePanelAndSharesTheWind) {
   }
   person.click("compare.provot");
   ASSERT_TRUE(compared(state));
-  EXPECT_EQ(garment_area(state, person.viewer.layout()).width_px, whole.width_px / 2);
+  const ViewArea half = garment_area(state, person.viewer.layout());
+  EXPECT_EQ(half.width_px, whole.width_px / 2);
+  for (const sim::Vec3& position : compared(state)->positions()) {
+    EXPECT_TRUE(half.contains(*state.camera.pixel_of(glm::vec3(position), half)));
+  }
   person.press(keys::up);
   person.wait(10);
   EXPECT_EQ(state.newest->compared->surroundings.forces.wind.speed_m_per_s, 0.5);
@@ -221,7 +253,7 @@ TEST(Comparison, IsDrawnSideBySideAndInPicturesToo) {
   const renderer::Image whole = window.draw();
   EXPECT_EQ(scene.width_px, 2 * half.width_px);
   std::array<int, 2> cloth{};
-  for (int y = 100; y < 600; ++y) {
+  for (int y = 0; y < 600; ++y) {
     for (int x = 0; x < scene.width_px; ++x) {
       const std::uint8_t* const pixel = scene.at(x, y);
       cloth[x < half.width_px ? 0 : 1] += pixel[2] > pixel[0] + 40 ? 1 : 0;  // it is blue

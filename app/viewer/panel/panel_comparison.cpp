@@ -15,10 +15,6 @@ namespace {
 
 constexpr ImU32 between_colour = IM_COL32(0, 0, 0, 56);
 
-std::string solver_of(const Snapshot& garment) {
-  return sim::name_of(sim::kind_of(garment.settings.solver.method));
-}
-
 // By what the panel plots, for both.
 std::string measured_of(const Snapshot& garment, const ViewerState& state) {
   const bool of_springs = bound_kind(state.scene) == sim::BoundKind::springs;
@@ -26,7 +22,7 @@ std::string measured_of(const Snapshot& garment, const ViewerState& state) {
   const double largest = of_springs ? record.stretch.max : record.surface_stretch.max;
   const std::string stretch = fmt::format("largest stretch {} %", in_little_room(100.0 * largest, 2));
   return state.measurements.shows_times
-             ? fmt::format("{}, {} ms", stretch, few_digits(static_cast<float>(record.sim_ms)))
+             ? fmt::format("{}, {} ms a frame", stretch, few_digits(static_cast<float>(record.sim_ms)))
              : stretch;
 }
 
@@ -39,11 +35,11 @@ std::string lost_of(const Snapshot& garment, const ViewerState& state, const Vie
 void lay_out_label(const char* name, const Snapshot& garment, const ViewerState& state, const ViewArea& area,
                    const ImVec2& top) {
   ImGui::SetNextWindowPos(top, ImGuiCond_Always, {0.5F, 0.0F});
-  ImGui::SetNextWindowBgAlpha(0.6F);
+  ImGui::SetNextWindowBgAlpha(0.85F);
   if (ImGui::Begin(name, nullptr, untouchable)) {
     ImGui::PushTextWrapPos(std::max(0.8F * static_cast<float>(area.width_px), 16.0F));
-    ImGui::TextUnformatted(solver_of(garment).c_str());
-    ImGui::TextDisabled("%s", measured_of(garment, state).c_str());
+    ImGui::TextUnformatted(solver_of(garment));
+    ImGui::TextUnformatted(measured_of(garment, state).c_str());
     if (const std::string lost = lost_of(garment, state, area); !lost.empty()) {
       ImGui::TextColored({0.70F, 0.12F, 0.10F, 1.0F}, "%s", lost.c_str());
     }
@@ -67,7 +63,7 @@ void lay_out_labels(const ViewerState& state, const ViewArea& area, float scale)
   if (ImGui::Begin("legends, right")) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRectFullScreen();
-    list.AddLine({width, 0.0F}, {width, height}, between_colour, scale);
+    list.AddLine({width, -1.0F}, {width, height}, between_colour, scale);
     list.PopClipRect();
   }
   ImGui::End();

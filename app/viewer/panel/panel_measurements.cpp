@@ -155,14 +155,11 @@ std::string size_text(const sim::Garment& garment) {
                      garment.mesh.positions.size());
 }
 
-// Of two garments the one that takes longer holds both back.
 std::string reason_text(SlowedBy reason, const Snapshot& newest) {
   constexpr std::array texts = {"", ", slowed by the simulation", ", slowed by drawing",
                                 ", slowed by other programs"};
   if (reason == SlowedBy::simulation && newest.compared) {
-    const bool is_second = newest.compared->record.sim_ms > newest.record.sim_ms;
-    const Snapshot& slower = is_second ? *newest.compared : newest;
-    return std::string(", slowed by ") + sim::name_of(sim::kind_of(slower.settings.solver.method));
+    return std::string(", slowed by ") + slower_solver(newest);
   }
   return texts[static_cast<std::size_t>(reason)];
 }

@@ -22,6 +22,15 @@ const Snapshot* compared(const ViewerState& state) {
   return state.newest->compared ? state.shown->compared.get() : nullptr;
 }
 
+const char* solver_of(const Snapshot& garment) {
+  return sim::name_of(sim::kind_of(garment.settings.solver.method));
+}
+
+const char* slower_solver(const Snapshot& newest) {
+  const bool is_second = newest.compared && newest.compared->record.sim_ms > newest.record.sim_ms;
+  return solver_of(is_second ? *newest.compared : newest);
+}
+
 const Snapshot& pointed_at(const ViewerState& state) {
   const Snapshot* second = state.at_compared ? compared(state) : nullptr;
   return second != nullptr ? *second : *state.shown;

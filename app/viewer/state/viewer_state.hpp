@@ -144,6 +144,10 @@ struct ViewerState {
 
 /// What is drawn of the second garment; null if there is none.
 const Snapshot* compared(const ViewerState& state);
+/// The name of the solver that a garment is simulated by.
+const char* solver_of(const Snapshot& garment);
+/// That of the garment whose last frame took longer, and which therefore holds both back.
+const char* slower_solver(const Snapshot& newest);
 /// What is drawn of the garment that the pointer is over.
 const Snapshot& pointed_at(const ViewerState& state);
 

@@ -133,6 +133,8 @@ TEST(SimulationPair, TheSecondGoesOnWhereTheFirstIsLost) {
   advance(pair, 60);
   EXPECT_TRUE(pair.take_snapshot()->stopped);
   EXPECT_TRUE(pair.wants_to_advance());
+  EXPECT_TRUE(moves(*pair.take_snapshot()));
+  EXPECT_FALSE(has_stopped(*pair.take_snapshot()));
   EXPECT_EQ(pair.take_snapshot()->compared->record.frame, 60);
   pair.apply(with_wind(scene, 2.0));
   EXPECT_FALSE(pair.take_snapshot()->stopped);

@@ -8,7 +8,7 @@
 #include "app/viewer/panel/user_interface.hpp"
 #include "app/viewer/state/lost_cloth.hpp"
 
-// What stands over two garments that are compared.
+// What stands over two garments that are compared: to the right, where no legend is.
 
 namespace taut::app {
 namespace {
@@ -33,8 +33,8 @@ std::string lost_of(const Snapshot& garment, const ViewerState& state, const Vie
 }
 
 void lay_out_label(const char* name, const Snapshot& garment, const ViewerState& state, const ViewArea& area,
-                   const ImVec2& top) {
-  ImGui::SetNextWindowPos(top, ImGuiCond_Always, {0.5F, 0.0F});
+                   const ImVec2& corner) {
+  ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1.0F, 0.0F});
   ImGui::SetNextWindowBgAlpha(0.85F);
   if (ImGui::Begin(name, nullptr, untouchable)) {
     ImGui::PushTextWrapPos(std::max(0.8F * static_cast<float>(area.width_px), 16.0F));
@@ -57,9 +57,9 @@ void lay_out_labels(const ViewerState& state, const ViewArea& area, float scale)
   }
   const auto width = static_cast<float>(area.width_px);
   const auto height = static_cast<float>(area.height_px);
-  const float top = 10.0F * scale;
-  lay_out_label("legends, left", *state.shown, state, area, {0.5F * width, top});
-  lay_out_label("legends, right", *second, state, area, {1.5F * width, top});
+  const float gap = 10.0F * scale;
+  lay_out_label("legends, left", *state.shown, state, area, {width - gap, gap});
+  lay_out_label("legends, right", *second, state, area, {2.0F * width - gap, gap});
   if (ImGui::Begin("legends, right")) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRectFullScreen();

@@ -190,8 +190,10 @@ TEST(Comparison, IsChosenInThePanelAndSharesTheWind) {
   for (const auto& [name, place] : state.places) {
     EXPECT_FALSE(hint_for(name).empty()) << name;
   }
+  const OrbitCamera before = state.camera;
   person.click("compare.provot");
   ASSERT_TRUE(compared(state));
+  EXPECT_FALSE(state.camera == before) << "half the room";
   const ViewArea half = garment_area(state, person.viewer.layout());
   EXPECT_EQ(half.width_px, whole.width_px / 2);
   for (const sim::Vec3& position : compared(state)->positions()) {

@@ -249,6 +249,21 @@ std::function<Command()> add_simulate(CLI::App& app) {
   return [options] { return Command(*options); };
 }
 
+void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_with) {
+  std::vector<std::string> names;
+  for (const sim::SolverKind kind : sim::all_solver_kinds) {
+    names.emplace_back(sim::name_of(kind));
+  }
+  const auto set = [&compared_with, known = joined(names, ", ")](const std::string& text) {
+    compared_with = solver_named(text);
+    if (!compared_with) {
+      throw UsageError("--compare " + text + ": expected one of " + known);
+    }
+  };
+  command.add_option_function<std::string>(
+      "--compare", set, "show the garment a second time, by this solver: " + joined(names, ", "));
+}
+
 std::function<Command()> add_view(CLI::App& app) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command =
@@ -264,6 +279,7 @@ std::function<Command()> add_view(CLI::App& app) {
   command->add_option_function<std::string>(
       "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); },
       std::string("of the window: ") + size_help);
+  add_compare(*command, options->compared_with);
   command
       ->add_option("--keep", options->keep_folder, "folder for screenshots, videos, clips and saved scenes")
       ->capture_default_str();
@@ -275,6 +291,7 @@ std::function<Command()> add_view(CLI::App& app) {
   add_backend(*command, options->backend);
   command->footer(
       "Examples:\n  taut view\n  taut view my-dress.obj --wind 4\n"
+      "  taut view tshirt --compare provot\n"
       "  taut view tshirt-gravity --record session.txt\n"
       "  taut view --headless --script session.txt --screenshot window.png\n");
   return [options] { return Command(*options); };

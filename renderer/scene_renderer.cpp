@@ -349,10 +349,10 @@ void SceneRenderer::draw_kept(const FrameView& frame, const PictureSettings& set
   parts_->draw(frame, settings);
 }
 
-void SceneRenderer::show_kept(unsigned framebuffer, int width_px, int height_px) const {
+void SceneRenderer::show_kept(unsigned framebuffer, int width_px, int height_px, int left_px) const {
   parts_->context.make_current();
   parts_->gl.Disable(GL_SCISSOR_TEST);
-  parts_->picture.show(framebuffer, width_px, height_px);
+  parts_->picture.show(framebuffer, width_px, height_px, left_px);
   check_errors(parts_->gl, "showing the picture");
 }
 

@@ -35,9 +35,9 @@ class SceneRenderer {
 
   /// As draw, but keeps the picture on the graphics card for show_kept.
   void draw_kept(const FrameView& frame, const PictureSettings& settings);
-  /// Copies the kept picture, stretched to width_px by height_px, to the lower left corner of a framebuffer
-  /// (0: the window). Throws ContextError.
-  void show_kept(unsigned framebuffer, int width_px, int height_px) const;
+  /// Copies the kept picture, stretched to width_px by height_px, to the bottom of a framebuffer (0: the
+  /// window), left_px from its left side. Throws ContextError.
+  void show_kept(unsigned framebuffer, int width_px, int height_px, int left_px = 0) const;
 
  private:
   struct Parts;

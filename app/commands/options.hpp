@@ -81,9 +81,10 @@ struct SimulateOptions {
 struct ViewOptions {
   std::string scene;  ///< empty: the script's scene, or else a default
   std::vector<Override> overrides;
-  std::optional<renderer::Resized> size;    ///< of the window
-  std::filesystem::path keep_folder = ".";  ///< for screenshots, videos and saved scenes
-  std::filesystem::path record;             ///< file the input is recorded to; empty: none
+  std::optional<renderer::Resized> size;         ///< of the window
+  std::optional<sim::SolverKind> compared_with;  ///< of a second garment; empty: that of the script, or none
+  std::filesystem::path keep_folder = ".";       ///< for screenshots, videos and saved scenes
+  std::filesystem::path record;                  ///< file the input is recorded to; empty: none
   bool headless = false;
   // Headless alone:
   std::filesystem::path script;      ///< session to play

@@ -42,6 +42,9 @@ Session session_of(const ViewOptions& options) {
   if (options.size) {
     session.start.size = *options.size;
   }
+  if (options.compared_with) {
+    session.start.compared_with = options.compared_with;
+  }
   return session;
 }
 

@@ -1,5 +1,7 @@
 #include "app/scene/run_settings.hpp"
 
+#include <algorithm>
+
 namespace taut::app {
 namespace {
 
@@ -28,6 +30,20 @@ sim::SolverMethod method_of(const SolverChoice& choice) {
 
 sim::SolverSettings solver_settings(const SolverChoice& choice) {
   return {choice.substeps, choice.max_substeps, method_of(choice)};
+}
+
+SolverChoice with_solver(SolverChoice choice, sim::SolverKind kind, const SolverChoice& of_scene) {
+  if (kind != choice.kind) {
+    choice.kind = kind;
+    choice.substeps = kind == of_scene.kind ? of_scene.substeps : std::nullopt;
+  }
+  return choice;
+}
+
+std::optional<sim::SolverKind> solver_named(std::string_view name) {
+  const auto* const found = std::find_if(sim::all_solver_kinds.begin(), sim::all_solver_kinds.end(),
+                                         [&](sim::SolverKind kind) { return name == sim::name_of(kind); });
+  return found == sim::all_solver_kinds.end() ? std::nullopt : std::optional(*found);
 }
 
 sim::SimulationSettings simulation_settings(const RunSettings& run) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "sim/simulation.hpp"
 
@@ -25,6 +26,13 @@ struct SolverChoice {
 
 /// The settings of the solver that is used.
 sim::SolverSettings solver_settings(const SolverChoice& choice);
+
+/// The same settings for another solver. Time steps that are short enough for one solver may make another fly
+/// apart: a number of them stands for the solver that the scene has it for, and any other chooses its own.
+SolverChoice with_solver(SolverChoice choice, sim::SolverKind kind, const SolverChoice& of_scene);
+
+/// The solver that has this name; empty if none has.
+std::optional<sim::SolverKind> solver_named(std::string_view name);
 
 /// How a scene is simulated.
 struct RunSettings {

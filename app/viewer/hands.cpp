@@ -9,7 +9,7 @@ std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea
   if (!area.contains(place_px)) {
     return std::nullopt;
   }
-  return pick(state.camera.ray_through(place_px, area), state.shown->positions(),
+  return pick(state.camera.ray_through(place_px, area), pointed_at(state).positions(),
               state.shown->loaded->garment->mesh.triangles);
 }
 
@@ -26,10 +26,11 @@ void Hands::press(const Pointer& pointer, const ViewArea& area, const ViewerStat
     is_turning_ = true;
     return;
   }
+  const std::vector<sim::Vec3>& positions = pointed_at(state).positions();
   Hold hold;
-  hold.grip = take_grip(*state.shown->loaded->garment, state.shown->positions(), picked->vertex);
+  hold.grip = take_grip(*state.shown->loaded->garment, positions, picked->vertex);
   hold.through = picked->point_m;
-  hold.to_vertex = state.shown->positions()[picked->vertex] - picked->point_m;
+  hold.to_vertex = positions[picked->vertex] - picked->point_m;
   commands.emplace_back(TakeHold{hold.grip});
   hold_ = std::move(hold);
 }

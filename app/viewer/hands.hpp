@@ -13,7 +13,7 @@ namespace taut::app {
 
 /// The pointer in one frame of the window.
 struct Pointer {
-  glm::vec2 place_px{-1.0F};   ///< position, from the window's upper left corner
+  glm::vec2 place_px{-1.0F};   ///< position, from the upper left corner of the garment's area
   glm::vec2 way_px{0.0F};      ///< movement since the frame before, or since a button went down in this frame
   std::array<bool, 3> down{};  ///< whether a button is down, indexed by renderer::PointerButton
   std::array<bool, 3> pressed{};  ///< whether it went down in this frame
@@ -56,7 +56,7 @@ class Hands {
   std::optional<Hold> hold_;
 };
 
-/// The point of the shown cloth under a pixel; empty if there is none.
+/// The point of the cloth that is pointed at under a pixel of its area; empty if there is none.
 std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area,
                                        const ViewerState& state);
 

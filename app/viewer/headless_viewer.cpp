@@ -13,7 +13,7 @@ namespace taut::app {
 HeadlessViewer::HeadlessViewer(const DrawnScene& scene, const SessionStart& start,
                                const std::filesystem::path& keep_folder, const std::string& backend)
     : simulation_(std::make_unique<SteppedSimulation>(scene)),
-      viewer_(*simulation_, {start.size, start.scale, keep_folder, false}),
+      viewer_(*simulation_, {start.size, start.scale, keep_folder, start.compared_with, false}),
       context_([backend] { return renderer::create_context(backend); }),
       target_(std::make_unique<renderer::ColourTarget>(context_.context())) {}
 

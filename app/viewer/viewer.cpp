@@ -16,6 +16,7 @@ namespace taut::app {
 namespace {
 
 namespace keys = renderer::keys;
+using renderer::PointerButton;
 
 // Free border around the garment as it begins, share of the picture: wind and hands move it.
 constexpr float window_margin = 0.16F;
@@ -33,6 +34,7 @@ Viewer::Viewer(SimulationHost& simulation, const ViewerSettings& settings)
       scale_(settings.scale),
       interface_(settings.scale) {
   state_.measurements.shows_times = settings.shows_times;
+  state_.compared_with = settings.compared_with;
   state_.scenes = scene_choices();
   state_.garments = garment_choices();
   state_.fabrics = files_in("fabrics", ".toml");
@@ -60,7 +62,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
   warn();
   interface_.begin_frame(layout().width_px, layout().height_px, frame.elapsed_s);
   lay_out(state_, layout());
-  hands_.update(pointer_, !interface_.wants_pointer(), scene_area(layout()), state_, commands_);
+  hands_.update(pointer_over_one(), !interface_.wants_pointer(), area_of_one(), state_, commands_);
   state_.held = hands_.held();
   perform_asked();
   load_asked();
@@ -70,6 +72,20 @@ SessionFrame Viewer::update(SessionFrame frame) {
   frame.pace = Pace{advances, state_.newest->serial};
   note_changes(frame);
   return frame;
+}
+
+// Both halves show the same place. A drag stays in the half that it began in.
+Pointer Viewer::pointer_over_one() {
+  const auto width_px = static_cast<float>(area_of_one().width_px);
+  const auto drags = [&](PointerButton button) {
+    return pointer_.is_down(button) && !pointer_.was_pressed(button);
+  };
+  if (!drags(PointerButton::left) && !drags(PointerButton::right) && !drags(PointerButton::middle)) {
+    state_.at_compared = compared(state_) != nullptr && pointer_.place_px.x >= width_px;
+  }
+  Pointer over_one = pointer_;
+  over_one.place_px.x -= state_.at_compared ? width_px : 0.0F;
+  return over_one;
 }
 
 void Viewer::take(const SessionEvent& event) {
@@ -134,6 +150,8 @@ void Viewer::take_key(const renderer::KeyChanged& event) {
 void Viewer::note_snapshot(SnapshotPtr newest) {
   const bool is_new_garment =
       !state_.newest || newest->loaded->generation != state_.newest->loaded->generation;
+  const bool has_other_area =
+      state_.newest && (newest->compared != nullptr) != (state_.newest->compared != nullptr);
   state_.newest = std::move(newest);
   if (is_new_garment) {
     adopt_scene();
@@ -146,6 +164,9 @@ void Viewer::note_snapshot(SnapshotPtr newest) {
   }
   note_measurements();
   choose_shown();
+  if (is_new_garment || has_other_area) {
+    state_.camera = OrbitCamera(first_camera());
+  }
 }
 
 void Viewer::adopt_scene() {
@@ -159,13 +180,12 @@ void Viewer::adopt_scene() {
   hands_.drop();
   noted_frame_.reset();
   state_.measurements.forget();
-  state_.camera = OrbitCamera(first_camera());
 }
 
 // Fitted to the garment as it begins, with room for what comes.
 renderer::Camera Viewer::first_camera() const {
   const LoadedScene& loaded = *state_.newest->loaded;
-  const ViewArea area = scene_area(layout());
+  const ViewArea area = area_of_one();
   DrawnScene scene = state_.scene;
   scene.picture.settings.width_px = area.width_px;
   scene.picture.settings.height_px = area.height_px;
@@ -224,7 +244,7 @@ SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
 void Viewer::note_speed(std::uint64_t advances_before) {
   RealTime& real_time = state_.measurements.real_time;
   const double busy_s = std::exchange(busy_s_, 0.0);
-  const bool goes_on = !state_.newest->paused && !state_.newest->stopped;
+  const bool goes_on = !state_.newest->paused && !has_stopped(*state_.newest);
   if (!goes_on) {
     real_time.forget();
     return;
@@ -233,17 +253,27 @@ void Viewer::note_speed(std::uint64_t advances_before) {
   real_time.add(elapsed_s_, advances / state_.scene.simulation.frame_rate_hz, busy_s);
 }
 
+// Where two are compared, each has its own label.
 void Viewer::warn() {
+  if (compared(state_) != nullptr) {
+    state_.warning.clear();
+    return;
+  }
   state_.warning = state_.newest->stopped && !state_.past_frame
                        ? "the simulation has stopped: R, any other setting or another scene starts again"
                        : lost_cloth(state_.shown->positions(), state_.shown->loaded->garment->mesh.triangles,
-                                    state_.camera, scene_area(layout()));
+                                    state_.camera, area_of_one());
 }
 
 void Viewer::collect_settings() {
   if (ChangeSettings wanted(state_.scene); wanted != told_) {
     told_ = wanted;
     commands_.emplace_back(std::move(wanted));
+  }
+  if (state_.compared_with != told_compared_) {
+    told_compared_ = state_.compared_with;
+    state_.past_frame.reset();
+    commands_.emplace_back(Compare{state_.compared_with});
   }
   if (state_.speed != told_speed_) {
     told_speed_ = state_.speed;
@@ -258,9 +288,9 @@ void Viewer::note_changes(const SessionFrame& frame) {
   }
   const std::size_t gone =
       std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
-  const bool moves = !state_.paused && !state_.newest->record.asleep && !state_.newest->stopped;
-  const bool is_changing = moves || !frame.events.empty() || gone > 0 || hands_.is_busy() || recorder_ ||
-                           clip_ || !key_actions_.empty() || is_hint_due(state_);
+  const bool is_changing = (!state_.paused && moves(*state_.newest)) || !frame.events.empty() || gone > 0 ||
+                           hands_.is_busy() || recorder_ || clip_ || !key_actions_.empty() ||
+                           is_hint_due(state_);
   frames_since_input_ = !frame.events.empty() || hands_.is_busy() ? 0 : frames_since_input_ + 1;
   still_frames_ = is_changing ? 0 : still_frames_ + 1;
 }

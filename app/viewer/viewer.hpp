@@ -25,9 +25,10 @@ struct ClothOfScene {
 
 /// How a viewer begins.
 struct ViewerSettings {
-  renderer::Resized size;                   ///< of the window
-  double scale = 1.0;                       ///< of the display
-  std::filesystem::path keep_folder = ".";  ///< for screenshots, videos and saved scenes
+  renderer::Resized size;                        ///< of the window
+  double scale = 1.0;                            ///< of the display
+  std::filesystem::path keep_folder = ".";       ///< for screenshots, videos and saved scenes
+  std::optional<sim::SolverKind> compared_with;  ///< of a second garment beside the first; empty: none
   bool shows_times = true;  ///< false: the picture depends only on the input, not on measured times
 };
 
@@ -79,6 +80,8 @@ class Viewer {
   void take(const renderer::WindowEvent& event);
   void take_key(const renderer::KeyChanged& event);
   void note_snapshot(SnapshotPtr newest);
+  ViewArea area_of_one() const { return garment_area(state_, layout()); }
+  Pointer pointer_over_one();
   void adopt_scene();
   renderer::Camera first_camera() const;
   void note_measurements();
@@ -123,6 +126,7 @@ class Viewer {
   // As the simulation was told.
   ChangeSettings told_;
   double told_speed_ = 1.0;
+  std::optional<sim::SolverKind> told_compared_;
   std::uint64_t told_notice_ = 0;
   std::optional<int> noted_frame_;
   // A frame of the past, as it is shown under a bound that was set since.

@@ -134,7 +134,7 @@ void Viewer::turn_wind(double by_rad) {
 }
 
 void Viewer::toggle_pin() {
-  const auto picked = cloth_under(pointer_.place_px, scene_area(layout()), state_);
+  const auto picked = cloth_under(pointer_over_one().place_px, area_of_one(), state_);
   if (state_.shown != state_.newest) {
     tell("this is past: Space goes on from here, then P pins", false);
   } else if (picked) {
@@ -145,7 +145,11 @@ void Viewer::toggle_pin() {
 }
 
 void Viewer::show_whole_garment() {
-  state_.camera.fit(renderer::bounding_box(to_float(state_.shown->positions())), scene_area(layout()));
+  std::vector<sim::Vec3> positions = state_.shown->positions();
+  if (const Snapshot* second = compared(state_); second != nullptr && !second->stopped) {
+    positions.insert(positions.end(), second->positions().begin(), second->positions().end());
+  }
+  state_.camera.fit(renderer::bounding_box(to_float(positions)), area_of_one());
 }
 
 void Viewer::see_from(const Side& side) {

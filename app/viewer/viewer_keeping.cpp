@@ -15,7 +15,7 @@ namespace taut::app {
 
 void Viewer::save_scene() {
   const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".toml");
-  DrawnScene scene = kept_scene(state_, scene_area(layout()));
+  DrawnScene scene = kept_scene(state_, area_of_one());
   if (!is_pristine(state_)) {
     const std::filesystem::path moment = std::filesystem::path(file).replace_extension(".checkpoint");
     scene.checkpoint = moment.filename();

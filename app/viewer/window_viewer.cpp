@@ -37,7 +37,8 @@ class WindowViewer {
       : simulation_(scene),
         title_(title_of(scene)),
         context_([this, size = start.size] { return open(title_, size); }),
-        viewer_(simulation_, {window_->framebuffer_size(), window_->content_scale(), keep_folder, true}) {
+        viewer_(simulation_, {window_->framebuffer_size(), window_->content_scale(), keep_folder,
+                              start.compared_with, true}) {
     if (!record_to.empty()) {
       SessionStart actual = start;
       actual.size = window_->framebuffer_size();

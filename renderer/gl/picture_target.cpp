@@ -91,12 +91,12 @@ Image PictureTarget::read_with_alpha() const {
   return image;
 }
 
-void PictureTarget::show(GLuint target, int width_px, int height_px) const {
+void PictureTarget::show(GLuint target, int width_px, int height_px, int left_px) const {
   const bool is_same_size = width_px == width_px_ && height_px == height_px_;
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, finished_.name());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
-  gl_->BlitFramebuffer(0, 0, width_px_, height_px_, 0, 0, width_px, height_px, GL_COLOR_BUFFER_BIT,
-                       is_same_size ? GL_NEAREST : GL_LINEAR);
+  gl_->BlitFramebuffer(0, 0, width_px_, height_px_, left_px, 0, left_px + width_px, height_px,
+                       GL_COLOR_BUFFER_BIT, is_same_size ? GL_NEAREST : GL_LINEAR);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target);
 }
 

@@ -29,8 +29,9 @@ class PictureTarget {
   Image read() const;
   /// Returns the picture as RGBA. Its colours, which are premultiplied in linear light, are divided by alpha.
   Image read_with_alpha() const;
-  /// Copies the picture, stretched to width_px by height_px, to the lower left corner of a framebuffer.
-  void show(GLuint target, int width_px, int height_px) const;
+  /// Copies the picture, stretched to width_px by height_px, to the bottom of a framebuffer, left_px from its
+  /// left side.
+  void show(GLuint target, int width_px, int height_px, int left_px) const;
 
  private:
   void allocate(int width_px, int height_px);

@@ -18,7 +18,8 @@ struct Person {
   /// Keeps what is saved in `folder`.
   explicit Person(const std::string& scene, const std::vector<app::Override>& overrides = {},
                   const std::filesystem::path& folder = ".")
-      : simulation(app::find_scene(scene, overrides)), viewer(simulation, {{1280, 720}, 1.0, folder, false}) {
+      : simulation(app::find_scene(scene, overrides)),
+        viewer(simulation, {{1280, 720}, 1.0, folder, {}, false}) {
     wait(2);
   }
   void wait(int frames) {

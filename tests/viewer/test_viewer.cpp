@@ -167,10 +167,10 @@ TEST(Window, AThreadLeadsToAHandThatTheClothDoesNotFollow) {
   const glm::vec2 middle_px = *state.camera.pixel_of(middle, area);
   const auto thread_to = [&](glm::vec2 place_px) {
     person.act(at(place_px));
-    return hand_thread(state, area);
+    return hand_thread(state, *state.shown, area);
   };
   person.act({at(middle_px), left(true)});
-  EXPECT_FALSE(hand_thread(state, area)) << "the cloth is in the hand";
+  EXPECT_FALSE(hand_thread(state, *state.shown, area)) << "the cloth is in the hand";
   EXPECT_FALSE(thread_to(middle_px + glm::vec2(3.0F, 0.0F))) << "some pixels";
   const glm::vec2 away_px = middle_px + glm::vec2(60.0F, 20.0F);
   const auto thread = thread_to(away_px);
@@ -182,7 +182,7 @@ TEST(Window, AThreadLeadsToAHandThatTheClothDoesNotFollow) {
   EXPECT_FALSE(thread_to(middle_px + glm::vec2(20.0F, 0.0F))) << "some millimetres, seen from near";
   EXPECT_TRUE(thread_to(away_px + glm::vec2(200.0F, 0.0F)));
   person.act(left(false));
-  EXPECT_FALSE(hand_thread(state, area)) << "let go";
+  EXPECT_FALSE(hand_thread(state, *state.shown, area)) << "let go";
 }
 
 // Scenes of grids have a number of time steps for their own solver.

@@ -63,11 +63,17 @@ ViewArea scene_area(const WindowLayout& layout) {
   return {std::max(layout.width_px - panel_px, 1), std::max(layout.height_px, 1)};
 }
 
+ViewArea garment_area(const ViewerState& state, const WindowLayout& layout) {
+  const ViewArea whole = scene_area(layout);
+  return compared(state) != nullptr ? ViewArea{std::max(whole.width_px / 2, 1), whole.height_px} : whole;
+}
+
 void lay_out(ViewerState& state, const WindowLayout& layout) {
   state.places.clear();
   const std::optional<Hovered> before = state.hovered;
   const ViewArea area = scene_area(layout);
   lay_out_legends(state, layout.scale);
+  lay_out_labels(state, garment_area(state, layout), layout.scale);
   if (panel_fits(layout)) {
     lay_out_panel(state, layout, area);
   }

@@ -21,6 +21,8 @@ inline constexpr float behind_panel_grey = 0.965F;
 
 /// The part of the window that shows the scene.
 ViewArea scene_area(const WindowLayout& layout);
+/// The part of it that shows one garment: its left half where a second one is shown beside it.
+ViewArea garment_area(const ViewerState& state, const WindowLayout& layout);
 /// Whether the panel is shown. A window that is too narrow has none.
 bool panel_fits(const WindowLayout& layout);
 

@@ -116,17 +116,6 @@ std::string chosen_substeps(const ViewerState& state) {
   return chosen == 0 ? "auto" : fmt::format("auto, {}{}", chosen, is_most ? ", no more" : "");
 }
 
-// Time steps that are short enough for one solver may make another fly apart: a number of them stands for the
-// solver that the scene has it for, and any other chooses its own.
-void choose_solver(ViewerState& state, sim::SolverKind kind) {
-  SolverChoice& solver = state.scene.simulation.solver;
-  const SolverChoice& of_scene = state.newest->loaded->scene.simulation.solver;
-  if (kind != solver.kind) {
-    solver.kind = kind;
-    solver.substeps = kind == of_scene.kind ? of_scene.substeps : std::nullopt;
-  }
-}
-
 // Two items in the place of one.
 struct Halves {
   float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -173,7 +162,26 @@ void lay_out_solver_list(ViewerState& state) {
     ImGui::Checkbox("contact", &solver.bounded.contact);
     note_place(state, "solver.contact");
   }
-  choose_solver(state, kind);
+  solver = with_solver(solver, kind, state.newest->loaded->scene.simulation.solver);
+}
+
+// A second garment beside the first, by another solver.
+void lay_out_comparison(ViewerState& state) {
+  std::optional<sim::SolverKind>& with = state.compared_with;
+  if (begin_list("compare with", with ? sim::name_of(*with) : "none")) {
+    if (ImGui::Selectable("none", !with)) {
+      with.reset();
+    }
+    note_place(state, "compare.none");
+    for (const sim::SolverKind kind : sim::all_solver_kinds) {
+      if (ImGui::Selectable(sim::name_of(kind), with == kind)) {
+        with = kind;
+      }
+      note_place(state, (std::string("compare.") + sim::name_of(kind)).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  note_place(state, "compare");
 }
 
 // Of the fabric, side by side: against bending, and against crumpling.
@@ -216,6 +224,7 @@ void lay_out_implicit(ViewerState& state) {
 void lay_out_solver(ViewerState& state) {
   SolverChoice& solver = state.scene.simulation.solver;
   lay_out_solver_list(state);
+  lay_out_comparison(state);
   int substeps = solver.substeps.value_or(0);
   whole_slider(state, "substeps", "solver.substeps", substeps, 0, 400,
                solver.substeps ? "%d" : chosen_substeps(state).c_str());

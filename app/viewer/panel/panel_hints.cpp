@@ -63,6 +63,11 @@ constexpr std::array hints = {
          " springs. provot, vassilev: those, held at a threshold. fast-projection: keeps lengths. implicit: "
          "large"
          " steps."},
+    Hint{"compare",
+         "Show the same garment a second time by another solver, in the same wind. Both begin anew and go on"
+         " frame by frame together: the slower one holds both back. Hands, pins and the time bar act on"
+         " both; scenes, shapes and clips are written of the left one."},
+    Hint{"compare.none", "One garment alone."},
     Hint{"solver.ideal", "Hooke's springs alone: cloth stretches under its weight, and vibrates."},
     Hint{"solver.provot", "Hooke's springs, pulled back where they exceed the threshold (Provot 1995)."},
     Hint{"solver.strong", "The paper's strong constraint: sweeps over all springs in their order."},
@@ -135,6 +140,10 @@ std::string hint_for(const std::string& name) {
     if (own == name) {
       return std::string(text);
     }
+  }
+  constexpr std::string_view compare = "compare.";
+  if (name.starts_with(compare)) {
+    return hint_for("solver." + name.substr(compare.size()));
   }
   constexpr std::string_view preset = "preset.";
   return name.starts_with(preset) ? "Load the scene " + name.substr(preset.size()) + " of this figure." : "";

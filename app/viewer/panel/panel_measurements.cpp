@@ -134,10 +134,6 @@ void plot_convergence(ViewerState& state, float scale) {
   draw_curve(moved.values(), place, highest, curve_colour, scale);
 }
 
-std::string few_digits(float milliseconds) {
-  return fmt::format("{:.{}f}", milliseconds, milliseconds < 10.0F ? 1 : 0);
-}
-
 void plot_times(ViewerState& state, float scale) {
   const Measurements& m = state.measurements;
   if (!m.shows_times) {
@@ -159,16 +155,19 @@ std::string size_text(const sim::Garment& garment) {
                      garment.mesh.positions.size());
 }
 
-const char* reason_text(SlowedBy reason) {
+std::string reason_text(SlowedBy reason, const Snapshot& newest) {
   constexpr std::array texts = {"", ", slowed by the simulation", ", slowed by drawing",
                                 ", slowed by other programs"};
+  if (reason == SlowedBy::simulation && newest.compared) {
+    return std::string(", slowed by ") + slower_solver(newest);
+  }
   return texts[static_cast<std::size_t>(reason)];
 }
 
 std::string speed_text(const ViewerState& state) {
   const Measurements& m = state.measurements;
-  if (state.newest->stopped || state.newest->paused) {
-    return state.newest->stopped ? "stopped" : "paused";
+  if (state.newest->paused || has_stopped(*state.newest)) {
+    return state.newest->paused ? "paused" : "stopped";
   }
   const auto factor = m.real_time.factor();
   if (!m.shows_times || !factor) {
@@ -176,10 +175,14 @@ std::string speed_text(const ViewerState& state) {
   }
   const double frame_ms = 1000.0 / (state.scene.simulation.frame_rate_hz * state.speed);
   const SlowedBy reason = slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share());
-  return fmt::format("{:.2f} x real time{}", *factor, reason_text(reason));
+  return fmt::format("{:.2f} x real time{}", *factor, reason_text(reason, *state.newest));
 }
 
 }  // namespace
+
+std::string few_digits(float milliseconds) {
+  return fmt::format("{:.{}f}", milliseconds, milliseconds < 10.0F ? 1 : 0);
+}
 
 void lay_out_measurements(ViewerState& state, float scale) {
   ImGui::Separator();

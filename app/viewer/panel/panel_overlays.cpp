@@ -18,10 +18,6 @@
 namespace taut::app {
 namespace {
 
-constexpr ImGuiWindowFlags over_scene = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                                        ImGuiWindowFlags_NoFocusOnAppearing;
-constexpr ImGuiWindowFlags untouchable = over_scene | ImGuiWindowFlags_NoInputs;
 constexpr float background = 0.88F;
 
 constexpr std::array<std::pair<const char*, double>, 4> speeds = {

@@ -8,6 +8,12 @@
 
 namespace taut::app {
 
+/// Of what lies over the scene.
+constexpr ImGuiWindowFlags over_scene = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr ImGuiWindowFlags untouchable = over_scene | ImGuiWindowFlags_NoInputs;
+
 // The parts of the user interface; each between begin_frame and end_frame of UserInterface.
 
 void lay_out_wind(ViewerState& state, float scale);
@@ -20,6 +26,10 @@ void lay_out_messages(const ViewerState& state, const ViewArea& area, float scal
 void lay_out_key_sheet(ViewerState& state, const ViewArea& area);
 /// The legends that explain the colours on the cloth.
 void lay_out_legends(const ViewerState& state, float scale);
+/// What each of two garments is, how far it is stretched and what it costs; `area` is of the first one.
+void lay_out_labels(const ViewerState& state, const ViewArea& area, float scale);
+/// Milliseconds as text of few letters.
+std::string few_digits(float milliseconds);
 
 /// Notes the rectangle of the last item under this name. Shows its hint if the pointer rests on it.
 void note_place(ViewerState& state, const char* name);

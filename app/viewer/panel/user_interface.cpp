@@ -128,7 +128,7 @@ void UserInterface::make_letters() {
   style.GrabRounding = 3.0F;
   style.GrabMinSize = 8.0F;
   style.WindowBorderSize = 0.0F;
-  style.ItemSpacing = {6.0F, 4.0F};
+  style.ItemSpacing = {6.0F, 3.0F};
   style.FramePadding = {6.0F, 3.0F};
   style.ScaleAllSizes(scale);
   ImGui::GetStyle() = style;
@@ -217,7 +217,7 @@ void UserInterface::end_frame() {
     const ImDrawList& list = *drawn.CmdLists[l];
     std::memcpy(static_cast<void*>(vertices_.data() + first_vertex), list.VtxBuffer.Data,
                 static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
-    const bool is_in_pictures = std::strcmp(list._OwnerName, in_pictures) == 0;
+    const bool is_in_pictures = std::string_view(list._OwnerName).starts_with(in_pictures);
     for (const ImDrawCmd& command : list.CmdBuffer) {
       overlay_.parts.push_back(
           {.clip_lower_px = {static_cast<int>(command.ClipRect.x), static_cast<int>(command.ClipRect.y)},

@@ -24,12 +24,12 @@ constexpr float opacity_behind_surfaces = 0.35F;
 
 }  // namespace
 
-std::optional<HandThread> hand_thread(const ViewerState& state, const ViewArea& area) {
+std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment,
+                                      const ViewArea& area) {
   if (!state.held) {
     return std::nullopt;
   }
-  const std::vector<glm::vec3> ends =
-      to_float({state.shown->positions()[state.held->vertex], state.held->hand_m});
+  const std::vector<glm::vec3> ends = to_float({garment.positions()[state.held->vertex], state.held->hand_m});
   const auto from_px = state.camera.pixel_of(ends[0], area);
   const auto to_px = state.camera.pixel_of(ends[1], area);
   const bool is_apart = glm::distance(ends[0], ends[1]) > least_m &&

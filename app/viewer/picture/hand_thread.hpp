@@ -14,8 +14,9 @@ using HandThread = std::array<glm::vec3, 2>;
 
 /// The thread between cloth and a hand that it cannot follow, because it is held elsewhere or would have to
 /// cross something. Empty if nothing is held, or if the two are so near to each other that the cloth is in
-/// the hand.
-std::optional<HandThread> hand_thread(const ViewerState& state, const ViewArea& area);
+/// the hand. `garment` is one of those that the hand holds.
+std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment,
+                                      const ViewArea& area);
 
 /// Adds the thread to what is drawn: in front of everything, faint where surfaces hide it. `thread` must live
 /// as long as `frame` is used.

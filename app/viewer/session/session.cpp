@@ -51,6 +51,9 @@ std::string session_head(const SessionStart& start) {
   for (const Override& changed : start.overrides) {
     text += "set " + changed.key + '=' + changed.value + '\n';
   }
+  if (start.compared_with) {
+    text += std::string("compare ") + sim::name_of(*start.compared_with) + '\n';
+  }
   return text + fmt::format("window {} {} {}\n", start.size.width_px, start.size.height_px, start.scale);
 }
 

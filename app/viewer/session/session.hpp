@@ -56,6 +56,7 @@ struct SessionStart {
   std::vector<Override> overrides;
   renderer::Resized size = {1280, 720};
   double scale = 1.0;  ///< content scale of the display
+  std::optional<sim::SolverKind> compared_with;
 };
 
 /// Input to a window from its start: recorded, written by hand or made at random. A text file, one event a
@@ -64,6 +65,7 @@ struct SessionStart {
 ///     taut-session 1
 ///     scene tshirt-gravity
 ///     set wind.speed=4
+///     compare provot                 a second garment beside the first
 ///     window 1280 720 1              width and height in pixels, content scale
 ///     move 640 360                   pixels from the upper left corner
 ///     at wind.speed 0.5 0.5          a named thing of the panel, and where on it

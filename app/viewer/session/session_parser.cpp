@@ -158,6 +158,12 @@ bool read_start(Line& line, SessionStart& start) {
     start.scene = line.rest("scene SCENE");
   } else if (line.verb() == "set") {
     start.overrides.push_back(parse_override(line.rest("set KEY=VALUE")));
+  } else if (line.verb() == "compare") {
+    constexpr const char* expected = "compare SOLVER, such as provot";
+    start.compared_with = solver_named(line.word(expected));
+    if (!start.compared_with) {
+      line.fail(expected);
+    }
   } else if (line.verb() == "window") {
     constexpr const char* expected = "window WIDTH HEIGHT SCALE";
     start.size = read_size(line, expected);
@@ -197,7 +203,8 @@ class Parser {
     } else if (auto event = read_event(line)) {
       frame_.events.push_back(std::move(*event));
     } else if (!session_.frames.empty() || !read_start(line, session_.start)) {
-      line.fail("an event, frame, paced or state; scene, set and window stand before the first frame");
+      line.fail(
+          "an event, frame, paced or state; scene, set, compare and window stand before the first frame");
     }
   }
 

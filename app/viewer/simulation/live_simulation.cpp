@@ -49,6 +49,10 @@ LiveSimulation::LiveSimulation(const DrawnScene& scene) {
   tell_of_start();
 }
 
+LiveSimulation::LiveSimulation(std::shared_ptr<const LoadedScene> loaded) : way_on_("R starts both again") {
+  start(std::move(loaded));
+}
+
 // Makes everything that can fail first, so that a scene that cannot be simulated changes nothing.
 void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   const DrawnScene& scene = loaded->scene;
@@ -221,10 +225,10 @@ void LiveSimulation::advance() {
 
 void LiveSimulation::stop(const std::string& reason) {
   stopped_ = true;
-  tell(reason + "; R or any other setting starts again", true);
+  tell(reason + "; " + way_on_, true);
 }
 
-SnapshotPtr LiveSimulation::take_snapshot() {
+SnapshotPtr LiveSimulation::take_snapshot(SnapshotPtr compared) {
   Snapshot snapshot;
   snapshot.serial = ++serial_;
   snapshot.advances = advances_;
@@ -236,6 +240,7 @@ SnapshotPtr LiveSimulation::take_snapshot() {
   snapshot.surroundings = simulation_->surroundings();
   snapshot.record = record_;
   snapshot.notices = notices_;
+  snapshot.compared = std::move(compared);
   snapshot.paused = paused_;
   snapshot.stopped = stopped_;
   snapshot.pristine = pristine_;

@@ -16,6 +16,9 @@ class LiveSimulation {
   /// Throws InputError if the garment cannot be loaded.
   explicit LiveSimulation(const DrawnScene& scene);
 
+  /// Of what another one has loaded, beside which it runs.
+  explicit LiveSimulation(std::shared_ptr<const LoadedScene> loaded);
+
   void apply(const SimulationCommand& command);
 
   /// Whether the next frame is wanted: the simulation is not paused, or a single step was asked for.
@@ -27,8 +30,13 @@ class LiveSimulation {
   /// Computes one frame. Does nothing after the simulation has diverged or was blocked.
   void advance();
 
-  /// The state of now. Each call returns a serial number larger by 1.
-  SnapshotPtr take_snapshot();
+  /// The state of now, with that of a garment beside it. Each call returns a serial number larger by 1.
+  SnapshotPtr take_snapshot(SnapshotPtr compared = nullptr);
+
+  const std::shared_ptr<const LoadedScene>& loaded() const { return loaded_; }
+  bool is_stopped() const { return stopped_; }
+  const std::vector<Notice>& notices() const { return *notices_; }
+  void tell(const std::string& text, bool is_error);
 
   std::uint64_t state_hash() const { return sim::hash(simulation_->state()); }
 
@@ -44,13 +52,13 @@ class LiveSimulation {
   void perform(const SetPaused& pause);
   void perform(const StepOnce&) { steps_left_ += paused_ ? 1 : 0; }
   void perform(const SetSpeed& speed) { speed_ = speed.factor; }
+  void perform(const Compare&) {}  // of a SimulationPair
 
   void start(std::shared_ptr<const LoadedScene> loaded);
   void set_pins(std::vector<sim::Index> pins);
   void note_shape();
   void tell_of_start();
   void stop(const std::string& reason);
-  void tell(const std::string& text, bool is_error);
   void pull();
 
   std::shared_ptr<const LoadedScene> loaded_;
@@ -62,6 +70,7 @@ class LiveSimulation {
   std::shared_ptr<const sim::Checkpoint> checkpoint_;
   FrameRecord record_;
   std::shared_ptr<const std::vector<Notice>> notices_ = std::make_shared<const std::vector<Notice>>();
+  const char* way_on_ = "R or any other setting starts again";  ///< after it has stopped
   std::uint64_t serial_ = 0;
   std::uint64_t advances_ = 0;
   int start_frame_ = 0;  ///< the frame that the scene begins with

@@ -60,8 +60,12 @@ struct StepOnce {};
 struct SetSpeed {
   double factor = 1.0;
 };
+/// Simulates a second garment beside the first, by another solver, or none any more. Both begin anew.
+struct Compare {
+  std::optional<sim::SolverKind> with;
+};
 
 using SimulationCommand = std::variant<LoadScene, ChangeSettings, TogglePin, ReleasePins, TakeHold, LetGo,
-                                       Reset, GoBack, SetPaused, StepOnce, SetSpeed>;
+                                       Reset, GoBack, SetPaused, StepOnce, SetSpeed, Compare>;
 
 }  // namespace taut::app

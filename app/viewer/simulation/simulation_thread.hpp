@@ -6,8 +6,8 @@
 #include <mutex>
 #include <thread>
 
-#include "app/viewer/simulation/live_simulation.hpp"
 #include "app/viewer/simulation/simulation_host.hpp"
+#include "app/viewer/simulation/simulation_pair.hpp"
 
 namespace taut::app {
 
@@ -42,7 +42,7 @@ class SimulationThread : public SimulationHost {
   void perform_posted(std::unique_lock<std::mutex>& lock);
   void advance(std::unique_lock<std::mutex>& lock);
 
-  LiveSimulation simulation_;  ///< used only by the thread while `busy_`
+  SimulationPair simulation_;  ///< used only by the thread while `busy_`
   std::mutex mutex_;
   std::condition_variable changed_;
   Timeline timeline_;

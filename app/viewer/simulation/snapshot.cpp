@@ -2,6 +2,14 @@
 
 namespace taut::app {
 
+bool has_stopped(const Snapshot& snapshot) {
+  return snapshot.stopped && (!snapshot.compared || snapshot.compared->stopped);
+}
+
+bool moves(const Snapshot& snapshot) {
+  return (!snapshot.stopped && !snapshot.record.asleep) || (snapshot.compared && moves(*snapshot.compared));
+}
+
 sim::Simulation gone_on_from(const Snapshot& past, const sim::SimulationSettings& settings,
                              const sim::Material& material, const sim::Surroundings& surroundings) {
   sim::Simulation simulation(past.garment, *past.pins, past.settings, past.surroundings);

@@ -43,6 +43,7 @@ struct Snapshot {
   FrameRecord record;
   /// The latest, oldest first; never null. A window that missed a snapshot must not miss what it said.
   std::shared_ptr<const std::vector<Notice>> notices;
+  std::shared_ptr<const Snapshot> compared;  ///< the second garment, at the same time; null: none
   bool paused = false;
   bool stopped = false;   ///< diverged or blocked: nothing moves until a reset
   bool pristine = false;  ///< since the start or the last reset no setting changed and nobody pulled
@@ -50,6 +51,11 @@ struct Snapshot {
   /// What is drawn: in metres, per vertex.
   const std::vector<sim::Vec3>& positions() const { return checkpoint->state.current; }
 };
+
+/// Whether no garment goes on.
+bool has_stopped(const Snapshot& snapshot);
+/// Whether one of the garments goes on and is not at rest, unless it is paused.
+bool moves(const Snapshot& snapshot);
 
 /// The simulation as it was, with the same bits to come while nothing is changed, but with the settings,
 /// the material and the surroundings of now. Throws as sim::Simulation does.

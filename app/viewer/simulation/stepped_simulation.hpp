@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/viewer/simulation/live_simulation.hpp"
 #include "app/viewer/simulation/simulation_host.hpp"
+#include "app/viewer/simulation/simulation_pair.hpp"
 
 namespace taut::app {
 
@@ -24,7 +24,7 @@ class SteppedSimulation : public SimulationHost {
   void advance();
   void follow_clock(double elapsed_s);
 
-  LiveSimulation simulation_;
+  SimulationPair simulation_;
   Timeline timeline_;
   double owed_s_ = 0.0;  ///< simulated time that is due
 };

@@ -18,7 +18,9 @@ constexpr std::size_t vertex_bytes = 3 * sizeof(sim::Vec3) + 3 * sizeof(float);
 int reach_frames(const Snapshot& newest) {
   const double rate_hz = newest.loaded->scene.simulation.frame_rate_hz;
   const auto by_time = static_cast<int>(std::min(Timeline::span_s * rate_hz, 1e6));
-  const std::size_t frame_bytes = std::max<std::size_t>(1, newest.positions().size() * vertex_bytes);
+  const std::size_t garments = newest.compared ? 2 : 1;
+  const std::size_t frame_bytes =
+      std::max<std::size_t>(1, garments * newest.positions().size() * vertex_bytes);
   const auto by_memory = static_cast<int>(std::min<std::size_t>(most_bytes / frame_bytes, 1000000));
   return std::max(fewest_frames, std::min(by_time, by_memory));
 }

@@ -112,10 +112,12 @@ struct ViewerState {
   std::optional<int> past_frame;  ///< frame of the past that is shown; empty: the newest
   RecordingKind recording_kind = RecordingKind::video;
   ClipFormat clip_format = ClipFormat::pc2;
+  std::optional<sim::SolverKind> compared_with;  ///< of a second garment beside the first; empty: none
 
   // To be shown.
   SnapshotPtr newest;
-  SnapshotPtr shown;  ///< what is drawn: `newest` or an earlier one
+  SnapshotPtr shown;         ///< what is drawn: `newest` or an earlier one
+  bool at_compared = false;  ///< the pointer is over the second garment, or its drag began there
   std::optional<HeldCloth> held;
   Measurements measurements;
   std::vector<Choice> scenes;
@@ -139,6 +141,15 @@ struct ViewerState {
   /// Rectangles of the panel's items by name, for sessions written by hand and for tests.
   std::map<std::string, ItemPlace> places;
 };
+
+/// What is drawn of the second garment; null if there is none.
+const Snapshot* compared(const ViewerState& state);
+/// The name of the solver that a garment is simulated by.
+const char* solver_of(const Snapshot& garment);
+/// That of the garment whose last frame took longer, and which therefore holds both back.
+const char* slower_solver(const Snapshot& newest);
+/// What is drawn of the garment that the pointer is over.
+const Snapshot& pointed_at(const ViewerState& state);
 
 /// Shows a message for some seconds.
 void tell(ViewerState& state, const std::string& text, bool is_error = false);

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/drawing/garment_painter.hpp"
+#include "app/viewer/picture/hand_thread.hpp"
+#include "app/viewer/picture/picture_quality.hpp"
+#include "app/viewer/state/viewer_state.hpp"
+#include "renderer/scene_renderer.hpp"
+
+namespace taut::app {
+
+/// One garment in its surroundings, and where in the window it is drawn. Refers to what it was made of.
+struct GarmentSight {
+  const ViewerState& state;
+  const Snapshot& garment;
+  ViewArea area;
+  int left_px = 0;  ///< of the area, from the left side of the window
+};
+
+/// The picture of one garment in an OpenGL context.
+class ScenePicture {
+ public:
+  /// The context must outlive it. Throws renderer::ContextError or renderer::ShaderError.
+  explicit ScenePicture(renderer::Context& context) : renderer_(context) {}
+
+  /// Draws to the bottom of a framebuffer; 0 is the window. `level` is an index into picture_qualities. A
+  /// garment that did not change since it was drawn at the same or a better level is only copied, unless
+  /// `anew`. Returns whether it was drawn, which takes most of the time. Throws renderer::ContextError.
+  bool draw(unsigned framebuffer, const GarmentSight& sight, std::size_t level, bool anew);
+
+  /// Whether `draw` would give the same result as the last one.
+  bool is_drawn(const GarmentSight& sight, std::size_t level) const {
+    return is_drawn(look_of(sight), level);
+  }
+
+ private:
+  // What the scene's picture depends on.
+  struct SceneLook {
+    std::shared_ptr<const LoadedScene> loaded;
+    std::shared_ptr<const std::vector<sim::Index>> pins;
+    std::shared_ptr<const sim::Checkpoint> checkpoint;
+    OrbitCamera camera;
+    SurfaceLook surface = SurfaceLook::shaded;
+    StretchOf stretch_of = StretchOf::springs;
+    std::array<double, 2> stretch_range = {0.0, 0.0};
+    std::string fabric;
+    bool wireframe = false;
+    bool shadows = true;
+    ShownSprings springs;
+    bool normals = false;
+    std::optional<HandThread> thread;
+    int width_px = 0;
+    int height_px = 0;
+    int left_px = 0;
+
+    bool operator==(const SceneLook&) const = default;
+  };
+
+  static SceneLook look_of(const GarmentSight& sight);
+  bool is_drawn(const SceneLook& look, std::size_t level) const {
+    return drawn_level_ <= level && look == drawn_look_;
+  }
+  void draw_anew(unsigned framebuffer, const GarmentSight& sight, const PictureQuality& quality, bool keep);
+  GarmentPainter& painter_for(const GarmentSight& sight);
+  void add_normals(const Snapshot& garment, renderer::FrameView& frame);
+
+  // What a painter was made for.
+  struct PaintedAs {
+    std::shared_ptr<const LoadedScene> loaded;
+    std::shared_ptr<const std::vector<sim::Index>> pins;
+    SurfaceLook surface = SurfaceLook::shaded;
+    StretchOf stretch_of = StretchOf::springs;
+    std::array<double, 2> stretch_range = {0.0, 0.0};
+    std::string fabric;
+    bool wireframe = false;
+    ShownSprings springs;
+    int height_px = 0;
+
+    bool operator==(const PaintedAs&) const = default;
+  };
+
+  renderer::SceneRenderer renderer_;
+  std::optional<SceneLook> drawn_look_;
+  bool is_kept_ = false;  ///< the renderer still has the picture and can copy it
+  std::size_t drawn_level_ = 0;
+  PaintedAs painted_as_;
+  std::optional<GarmentPainter> painter_;
+  std::vector<glm::vec3> normal_points_;
+  std::optional<HandThread> thread_;
+};
+
+}  // namespace taut::app

@@ -16,7 +16,6 @@ namespace taut::app {
 namespace {
 
 namespace keys = renderer::keys;
-using renderer::PointerButton;
 
 // Free border around the garment as it begins, share of the picture: wind and hands move it.
 constexpr float window_margin = 0.16F;
@@ -72,20 +71,6 @@ SessionFrame Viewer::update(SessionFrame frame) {
   frame.pace = Pace{advances, state_.newest->serial};
   note_changes(frame);
   return frame;
-}
-
-// Both halves show the same place. A drag stays in the half that it began in.
-Pointer Viewer::pointer_over_one() {
-  const auto width_px = static_cast<float>(area_of_one().width_px);
-  const auto drags = [&](PointerButton button) {
-    return pointer_.is_down(button) && !pointer_.was_pressed(button);
-  };
-  if (!drags(PointerButton::left) && !drags(PointerButton::right) && !drags(PointerButton::middle)) {
-    state_.at_compared = compared(state_) != nullptr && pointer_.place_px.x >= width_px;
-  }
-  Pointer over_one = pointer_;
-  over_one.place_px.x -= state_.at_compared ? width_px : 0.0F;
-  return over_one;
 }
 
 void Viewer::take(const SessionEvent& event) {

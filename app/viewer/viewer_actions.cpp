@@ -17,6 +17,8 @@
 namespace taut::app {
 namespace {
 
+using renderer::PointerButton;
+
 // What one press of a key changes.
 constexpr double wind_step_m_per_s = 0.5;
 constexpr double turn_step_rad = 0.08726646259971647;  // 5 degrees
@@ -131,6 +133,20 @@ void Viewer::turn_wind(double by_rad) {
   const double c = std::cos(by_rad);
   const double s = std::sin(by_rad);
   direction = {c * direction.x + s * direction.z, direction.y, c * direction.z - s * direction.x};
+}
+
+// Both halves show the same place. A drag stays in the half that it began in.
+Pointer Viewer::pointer_over_one() {
+  const auto width_px = static_cast<float>(area_of_one().width_px);
+  const auto drags = [&](PointerButton button) {
+    return pointer_.is_down(button) && !pointer_.was_pressed(button);
+  };
+  if (!drags(PointerButton::left) && !drags(PointerButton::right) && !drags(PointerButton::middle)) {
+    state_.at_compared = compared(state_) != nullptr && pointer_.place_px.x >= width_px;
+  }
+  Pointer over_one = pointer_;
+  over_one.place_px.x -= state_.at_compared ? width_px : 0.0F;
+  return over_one;
 }
 
 void Viewer::toggle_pin() {

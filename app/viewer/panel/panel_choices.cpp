@@ -165,25 +165,6 @@ void lay_out_solver_list(ViewerState& state) {
   solver = with_solver(solver, kind, state.newest->loaded->scene.simulation.solver);
 }
 
-// A second garment beside the first, by another solver.
-void lay_out_comparison(ViewerState& state) {
-  std::optional<sim::SolverKind>& with = state.compared_with;
-  if (begin_list("compare with", with ? sim::name_of(*with) : "none")) {
-    if (ImGui::Selectable("none", !with)) {
-      with.reset();
-    }
-    note_place(state, "compare.none");
-    for (const sim::SolverKind kind : sim::all_solver_kinds) {
-      if (ImGui::Selectable(sim::name_of(kind), with == kind)) {
-        with = kind;
-      }
-      note_place(state, (std::string("compare.") + sim::name_of(kind)).c_str());
-    }
-    ImGui::EndCombo();
-  }
-  note_place(state, "compare");
-}
-
 // Of the fabric, side by side: against bending, and against crumpling.
 void lay_out_stiffness(ViewerState& state) {
   sim::Material& fabric = state.scene.material;

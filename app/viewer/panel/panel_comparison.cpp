@@ -8,7 +8,7 @@
 #include "app/viewer/panel/user_interface.hpp"
 #include "app/viewer/state/lost_cloth.hpp"
 
-// What stands over two garments that are compared: to the right, where no legend is.
+// The choice of a second garment, and what stands over both: to the right, where no legend is.
 
 namespace taut::app {
 namespace {
@@ -49,6 +49,24 @@ void lay_out_label(const char* name, const Snapshot& garment, const ViewerState&
 }
 
 }  // namespace
+
+void lay_out_comparison(ViewerState& state) {
+  std::optional<sim::SolverKind>& with = state.compared_with;
+  if (begin_list("compare with", with ? sim::name_of(*with) : "none")) {
+    if (ImGui::Selectable("none", !with)) {
+      with.reset();
+    }
+    note_place(state, "compare.none");
+    for (const sim::SolverKind kind : sim::all_solver_kinds) {
+      if (ImGui::Selectable(sim::name_of(kind), with == kind)) {
+        with = kind;
+      }
+      note_place(state, (std::string("compare.") + sim::name_of(kind)).c_str());
+    }
+    ImGui::EndCombo();
+  }
+  note_place(state, "compare");
+}
 
 void lay_out_labels(const ViewerState& state, const ViewArea& area, float scale) {
   const Snapshot* second = compared(state);

@@ -7,7 +7,6 @@ namespace taut::app {
 LegendRows::LegendRows(const std::string& heading, const std::vector<Curve>& curves, float width_px,
                        const PlotStyle& style)
     : heading_(heading),
-      width_px_(width_px),
       style_(style),
       between_px_(1.5F * style.text_px),
       row_px_(1.7F * style.text_px) {

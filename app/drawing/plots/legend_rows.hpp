@@ -30,7 +30,6 @@ class LegendRows {
 
   std::string heading_;
   float heading_px_;  ///< its width
-  float width_px_;
   PlotStyle style_;
   float between_px_;
   float row_px_;

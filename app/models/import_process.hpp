@@ -8,16 +8,16 @@
 namespace taut::app {
 
 // GCC says it with a macro, Clang with a feature.
-#if defined(__SANITIZE_ADDRESS__)
-#define TAUT_ADDRESS_SANITIZER 1
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TAUT_SHADOW_MEMORY 1
 #elif defined(__has_feature)
-#define TAUT_ADDRESS_SANITIZER __has_feature(address_sanitizer)
+#define TAUT_SHADOW_MEMORY (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
 #else
-#define TAUT_ADDRESS_SANITIZER 0
+#define TAUT_SHADOW_MEMORY 0
 #endif
-/// False in builds with AddressSanitizer: it reserves terabytes of address space, so memory cannot be
-/// limited.
-inline constexpr bool memory_is_limited = TAUT_ADDRESS_SANITIZER == 0;
+/// False in builds with AddressSanitizer and ThreadSanitizer: they reserve terabytes of address space, so
+/// memory cannot be limited.
+inline constexpr bool memory_is_limited = TAUT_SHADOW_MEMORY == 0;
 #undef TAUT_ADDRESS_SANITIZER
 
 /// What reading one model may cost.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/base/errors.hpp"
+#include "app/base/suggest.hpp"
 #include "app/figures/csv.hpp"
 #include "app/figures/figures.hpp"
 
@@ -17,15 +18,15 @@ const std::vector<std::string> columns = {
 /// The value that has its name in a cell.
 template <class Values>
 auto named(const CsvFile& table, std::size_t row, std::size_t column, const Values& values) {
-  std::string names;
+  std::vector<std::string> names;
   for (const auto value : values) {
     if (table.text(row, column) == name_of(value)) {
       return value;
     }
-    names += (names.empty() ? "" : ", ") + std::string(name_of(value));
+    names.emplace_back(name_of(value));
   }
   table.fail(row, fmt::format("{}: found '{}', expected one of {}", columns[column], table.text(row, column),
-                              names));
+                              joined(names)));
 }
 
 /// Adds a row to the trial it belongs to, which is the last one or a new one.

@@ -130,8 +130,7 @@ void SlowForces::update_wind(const Garment& garment, const Wind& wind, const Mot
       for (std::uint32_t k = triangles.corner_begin[row]; k < triangles.corner_begin[row + 1]; ++k) {
         add_scaled(force_n, corner_forces_n_[triangles.corner_triangles[k]], 1.0F);
       }
-      wind_accelerations_[row] = Float4{};
-      add_scaled(wind_accelerations_[row], force_n, layout_.inverse_masses_per_kg[row]);
+      wind_accelerations_[row] = times(force_n, layout_.inverse_masses_per_kg[row]);
     }
   });
 }

@@ -28,12 +28,13 @@ constexpr double largest_rate_times_interval = 0.95;
 /// value needs more updates.
 constexpr double fastest_bending_per_frame = 2.2;
 /// How many edges the bending length of cloth may have before the limit above rises, with the sixth power of
-/// their number: near a clamp clusters cannot bend as cloth does, which is seen where folds are a few edges
-/// wide.
+/// their number: folds that are few edges wide are smeared by clusters, and cloth drapes too softly.
 constexpr double edges_in_bending_length = 1.13;
-/// The most times that the limit rises. A larger value keeps the rigidity of still stiffer cloth on fine
-/// meshes, for more updates.
-constexpr double largest_rise = 15.0;
+/// The limit rises to no more than the first of these plus the second times the number of edges to the power
+/// 3/4. Larger values keep more of the rigidity near clamps, where clusters cannot bend as cloth does, for
+/// more updates.
+constexpr double least_rise = 3.0;
+constexpr double more_rise = 2.0;
 
 /// The cube of the bending length (Peirce 1930): rigidity over weight.
 double cubed_bending_length_m3(double rigidity_n_m, double areal_density_kg_per_m2) {
@@ -42,9 +43,12 @@ double cubed_bending_length_m3(double rigidity_n_m, double areal_density_kg_per_
 }
 
 double fastest_bending_per_s(const Garment& garment, double rigidity_n_m, double frame_time_s) {
-  const double enough_m = edges_in_bending_length * mean_edge_m(garment.springs);
-  const double cubed_m3 = cubed_bending_length_m3(rigidity_n_m, garment.material.areal_density_kg_per_m2);
-  const double ratio = cubed_m3 / (enough_m * enough_m * enough_m);
+  const double edge_m = mean_edge_m(garment.springs);
+  const double cubed_edges = cubed_bending_length_m3(rigidity_n_m, garment.material.areal_density_kg_per_m2) /
+                             (edge_m * edge_m * edge_m);
+  const double ratio =
+      cubed_edges / (edges_in_bending_length * edges_in_bending_length * edges_in_bending_length);
+  const double largest_rise = least_rise + more_rise * std::sqrt(std::sqrt(cubed_edges));
   const double rise = std::clamp(ratio * ratio, 1.0, largest_rise);
   return rise * fastest_bending_per_frame / frame_time_s;
 }

@@ -26,26 +26,13 @@ bool is_flat(const Mesh& mesh, const Quad& cell) {
 /// of each colour, the nearest to the pins, are swept again after all of it. Without this, a shirt in a wind
 /// of 10 m/s takes twice the time.
 constexpr std::array swept_again = {0.3, 0.12, 0.05, 0.02};
-/// Where the largest colour has so many blocks, parts that are less than one of it are left out: they cost
-/// more than they help. Less cloth costs nothing, and what hangs by a thread needs all.
-constexpr std::uint32_t many_blocks = 6;
-
-bool is_worth_its_time(double part, const std::vector<BlockRange>& colours) {
-  std::uint32_t most_blocks = 0;
-  for (const BlockRange& colour : colours) {
-    most_blocks = std::max(most_blocks, colour.end - colour.begin);
-  }
-  return most_blocks < many_blocks || part * most_blocks >= 1.0;
-}
 
 void sweep_again_near_pins(SurfaceLanes& lanes) {
   const std::vector<BlockRange> colours = lanes.sweep;
   for (const double part : swept_again) {
     for (const BlockRange& colour : colours) {
       const auto count = static_cast<std::uint32_t>(std::ceil(part * (colour.end - colour.begin)));
-      if (is_worth_its_time(part, colours)) {
-        lanes.sweep.push_back({colour.begin, colour.begin + count, true});
-      }
+      lanes.sweep.push_back({colour.begin, colour.begin + count, true});
     }
   }
 }

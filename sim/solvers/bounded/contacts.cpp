@@ -74,13 +74,17 @@ std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
 
 }  // namespace
 
-void Contacts::begin_frame(const Frame& frame, const Layout& layout, const Motion& motion,
-                           const ContactMemory& memory, double time_s) {
+void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
+                             const ContactMemory& memory, const TimeSpan& time, int earlier_attempts) {
   const std::vector<Body>& bodies = frame.surroundings.bodies;
-  first_blocked_.reset();
   is_on_ = within_cloth_ || !bodies.empty();
+  blocked_.reset();
   report_ = {};
   is_distance_known_ = false;
+  caution_ = std::pow(more_cautious, earlier_attempts);
+  from_s_ = until_s_ = time.from_s;
+  frame_ends_s_ = time.to_s;
+  since_.clear();
   if (!is_on_) {
     return;
   }
@@ -88,15 +92,22 @@ void Contacts::begin_frame(const Frame& frame, const Layout& layout, const Motio
   if (!is_known) {
     lay_out(frame.garment, layout, bodies);
   }
-  near_->take_searches();  // those of a frame that was not kept
-  if (is_known && left_out_.empty() && !memory.may_have_crossed) {
+  memory_ = memory.rows;
+  memory_.resize(layout.row_count());
+  near_->forget();
+  leave_out_crossings(layout, motion, memory.may_have_crossed, is_known, time.from_s);
+}
+
+void Contacts::leave_out_crossings(const Layout& layout, const Motion& motion, bool may_have_crossed,
+                                   bool is_known, double time_s) {
+  if (is_known && left_out_.empty() && !may_have_crossed) {
     return;
   }
   std::vector<Vec3> positions_m = motion.start_m;
   positions_m.resize(layout.row_count());
   const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(time_s);
   positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
-  if (is_known && !memory.may_have_crossed) {
+  if (is_known && !may_have_crossed) {
     left_out_.update(positions_m);
   } else {
     left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
@@ -176,28 +187,15 @@ float Contacts::room_of(std::size_t row, float most_m, float per_edge) const {
   return std::min(of_all, room_per_edge_here * edges_m_[row]);
 }
 
-void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts, const ContactMemory& memory) {
-  caution_ = std::pow(more_cautious, earlier_attempts);
-  from_s_ = until_s_ = frame.from_s;
-  frame_ends_s_ = frame.to_s;
-  since_.clear();
-  is_blocked_ = false;
-  if (is_on_) {
-    memory_ = memory.rows;
-    memory_.resize(rest_.size());
-    near_->forget();
-  }
-}
-
 ContactMemory Contacts::memory() const {
-  return is_on_ ? ContactMemory{memory_, is_blocked_} : ContactMemory{};
+  return is_on_ ? ContactMemory{memory_, blocked_.has_value()} : ContactMemory{};
 }
 
 ContactReport Contacts::report() {
   if (is_on_) {
     const LastingPairs::Searches searches = near_->take_searches();
-    report_.detections += searches.all;
-    report_.partial_detections += searches.marked;
+    report_.detections = searches.all;
+    report_.partial_detections = searches.marked;
   }
   return report_;
 }
@@ -342,8 +340,7 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   if (const std::optional<std::size_t> row = first_not_findable(rows_)) {
     std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
     regions_.make({}, rows_, kernels);
-    is_blocked_ = true;
-    first_blocked_ = first_blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
+    blocked_ = blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
   const auto thickness_m = static_cast<float>(std::max(frame.garment.material.thickness_m, least_thickness_m));
@@ -372,12 +369,8 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
 }
 
 void Contacts::note_blocked(const Layout& layout, const Vec3& origin_m, bool fits) {
-  if (fits && !regions_.blocked()) {
-    return;
-  }
-  is_blocked_ = true;
-  if (!first_blocked_) {
-    first_blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);
+  if (!blocked_ && (!fits || regions_.blocked())) {
+    blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);
   }
 }
 

@@ -25,17 +25,14 @@ class Contacts {
   /// Returns whether anything could touch in this frame.
   bool is_on() const { return is_on_; }
 
-  /// Call it before the first attempt at a frame, which begins at `time_s`. What crosses when the first frame
-  /// begins is left out until it is apart.
-  void begin_frame(const Frame& frame, const Layout& layout, const Motion& motion, const ContactMemory& memory,
-                   double time_s);
-  /// Call it before each attempt, with what the last kept frame left. It goes the slower the more attempts
-  /// there were.
-  void begin_attempt(const TimeSpan& frame, int earlier_attempts, const ContactMemory& memory);
+  /// Call it before each attempt at a frame or a part of it, with what the last kept one left. What crosses
+  /// when the first one begins is left out until it is apart. It goes the slower the more attempts at the
+  /// frame there were.
+  void begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
+                     const ContactMemory& memory, const TimeSpan& time, int earlier_attempts);
   /// Returns what an attempt leaves to the next frame.
   [[nodiscard]] ContactMemory memory() const;
-
-  /// Returns the work of all attempts since the frame began.
+  /// Returns the work of the attempt.
   [[nodiscard]] ContactReport report();
 
   /// Returns whether regions have to be made before the time step that begins now.
@@ -74,14 +71,13 @@ class Contacts {
   /// Keeps things apart in a correction. Returns whether regions should be made anew.
   bool keep_apart(ParallelKernels& kernels, Float4Array& displacements);
 
-  /// Returns whether some pair could not be kept apart since the attempt began.
-  bool is_blocked() const { return is_blocked_; }
-  /// Returns the first pair that could not be kept apart in any attempt at the frame: later ones tell how
-  /// cloth flees from it. Requires that one is blocked.
-  const BlockedContact& blocked() const { return *first_blocked_; }
+  /// Returns the first pair that could not be kept apart in the attempt, if there is one.
+  const std::optional<BlockedContact>& blocked() const { return blocked_; }
 
  private:
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
+  void leave_out_crossings(const Layout& layout, const Motion& motion, bool may_have_crossed, bool is_known,
+                           double time_s);
   void add_loose_vertices(const Layout& layout);
   void measure_edges(const Mesh& mesh, const Layout& layout);
   /// How far a row may deviate from where it is expected, in m: at most so much, and this part of the mean
@@ -113,10 +109,9 @@ class Contacts {
   RowMoves rows_;
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
   Regions regions_;
-  bool is_blocked_ = false;
-  std::optional<BlockedContact> first_blocked_;  ///< of the frame
+  std::optional<BlockedContact> blocked_;
   ContactReport report_;
-  bool is_distance_known_ = false;  ///< the report has that of this frame
+  bool is_distance_known_ = false;  ///< the report has that of this attempt
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;

@@ -6,6 +6,7 @@ namespace taut::sim::bounded {
 
 void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
   bytes.put(memory.shift);
+  bytes.put(memory.median_work);
   memory.control.save(bytes);
   for (std::size_t row = 0; row < vertex_count; ++row) {
     const Float4& correction = memory.corrections[row];
@@ -22,6 +23,7 @@ void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
 
 void restore(std::size_t vertex_count, std::size_t row_count, ByteReader& bytes, Memory& memory) {
   memory.shift = bytes.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
+  memory.median_work = bytes.get("the work of a frame", 0.0, std::numeric_limits<double>::max());
   memory.control.restore(bytes);
   memory.corrections.assign(row_count, Float4{});
   for (std::size_t row = 0; row < vertex_count; ++row) {

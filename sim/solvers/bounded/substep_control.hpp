@@ -23,8 +23,9 @@ class SubstepControl {
   /// vertex further than `shift`, in parts of the largest that is allowed.
   void frame_kept(double projection_cost, double shift);
 
-  /// Takes more steps to repeat a frame that broke its bound. Returns false if the budget is spent.
-  bool try_more();
+  /// Takes more steps to repeat a frame that broke its bound, whose steps stretched something by `raw` times
+  /// the bound. Returns false if the budget is spent.
+  bool try_more(double raw);
 
   /// Saves all its counts.
   void save(ByteWriter& memory) const;

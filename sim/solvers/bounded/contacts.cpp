@@ -48,8 +48,6 @@ constexpr double held_back_part = 0.03;
 /// The next ball of such a row is larger by so much.
 constexpr float held_back_room = 1.2F;
 
-/// No cloth is thinner than this, in m: there has to be room for rounding.
-constexpr double least_thickness_m = 1e-4;
 /// Neighbours in the cloth may come as near as this part of their distance at rest.
 constexpr float rest_part = 0.5F;
 /// Parts of the cloth that touch at rest, as along seams that are not sewn, are not kept apart; nor is cloth
@@ -229,14 +227,17 @@ void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Floa
   rows_.cloth_count = count;
   rows_.radii.assign(count, 0.0F);
   rows_.inverse_masses_per_kg = layout.inverse_masses_per_kg;
+  float squared_m = 0.0F;
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     rows_.positions[row] = scaled_sum(motion.start.high[row], since_[row], 1.0F);
+    squared_m = std::max(squared_m, dot(since_[row], since_[row]));
   }
+  rows_.displaced_m = std::sqrt(squared_m);
 }
 
 void Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4* accelerations, std::span<const Vec3> pins_moved_m,
-                            const TimeSpan& time, ParallelKernels& kernels) {
+                            double off_chord_m, const TimeSpan& time, ParallelKernels& kernels) {
   begin_rows(layout, motion, motion.current);
   const auto lasts_s = static_cast<float>(time.to_s - time.from_s);
   const auto before_s = static_cast<float>(std::min(memory_.elapsed_s, time.to_s - time.from_s));
@@ -256,6 +257,7 @@ void Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
+  off_chord_m_ = off_chord_m;
   find_regions(frame, layout, motion, time, kernels);
 }
 
@@ -389,7 +391,8 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   const double most_held_back = held_back_part / (caution_ * caution_);
   if (static_cast<double>(held_back.size()) > most_held_back * static_cast<double>(layout.vertex_count())) {
     let_go(held_back, motion);
-    until_s_ = time_s;
+    // Before their end planes are where chords are, and not where kinematic things are.
+    until_s_ = 2.0 * off_chord_m_ <= regions_.kinematic_gap_m() ? time_s : until_s_;
   }
 }
 

@@ -46,13 +46,14 @@ class Contacts {
   /// Returns until when regions that are made now should last: a time at which a time step ends.
   double suitable_end_s(double time_s, double time_step_s, double frame_end_s) const;
 
-  /// Returns where the vertices of bodies are that are meshes.
-  std::vector<Vec3> body_positions_m(double time_s) const { return bodies_.mesh_positions_m(time_s); }
+  /// Returns a bound on how far bodies are off their chords at any time of the span, in m.
+  double bodies_off_chord_m(const TimeSpan& time) const { return bodies_.off_chord_m(time); }
 
-  /// Makes regions for this time. `pins_moved_m` is how far pins are from the start of the frame at its end.
+  /// Makes regions for this time. `pins_moved_m` is how far pins are from the start of the frame at its end;
+  /// pins and bodies are up to `off_chord_m` off their chords until then.
   void make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
-                    const Float4* accelerations, std::span<const Vec3> pins_moved_m, const TimeSpan& time,
-                    ParallelKernels& kernels);
+                    const Float4* accelerations, std::span<const Vec3> pins_moved_m, double off_chord_m,
+                    const TimeSpan& time, ParallelKernels& kernels);
 
   /// Makes regions for a correction of displacements at the end of a frame, which is expected to be about
   /// `expected`.
@@ -115,6 +116,7 @@ class Contacts {
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;
+  double off_chord_m_ = 0.0;
   double frame_ends_s_ = 0.0;
   Float4Array since_;  ///< displacements when they were made; empty before the first
   RowMemory memory_;     ///< of the attempt

@@ -195,6 +195,14 @@ std::vector<Vec3> BodyContacts::mesh_positions_m(double time_s) const {
   return positions_m;
 }
 
+double BodyContacts::off_chord_m(const TimeSpan& time) const {
+  double off_m = 0.0;
+  for (const Body& body : bodies_) {
+    off_m = std::max(off_m, sim::off_chord_m(body, time));
+  }
+  return off_m;
+}
+
 void BodyContacts::add_mesh_rows(const TimeSpan& time, const Vec3& origin_m, RowMoves& rows) const {
   if (body_of_row_.empty()) {
     return;

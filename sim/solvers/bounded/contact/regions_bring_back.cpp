@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/solvers/bounded/contact/plane_gap.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
 
 namespace taut::sim::bounded {
@@ -12,8 +13,6 @@ namespace {
 /// of them, the row is moved less.
 constexpr int most_projections = 12;
 constexpr float over_projected = 1.4F;
-/// Rows further out than this, in m, are not within a half-space.
-constexpr float tolerance_m = 2e-8F;
 /// A thread takes at least so many blocks of rows.
 constexpr std::size_t least_blocks = 64;
 

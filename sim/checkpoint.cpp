@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view magic = "TAUTSAVE";
 /// Raised whenever something is written otherwise, or a solver remembers otherwise.
-constexpr std::uint32_t version = 3;
+constexpr std::uint32_t version = 4;
 
 constexpr double largest = std::numeric_limits<double>::max();
 /// No run lasts for thirty years. Gusts count their periods.
@@ -87,6 +87,7 @@ void put_report(const FrameReport& report, ByteWriter& out) {
   out.put(report.contact.partial_detections);
   out.put(report.contact.most_pairs);
   out.put(report.contact.smallest_distance_m);
+  out.put<std::uint64_t>(report.contact.crossing_pairs);
 }
 
 ContactReport get_contact(ByteReader& in) {
@@ -96,6 +97,7 @@ ContactReport get_contact(ByteReader& in) {
   contact.most_pairs = in.get("the number of near pairs", 0, most_counted);
   contact.smallest_distance_m =
       in.get("the smallest distance", -largest, std::numeric_limits<double>::infinity());
+  contact.crossing_pairs = in.get<std::uint64_t>("the number of crossing pairs");
   return contact;
 }
 

@@ -92,7 +92,19 @@ void Simulation::advance_frame() {
   if (lost < state_.current.size()) {
     throw Diverged(static_cast<Index>(lost), state_.time_s);
   }
+  if (!report_.ignores_contact || !surroundings_.bodies.empty()) {
+    const MeasuredContact measured = measure_contact();
+    report_.contact.smallest_distance_m = measured.nearest_m;
+    report_.contact.crossing_pairs = measured.crossing_pairs;
+  }
   fall_asleep_at_rest();
+}
+
+MeasuredContact Simulation::measure_contact() {
+  if (!measure_ || measure_->bodies() != surroundings_.bodies) {
+    measure_.emplace(garment_->mesh.triangles, garment_->mesh.positions, surroundings_.bodies);
+  }
+  return measure_->measure(state_.current, state_.time_s, 2.0 * garment_->material.thickness_m);
 }
 
 // Where the solver promises one.

@@ -17,9 +17,10 @@ struct ContactReport {
   int detections = 0;          ///< how often all of the cloth and the bodies was searched for what is near
   int partial_detections = 0;  ///< how often that was done around single vertices alone
   int most_pairs = 0;          ///< near pairs that were kept apart at a time, the most of them
-  /// Of near pairs in the shape that the frame began with, in m, negative within a body; infinite where
-  /// nothing was near. Without what crosses since the start and what touches at rest.
+  /// Of the two nearest things in the shape that the frame ended with, in m, as ContactMeasure measures it whatever the
+  /// solver does: 0 where they cross, below 0 in a plane, sphere or capsule, infinite where nothing is near.
   double smallest_distance_m = std::numeric_limits<double>::infinity();
+  std::size_t crossing_pairs = 0;  ///< in that shape, measured likewise
 
   bool operator==(const ContactReport&) const = default;
 };
@@ -37,7 +38,8 @@ struct FrameReport {
   double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
   /// `bounded`: what may cross in this frame, where its settings accept that. Not saved.
   std::optional<BlockedContact> blocked = {};
-  ContactReport contact = {};  ///< `bounded`: of solver.contact and bodies
+  bool ignores_contact = false;  ///< the cloth may cross itself: whether it does, nobody asks
+  ContactReport contact = {};
 
   bool operator==(const FrameReport&) const = default;
 };

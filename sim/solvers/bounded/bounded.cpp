@@ -307,6 +307,7 @@ FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pin
           sweeps,
           followed_compression(cloth.mobility_per_kg, frame_time_s / substeps),
           cloth.contacts.is_blocked() ? std::optional(cloth.contacts.blocked()) : std::nullopt,
+          !settings_.contact,
           cloth.contacts.report()};
 }
 

@@ -79,7 +79,6 @@ void Contacts::begin_frame(const Garment& garment, const Layout& layout, const S
   first_blocked_.reset();
   is_on_ = within_cloth_ || !surroundings.bodies.empty();
   report_ = {};
-  is_distance_known_ = false;
   if (!is_on_) {
     return;
   }
@@ -354,10 +353,6 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
   }
   memory_.is_touching = regions_.pair_count() > 0;
   report_.most_pairs = std::max(report_.most_pairs, static_cast<int>(regions_.pair_count()));
-  if (!is_distance_known_) {
-    is_distance_known_ = true;
-    report_.smallest_distance_m = regions_.smallest_distance();
-  }
   note_blocked(layout, origin_m, fits);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     float& deviation = memory_.deviations[row];

@@ -122,7 +122,6 @@ class Contacts {
   bool may_have_crossed_ = false;  ///< in the last frame, which was accepted all the same
   std::optional<BlockedContact> first_blocked_;  ///< of the frame
   ContactReport report_;
-  bool is_distance_known_ = false;  ///< the report has that of this frame
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;

@@ -84,9 +84,6 @@ class Regions {
 
   std::size_t pair_count() const { return pairs_.size(); }
 
-  /// Returns the smallest distance of a pair at the time 0, in m, infinite without pairs.
-  float smallest_distance() const;
-
   /// Returns the radius of a row's ball, in m.
   float radius(std::size_t row) const { return radii_[row]; }
 

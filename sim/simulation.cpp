@@ -132,6 +132,7 @@ Checkpoint Simulation::save() const {
   }
   saved.report = report_;
   saved.report.blocked.reset();
+  saved.report.left_out.clear();
   saved.solver = name_of(kind_of(settings_.solver.method));
   saved.solver_memory = memory.bytes();
   return saved;

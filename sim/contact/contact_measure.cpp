@@ -48,10 +48,10 @@ std::vector<Index> order_as_fan(Index vertex, std::span<const Triangle> triangle
   return around;
 }
 
-void note(const TrianglePairMeasure& pair, double reach_m, MeasuredContact& measured) {
-  measured.crossing_pairs += pair.is_crossing ? 1 : 0;
-  if (pair.distance_m <= reach_m) {
-    measured.nearest_m = std::min(measured.nearest_m, pair.distance_m);
+void note(double distance_m, bool is_crossing, double reach_m, MeasuredContact& measured) {
+  measured.crossing_pairs += is_crossing ? 1 : 0;
+  if (distance_m <= reach_m) {
+    measured.nearest_m = std::min(measured.nearest_m, distance_m);
   }
 }
 
@@ -132,7 +132,7 @@ std::size_t ContactMeasure::crossings_around(Index vertex, std::span<const Vec3>
       const bool is_of_lower = std::any_of(s.begin(), s.end(), [&](Index v) {
         return v < vertex && std::find(t.begin(), t.end(), v) != t.end();
       });
-      if (!is_of_lower && measure_pair(s, t, positions_m, positions_m, true).is_crossing) {
+      if (!is_of_lower && neighbours_cross(s, t, positions_m)) {
         ++crossings;
       }
     }
@@ -149,7 +149,8 @@ void ContactMeasure::measure_mesh(const Body& body, TriangleTree& tree, std::spa
   near_.clear();
   tree_.find_near(tree, near_);
   for (const auto& [s, t] : near_) {
-    note(measure_pair(triangles_[s], mesh.triangles[t], positions_m, body_m, false), reach_m, measured);
+    const TrianglePairMeasure pair = measure_pair(triangles_[s], mesh.triangles[t], positions_m, body_m);
+    note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
   }
 }
 
@@ -162,7 +163,8 @@ MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, doubl
   near_.clear();
   tree_.find_near(near_);
   for (const auto& [s, t] : near_) {
-    note(measure_pair(triangles_[s], triangles_[t], positions_m, positions_m, true), reach_m, measured);
+    const TrianglePairMeasure pair = measure_pair(triangles_[s], triangles_[t], positions_m, positions_m);
+    note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
   }
   for (Index v = 0; v < positions_m.size(); ++v) {
     measured.crossing_pairs += lies_open(v, positions_m) ? 0 : crossings_around(v, positions_m);
@@ -176,7 +178,7 @@ MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, doubl
     const Shape shape = shape_at(body, time_s);
     for (const auto& [i, j, k] : triangles_) {
       const double distance_m = shape_distance_m({positions_m[i], positions_m[j], positions_m[k]}, shape, reach_m);
-      note({distance_m, distance_m < -least_depth_m}, reach_m, measured);
+      note(distance_m, distance_m < -least_depth_m, reach_m, measured);
     }
   }
   return measured;

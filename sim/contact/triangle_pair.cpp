@@ -74,11 +74,6 @@ std::size_t bring_shared_to_front(Triangle& s, Triangle& t) {
   return shared;
 }
 
-TrianglePairMeasure measured(double distance_m, bool is_pierced) {
-  const bool is_crossing = is_pierced || distance_m <= touching_m;
-  return {is_crossing ? 0.0 : distance_m, is_crossing};
-}
-
 /// Of triangles whose first `shared` corners, none or one, are one and the same.
 TrianglePairMeasure measure_with(std::size_t shared, const Corners& a, const Corners& b) {
   double distance_m = std::numeric_limits<double>::infinity();
@@ -97,7 +92,7 @@ TrianglePairMeasure measure_with(std::size_t shared, const Corners& a, const Cor
       }
     }
   }
-  return measured(distance_m, is_pierced);
+  return {distance_m, is_pierced};
 }
 
 /// Of triangles whose first two corners are the same.
@@ -105,9 +100,28 @@ TrianglePairMeasure measure_beside_edge(const Corners& a, const Corners& b) {
   const double distance_m =
       std::min({point_triangle_distance_m(a[2], b), point_triangle_distance_m(b[2], a),
                 inner_distance_m(a[0], a[2], b[1], b[2]), inner_distance_m(a[1], a[2], b[0], b[2])});
-  const double height_m =
-      std::min(point_segment_distance_m(a[2], a[0], a[1]), point_segment_distance_m(b[2], a[0], a[1]));
-  return height_m > least_height_m ? measured(distance_m, false) : TrianglePairMeasure{distance_m, false};
+  return {distance_m, false};
+}
+
+/// Whether one of them is no more than that edge.
+bool is_flat_beside_edge(const Corners& a, const Corners& b) {
+  return std::min(point_segment_distance_m(a[2], a[0], a[1]), point_segment_distance_m(b[2], a[0], a[1])) <
+         least_height_m;
+}
+
+/// Whether triangles that share their first corner lie on different sides of a plane through it.
+bool lie_apart(const Corners& a, const Corners& b) {
+  const Vec3 u = a[1] - a[0], v = a[2] - a[0], x = b[1] - a[0], y = b[2] - a[0];
+  const Vec3 axis = (u + v) - (x + y);
+  const double least = touching_m * glm::length(axis);
+  return glm::dot(axis, u) > least && glm::dot(axis, v) > least && glm::dot(axis, x) < -least &&
+         glm::dot(axis, y) < -least;
+}
+
+/// Whether triangles that share their first two corners lie on different sides of a plane through these.
+bool unfold(const Corners& a, const Corners& b) {
+  const Vec3 edge = a[1] - a[0], normal = glm::cross(edge, a[2] - a[0]);
+  return glm::dot(glm::cross(edge, b[2] - a[0]), normal) < 0.0;
 }
 
 Corners corners_in(const Triangle& t, std::span<const Vec3> positions_m) {
@@ -130,11 +144,22 @@ double point_triangle_distance_m(const Vec3& p, const Corners& t) {
   return distance_m;
 }
 
-TrianglePairMeasure measure_pair(Triangle s, Triangle t, std::span<const Vec3> s_positions_m,
-                                 std::span<const Vec3> t_positions_m, bool are_of_one_mesh) {
-  const std::size_t shared = are_of_one_mesh ? bring_shared_to_front(s, t) : 0;
-  const Corners a = corners_in(s, s_positions_m), b = corners_in(t, t_positions_m);
-  return shared < 2 ? measure_with(shared, a, b) : measure_beside_edge(a, b);
+TrianglePairMeasure measure_pair(const Triangle& s, const Triangle& t, std::span<const Vec3> s_positions_m,
+                                 std::span<const Vec3> t_positions_m) {
+  return measure_with(0, corners_in(s, s_positions_m), corners_in(t, t_positions_m));
+}
+
+TrianglePairMeasure measure_neighbours(Triangle s, Triangle t, std::span<const Vec3> positions_m) {
+  const std::size_t shared = bring_shared_to_front(s, t);
+  const Corners a = corners_in(s, positions_m), b = corners_in(t, positions_m);
+  return shared == 1 ? measure_with(1, a, b) : measure_beside_edge(a, b);
+}
+
+bool neighbours_cross(Triangle s, Triangle t, std::span<const Vec3> positions_m) {
+  const std::size_t shared = bring_shared_to_front(s, t);
+  const Corners a = corners_in(s, positions_m), b = corners_in(t, positions_m);
+  return shared == 1 ? !lie_apart(a, b) && measure_with(1, a, b).is_crossing()
+                     : !unfold(a, b) && !is_flat_beside_edge(a, b) && measure_beside_edge(a, b).is_crossing();
 }
 
 }  // namespace taut::sim

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "sim/blocked_contact.hpp"
 #include "sim/bytes.hpp"
@@ -21,8 +22,20 @@ struct ContactReport {
   /// solver does: 0 where they cross, below 0 in a plane, sphere or capsule, infinite where nothing is near.
   double smallest_distance_m = std::numeric_limits<double>::infinity();
   std::size_t crossing_pairs = 0;  ///< in that shape, measured likewise
+  /// `bounded`: the part of the cloth's area at rest that was not kept apart from all else, as it crossed something
+  /// when the run began.
+  double left_out_share = 0.0;
 
   bool operator==(const ContactReport&) const = default;
+};
+
+/// A triangle around what crosses since the cloth began. Within a group nothing is kept apart.
+struct LeftOutTriangle {
+  std::optional<std::size_t> body = {};  ///< its place among the surroundings' bodies; empty: of the cloth
+  Index triangle = 0;
+  Index group = 0;
+
+  bool operator==(const LeftOutTriangle&) const = default;
 };
 
 /// How a frame went.
@@ -40,6 +53,7 @@ struct FrameReport {
   std::optional<BlockedContact> blocked = {};
   bool ignores_contact = false;  ///< the cloth may cross itself: whether it does, nobody asks
   ContactReport contact = {};
+  std::vector<LeftOutTriangle> left_out = {};  ///< `bounded`: in this frame, the cloth's first. Not saved.
 
   bool operator==(const FrameReport&) const = default;
 };

@@ -74,30 +74,67 @@ std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
 
 }  // namespace
 
-void Contacts::begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
-                           const Motion& motion, double time_s) {
+void Contacts::begin_frame(const Frame& frame, const Layout& layout, const Motion& motion,
+                           const ContactMemory& memory, double time_s) {
+  const std::vector<Body>& bodies = frame.surroundings.bodies;
   first_blocked_.reset();
-  is_on_ = within_cloth_ || !surroundings.bodies.empty();
+  is_on_ = within_cloth_ || !bodies.empty();
   report_ = {};
   if (!is_on_) {
     return;
   }
-  const bool is_known = near_ && bodies_.are(surroundings.bodies);
+  const bool is_known = near_ && bodies_.are(bodies);
   if (!is_known) {
-    lay_out(garment, layout, surroundings.bodies);
+    lay_out(frame.garment, layout, bodies);
   }
-  if (is_known && left_out_.empty() && !may_have_crossed_) {
+  near_->take_searches();  // those of a frame that was not kept
+  bodies_of_frame_ = bodies;
+  leave_out(memory, layout, motion, time_s);
+}
+
+// What crosses is looked for when the cloth begins, when bodies come, and after a crossing was accepted.
+void Contacts::leave_out(const ContactMemory& memory, const Layout& layout, const Motion& motion, double time_s) {
+  const bool goes_on = memory.bodies == bodies_of_frame_;
+  std::vector<Index> group_of(triangle_of_.size(), 0);
+  for (const LeftOutTriangle& t : goes_on ? memory.left_out : std::vector<LeftOutTriangle>{}) {
+    const auto found = std::lower_bound(triangle_of_.begin(), triangle_of_.end(), LeftOutTriangle{t.body, t.triangle});
+    if (found != triangle_of_.end() && found->body == t.body && found->triangle == t.triangle) {
+      group_of[static_cast<std::size_t>(found - triangle_of_.begin())] = t.group;
+    }
+  }
+  left_out_.set_groups(std::move(group_of));
+  const bool looks = !goes_on || memory.may_have_crossed;
+  if (!looks && left_out_.empty()) {
     return;
   }
   std::vector<Vec3> positions_m = motion.start_m;
   positions_m.resize(layout.row_count());
   const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(time_s);
   positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
-  if (is_known && !may_have_crossed_) {
-    left_out_.update(positions_m);
-  } else {
-    left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
+  if (looks) {
+    left_out_.add(positions_m);
   }
+  left_out_.free(positions_m);
+}
+
+std::vector<LeftOutTriangle> Contacts::left_out() const {
+  std::vector<LeftOutTriangle> all;
+  for (std::size_t t = 0; t < triangle_of_.size(); ++t) {
+    if (left_out_.groups()[t] > 0) {
+      all.push_back(triangle_of_[t]);
+      all.back().group = left_out_.groups()[t];
+    }
+  }
+  return all;
+}
+
+double Contacts::left_out_share() const {
+  double all = 0.0, left_out = 0.0;
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    all += areas_[t];
+    left_out += left_out_.groups()[t] > 0 ? areas_[t] : 0.0;
+  }
+  return all > 0.0 ? left_out / all : 0.0;
 }
 
 // A triangle without a surface has nothing to cross, and faces any way.
@@ -108,10 +145,14 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
     positions_m[row] = at_rest_m[layout.vertex_of_row[row]];
   }
   triangles_.clear();
+  triangle_of_.clear();
+  areas_.clear();
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = garment.mesh.triangles[t];
     if (!within_cloth_ || garment.triangles_at_rest[t].has_surface()) {
       triangles_.push_back({layout.row_of_vertex[a], layout.row_of_vertex[b], layout.row_of_vertex[c]});
+      triangle_of_.push_back({{}, static_cast<Index>(t)});
+      areas_.push_back(0.5 * glm::length(doubled_area_vector(garment.mesh.positions, garment.mesh.triangles[t])));
     }
   }
   add_loose_vertices(layout);
@@ -119,15 +160,18 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
   rest_.resize(layout.row_count());
   std::transform(positions_m.begin(), positions_m.end(), rest_.begin(), float4_of);
   bodies_ = BodyContacts(bodies, garment.material.friction, static_cast<Index>(layout.row_count()));
+  left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
   // As they were modelled, wherever they are: the order in which pairs are found hangs on it, and the last
   // bits.
   for (const Body& body : bodies) {
     if (const auto* mesh = std::get_if<BodyMesh>(&body.shape)) {
       positions_m.insert(positions_m.end(), mesh->data->positions_m.begin(), mesh->data->positions_m.end());
+      for (Index t = 0; t < mesh->data->triangles.size(); ++t) {
+        triangle_of_.push_back({static_cast<std::size_t>(&body - bodies.data()), t});
+      }
     }
   }
   near_.emplace(make_contact_mesh(triangles_, bodies_.mesh_triangles()), within_cloth_, positions_m);
-  frame_memory_.resize(layout.row_count());
 }
 
 // Bodies are also in the way of vertices without triangles.
@@ -174,26 +218,31 @@ float Contacts::room_of(std::size_t row, float most_m, float per_edge) const {
   return std::min(of_all, room_per_edge_here * edges_m_[row]);
 }
 
-void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts) {
+void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts, const ContactMemory& memory) {
   caution_ = std::pow(more_cautious, earlier_attempts);
   from_s_ = until_s_ = frame.from_s;
   frame_ends_s_ = frame.to_s;
   since_.clear();
   is_blocked_ = false;
-  memory_ = frame_memory_;
-  if (near_) {
+  if (is_on_) {
+    memory_ = memory.rows;
+    memory_.resize(rest_.size());
     near_->forget();
   }
 }
 
-void Contacts::end_frame() {
-  frame_memory_ = memory_;
-  may_have_crossed_ = is_blocked_;
+ContactMemory Contacts::memory() const {
+  return is_on_ ? ContactMemory{memory_, is_blocked_, bodies_of_frame_, left_out()} : ContactMemory{};
+}
+
+ContactReport Contacts::report() {
   if (is_on_) {
     const LastingPairs::Searches searches = near_->take_searches();
-    report_.detections = searches.all;
-    report_.partial_detections = searches.marked;
+    report_.detections += searches.all;
+    report_.partial_detections += searches.marked;
+    report_.left_out_share = left_out_.empty() ? 0.0 : left_out_share();
   }
+  return report_;
 }
 
 void Contacts::observe(const Layout& layout, const Motion& motion, double time_s) {
@@ -230,7 +279,7 @@ void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Floa
   }
 }
 
-void Contacts::make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4* accelerations, std::span<const Vec3> pins_moved_m,
                             const TimeSpan& time, ParallelKernels& kernels) {
   begin_rows(layout, motion, motion.current);
@@ -252,10 +301,10 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
-  find_regions(garment, layout, motion, time, kernels);
+  find_regions(frame, layout, motion, time, kernels);
 }
 
-void Contacts::make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4Array& displacements, const Float4Array& expected, double time_s,
                             ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
@@ -264,10 +313,10 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
     rows_.radii[row] =
         room_of(row, correction_room_m, correction_room_per_edge) + room_per_move * length_of(expected[row]);
   }
-  find_regions(garment, layout, motion, {time_s, time_s}, kernels);
+  find_regions(frame, layout, motion, {time_s, time_s}, kernels);
 }
 
-void Contacts::renew_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::renew_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                              const Float4Array& displacements, const Float4Array& moved, double time_s,
                              ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
@@ -275,7 +324,7 @@ void Contacts::renew_regions(const Garment& garment, const Layout& layout, const
     rows_.radii[row] = std::clamp(further * length_of(moved[row]),
                                   room_of(row, correction_room_m, correction_room_per_edge), most_room_m);
   }
-  find_regions(garment, layout, motion, {time_s, time_s}, kernels);
+  find_regions(frame, layout, motion, {time_s, time_s}, kernels);
 }
 
 // Cloth whose parts are nearer at rest than it is thick is not torn apart for that.
@@ -325,7 +374,7 @@ void Contacts::collect_pairs(const Material& material, float thickness_m, std::s
   bodies_.add_near(solid_, thickness_m, time, origin_m, rows_, pairs_);
 }
 
-void Contacts::find_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::find_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const TimeSpan& time, ParallelKernels& kernels) {
   const Vec3 origin_m = motion.start_m.front();
   bodies_.add_mesh_rows(time, origin_m, rows_);
@@ -340,14 +389,15 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
     first_blocked_ = first_blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
-  const auto thickness_m = static_cast<float>(std::max(garment.material.thickness_m, least_thickness_m));
+  const auto thickness_m = static_cast<float>(std::max(frame.garment.material.thickness_m, least_thickness_m));
   bool fits = false;
   for (int search = 0; search < most_searches && !fits; ++search) {
+    frame.ask();
     rows_.positions.resize(lasting_rows);
     rows_.moves.resize(lasting_rows);
     rows_.radii.resize(lasting_rows);
     rows_.inverse_masses_per_kg.resize(lasting_rows);
-    collect_pairs(garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
+    collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
                   kernels);
     fits = regions_.make(pairs_, rows_, kernels);
   }
@@ -400,21 +450,6 @@ void Contacts::let_go(std::span<const HeldBack> held_back, Motion& motion) {
 // Here a single row that is held back keeps the bound from being reached.
 bool Contacts::keep_apart(ParallelKernels& kernels, Float4Array& displacements) {
   return regions_.bring_back(since_, displacements, kernels) > 0;
-}
-
-void Contacts::save(const Layout& layout, ByteWriter& memory) const {
-  memory.put<std::uint8_t>(is_on_ ? 1 : 0);
-  if (is_on_) {
-    frame_memory_.save(layout.vertex_count(), memory);
-  }
-}
-
-void Contacts::restore(const Layout& layout, ByteReader& memory) {
-  is_on_ = memory.get_bool("whether anything could touch");
-  if (is_on_) {
-    frame_memory_.resize(layout.row_count());
-    frame_memory_.restore(layout.vertex_count(), memory);
-  }
 }
 
 }  // namespace taut::sim::bounded

@@ -221,30 +221,11 @@ bool Crossings::has(const NearPair& near) const {
   return first > 0 && first == group_of(std::span(near.rows).subspan(near.first_count));
 }
 
-void Crossings::save(ByteWriter& memory) const {
-  memory.put<std::uint64_t>(static_cast<std::uint64_t>(
-      std::count_if(group_of_.begin(), group_of_.end(), [](Index group) { return group > 0; })));
-  for (Index t = 0; t < group_of_.size(); ++t) {
-    if (group_of_[t] > 0) {
-      memory.put(t);
-      memory.put(group_of_[t]);
-    }
+void Crossings::set_groups(std::vector<Index> group_of) {
+  if (group_of != group_of_) {
+    group_of_ = std::move(group_of);
+    find_keys();
   }
-}
-
-void Crossings::restore(ByteReader& memory) {
-  group_of_.assign(triangles_.size(), 0);
-  const auto count = memory.get<std::uint64_t>("the number of triangles that are left out");
-  for (std::uint64_t k = 0; k < count; ++k) {
-    const auto t = memory.get<Index>("a triangle that is left out");
-    const auto group = memory.get<Index>("its group");
-    if (t >= triangles_.size() || group == 0 || group > triangles_.size()) {
-      throw BadBytes("triangle " + std::to_string(t) + " in group " + std::to_string(group) +
-                     " is left out, expected both to be among " + std::to_string(triangles_.size()));
-    }
-    group_of_[t] = group;
-  }
-  find_keys();
 }
 
 }  // namespace taut::sim::bounded

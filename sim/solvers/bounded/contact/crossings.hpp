@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "sim/bytes.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/solvers/bounded/contact/near_pair.hpp"
 
@@ -33,12 +32,9 @@ class Crossings {
   /// Returns whether both things lie in one group.
   bool has(const NearPair& near) const;
 
-  /// Returns the group of each triangle, first of the cloth, then of bodies: 0 where it is of none.
+  /// The group of each triangle, first of the cloth, then of bodies: 0 where it is of none.
   std::span<const Index> groups() const { return group_of_; }
-
-  void save(ByteWriter& memory) const;
-  /// Throws BadBytes.
-  void restore(ByteReader& memory);
+  void set_groups(std::vector<Index> group_of);
 
  private:
   /// The rows of a vertex, an edge or a triangle, sorted, the last one repeated, and its group.

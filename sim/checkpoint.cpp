@@ -83,10 +83,13 @@ void put_report(const FrameReport& report, ByteWriter& out) {
   out.put(report.raw_max_stretch);
   out.put(report.sweeps);
   out.put(report.followed_compression_n_per_m);
+  out.put<std::uint8_t>(report.ignores_contact ? 1 : 0);
   out.put(report.contact.detections);
   out.put(report.contact.partial_detections);
   out.put(report.contact.most_pairs);
   out.put(report.contact.smallest_distance_m);
+  out.put<std::uint64_t>(report.contact.crossing_pairs);
+  out.put(report.contact.left_out_share);
 }
 
 ContactReport get_contact(ByteReader& in) {
@@ -96,6 +99,8 @@ ContactReport get_contact(ByteReader& in) {
   contact.most_pairs = in.get("the number of near pairs", 0, most_counted);
   contact.smallest_distance_m =
       in.get("the smallest distance", -largest, std::numeric_limits<double>::infinity());
+  contact.crossing_pairs = in.get<std::uint64_t>("the number of crossing pairs");
+  contact.left_out_share = in.get("the part of the area that is left out", 0.0, 1.0);
   return contact;
 }
 
@@ -108,6 +113,7 @@ FrameReport get_report(ByteReader& in) {
   report.raw_max_stretch = in.get("the stretch before the last correction", -1.0, largest);
   report.sweeps = in.get("the number of sweeps", 0.0, largest);
   report.followed_compression_n_per_m = in.get("the stiffness that was followed", 0.0, infinity);
+  report.ignores_contact = in.get_bool("whether contact was left out");
   report.contact = get_contact(in);
   return report;
 }

@@ -87,7 +87,19 @@ void Simulation::advance_frame(const std::function<void()>& poll) {
   std::swap(state_, next);
   before_m_ = std::move(next.current);
   report_ = report;
+  if (!report_.ignores_contact || !surroundings_.bodies.empty()) {
+    const MeasuredContact measured = measure_contact();
+    report_.contact.smallest_distance_m = measured.nearest_m;
+    report_.contact.crossing_pairs = measured.crossing_pairs;
+  }
   fall_asleep_at_rest();
+}
+
+MeasuredContact Simulation::measure_contact() {
+  if (!measure_ || measure_->bodies() != surroundings_.bodies) {
+    measure_.emplace(garment_->mesh.triangles, garment_->mesh.positions, surroundings_.bodies);
+  }
+  return measure_->measure(state_.current, state_.time_s, 2.0 * garment_->material.thickness_m);
 }
 
 void Simulation::start_solver() {
@@ -108,6 +120,7 @@ Checkpoint Simulation::save() const {
   }
   saved.report = report_;
   saved.report.blocked.reset();
+  saved.report.left_out.clear();
   saved.solver = name_of(kind_of(settings_.solver.method));
   saved.solver_memory = memory.bytes();
   return saved;

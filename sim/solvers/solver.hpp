@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "sim/blocked_contact.hpp"
 #include "sim/bytes.hpp"
@@ -18,11 +19,24 @@ struct ContactReport {
   int detections = 0;          ///< how often all of the cloth and the bodies was searched for what is near
   int partial_detections = 0;  ///< how often that was done around single vertices alone
   int most_pairs = 0;          ///< near pairs that were kept apart at a time, the most of them
-  /// Of near pairs in the shape that the frame began with, in m, negative within a body; infinite where
-  /// nothing was near. Without what crosses since the start and what touches at rest.
+  /// Of the two nearest things in the shape that the frame ended with, in m, as ContactMeasure measures it whatever the
+  /// solver does: 0 where they cross, below 0 in a plane, sphere or capsule, infinite where nothing is near.
   double smallest_distance_m = std::numeric_limits<double>::infinity();
+  std::size_t crossing_pairs = 0;  ///< in that shape, measured likewise
+  /// `bounded`: the part of the cloth's area at rest that was not kept apart from all else, as it crossed something
+  /// when the run began.
+  double left_out_share = 0.0;
 
   bool operator==(const ContactReport&) const = default;
+};
+
+/// A triangle around what crosses since the cloth began. Within a group nothing is kept apart.
+struct LeftOutTriangle {
+  std::optional<std::size_t> body = {};  ///< its place among the surroundings' bodies; empty: of the cloth
+  Index triangle = 0;
+  Index group = 0;
+
+  friend auto operator<=>(const LeftOutTriangle&, const LeftOutTriangle&) = default;
 };
 
 /// How a frame went.
@@ -38,7 +52,9 @@ struct FrameReport {
   double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
   /// `bounded`: what may cross in this frame, where its settings accept that. Not saved.
   std::optional<BlockedContact> blocked = {};
-  ContactReport contact = {};  ///< `bounded`: of solver.contact and bodies
+  bool ignores_contact = false;  ///< the cloth may cross itself: whether it does, nobody asks
+  ContactReport contact = {};
+  std::vector<LeftOutTriangle> left_out = {};  ///< `bounded`: in this frame, the cloth's first. Not saved.
 
   bool operator==(const FrameReport&) const = default;
 };

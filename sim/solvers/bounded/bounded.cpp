@@ -34,7 +34,7 @@ constexpr double last_resort_sweeps = 1000.0;
 /// Stretch is compared with no tighter bound than this one.
 constexpr double smallest_bound = 1e-4;
 /// Stretch, in bounds, that more steps have to mend.
-constexpr double overstretched = 10.0;
+constexpr double overstretched = 16.0;
 
 /// A frame may take this many times the work of the median frame.
 constexpr double most_work = 20.0;
@@ -117,7 +117,7 @@ struct BoundedSolver::Effort {
     contact.detections += report.detections;
     contact.partial_detections += report.partial_detections;
     contact.most_pairs = std::max(contact.most_pairs, report.most_pairs);
-    contact.smallest_distance_m = std::min(contact.smallest_distance_m, report.smallest_distance_m);
+    contact.left_out_share = report.left_out_share;
     first_blocked = first_blocked ? first_blocked : attempt.blocked;
   }
 };
@@ -363,7 +363,9 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
           effort.sweeps,
           followed_compression(cloth.mobility_per_kg, state.time_step_s),
           tried.blocked ? effort.first_blocked : std::nullopt,
-          effort.contact};
+          !settings_.contact,
+          effort.contact,
+          next_.contact.left_out};
 }
 
 void BoundedSolver::keep_frame() {
@@ -384,7 +386,7 @@ void BoundedSolver::restore(const Frame& frame, ByteReader& bytes) {
   if (bytes.get_bool("whether there was a frame")) {
     lay_out(frame);
     memory_ = first_memory(frame);
-    bounded::restore(frame.garment.mesh.positions.size(), cloth_->layout.row_count(), bytes, *memory_);
+    bounded::restore(frame, cloth_->layout.row_count(), bytes, *memory_);
   }
 }
 

@@ -78,7 +78,6 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   is_on_ = within_cloth_ || !bodies.empty();
   blocked_.reset();
   report_ = {};
-  is_distance_known_ = false;
   caution_ = std::pow(more_cautious, earlier_attempts);
   from_s_ = until_s_ = time.from_s;
   frame_ends_s_ = time.to_s;
@@ -93,23 +92,53 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   memory_ = memory.rows;
   memory_.resize(layout.row_count());
   near_->forget();
-  leave_out_crossings(layout, motion, memory.may_have_crossed, is_known, time.from_s);
+  bodies_of_frame_ = bodies;
+  leave_out(memory, layout, motion, time.from_s);
 }
 
-void Contacts::leave_out_crossings(const Layout& layout, const Motion& motion, bool may_have_crossed,
-                                   bool is_known, double time_s) {
-  if (is_known && left_out_.empty() && !may_have_crossed) {
+// What crosses is looked for when the cloth begins, when bodies come, and after a crossing was accepted.
+void Contacts::leave_out(const ContactMemory& memory, const Layout& layout, const Motion& motion, double time_s) {
+  const bool goes_on = memory.bodies == bodies_of_frame_;
+  std::vector<Index> group_of(triangle_of_.size(), 0);
+  for (const LeftOutTriangle& t : goes_on ? memory.left_out : std::vector<LeftOutTriangle>{}) {
+    const auto found = std::lower_bound(triangle_of_.begin(), triangle_of_.end(), LeftOutTriangle{t.body, t.triangle});
+    if (found != triangle_of_.end() && found->body == t.body && found->triangle == t.triangle) {
+      group_of[static_cast<std::size_t>(found - triangle_of_.begin())] = t.group;
+    }
+  }
+  left_out_.set_groups(std::move(group_of));
+  const bool looks = !goes_on || memory.may_have_crossed;
+  if (!looks && left_out_.empty()) {
     return;
   }
   std::vector<Vec3> positions_m = motion.start_m;
   positions_m.resize(layout.row_count());
   const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(time_s);
   positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
-  if (is_known && !may_have_crossed) {
-    left_out_.update(positions_m);
-  } else {
-    left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
+  if (looks) {
+    left_out_.add(positions_m);
   }
+  left_out_.free(positions_m);
+}
+
+std::vector<LeftOutTriangle> Contacts::left_out() const {
+  std::vector<LeftOutTriangle> all;
+  for (std::size_t t = 0; t < triangle_of_.size(); ++t) {
+    if (left_out_.groups()[t] > 0) {
+      all.push_back(triangle_of_[t]);
+      all.back().group = left_out_.groups()[t];
+    }
+  }
+  return all;
+}
+
+double Contacts::left_out_share() const {
+  double all = 0.0, left_out = 0.0;
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    all += areas_[t];
+    left_out += left_out_.groups()[t] > 0 ? areas_[t] : 0.0;
+  }
+  return all > 0.0 ? left_out / all : 0.0;
 }
 
 // A triangle without a surface has nothing to cross, and faces any way.
@@ -120,10 +149,14 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
     positions_m[row] = at_rest_m[layout.vertex_of_row[row]];
   }
   triangles_.clear();
+  triangle_of_.clear();
+  areas_.clear();
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = garment.mesh.triangles[t];
     if (!within_cloth_ || garment.triangles_at_rest[t].has_surface()) {
       triangles_.push_back({layout.row_of_vertex[a], layout.row_of_vertex[b], layout.row_of_vertex[c]});
+      triangle_of_.push_back({{}, static_cast<Index>(t)});
+      areas_.push_back(0.5 * glm::length(doubled_area_vector(garment.mesh.positions, garment.mesh.triangles[t])));
     }
   }
   add_loose_vertices(layout);
@@ -131,11 +164,15 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
   rest_.resize(layout.row_count());
   std::transform(positions_m.begin(), positions_m.end(), rest_.begin(), float4_of);
   bodies_ = BodyContacts(bodies, garment.material.friction, static_cast<Index>(layout.row_count()));
+  left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
   // As they were modelled, wherever they are: the order in which pairs are found hangs on it, and the last
   // bits.
   for (const Body& body : bodies) {
     if (const auto* mesh = std::get_if<BodyMesh>(&body.shape)) {
       positions_m.insert(positions_m.end(), mesh->data->positions_m.begin(), mesh->data->positions_m.end());
+      for (Index t = 0; t < mesh->data->triangles.size(); ++t) {
+        triangle_of_.push_back({static_cast<std::size_t>(&body - bodies.data()), t});
+      }
     }
   }
   near_.emplace(make_contact_mesh(triangles_, bodies_.mesh_triangles()), within_cloth_, positions_m);
@@ -186,7 +223,7 @@ float Contacts::room_of(std::size_t row, float most_m, float per_edge) const {
 }
 
 ContactMemory Contacts::memory() const {
-  return is_on_ ? ContactMemory{memory_, blocked_.has_value()} : ContactMemory{};
+  return is_on_ ? ContactMemory{memory_, blocked_.has_value(), bodies_of_frame_, left_out()} : ContactMemory{};
 }
 
 ContactReport Contacts::report() {
@@ -194,6 +231,7 @@ ContactReport Contacts::report() {
     const LastingPairs::Searches searches = near_->take_searches();
     report_.detections = searches.all;
     report_.partial_detections = searches.marked;
+    report_.left_out_share = left_out_.empty() ? 0.0 : left_out_share();
   }
   return report_;
 }
@@ -359,10 +397,6 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   }
   memory_.is_touching = regions_.pair_count() > 0;
   report_.most_pairs = std::max(report_.most_pairs, static_cast<int>(regions_.pair_count()));
-  if (!is_distance_known_) {
-    is_distance_known_ = true;
-    report_.smallest_distance_m = regions_.smallest_distance();
-  }
   note_blocked(layout, origin_m, fits);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     float& deviation = memory_.deviations[row];

@@ -77,9 +77,10 @@ class Contacts {
 
  private:
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
-  void leave_out_crossings(const Layout& layout, const Motion& motion, bool may_have_crossed, bool is_known,
-                           double time_s);
   void add_loose_vertices(const Layout& layout);
+  void leave_out(const ContactMemory& memory, const Layout& layout, const Motion& motion, double time_s);
+  std::vector<LeftOutTriangle> left_out() const;
+  double left_out_share() const;
   void measure_edges(const Mesh& mesh, const Layout& layout);
   /// How far a row may deviate from where it is expected, in m: at most so much, and this part of the mean
   /// edge.
@@ -106,13 +107,15 @@ class Contacts {
   BodyContacts bodies_;
   std::optional<LastingPairs> near_;
   Crossings left_out_;
+  std::vector<LeftOutTriangle> triangle_of_;  ///< by triangle, of the cloth and then of bodies: which one it is
+  std::vector<double> areas_;                 ///< of those of the cloth, at rest, in m^2
+  std::vector<Body> bodies_of_frame_;
   std::vector<ContactPair> pairs_;
   RowMoves rows_;
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
   Regions regions_;
   std::optional<BlockedContact> blocked_;
   ContactReport report_;
-  bool is_distance_known_ = false;  ///< the report has that of this attempt
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/bytes.hpp"
 #include "sim/solvers/bounded/kernels/float4.hpp"
 #include "sim/solvers/bounded/row_memory.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
+#include "sim/solvers/solver.hpp"
 
 namespace taut::sim::bounded {
 
@@ -14,6 +16,9 @@ struct ContactMemory {
   RowMemory rows;  ///< empty where contact was off
   /// A crossing was accepted in the last frame, so that the next one looks for all that crosses.
   bool may_have_crossed = false;
+  /// What crosses since the cloth began among these bodies; empty: no frame began yet.
+  std::optional<std::vector<Body>> bodies = {};
+  std::vector<LeftOutTriangle> left_out = {};
 };
 
 /// Everything that `bounded` keeps from frame to frame besides the State. An attempt at a frame makes a new
@@ -30,6 +35,6 @@ struct Memory {
 void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes);
 /// Requires a memory made for the same garment, pins and settings. `row_count` includes spare rows. Throws
 /// BadBytes.
-void restore(std::size_t vertex_count, std::size_t row_count, ByteReader& bytes, Memory& memory);
+void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, Memory& memory);
 
 }  // namespace taut::sim::bounded

@@ -28,10 +28,11 @@ constexpr float nearly = 0.75F;
 /// Of the last frame's correction. All of it would be fewest sweeps, but shapes would drift off.
 constexpr float kept_correction = 0.97F;
 
-/// A projection that things in the way hold up evens out displacements after so many rounds, on so many rings
-/// of vertices around triangles that are too long, as often as this. More rings and passes move more of the
-/// cloth.
-constexpr int rounds_to_even = 6;
+/// A projection is held up by contact if so many rounds leave more than this part of the excess. It then evens
+/// out displacements on so many rings of vertices around triangles that are too long, in so many passes. More
+/// rings and passes move more of the cloth.
+constexpr int rounds_looked_at = 6;
+constexpr double slow_progress = 0.5;
 constexpr std::uint8_t evened_rings = 5;
 constexpr int evening_passes = 8;
 
@@ -212,11 +213,15 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   if (!(ratio <= squared_bound)) {
     ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   }
+  double earlier_ratio = ratio;
   for (int round = 1; !(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio); ++round) {
-    if (confinement != nullptr && round % rounds_to_even == 0) {
-      even_out(layout, static_cast<float>(squared_bound));
-      confinement->bring_back(corrected_);
-      largest_ratio(layout, kernels);
+    if (confinement != nullptr && round % rounds_looked_at == 0) {
+      if (ratio - squared_bound > slow_progress * (earlier_ratio - squared_bound)) {
+        even_out(layout, static_cast<float>(squared_bound));
+        confinement->bring_back(corrected_);
+        largest_ratio(layout, kernels);
+      }
+      earlier_ratio = ratio;
     }
     result.cost += shorten_long(layout, squared_aim, kernels);
     if (confinement != nullptr) {

@@ -30,7 +30,7 @@ constexpr double more = 1.12;
 constexpr double many_more = 1.4;
 constexpr double most_more = 3.0;
 /// A frame that is repeated takes so many steps that they stretch by this many times the bound.
-constexpr double repeated_raw = 2.0;
+constexpr double repeated_raw = 4.0;
 
 /// What first_substeps calls c, measured on hanging T-shirts and sheets; more begins with more steps.
 constexpr double load_factor = 6.0;

@@ -42,14 +42,6 @@ PairExtent extent_of(const NearPair& near, const std::array<glm::vec3, 4>& p, co
 
 }  // namespace
 
-float Regions::smallest_distance() const {
-  float smallest = infinity;
-  for (const Pair& pair : pairs_) {
-    smallest = std::min(smallest, pair.distance);
-  }
-  return smallest;
-}
-
 Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows) {
   const NearPair& near = contact.near;
   std::array<glm::vec3, 4> p{};

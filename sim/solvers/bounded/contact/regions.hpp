@@ -89,9 +89,6 @@ class Regions {
   /// any time without a crossing, in m: infinite where none is near.
   float kinematic_gap_m() const { return kinematic_gap_m_; }
 
-  /// Returns the smallest distance of a pair at the time 0, in m, infinite without pairs.
-  float smallest_distance() const;
-
   /// Returns the radius of a row's ball, in m.
   float radius(std::size_t row) const { return radii_[row]; }
 

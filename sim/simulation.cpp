@@ -15,10 +15,12 @@ void require_frame_rate(const SimulationSettings& settings) {
   }
 }
 
-void require_promise(const SolverSettings& solver, const Surroundings& surroundings) {
+void require_promise(const SolverSettings& solver, const Garment& garment, const Surroundings& surroundings) {
   if (const auto* bounded = std::get_if<BoundedSettings>(&solver.method)) {
-    if (const std::optional<std::string> reason = beyond_promise(*bounded, surroundings)) {
-      throw std::invalid_argument(*reason);
+    for (const auto& reason : {beyond_promise(*bounded, surroundings), beyond_contact(*bounded, garment)}) {
+      if (reason) {
+        throw std::invalid_argument(*reason);
+      }
     }
   }
 }
@@ -64,7 +66,7 @@ Simulation::Simulation(std::shared_ptr<const Garment> garment, std::vector<Index
       solver_(make_solver(settings.solver)) {
   require_frame_rate(settings);
   require_possible(surroundings_, state_.current.size());
-  require_promise(settings.solver, surroundings_);
+  require_promise(settings.solver, *garment_, surroundings_);
   if (start_m) {
     begin_in(std::move(*start_m));
   }
@@ -157,7 +159,7 @@ void Simulation::set_time(double time_s) {
 void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
     require_possible(surroundings, state_.current.size());
-    require_promise(settings_.solver, surroundings);
+    require_promise(settings_.solver, *garment_, surroundings);
     surroundings_ = surroundings;
     wake();
   }
@@ -166,7 +168,7 @@ void Simulation::set_surroundings(const Surroundings& surroundings) {
 void Simulation::set_settings(const SimulationSettings& settings) {
   if (settings != settings_) {
     require_frame_rate(settings);
-    require_promise(settings.solver, surroundings_);
+    require_promise(settings.solver, *garment_, surroundings_);
     make_solver(settings.solver);  // refuses what is wrong before anything has changed
     settings_ = settings;
     start_solver();
@@ -175,7 +177,9 @@ void Simulation::set_settings(const SimulationSettings& settings) {
 
 void Simulation::set_material(const Material& material) {
   if (material != garment_->material) {
-    garment_ = share(with_material(*garment_, material));
+    Garment garment = with_material(*garment_, material);
+    require_promise(settings_.solver, garment, surroundings_);
+    garment_ = share(std::move(garment));
     pins_ = make_pins(*garment_, std::move(pins_.vertices));
     start_solver();
   }

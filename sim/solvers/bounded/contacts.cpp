@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/contacts.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -48,8 +49,6 @@ constexpr double held_back_part = 0.03;
 /// The next ball of such a row is larger by so much.
 constexpr float held_back_room = 1.2F;
 
-/// No cloth is thinner than this, in m: there has to be room for rounding.
-constexpr double least_thickness_m = 1e-4;
 /// Neighbours in the cloth may come as near as this part of their distance at rest.
 constexpr float rest_part = 0.5F;
 /// Parts of the cloth that touch at rest, as along seams that are not sewn, are not kept apart; nor is cloth
@@ -341,7 +340,8 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
     first_blocked_ = first_blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
-  const auto thickness_m = static_cast<float>(std::max(garment.material.thickness_m, least_thickness_m));
+  assert(garment.material.thickness_m >= least_thickness_m);
+  const auto thickness_m = static_cast<float>(garment.material.thickness_m);
   bool fits = false;
   for (int search = 0; search < most_searches && !fits; ++search) {
     rows_.positions.resize(lasting_rows);

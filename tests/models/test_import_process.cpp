@@ -1,9 +1,14 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 
 #include "app/base/errors.hpp"
+#include "app/models/confinement.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/model_arrays.hpp"
 #include "temporary_folder.hpp"
@@ -61,6 +66,60 @@ TEST(ImportProcess, NamesAnImporterThatDoesNotStart) {
   const auto model = folder.write("dress.obj", "v 0 0 0\n");
   EXPECT_CONTAINS(message_of<InputError>([&] { import_garment(model); }), "none' does not start");
   ::unsetenv("TAUT_IMPORTER");
+}
+
+/// Whether something is true in a process that is confined to a folder.
+template <class Question>
+bool holds_in(const TemporaryFolder& folder, const Question& question) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const bool is_confined = confine_to(std::vector<std::filesystem::path>{folder / ""});
+    ::_exit(question(is_confined) ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+constexpr const char* not_confined =
+    "this kernel has no Landlock (Linux 5.13), which keeps files from a process";
+
+TEST(Confinement, LeavesAFolderToReadAndNothingElse) {
+  const TemporaryFolder folder;
+  const auto inside = folder.write("shirt.obj", "v 0 0 0\n");
+  const auto opens = [](const std::filesystem::path& path, int flags) {
+    return [path, flags](bool) { return ::open(path.c_str(), flags, 0600) >= 0; };
+  };
+  EXPECT_TRUE(holds_in(folder, opens(inside, O_RDONLY)));
+  EXPECT_FALSE(holds_in(folder, [](bool) { return ::socket(AF_INET, SOCK_STREAM, 0) >= 0; }));
+  EXPECT_FALSE(holds_in(folder, [](bool) { return ::socket(AF_UNIX, SOCK_DGRAM, 0) >= 0; }));
+  EXPECT_TRUE(holds_in(folder, [](bool) { return ::execl("/bin/false", "false", nullptr) == -1; }));
+  if (!holds_in(folder, [](bool is_confined) { return is_confined; })) {
+    GTEST_SKIP() << not_confined;
+  }
+  EXPECT_FALSE(holds_in(folder, opens("/etc/passwd", O_RDONLY)));
+  EXPECT_FALSE(holds_in(folder, opens(inside, O_RDWR)));
+  EXPECT_FALSE(holds_in(folder, opens(folder / "new", O_WRONLY | O_CREAT)));
+  EXPECT_FALSE(holds_in(folder, [&](bool) { return ::unlink(inside.c_str()) == 0; }));
+}
+
+TEST(Confinement, IsThatOfAModelsReader) {
+  const TemporaryFolder folder, elsewhere;
+  if (!holds_in(folder, [](bool is_confined) { return is_confined; })) {
+    GTEST_SKIP() << not_confined;
+  }
+  const char* const blue = "newmtl blue\nKd 0 0 1\n";
+  const auto model =
+      elsewhere.write("dress.obj", "mtllib dress.mtl\nusemtl blue\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::filesystem::create_symlink(model, folder / "dress.obj");
+  folder.write("dress.mtl", blue);
+  const auto colour_of = [](const std::string& file) {
+    return read_model_in_process(file, {}, ReadParts::model).colours.materials.at(0).base_colour;
+  };
+  EXPECT_EQ(colour_of(folder / "dress.obj"), glm::vec3(0, 0, 1)) << "a link to a model can be read";
+  std::filesystem::remove(folder / "dress.mtl");
+  std::filesystem::create_symlink(elsewhere.write("blue.mtl", blue), folder / "dress.mtl");
+  EXPECT_NE(colour_of(folder / "dress.obj"), glm::vec3(0, 0, 1)) << "what a model names elsewhere was read";
 }
 
 TEST(ImportProcess, KeepsToItsMemory) {

@@ -181,6 +181,15 @@ TEST(SurfaceColours, GiveWayToWhatTheSceneAsksFor) {
   EXPECT_TRUE(drawn_colours(scene, loaded).base_colours.empty());
 }
 
+TEST(SurfaceColours, DoNotComeFromOutsideOfTheModelsFolder) {
+  const TemporaryFolder folder, elsewhere;
+  const auto image = elsewhere.write("check.png", png_of(1, 1, {10, 20, 30, 255}));
+  const LoadedGarment loaded =
+      load_garment(scene_of(write_two(folder, "newmtl blue\nmap_Kd " + image.string() + "\n")));
+  ASSERT_EQ(loaded.colours.remarks.size(), 1U);
+  EXPECT_CONTAINS(loaded.colours.remarks[0], ", of which nothing outside of the model's folder is read");
+}
+
 TEST(SurfaceColours, SayWhichImageIsMissingAndWhereItWasLookedFor) {
   const TemporaryFolder folder;
   const DrawnScene scene = scene_of(write_two(

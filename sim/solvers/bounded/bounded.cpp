@@ -129,9 +129,11 @@ BoundedSolver::BoundedSolver(const BoundedSettings& settings, std::optional<int>
 
 BoundedSolver::~BoundedSolver() = default;
 
-void BoundedSolver::require_promised(const Surroundings& surroundings) const {
-  if (const std::optional<std::string> reason = beyond_promise(settings_, surroundings)) {
-    throw std::invalid_argument(*reason);
+void BoundedSolver::require_promised(const Garment& garment, const Surroundings& surroundings) const {
+  for (const auto& reason : {beyond_promise(settings_, surroundings), beyond_contact(settings_, garment)}) {
+    if (reason) {
+      throw std::invalid_argument(*reason);
+    }
   }
 }
 

@@ -21,7 +21,7 @@ class BoundedSolver : public Solver {
   BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps);
   ~BoundedSolver() override;
 
-  void require_promised(const Surroundings& surroundings) const override;
+  void require_promised(const Garment& garment, const Surroundings& surroundings) const override;
   void move_within_bound(const Garment& garment, const Pins& pins, State& state) const override;
   FrameReport advance_frame(const Frame& frame, State& state) override;
   void keep_frame() override;

@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/contacts.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -383,7 +384,8 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
     blocked_ = blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
-  const auto thickness_m = static_cast<float>(std::max(frame.garment.material.thickness_m, least_thickness_m));
+  assert(frame.garment.material.thickness_m >= least_thickness_m);
+  const auto thickness_m = static_cast<float>(frame.garment.material.thickness_m);
   bool fits = false;
   for (int search = 0; search < most_searches && !fits; ++search) {
     frame.ask();

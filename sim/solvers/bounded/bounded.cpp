@@ -22,8 +22,8 @@ using namespace bounded;
 
 namespace {
 
-/// Time steps in a frame. Fewer would do for small stiff cloths, and let fast ones pass through obstacles.
-constexpr int least_substeps = 8;
+/// Fewer time steps would do for small stiff cloths.
+constexpr double least_substeps_per_s = 480.0;
 
 /// A projection that costs more sweeps than this many times the substeps is not worth it: more substeps are.
 constexpr double costliest_projection = 3.0;
@@ -53,10 +53,10 @@ const char* name_of(BoundKind kind) {
 /// The solver's arrays for a garment and its pins. No frame depends on what earlier ones left in them.
 struct BoundedSolver::Cloth : SteppedCloth {
   Cloth(const Garment& garment, const Pins& pinned, const BoundedSettings& settings, double frame_time_s)
-      : SteppedCloth(garment, pinned, settings, frame_time_s),
+      : SteppedCloth(garment, pinned, settings),
         pins(pinned.vertices),
         compression_stiffness_n_per_m(garment.material.compression_stiffness_n_per_m),
-        projection(layout),
+        projection(layout, frame_time_s),
         mobility_per_kg(mean_mobility_per_kg(layout)) {
     if (settings.tethers && layout.pin_count > 0) {
       tethers = make_tethers(garment, layout, tether_slack(settings));
@@ -151,12 +151,13 @@ Memory BoundedSolver::first_memory(const Frame& frame) const {
   memory.pins = frame.pins.vertices;
   memory.corrections.resize(cloth_->layout.row_count());
   if (substeps_) {
-    memory.control = SubstepControl(*substeps_, *substeps_, *substeps_);
+    memory.control = SubstepControl(*substeps_, *substeps_, *substeps_, frame.duration_s);
   } else {
-    const int least = std::max(least_substeps, cloth_->forces.updates_per_frame({}, frame.duration_s));
+    const int least = std::max(static_cast<int>(std::lround(least_substeps_per_s * frame.duration_s)),
+                               cloth_->forces.updates_per_frame({}, frame.duration_s));
     memory.control = SubstepControl(first_substeps(frame.garment, cloth_->layout, frame.surroundings,
                                                    frame.duration_s, settings_.max_stretch),
-                                    least, max_substeps_);
+                                    least, max_substeps_, frame.duration_s);
   }
   return memory;
 }

@@ -23,13 +23,14 @@ using namespace bounded;
 
 namespace {
 
-/// Time steps in a frame. Fewer would do for small stiff cloths, and let fast ones pass through obstacles.
-constexpr int least_substeps = 8;
+/// Fewer time steps would do for small stiff cloths.
+constexpr double least_substeps_per_s = 480.0;
 
-/// A projection that costs more sweeps than this many times the substeps is not worth it: shorter parts of the
-/// frame are.
+/// A projection that costs more sweeps than this many times the substeps is not worth it: more substeps are. So
+/// many sweeps are always.
 constexpr double costliest_projection = 3.0;
-/// Where there are no shorter parts, it is.
+constexpr double cheap_projection = 24.0;
+/// Where no more substeps are to be had, it is.
 constexpr double last_resort_sweeps = 1000.0;
 /// Stretch is compared with no tighter bound than this one.
 constexpr double smallest_bound = 1e-4;
@@ -71,10 +72,10 @@ const char* name_of(BoundKind kind) {
 /// The solver's arrays for a garment and its pins. No frame depends on what earlier ones left in them.
 struct BoundedSolver::Cloth : SteppedCloth {
   Cloth(const Garment& garment, const Pins& pinned, const BoundedSettings& settings, double frame_time_s)
-      : SteppedCloth(garment, pinned, settings, frame_time_s),
+      : SteppedCloth(garment, pinned, settings),
         pins(pinned.vertices),
         compression_stiffness_n_per_m(garment.material.compression_stiffness_n_per_m),
-        projection(layout),
+        projection(layout, frame_time_s),
         mobility_per_kg(mean_mobility_per_kg(layout)) {
     if (settings.tethers && layout.pin_count > 0) {
       tethers = make_tethers(garment, layout, tether_slack(settings));
@@ -167,10 +168,11 @@ Memory BoundedSolver::first_memory(const Frame& frame) const {
   memory.pins = frame.pins.vertices;
   memory.corrections.resize(cloth_->layout.row_count());
   if (substeps_) {
-    memory.control = SubstepControl(*substeps_, *substeps_, *substeps_);
+    memory.control = SubstepControl(*substeps_, *substeps_, *substeps_, frame.duration_s);
   } else {
-    const int least = std::max(least_substeps, cloth_->forces.updates_per_frame({}, frame.duration_s));
-    memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_);
+    const int least = std::max(static_cast<int>(std::lround(least_substeps_per_s * frame.duration_s)),
+                               cloth_->forces.updates_per_frame({}, frame.duration_s));
+    memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_, frame.duration_s);
   }
   memory.median_work = work_for(memory.control.substeps());
   return memory;
@@ -268,7 +270,7 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
                                         Float4Array& corrections) {
   Cloth& cloth = *cloth_;
   const double largest_cost =
-      is_last ? last_resort_sweeps : costliest_projection * std::max(substeps, least_substeps);
+      is_last ? last_resort_sweeps : std::max(costliest_projection * substeps, cheap_projection);
   const auto project_within = [&](Confinement* confinement, Float4Array& from) {
     return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, largest_cost,
                                     confinement, *kernels_, from);

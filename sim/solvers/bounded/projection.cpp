@@ -25,8 +25,9 @@ constexpr double most_springs = 128.0;
 /// nearer to 1 fewer blocks are swept, in more rounds.
 constexpr float nearly = 0.75F;
 
-/// Of the last frame's correction. All of it would be fewest sweeps, but shapes would drift off.
-constexpr float kept_correction = 0.97F;
+/// How fast the last frame's correction fades, in 1/s. Not at all would be fewest sweeps, but shapes would
+/// drift off.
+constexpr double faded_per_s = 1.8;
 
 /// A projection is held up by contact if so many rounds leave more than this part of the excess. It then evens
 /// out displacements on so many rings of vertices around triangles that are too long, in so many passes. More
@@ -80,8 +81,9 @@ void for_triangles(const SurfaceLanes& surface, const Each& each) {
 
 }  // namespace
 
-BoundProjection::BoundProjection(const Layout& layout)
+BoundProjection::BoundProjection(const Layout& layout, double frame_time_s)
     : relaxation_(relaxation_of(layout)),
+      kept_correction_(static_cast<float>(std::max(0.0, 1.0 - faded_per_s * frame_time_s))),
       corrected_(layout.row_count()),
       squared_spring_ratios_(layout.springs.block_count()),
       squared_surface_ratios_(layout.surface.block_count()) {}
@@ -140,7 +142,7 @@ double BoundProjection::start(const Layout& layout, const Float4Array& raw, cons
     confinement->begin(raw, corrections);
   }
   for (std::size_t row = 0; row < raw.size(); ++row) {
-    corrected_[row] = scaled_sum(raw[row], corrections[row], kept_correction);
+    corrected_[row] = scaled_sum(raw[row], corrections[row], kept_correction_);
   }
   const double ratio = bring_back();
   if (ratio <= raw_ratio) {

@@ -35,7 +35,7 @@ class Confinement {
 /// instead of back and forth. The correction of the last frame, a little faded, is where the next one starts.
 class BoundProjection {
  public:
-  explicit BoundProjection(const Layout& layout);
+  BoundProjection(const Layout& layout, double frame_time_s);
 
   /// Starts from the corrections of the last frame, by row, in m, and replaces them by those of this one.
   /// Stops when its cost, in sweeps over all springs and triangles, reaches `largest_cost`. `confinement` may
@@ -60,6 +60,7 @@ class BoundProjection {
                  float factor, ParallelKernels& kernels);
 
   float relaxation_;
+  float kept_correction_;  ///< of the last frame's
   Float4Array corrected_;
   std::vector<std::uint8_t> rings_;            ///< by row, around triangles that stay too long; 0 elsewhere
   Float4Array sums_;                           ///< by row, of neighbours' displacements

@@ -138,7 +138,7 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
   bounded::set_start(layout, state.current, start);
   kernels.start(start, layout.springs);
   kernels.start(start, layout.surface);
-  bounded::BoundProjection projection(layout);
+  bounded::BoundProjection projection(layout, 0.0);
   bounded::Float4Array corrections(layout.row_count());
   projection.project(layout, bounded::Float4Array(layout.row_count()), settings.max_stretch, largest_cost,
                      nullptr, kernels, corrections);

@@ -7,7 +7,9 @@ set -euo pipefail
 packages=(
   # build
   build-essential
-  clang               # the tests compare the states that two compilers' programs end in
+  clang               # the tests compare the states that two compilers' programs end in,
+  libc++-dev          # and two standard libraries'
+  libc++abi-dev
   libclang-rt-dev     # libFuzzer and the sanitizers for Clang
   cmake
   ninja-build

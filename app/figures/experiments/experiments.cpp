@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/moments.hpp"
@@ -233,7 +234,8 @@ RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_afte
   const auto go_on = [&](sim::State& state, int steps) {
     const auto solver = sim::make_solver(solver_settings(stepped.simulation.solver));
     for (int step = 0; step < steps; ++step) {
-      solver->advance_frame(garment, pins, surroundings, time_step_s, state);
+      std::ignore = solver->advance_frame({garment, pins, surroundings, time_step_s, {}}, state);
+      solver->keep_frame();
     }
   };
   sim::State state = sim::make_state(garment);

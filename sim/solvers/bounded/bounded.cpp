@@ -4,11 +4,14 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "sim/measures.hpp"
+#include "sim/solvers/bounded/apart_while_corrected.hpp"
 #include "sim/solvers/bounded/compression.hpp"
 #include "sim/solvers/bounded/projection.hpp"
+#include "sim/solvers/bounded/promise.hpp"
 #include "sim/solvers/bounded/step.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
@@ -23,18 +26,35 @@ namespace {
 /// Time steps in a frame. Fewer would do for small stiff cloths, and let fast ones pass through obstacles.
 constexpr int least_substeps = 8;
 
-/// A projection that costs more sweeps than this many times the substeps is not worth it: more substeps are.
+/// A projection that costs more sweeps than this many times the substeps is not worth it: shorter parts of the
+/// frame are.
 constexpr double costliest_projection = 3.0;
-/// Where no more substeps are to be had, it is.
+/// Where there are no shorter parts, it is.
 constexpr double last_resort_sweeps = 1000.0;
+/// Stretch is compared with no tighter bound than this one.
+constexpr double smallest_bound = 1e-4;
+/// Stretch, in bounds, that more steps have to mend.
+constexpr double overstretched = 10.0;
+
+/// A frame may take this many times the work of the median frame.
+constexpr double most_work = 20.0;
+/// The work of a search, in sweeps, and of one around single vertices.
+constexpr double work_of_search = 25.0;
+constexpr double work_of_partial_search = 12.0;
+/// Searches of a frame before there is one to count them.
+constexpr double first_searches = 5.0;
+/// The median follows by this factor a frame.
+constexpr double median_step = 1.1;
 
 /// A frame corrected by this many times more than allowed is repeated, unless the frame before it was
 /// corrected as far.
 constexpr double too_far = 3.0;
 constexpr double further_than_before = 1.2;
 
-/// Rounds of a correction that go on within the same regions.
-constexpr int most_rounds = 8;
+/// The work of a frame that divides so, before there is one to tell.
+double work_for(int substeps) {
+  return 2.0 * substeps + first_searches * work_of_search;
+}
 
 /// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
 double tether_slack(const BoundedSettings& settings) {
@@ -48,7 +68,7 @@ const char* name_of(BoundKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// What the solver derives from a garment, and keeps from frame to frame.
+/// The solver's arrays for a garment and its pins. No frame depends on what earlier ones left in them.
 struct BoundedSolver::Cloth : SteppedCloth {
   Cloth(const Garment& garment, const Pins& pinned, const BoundedSettings& settings, double frame_time_s)
       : SteppedCloth(garment, pinned, settings, frame_time_s),
@@ -64,49 +84,42 @@ struct BoundedSolver::Cloth : SteppedCloth {
   std::vector<Index> pins;
   double compression_stiffness_n_per_m;
   BoundProjection projection;
-  SubstepControl control{1, 1, 1};
   ThreadChoice threads;
   double mobility_per_kg;
   Float4Array velocities;    ///< m/s, when the frame began
-  double shift = 0.0;        ///< of the last frame, in parts of the largest allowed
   double time_step_s = 0.0;  ///< the one the springs' short_share is made for
 };
 
-/// Keeps the last correction of a frame from making anything cross.
-class BoundedSolver::ApartWhileCorrected : public Confinement {
- public:
-  ApartWhileCorrected(const Garment& garment, double time_s, ParallelKernels& kernels, Cloth& cloth)
-      : garment_(garment), time_s_(time_s), kernels_(kernels), cloth_(cloth) {}
+/// The outcome of an attempt at a frame or a part of it.
+struct BoundedSolver::Attempt {
+  State state;    ///< at its end
+  Memory memory;  ///< for what follows
+  ProjectionResult projected;
+  int substeps = 0;
+  bool is_far = false;  ///< the projection went further than it may
+  std::optional<BlockedContact> blocked;
 
-  void begin(const Float4Array& raw, const Float4Array& expected) override {
-    cloth_.contacts.make_regions(garment_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
-    last_ = raw;
+  bool is_good() const { return projected.kept && !is_far && !blocked; }
+};
+
+/// The work of all attempts at a frame.
+struct BoundedSolver::Effort {
+  double work = 0.0;  ///< in sweeps
+  double sweeps = 0.0;
+  ContactReport contact = {};
+  std::optional<BlockedContact> first_blocked = {};  ///< later attempts tell how cloth flees from it
+
+  void add(const Attempt& attempt, const ContactReport& report) {
+    const double attempt_sweeps = attempt.substeps + attempt.projected.cost;
+    sweeps += attempt_sweeps;
+    work += attempt_sweeps + work_of_search * report.detections +
+            work_of_partial_search * report.partial_detections;
+    contact.detections += report.detections;
+    contact.partial_detections += report.partial_detections;
+    contact.most_pairs = std::max(contact.most_pairs, report.most_pairs);
+    contact.smallest_distance_m = std::min(contact.smallest_distance_m, report.smallest_distance_m);
+    first_blocked = first_blocked ? first_blocked : attempt.blocked;
   }
-
-  // Where rows are held back by their balls there is more room from where they have come; and so there is
-  // beside planes from which one of the two has moved away.
-  void bring_back(Float4Array& displacements) override {
-    ++rounds_;
-    if (is_held_back_ || rounds_ % most_rounds == 0) {
-      moved_.resize(last_.size());
-      for (std::size_t row = 0; row < last_.size(); ++row) {
-        moved_[row] = scaled_sum(displacements[row], last_[row], -1.0F);
-      }
-      cloth_.contacts.renew_regions(garment_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
-    }
-    is_held_back_ = cloth_.contacts.keep_apart(kernels_, displacements);
-    last_ = displacements;
-  }
-
- private:
-  const Garment& garment_;
-  double time_s_;
-  ParallelKernels& kernels_;
-  Cloth& cloth_;
-  int rounds_ = 0;
-  bool is_held_back_ = false;
-  Float4Array last_;  ///< displacements that are known to keep everything apart
-  Float4Array moved_;
 };
 
 BoundedSolver::BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps)
@@ -116,27 +129,49 @@ BoundedSolver::BoundedSolver(const BoundedSettings& settings, std::optional<int>
 
 BoundedSolver::~BoundedSolver() = default;
 
-bool BoundedSolver::is_laid_out_for(const Garment& garment, const Pins& pins) const {
-  return cloth_ && cloth_->pins == pins.vertices &&
-         cloth_->layout.vertex_count() == garment.mesh.positions.size();
+void BoundedSolver::require_promised(const Surroundings& surroundings) const {
+  if (const std::optional<std::string> reason = beyond_promise(settings_, surroundings)) {
+    throw std::invalid_argument(*reason);
+  }
 }
 
-void BoundedSolver::lay_out(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                            double frame_time_s) {
-  if (is_laid_out_for(garment, pins)) {
+void BoundedSolver::move_within_bound(const Garment& garment, const Pins& pins, State& state) const {
+  sim::move_within_bound(garment, pins, settings_, state);
+}
+
+void BoundedSolver::lay_out(const Frame& frame) {
+  const std::size_t count = frame.garment.mesh.positions.size();
+  if (cloth_ && cloth_->pins == frame.pins.vertices && cloth_->layout.vertex_count() == count) {
     return;
   }
   kernels_ = std::make_unique<ParallelKernels>(
-      kernels_for(settings_.vector_unit), thread_count(settings_.threads, garment.mesh.triangles.size()));
-  cloth_ = std::make_unique<Cloth>(garment, pins, settings_, frame_time_s);
+      kernels_for(settings_.vector_unit),
+      thread_count(settings_.threads, frame.garment.mesh.triangles.size()));
+  cloth_ = std::make_unique<Cloth>(frame.garment, frame.pins, settings_, frame.duration_s);
+}
+
+int BoundedSolver::substeps_for_load(const Frame& frame) const {
+  return first_substeps(frame.garment, cloth_->layout, frame.surroundings, frame.duration_s,
+                        settings_.max_stretch);
+}
+
+// A load that sets in is as usual as what has been.
+double BoundedSolver::usual_work(const Frame& frame, const Memory& memory) const {
+  return std::max(memory.median_work, work_for(substeps_for_load(frame)));
+}
+
+Memory BoundedSolver::first_memory(const Frame& frame) const {
+  Memory memory;
+  memory.pins = frame.pins.vertices;
+  memory.corrections.resize(cloth_->layout.row_count());
   if (substeps_) {
-    cloth_->control = SubstepControl(*substeps_, *substeps_, *substeps_);
+    memory.control = SubstepControl(*substeps_, *substeps_, *substeps_);
   } else {
-    const int least = std::max(least_substeps, cloth_->forces.updates_per_frame({}, frame_time_s));
-    cloth_->control = SubstepControl(
-        first_substeps(garment, cloth_->layout, surroundings, frame_time_s, settings_.max_stretch), least,
-        max_substeps_);
+    const int least = std::max(least_substeps, cloth_->forces.updates_per_frame({}, frame.duration_s));
+    memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_);
   }
+  memory.median_work = work_for(memory.control.substeps());
+  return memory;
 }
 
 void BoundedSolver::begin_frame(const State& state) {
@@ -172,167 +207,185 @@ void BoundedSolver::begin_substeps(double time_step_s) {
   }
 }
 
-void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
-                                 double frame_time_s, int substeps, int earlier_attempts) {
+void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps) {
   Cloth& cloth = *cloth_;
-  const double dt = frame_time_s / substeps;
-  const int updates = cloth.forces.updates_per_frame(surroundings.forces, frame_time_s);
+  const ExternalForces& external = frame.surroundings.forces;
+  const double dt = frame.duration_s / substeps;
+  const int updates = cloth.forces.updates_per_frame(external, frame.duration_s);
   const int substeps_per_update = std::max(1, substeps / updates);
-  const int wind_updates = cloth.forces.wind_updates_per_frame(surroundings.forces, frame_time_s);
+  const int wind_updates = cloth.forces.wind_updates_per_frame(external, frame.duration_s);
   const int substeps_per_wind =
       std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
   begin_substeps(dt);
-  cloth.contacts.begin_attempt({time_s, time_s + frame_time_s}, earlier_attempts);
   for (int substep = 0; substep < substeps; ++substep) {
     TimeStep time;
     time.frame_began_s = time_s;
-    time.frame_ends_s = time_s + frame_time_s;
+    time.frame_ends_s = time_s + frame.duration_s;
     time.time_s = time_s + substep * dt;
     time.time_step_s = dt;
     time.updates_forces = substep % substeps_per_update == 0;
     time.update_interval_s = substeps_per_update * dt;
     time.updates_wind = substep % substeps_per_wind == 0;
     time.wind_interval_s = substeps_per_wind * dt;
-    bounded::step(garment, surroundings, time, *kernels_, cloth);
+    bounded::step(frame, time, *kernels_, cloth);
   }
 }
 
-// The shape that keeps the bound is where the next frame begins.
-void BoundedSolver::write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const {
+// The shape that keeps the bound is where the next frame begins. Positions of a time step ago go with it, so
+// that its last correction adds no velocity.
+State BoundedSolver::shape_of(const Frame& frame, const State& begin, int substeps) const {
   const Cloth& cloth = *cloth_;
+  State state = begin;
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
     state.current[cloth.layout.vertex_of_row[row]] =
         cloth.motion.start_m[row] + vector_of(cloth.projection.corrected()[row]);
   }
   // Exactly where they belong: what single precision rounds away would add up from frame to frame.
   const std::vector<Vec3> moved_m =
-      pins_moved(surroundings, cloth, {state.time_s, state.time_s + frame_time_s});
+      pins_moved(frame.surroundings, cloth, {begin.time_s, begin.time_s + frame.duration_s});
   for (std::size_t row = 0; row < moved_m.size(); ++row) {
     state.current[cloth.layout.vertex_of_row[row]] = cloth.motion.start_m[row] + moved_m[row];
   }
+  state.time_step_s = frame.duration_s / substeps;
+  state.time_s += frame.duration_s;
+  state.step_count += static_cast<std::uint64_t>(substeps);
+  return state;
 }
 
-// Positions of a time step ago go with the shape, so that its last correction adds no velocity.
-void BoundedSolver::end_frame(double frame_time_s, int substeps, State& state) const {
+void BoundedSolver::set_previous(State& state) const {
   const Cloth& cloth = *cloth_;
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
     const Vec3 moved = vector_of(cloth.motion.current[row]) - vector_of(cloth.motion.previous[row]);
     const Index v = cloth.layout.vertex_of_row[row];
     state.previous[v] = state.current[v] - moved;
   }
-  state.time_step_s = frame_time_s / substeps;
-  state.time_s += frame_time_s;
-  state.step_count += static_cast<std::uint64_t>(substeps);
 }
 
-// From where the frame began: the time steps, and the projection of where they end onto the bound.
-ProjectionResult BoundedSolver::try_frame(const Garment& garment, const Pins& pins,
-                                          const Surroundings& surroundings, double frame_time_s,
-                                          int earlier_attempts, State& state) {
+// Where a crossing is accepted, it is no reason to break the other promise.
+ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int substeps, bool is_last,
+                                        Float4Array& corrections) {
   Cloth& cloth = *cloth_;
-  const int substeps = cloth.control.substeps();
-  run_substeps(garment, surroundings, state.time_s, frame_time_s, substeps, earlier_attempts);
-  const double largest_cost = cloth.control.is_spent() ? last_resort_sweeps : costliest_projection * substeps;
-  cloth.contacts.observe(cloth.layout, cloth.motion, state.time_s + frame_time_s);
-  ApartWhileCorrected apart(garment, state.time_s + frame_time_s, *kernels_, cloth);
-  const auto project = [&](Confinement* confinement) {
+  const double largest_cost =
+      is_last ? last_resort_sweeps : costliest_projection * std::max(substeps, least_substeps);
+  const auto project_within = [&](Confinement* confinement, Float4Array& from) {
     return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, largest_cost,
-                                    confinement, *kernels_);
+                                    confinement, *kernels_, from);
   };
-  ProjectionResult projected = project(cloth.contacts.is_on() ? &apart : nullptr);
-  // Where a crossing is accepted, it is no reason to break the other promise.
-  if (!projected.kept && settings_.allow_crossing && cloth.contacts.is_blocked() &&
-      cloth.control.is_spent()) {
-    projected = project(nullptr);
+  if (!cloth.contacts.is_on()) {
+    return project_within(nullptr, corrections);
   }
-  write_shape(surroundings, frame_time_s, state);
-  if (!projected.kept || cloth.layout.surface.has_thin) {
-    projected.kept = keeps_bound_in_double(garment, pins, settings_, state.current);
+  Float4Array before = corrections;
+  ApartWhileCorrected apart(frame, end_s, *kernels_, cloth);
+  const ProjectionResult projected = project_within(&apart, corrections);
+  if (projected.kept || !settings_.allow_crossing || !cloth.contacts.blocked() || !is_last) {
+    return projected;
   }
-  return projected;
+  corrections = std::move(before);
+  return project_within(nullptr, corrections);
 }
 
-// Otherwise the cloth goes back to where the frame began. Where it is lost, contact is not what went wrong.
-void BoundedSolver::require_a_way_on(const Pins& pins, const Surroundings& surroundings, double frame_time_s,
-                                     State& state) const {
-  const Cloth& cloth = *cloth_;
-  if (!cloth.contacts.is_blocked() || settings_.allow_crossing ||
-      first_lost(state.current) < state.current.size()) {
-    return;
+// The time steps, and the projection of where they end onto the bound.
+BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& state, Memory memory,
+                                              int earlier_attempts, bool is_last) {
+  Cloth& cloth = *cloth_;
+  const double end_s = state.time_s + frame.duration_s;
+  const int substeps = memory.control.substeps();
+  begin_frame(state);
+  cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s},
+                               earlier_attempts);
+  run_substeps(frame, state.time_s, substeps);
+  cloth.contacts.observe(cloth.layout, cloth.motion, end_s);
+  Attempt attempt;
+  attempt.substeps = substeps;
+  attempt.projected = project(frame, end_s, substeps, is_last, memory.corrections);
+  attempt.state = shape_of(frame, state, substeps);
+  if (!attempt.projected.kept || cloth.layout.surface.has_thin) {
+    attempt.projected.kept =
+        keeps_bound_in_double(frame.garment, frame.pins, settings_, attempt.state.current);
   }
-  for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
-    state.current[cloth.layout.vertex_of_row[row]] = cloth.motion.start_m[row];
-  }
-  throw ContactBlocked(cloth.contacts.blocked(), pins, surroundings.bodies, state.time_s + frame_time_s);
+  set_previous(attempt.state);
+  const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
+  const double last_shift = std::exchange(
+      memory.shift, allowed_m > 0.0 ? attempt.projected.largest_shift_m / allowed_m : 0.0);
+  attempt.is_far = memory.shift > too_far && memory.shift > further_than_before * last_shift;
+  attempt.blocked = cloth.contacts.blocked();
+  memory.contact = cloth.contacts.memory();
+  attempt.memory = std::move(memory);
+  return attempt;
 }
 
-FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pins,
-                                         const Surroundings& surroundings, double frame_time_s,
-                                         State& state) {
-  lay_out(garment, pins, surroundings, frame_time_s);
+// Regions that hold cloth back are no reason for more steps: where steps alone do not stretch it that much, the
+// second attempt takes the same number, with more care.
+BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& state, Memory memory,
+                                              Effort& effort) {
+  for (int attempts = 0;; ++attempts) {
+    const bool is_last = memory.control.is_spent();
+    Attempt tried = attempt(frame, state, memory, attempts, is_last);
+    effort.add(tried, cloth_->contacts.report());
+    const double raw = tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_bound);
+    const bool is_same_again = attempts == 0 && cloth_->contacts.is_on() && raw < overstretched;
+    if (tried.is_good() || effort.work >= most_work * usual_work(frame, memory) ||
+        (!is_same_again && !memory.control.try_more(raw))) {
+      return tried;
+    }
+  }
+}
+
+// Where the cloth is lost, contact is not what went wrong.
+void BoundedSolver::require_a_way_on(const Frame& frame, const State& begin, const Attempt& last,
+                                     const Effort& effort) const {
+  if (last.blocked && !settings_.allow_crossing && first_lost(last.state.current) == last.state.current.size()) {
+    throw ContactBlocked(*effort.first_blocked, frame.pins, frame.surroundings.bodies,
+                         begin.time_s + frame.duration_s);
+  }
+}
+
+FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
+  lay_out(frame);
   const auto began = std::chrono::steady_clock::now();
   Cloth& cloth = *cloth_;
   kernels_->share(cloth.threads.is_shared());
-  begin_frame(state);
-  cloth.contacts.begin_frame(garment, cloth.layout, surroundings, cloth.motion, state.time_s);
-  SubstepControl& control = cloth.control;
-  ProjectionResult projected;
-  const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
-  double sweeps = 0.0;
-  double shift = 0.0;
-  int attempts = 0;
-  bool is_good = false;
-  do {
-    projected = try_frame(garment, pins, surroundings, frame_time_s, attempts++, state);
-    sweeps += control.substeps() + projected.cost;
-    shift = allowed_m > 0.0 ? projected.largest_shift_m / allowed_m : 0.0;
-    is_good = projected.kept && !cloth.contacts.is_blocked() &&
-              (shift <= too_far || shift <= further_than_before * cloth.shift);
-    // Regions that hold cloth back are no reason for more steps: first with the same again, and more care.
-  } while (!is_good && ((cloth.contacts.is_on() && attempts == 1) || control.try_more()));
-  require_a_way_on(pins, surroundings, frame_time_s, state);
-  cloth.shift = shift;
-  cloth.projection.end_frame();
-  cloth.contacts.end_frame();
+  const Memory begin = memory_ && memory_->pins == frame.pins.vertices ? *memory_ : first_memory(frame);
+  Effort effort;
+  Attempt tried = advance(frame, state, begin, effort);
+  require_a_way_on(frame, state, tried, effort);
 
-  const int substeps = control.substeps();
-  control.frame_kept(projected.cost, shift);
-  end_frame(frame_time_s, substeps, state);
+  next_ = std::move(tried.memory);
+  next_.control.frame_kept(tried.projected.cost, next_.shift);
+  next_.median_work *= effort.work > begin.median_work ? median_step : 1.0 / median_step;
+  state = std::move(tried.state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   cloth.threads.frame_took(took.count(), kernels_->take_work());
-  return {substeps,
+  return {tried.substeps,
           true,
-          projected.kept,
-          projected.raw_max_stretch,
-          sweeps,
-          followed_compression(cloth.mobility_per_kg, frame_time_s / substeps),
-          cloth.contacts.is_blocked() ? std::optional(cloth.contacts.blocked()) : std::nullopt,
-          cloth.contacts.report()};
+          tried.projected.kept,
+          tried.projected.raw_max_stretch,
+          effort.sweeps,
+          followed_compression(cloth.mobility_per_kg, state.time_step_s),
+          tried.blocked ? effort.first_blocked : std::nullopt,
+          effort.contact};
+}
+
+void BoundedSolver::keep_frame() {
+  std::swap(memory_.emplace(), next_);
 }
 
 // With other pins than the last frame's the next one begins anew.
-void BoundedSolver::save(const Garment& garment, const Pins& pins, ByteWriter& memory) const {
-  const bool goes_on = is_laid_out_for(garment, pins);
-  memory.put<std::uint8_t>(goes_on ? 1 : 0);
+void BoundedSolver::save(const Garment& garment, const Pins& pins, ByteWriter& bytes) const {
+  const bool goes_on = memory_ && memory_->pins == pins.vertices;
+  bytes.put<std::uint8_t>(goes_on ? 1 : 0);
   if (goes_on) {
-    memory.put(cloth_->shift);
-    cloth_->control.save(memory);
-    cloth_->projection.save(cloth_->layout, memory);
-    cloth_->contacts.save(cloth_->layout, memory);
+    bounded::save(*memory_, garment.mesh.positions.size(), bytes);
   }
 }
 
-void BoundedSolver::restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                            double frame_time_s, ByteReader& memory) {
-  if (!memory.get_bool("whether there was a frame")) {
-    cloth_.reset();
-    return;
+void BoundedSolver::restore(const Frame& frame, ByteReader& bytes) {
+  memory_.reset();
+  if (bytes.get_bool("whether there was a frame")) {
+    lay_out(frame);
+    memory_ = first_memory(frame);
+    bounded::restore(frame.garment.mesh.positions.size(), cloth_->layout.row_count(), bytes, *memory_);
   }
-  lay_out(garment, pins, surroundings, frame_time_s);
-  cloth_->shift = memory.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
-  cloth_->control.restore(memory);
-  cloth_->projection.restore(cloth_->layout, memory);
-  cloth_->contacts.restore(cloth_->layout, memory);
 }
 
 }  // namespace taut::sim

@@ -72,27 +72,40 @@ std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
 
 }  // namespace
 
-void Contacts::begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
-                           const Motion& motion, double time_s) {
-  first_blocked_.reset();
-  is_on_ = within_cloth_ || !surroundings.bodies.empty();
+void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
+                             const ContactMemory& memory, const TimeSpan& time, int earlier_attempts) {
+  const std::vector<Body>& bodies = frame.surroundings.bodies;
+  is_on_ = within_cloth_ || !bodies.empty();
+  blocked_.reset();
   report_ = {};
   is_distance_known_ = false;
+  caution_ = std::pow(more_cautious, earlier_attempts);
+  from_s_ = until_s_ = time.from_s;
+  frame_ends_s_ = time.to_s;
+  since_.clear();
   if (!is_on_) {
     return;
   }
-  const bool is_known = near_ && bodies_.are(surroundings.bodies);
+  const bool is_known = near_ && bodies_.are(bodies);
   if (!is_known) {
-    lay_out(garment, layout, surroundings.bodies);
+    lay_out(frame.garment, layout, bodies);
   }
-  if (is_known && left_out_.empty() && !may_have_crossed_) {
+  memory_ = memory.rows;
+  memory_.resize(layout.row_count());
+  near_->forget();
+  leave_out_crossings(layout, motion, memory.may_have_crossed, is_known, time.from_s);
+}
+
+void Contacts::leave_out_crossings(const Layout& layout, const Motion& motion, bool may_have_crossed,
+                                   bool is_known, double time_s) {
+  if (is_known && left_out_.empty() && !may_have_crossed) {
     return;
   }
   std::vector<Vec3> positions_m = motion.start_m;
   positions_m.resize(layout.row_count());
   const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(time_s);
   positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
-  if (is_known && !may_have_crossed_) {
+  if (is_known && !may_have_crossed) {
     left_out_.update(positions_m);
   } else {
     left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
@@ -126,7 +139,6 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
     }
   }
   near_.emplace(make_contact_mesh(triangles_, bodies_.mesh_triangles()), within_cloth_, positions_m);
-  frame_memory_.resize(layout.row_count());
 }
 
 // Bodies are also in the way of vertices without triangles.
@@ -173,26 +185,17 @@ float Contacts::room_of(std::size_t row, float most_m, float per_edge) const {
   return std::min(of_all, room_per_edge_here * edges_m_[row]);
 }
 
-void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts) {
-  caution_ = std::pow(more_cautious, earlier_attempts);
-  from_s_ = until_s_ = frame.from_s;
-  frame_ends_s_ = frame.to_s;
-  since_.clear();
-  is_blocked_ = false;
-  memory_ = frame_memory_;
-  if (near_) {
-    near_->forget();
-  }
+ContactMemory Contacts::memory() const {
+  return is_on_ ? ContactMemory{memory_, blocked_.has_value()} : ContactMemory{};
 }
 
-void Contacts::end_frame() {
-  frame_memory_ = memory_;
-  may_have_crossed_ = is_blocked_;
+ContactReport Contacts::report() {
   if (is_on_) {
     const LastingPairs::Searches searches = near_->take_searches();
     report_.detections = searches.all;
     report_.partial_detections = searches.marked;
   }
+  return report_;
 }
 
 void Contacts::observe(const Layout& layout, const Motion& motion, double time_s) {
@@ -232,7 +235,7 @@ void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Floa
   rows_.displaced_m = std::sqrt(squared_m);
 }
 
-void Contacts::make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4* accelerations, std::span<const Vec3> pins_moved_m,
                             double off_chord_m, const TimeSpan& time, ParallelKernels& kernels) {
   begin_rows(layout, motion, motion.current);
@@ -255,10 +258,10 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
   from_s_ = time.from_s;
   until_s_ = time.to_s;
   off_chord_m_ = off_chord_m;
-  find_regions(garment, layout, motion, time, kernels);
+  find_regions(frame, layout, motion, time, kernels);
 }
 
-void Contacts::make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4Array& displacements, const Float4Array& expected, double time_s,
                             ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
@@ -267,10 +270,10 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
     rows_.radii[row] =
         room_of(row, correction_room_m, correction_room_per_edge) + room_per_move * length_of(expected[row]);
   }
-  find_regions(garment, layout, motion, {time_s, time_s}, kernels);
+  find_regions(frame, layout, motion, {time_s, time_s}, kernels);
 }
 
-void Contacts::renew_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::renew_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                              const Float4Array& displacements, const Float4Array& moved, double time_s,
                              ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
@@ -278,7 +281,7 @@ void Contacts::renew_regions(const Garment& garment, const Layout& layout, const
     rows_.radii[row] = std::clamp(further * length_of(moved[row]),
                                   room_of(row, correction_room_m, correction_room_per_edge), most_room_m);
   }
-  find_regions(garment, layout, motion, {time_s, time_s}, kernels);
+  find_regions(frame, layout, motion, {time_s, time_s}, kernels);
 }
 
 // Cloth whose parts are nearer at rest than it is thick is not torn apart for that.
@@ -328,7 +331,7 @@ void Contacts::collect_pairs(const Material& material, float thickness_m, std::s
   bodies_.add_near(solid_, thickness_m, time, origin_m, rows_, pairs_);
 }
 
-void Contacts::find_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::find_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const TimeSpan& time, ParallelKernels& kernels) {
   const Vec3 origin_m = motion.start_m.front();
   bodies_.add_mesh_rows(time, origin_m, rows_);
@@ -339,18 +342,18 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
   if (const std::optional<std::size_t> row = first_not_findable(rows_)) {
     std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
     regions_.make({}, rows_, kernels);
-    is_blocked_ = true;
-    first_blocked_ = first_blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
+    blocked_ = blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
-  const auto thickness_m = static_cast<float>(std::max(garment.material.thickness_m, least_thickness_m));
+  const auto thickness_m = static_cast<float>(std::max(frame.garment.material.thickness_m, least_thickness_m));
   bool fits = false;
   for (int search = 0; search < most_searches && !fits; ++search) {
+    frame.ask();
     rows_.positions.resize(lasting_rows);
     rows_.moves.resize(lasting_rows);
     rows_.radii.resize(lasting_rows);
     rows_.inverse_masses_per_kg.resize(lasting_rows);
-    collect_pairs(garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
+    collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
                   kernels);
     fits = regions_.make(pairs_, rows_, kernels);
   }
@@ -368,12 +371,8 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
 }
 
 void Contacts::note_blocked(const Layout& layout, const Vec3& origin_m, bool fits) {
-  if (fits && !regions_.blocked()) {
-    return;
-  }
-  is_blocked_ = true;
-  if (!first_blocked_) {
-    first_blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);
+  if (!blocked_ && (!fits || regions_.blocked())) {
+    blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);
   }
 }
 
@@ -408,21 +407,6 @@ void Contacts::let_go(std::span<const HeldBack> held_back, Motion& motion) {
 // Here a single row that is held back keeps the bound from being reached.
 bool Contacts::keep_apart(ParallelKernels& kernels, Float4Array& displacements) {
   return regions_.bring_back(since_, displacements, kernels) > 0;
-}
-
-void Contacts::save(const Layout& layout, ByteWriter& memory) const {
-  memory.put<std::uint8_t>(is_on_ ? 1 : 0);
-  if (is_on_) {
-    frame_memory_.save(layout.vertex_count(), memory);
-  }
-}
-
-void Contacts::restore(const Layout& layout, ByteReader& memory) {
-  is_on_ = memory.get_bool("whether anything could touch");
-  if (is_on_) {
-    frame_memory_.resize(layout.row_count());
-    frame_memory_.restore(layout.vertex_count(), memory);
-  }
 }
 
 }  // namespace taut::sim::bounded

@@ -9,7 +9,7 @@
 #include "sim/solvers/bounded/contact/regions.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/motion.hpp"
-#include "sim/solvers/bounded/row_memory.hpp"
+#include "sim/solvers/bounded/memory.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/surroundings.hpp"
 
@@ -25,18 +25,15 @@ class Contacts {
   /// Returns whether anything could touch in this frame.
   bool is_on() const { return is_on_; }
 
-  /// Call it before the first attempt at a frame, which begins at `time_s`. What crosses when the first frame
-  /// begins is left out until it is apart.
-  void begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
-                   const Motion& motion, double time_s);
-  /// Call it before each attempt: all begins as it was when the frame began. It goes the slower the more
-  /// attempts there were.
-  void begin_attempt(const TimeSpan& frame, int earlier_attempts);
-  /// Call it when a frame is kept.
-  void end_frame();
-
-  /// Returns what the last frame that was kept took.
-  const ContactReport& report() const { return report_; }
+  /// Call it before each attempt at a frame or a part of it, with what the last kept one left. What crosses
+  /// when the first one begins is left out until it is apart. It goes the slower the more attempts at the
+  /// frame there were.
+  void begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
+                     const ContactMemory& memory, const TimeSpan& time, int earlier_attempts);
+  /// Returns what an attempt leaves to the next frame.
+  [[nodiscard]] ContactMemory memory() const;
+  /// Returns the work of the attempt.
+  [[nodiscard]] ContactReport report();
 
   /// Returns whether regions have to be made before the time step that begins now.
   bool are_due(double time_s, double time_step_s) const {
@@ -54,17 +51,17 @@ class Contacts {
 
   /// Makes regions for this time. `pins_moved_m` is how far pins are from the start of the frame at its end;
   /// pins and bodies are up to `off_chord_m` off their chords until then.
-  void make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+  void make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                     const Float4* accelerations, std::span<const Vec3> pins_moved_m, double off_chord_m,
                     const TimeSpan& time, ParallelKernels& kernels);
 
   /// Makes regions for a correction of displacements at the end of a frame, which is expected to be about
   /// `expected`.
-  void make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+  void make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                     const Float4Array& displacements, const Float4Array& expected, double time_s,
                     ParallelKernels& kernels);
   /// The same for going on with a correction, where `moved` is how far it came.
-  void renew_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+  void renew_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                      const Float4Array& displacements, const Float4Array& moved, double time_s,
                      ParallelKernels& kernels);
 
@@ -75,26 +72,20 @@ class Contacts {
   /// Keeps things apart in a correction. Returns whether regions should be made anew.
   bool keep_apart(ParallelKernels& kernels, Float4Array& displacements);
 
-  /// Returns whether some pair could not be kept apart since the attempt began.
-  bool is_blocked() const { return is_blocked_; }
-  /// Returns the first pair that could not be kept apart in any attempt at the frame: later ones tell how
-  /// cloth flees from it. Requires that one is blocked.
-  const BlockedContact& blocked() const { return *first_blocked_; }
-
-  /// Saves and restores what is kept from frame to frame.
-  void save(const Layout& layout, ByteWriter& memory) const;
-  /// Throws BadBytes.
-  void restore(const Layout& layout, ByteReader& memory);
+  /// Returns the first pair that could not be kept apart in the attempt, if there is one.
+  const std::optional<BlockedContact>& blocked() const { return blocked_; }
 
  private:
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
+  void leave_out_crossings(const Layout& layout, const Motion& motion, bool may_have_crossed, bool is_known,
+                           double time_s);
   void add_loose_vertices(const Layout& layout);
   void measure_edges(const Mesh& mesh, const Layout& layout);
   /// How far a row may deviate from where it is expected, in m: at most so much, and this part of the mean
   /// edge.
   float room_of(std::size_t row, float most_m, float per_edge) const;
   void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
-  void find_regions(const Garment& garment, const Layout& layout, const Motion& motion, const TimeSpan& time,
+  void find_regions(const Frame& frame, const Layout& layout, const Motion& motion, const TimeSpan& time,
                     ParallelKernels& kernels);
   std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels);
   void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
@@ -119,19 +110,16 @@ class Contacts {
   RowMoves rows_;
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
   Regions regions_;
-  bool is_blocked_ = false;
-  bool may_have_crossed_ = false;                ///< in the last frame, which was accepted all the same
-  std::optional<BlockedContact> first_blocked_;  ///< of the frame
+  std::optional<BlockedContact> blocked_;
   ContactReport report_;
-  bool is_distance_known_ = false;  ///< the report has that of this frame
+  bool is_distance_known_ = false;  ///< the report has that of this attempt
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;
   double off_chord_m_ = 0.0;
   double frame_ends_s_ = 0.0;
   Float4Array since_;  ///< displacements when they were made; empty before the first
-  RowMemory memory_;
-  RowMemory frame_memory_;  ///< when the frame began
+  RowMemory memory_;     ///< of the attempt
 };
 
 }  // namespace taut::sim::bounded

@@ -38,7 +38,7 @@ std::vector<SpringInRows> movable_springs(const Springs& springs, const std::vec
     }
   }
   std::sort(rows.begin(), rows.end(), [](const SpringInRows& a, const SpringInRows& b) {
-    return std::tie(a.row_i, a.row_j) < std::tie(b.row_i, b.row_j);
+    return std::tie(a.row_i, a.row_j, a.spring) < std::tie(b.row_i, b.row_j, b.spring);
   });
   return rows;
 }

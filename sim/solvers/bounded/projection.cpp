@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/projection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace taut::sim::bounded {
@@ -26,6 +27,13 @@ constexpr float nearly = 0.75F;
 
 /// Of the last frame's correction. All of it would be fewest sweeps, but shapes would drift off.
 constexpr float kept_correction = 0.97F;
+
+/// A projection that things in the way hold up evens out displacements after so many rounds, on so many rings
+/// of vertices around triangles that are too long, as often as this. More rings and passes move more of the
+/// cloth.
+constexpr int rounds_to_even = 6;
+constexpr std::uint8_t evened_rings = 5;
+constexpr int evening_passes = 8;
 
 /// Aims at this part of the bound: the last of a correction takes the most sweeps. Less is done sooner and
 /// moves the cloth further.
@@ -55,38 +63,27 @@ std::vector<std::uint32_t> long_blocks(const std::vector<float>& squared_ratios,
   return blocks;
 }
 
+/// Calls each(block, corners) for all triangles, with the rows of their corners.
+template <typename Each>
+void for_triangles(const SurfaceLanes& surface, const Each& each) {
+  for (std::size_t block = 0; block < surface.block_count(); ++block) {
+    for (std::size_t lane = 0; lane < block_size; ++lane) {
+      std::array<Index, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = surface.blocks[block].at[k][lane] / 4;
+      }
+      each(block, corners);
+    }
+  }
+}
+
 }  // namespace
 
 BoundProjection::BoundProjection(const Layout& layout)
     : relaxation_(relaxation_of(layout)),
       corrected_(layout.row_count()),
-      corrections_(layout.row_count()),
-      new_corrections_(layout.row_count()),
       squared_spring_ratios_(layout.springs.block_count()),
       squared_surface_ratios_(layout.surface.block_count()) {}
-
-void BoundProjection::save(const Layout& layout, ByteWriter& memory) const {
-  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    memory.put(corrections_[row].x);
-    memory.put(corrections_[row].y);
-    memory.put(corrections_[row].z);
-  }
-}
-
-void BoundProjection::restore(const Layout& layout, ByteReader& memory) {
-  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    Float4& correction = corrections_[row];
-    for (float* coordinate : {&correction.x, &correction.y, &correction.z}) {
-      *coordinate = memory.get<float>("the last frame's correction");
-    }
-  }
-}
-
-void BoundProjection::start_from_last_frame(const Float4Array& raw) {
-  for (std::size_t row = 0; row < raw.size(); ++row) {
-    corrected_[row] = scaled_sum(raw[row], corrections_[row], kept_correction);
-  }
-}
 
 double BoundProjection::largest_ratio(const Layout& layout, ParallelKernels& kernels) {
   kernels.largest_ratios(layout.springs, corrected_.data(), squared_spring_ratios_.data());
@@ -130,8 +127,8 @@ double BoundProjection::shorten_long(const Layout& layout, float squared_aim, Pa
 }
 
 // Returns the largest ratio of where the correction starts: at the last one, unless the raw state is nearer.
-double BoundProjection::start(const Layout& layout, const Float4Array& raw, double raw_ratio,
-                              Confinement* confinement, ParallelKernels& kernels) {
+double BoundProjection::start(const Layout& layout, const Float4Array& raw, const Float4Array& corrections,
+                              double raw_ratio, Confinement* confinement, ParallelKernels& kernels) {
   const auto bring_back = [&] {
     if (confinement != nullptr) {
       confinement->bring_back(corrected_);
@@ -139,9 +136,11 @@ double BoundProjection::start(const Layout& layout, const Float4Array& raw, doub
     return largest_ratio(layout, kernels);
   };
   if (confinement != nullptr) {
-    confinement->begin(raw, corrections_);
+    confinement->begin(raw, corrections);
   }
-  start_from_last_frame(raw);
+  for (std::size_t row = 0; row < raw.size(); ++row) {
+    corrected_[row] = scaled_sum(raw[row], corrections[row], kept_correction);
+  }
   const double ratio = bring_back();
   if (ratio <= raw_ratio) {
     return ratio;
@@ -150,18 +149,59 @@ double BoundProjection::start(const Layout& layout, const Float4Array& raw, doub
   return bring_back();
 }
 
-void BoundProjection::end(const Float4Array& raw, ProjectionResult& result) {
+void BoundProjection::end(const Float4Array& raw, ProjectionResult& result, Float4Array& corrections) const {
   float largest_shift2 = 0.0F;
   for (std::size_t row = 0; row < raw.size(); ++row) {
-    const Float4& shift = new_corrections_[row] = scaled_sum(corrected_[row], raw[row], -1.0F);
+    const Float4& shift = corrections[row] = scaled_sum(corrected_[row], raw[row], -1.0F);
     largest_shift2 = std::max(largest_shift2, shift.x * shift.x + shift.y * shift.y + shift.z * shift.z);
   }
   result.largest_shift_m = std::sqrt(largest_shift2);
 }
 
+void BoundProjection::find_rings(const SurfaceLanes& surface, float squared_bound) {
+  rings_.assign(corrected_.size(), 0);
+  for_triangles(surface, [&](std::size_t block, const std::array<Index, 3>& corners) {
+    if (squared_surface_ratios_[block] > squared_bound) {
+      for (const Index row : corners) {
+        rings_[row] = evened_rings;
+      }
+    }
+  });
+  for (std::uint8_t ring = evened_rings; ring > 1; --ring) {
+    for_triangles(surface, [&](std::size_t, const std::array<Index, 3>& corners) {
+      if (std::any_of(corners.begin(), corners.end(), [&](Index row) { return rings_[row] == ring; })) {
+        for (const Index row : corners) {
+          rings_[row] = std::max<std::uint8_t>(rings_[row], ring - 1);
+        }
+      }
+    });
+  }
+}
+
+// Where all vertices move alike, triangles are as they were when the frame began: within the bound.
+void BoundProjection::even_out(const Layout& layout, float squared_bound) {
+  find_rings(layout.surface, squared_bound);
+  for (int pass = 0; pass < evening_passes; ++pass) {
+    sums_.assign(corrected_.size(), Float4{});
+    counts_.assign(corrected_.size(), 0.0F);
+    for_triangles(layout.surface, [&](std::size_t, const std::array<Index, 3>& corners) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        add_scaled(sums_[corners[k]], corrected_[corners[(k + 1) % 3]], 1.0F);
+        add_scaled(sums_[corners[k]], corrected_[corners[(k + 2) % 3]], 1.0F);
+        counts_[corners[k]] += 2.0F;
+      }
+    });
+    for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+      if (rings_[row] > 0) {
+        corrected_[row] = times(sums_[row], 1.0F / counts_[row]);
+      }
+    }
+  }
+}
+
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
                                           double largest_cost, Confinement* confinement,
-                                          ParallelKernels& kernels) {
+                                          ParallelKernels& kernels, Float4Array& corrections) {
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;
   const float squared_aim = squared_aim_of(max_stretch);
@@ -170,9 +210,14 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   double ratio = largest_ratio(layout, kernels);
   result.raw_max_stretch = std::sqrt(ratio) - 1.0;
   if (!(ratio <= squared_bound)) {
-    ratio = start(layout, raw, ratio, confinement, kernels);
+    ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   }
-  while (!(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio)) {
+  for (int round = 1; !(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio); ++round) {
+    if (confinement != nullptr && round % rounds_to_even == 0) {
+      even_out(layout, static_cast<float>(squared_bound));
+      confinement->bring_back(corrected_);
+      largest_ratio(layout, kernels);
+    }
     result.cost += shorten_long(layout, squared_aim, kernels);
     if (confinement != nullptr) {
       confinement->bring_back(corrected_);
@@ -180,7 +225,7 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
     ratio = largest_ratio(layout, kernels);
   }
   result.kept = ratio <= squared_bound;
-  end(raw, result);
+  end(raw, result, corrections);
   return result;
 }
 

@@ -28,6 +28,9 @@ constexpr double fewer = 0.94;
 constexpr double many_fewer = 0.85;
 constexpr double more = 1.12;
 constexpr double many_more = 1.4;
+constexpr double most_more = 3.0;
+/// A frame that is repeated takes so many steps that they stretch by this many times the bound.
+constexpr double repeated_raw = 2.0;
 
 /// What first_substeps calls c, measured on hanging T-shirts and sheets; more begins with more steps.
 constexpr double load_factor = 6.0;
@@ -93,11 +96,13 @@ void SubstepControl::need_more() {
   }
 }
 
-bool SubstepControl::try_more() {
+bool SubstepControl::try_more(double raw) {
   if (is_spent()) {
     return false;
   }
-  substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * many_more)), least_, most_);
+  // Stretch falls with the square of the time step.
+  const double wanted = std::clamp(std::sqrt(raw / repeated_raw), many_more, most_more);
+  substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * wanted)), least_, most_);
   need_more();
   return true;
 }

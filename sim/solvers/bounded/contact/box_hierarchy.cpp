@@ -25,8 +25,10 @@ std::size_t blocks_for(std::size_t count) {
 }
 
 /// Orders things so that those of a block lie side by side, and so do those of a block of blocks, and so on.
+/// Sorts each block, as std::nth_element leaves an order of its own in every standard library.
 void order_by_place(std::span<const Vec3> centres, std::span<Index> things) {
   if (things.size() <= block_size) {
+    std::sort(things.begin(), things.end());
     return;
   }
   std::size_t part = block_size;

@@ -189,7 +189,7 @@ void add_near_plane(const Search& search, const Plane& at_begin, const Plane& at
       const double most_moved_m = rows.radii[v] + length_of(rows.moves[v]);
       const double height_m = glm::dot(at_begin.normal, at_m - point_m);
       // Over a plane that has tilted a vertex loses so much of what it keeps along the first normal.
-      const double end_height_m = glm::dot(at_end.normal, at_m - end_point_m) - 0.0 * tilt * most_moved_m;
+      const double end_height_m = glm::dot(at_end.normal, at_m - end_point_m) - tilt * most_moved_m;
       const double reach_m = search.thickness_m + most_moved_m + std::abs(end_height_m - height_m);
       if (height_m < reach_m) {
         const glm::vec3 below(at_m - height_m * at_begin.normal);

@@ -4,32 +4,13 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <random>
 
 #include "check.hpp"
+#include "numbers.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim {
 namespace {
-
-/// Numbers of one case.
-class Numbers {
- public:
-  explicit Numbers(unsigned seed) : random_(seed) {}
-
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  bool is_so() { return between(0.0, 1.0) < 0.5; }
-  Vec3 vector(double size) {
-    const double x = between(-size, size);
-    const double y = between(-size, size);
-    return {x, y, between(-size, size)};
-  }
-
- private:
-  std::mt19937 random_;
-};
 
 RigidMotion some_motion(Numbers& some) {
   RigidMotion motion;

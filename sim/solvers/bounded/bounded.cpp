@@ -304,8 +304,12 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   attempt.projected = project(frame, end_s, substeps, is_last, memory.corrections);
   attempt.state = shape_of(frame, state, substeps);
   if (!attempt.projected.kept || cloth.layout.surface.has_thin) {
+    const auto allow = [&](Index vertex, const Vec3& position_m) {
+      const Index row = cloth.layout.row_of_vertex[vertex];
+      return cloth.contacts.allow(row, position_m - cloth.motion.start_m[row]);
+    };
     attempt.projected.kept =
-        keeps_bound_in_double(frame.garment, frame.pins, settings_, attempt.state.current);
+        keeps_bound_in_double(frame.garment, frame.pins, settings_, attempt.state.current, allow);
   }
   set_previous(attempt.state);
   const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);

@@ -417,6 +417,7 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   const double lasts_s = until_s_ - from_s_;
   const auto time = static_cast<float>((time_s - from_s_) / lasts_s);
   const auto step = static_cast<float>(time_step_s / lasts_s);
+  kept_at_ = time;
   regions_.collide(time, step, since_, motion.previous, motion.current);
   const std::span<const HeldBack> held_back =
       regions_.bring_back(time, step, since_, motion.previous, motion.current, kernels);
@@ -440,8 +441,13 @@ void Contacts::let_go(std::span<const HeldBack> held_back, Motion& motion) {
   }
 }
 
+bool Contacts::allow(Index row, const Vec3& displacement_m) const {
+  return !is_on_ || regions_.contains(row, kept_at_, displacement_m - vector_of(since_[row]));
+}
+
 // Here a single row that is held back keeps the bound from being reached.
 bool Contacts::keep_apart(ParallelKernels& kernels, Float4Array& displacements) {
+  kept_at_ = 1.0F;
   return regions_.bring_back(since_, displacements, kernels) > 0;
 }
 

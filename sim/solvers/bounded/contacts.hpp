@@ -72,6 +72,10 @@ class Contacts {
   /// Keeps things apart in a correction. Returns whether regions should be made anew.
   bool keep_apart(ParallelKernels& kernels, Float4Array& displacements);
 
+  /// Returns whether a vertex may be displaced by so much since the frame began, in m, where things were kept
+  /// apart last.
+  [[nodiscard]] bool allow(Index row, const Vec3& displacement_m) const;
+
   /// Returns the first pair that could not be kept apart in the attempt, if there is one.
   const std::optional<BlockedContact>& blocked() const { return blocked_; }
 
@@ -121,7 +125,8 @@ class Contacts {
   double until_s_ = 0.0;
   double off_chord_m_ = 0.0;
   double frame_ends_s_ = 0.0;
-  Float4Array since_;  ///< displacements when they were made; empty before the first
+  float kept_at_ = 0.0F;  ///< the time from 0 to 1 at which they were last kept to
+  Float4Array since_;     ///< displacements when they were made; empty before the first
   RowMemory memory_;     ///< of the attempt
 };
 

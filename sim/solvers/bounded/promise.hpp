@@ -29,7 +29,7 @@ std::optional<std::string> beyond_promise(const BoundedSettings& settings, const
 /// their distance at rest at most, and get in each other's way as soon as the thickness is more. T-shirts of
 /// 1028 and 5280 triangles take 2.4 and 1.5 times as long at 0.4 as at 1 mm, in a wind of 10 m/s, and never
 /// end at 0.5.
-inline constexpr double thickest_part_of_edge = 0.4;
+inline constexpr double thickest_part_of_edge = 0.42;
 
 /// Returns why `bounded` does not keep layers of this cloth apart, as a message for the user: it is thinner
 /// than least_thickness_m or thicker than its mesh allows. Returns nothing if it does, and without contact.

@@ -83,6 +83,9 @@ class Regions {
   /// The same at the time 1, where no time passes. Returns how many rows had gone out of their balls.
   std::size_t bring_back(const Float4Array& since, Float4Array& current, ParallelKernels& kernels);
 
+  /// Returns whether a vertex may be moved by so much since the time 0, in m, at a time from 0 to 1.
+  [[nodiscard]] bool contains(Index row, float time, const Vec3& moved_m) const;
+
   std::size_t pair_count() const { return pairs_.size(); }
 
   /// Returns how far kinematic vertices, together with those of the other thing, may be off their chords at

@@ -22,6 +22,17 @@ std::span<const Regions::HalfSpace> Regions::half_spaces_of(Index row) const {
   return {half_spaces_.data() + half_space_begin_[row], half_spaces_.data() + half_space_begin_[row + 1]};
 }
 
+bool Regions::contains(Index row, float time, const Vec3& moved_m) const {
+  const Vec3 off_m = moved_m - Vec3(time * vec(expected_[row]));
+  const double radius_m = radii_[row];
+  const std::span<const HalfSpace> half_spaces = half_spaces_of(row);
+  return glm::dot(off_m, off_m) <= radius_m * radius_m &&
+         std::all_of(half_spaces.begin(), half_spaces.end(), [&](const HalfSpace& half_space) {
+           return glm::dot(Vec3(half_space.normal), moved_m) >=
+                  half_space.start + time * half_space.rate - tolerance_m;
+         });
+}
+
 template <typename Met>
 glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, const Met& met) const {
   glm::vec3 e = start;

@@ -3,25 +3,12 @@
 #include <string>
 #include <utility>
 
-#include "sim/solvers/bounded/promise.hpp"
-#include "sim/solvers/bounded/within_bound.hpp"
-
 namespace taut::sim {
 namespace {
 
 void require_frame_rate(const SimulationSettings& settings) {
   if (!(settings.frame_rate_hz > 0.0)) {
     throw std::invalid_argument("the frame rate must be above 0 Hz");
-  }
-}
-
-void require_promise(const SolverSettings& solver, const Garment& garment, const Surroundings& surroundings) {
-  if (const auto* bounded = std::get_if<BoundedSettings>(&solver.method)) {
-    for (const auto& reason : {beyond_promise(*bounded, surroundings), beyond_contact(*bounded, garment)}) {
-      if (reason) {
-        throw std::invalid_argument(*reason);
-      }
-    }
   }
 }
 
@@ -66,7 +53,7 @@ Simulation::Simulation(std::shared_ptr<const Garment> garment, std::vector<Index
       solver_(make_solver(settings.solver)) {
   require_frame_rate(settings);
   require_possible(surroundings_, state_.current.size());
-  require_promise(settings.solver, *garment_, surroundings_);
+  solver_->require_promised(*garment_, surroundings_);
   if (start_m) {
     begin_in(std::move(*start_m));
   }
@@ -76,37 +63,36 @@ void Simulation::begin_in(std::vector<Vec3> start_m) {
   require_shape(*garment_, start_m);
   state_.current = std::move(start_m);
   state_.previous = state_.current;
-  keep_bound();
+  solver_->move_within_bound(*garment_, pins_, state_);
   state_.previous = state_.predicted = before_m_ = state_.current;
 }
 
-void Simulation::advance_frame() {
-  std::vector<Vec3> before_m = state_.current;
-  if (!state_.asleep) {
-    report_ = solver_->advance_frame(*garment_, pins_, surroundings_, frame_time_s(), state_);
-  }
-  before_m_ = std::move(before_m);
+Frame Simulation::frame(const std::function<void()>& poll) const {
+  return {*garment_, pins_, surroundings_, frame_time_s(), poll};
+}
+
+void Simulation::advance_frame(const std::function<void()>& poll) {
   if (state_.asleep) {
+    before_m_ = state_.current;
     state_.time_s += frame_time_s();
     return;
   }
-  const std::size_t lost = first_lost(state_.current);
-  if (lost < state_.current.size()) {
-    throw Diverged(static_cast<Index>(lost), state_.time_s);
+  State next = state_;
+  const FrameReport report = solver_->advance_frame(frame(poll), next);
+  const std::size_t lost = first_lost(next.current);
+  if (lost < next.current.size()) {
+    throw Diverged(static_cast<Index>(lost), next.time_s);
   }
+  solver_->keep_frame();
+  std::swap(state_, next);
+  before_m_ = std::move(next.current);
+  report_ = report;
   fall_asleep_at_rest();
-}
-
-// Where the solver promises one.
-void Simulation::keep_bound() {
-  if (const auto* bounded = std::get_if<BoundedSettings>(&settings_.solver.method)) {
-    move_within_bound(*garment_, pins_, *bounded, state_);
-  }
 }
 
 void Simulation::start_solver() {
   solver_ = make_solver(settings_.solver);
-  keep_bound();
+  solver_->move_within_bound(*garment_, pins_, state_);
   wake();
 }
 
@@ -140,7 +126,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
   }
   std::unique_ptr<Solver> restored = make_solver(settings_.solver);
   ByteReader memory(checkpoint.solver_memory);
-  restored->restore(*garment_, pins_, surroundings_, frame_time_s(), memory);
+  restored->restore(frame({}), memory);
   memory.require_end();
 
   solver_ = std::move(restored);
@@ -159,7 +145,7 @@ void Simulation::set_time(double time_s) {
 void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
     require_possible(surroundings, state_.current.size());
-    require_promise(settings_.solver, *garment_, surroundings);
+    solver_->require_promised(*garment_, surroundings);
     surroundings_ = surroundings;
     wake();
   }
@@ -168,8 +154,8 @@ void Simulation::set_surroundings(const Surroundings& surroundings) {
 void Simulation::set_settings(const SimulationSettings& settings) {
   if (settings != settings_) {
     require_frame_rate(settings);
-    require_promise(settings.solver, *garment_, surroundings_);
-    make_solver(settings.solver);  // refuses what is wrong before anything has changed
+    // Refuses what is wrong before anything has changed.
+    make_solver(settings.solver)->require_promised(*garment_, surroundings_);
     settings_ = settings;
     start_solver();
   }
@@ -178,7 +164,7 @@ void Simulation::set_settings(const SimulationSettings& settings) {
 void Simulation::set_material(const Material& material) {
   if (material != garment_->material) {
     Garment garment = with_material(*garment_, material);
-    require_promise(settings_.solver, garment, surroundings_);
+    solver_->require_promised(garment, surroundings_);
     garment_ = share(std::move(garment));
     pins_ = make_pins(*garment_, std::move(pins_.vertices));
     start_solver();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -33,7 +34,7 @@ struct SimulationSettings {
   bool operator==(const SimulationSettings&) const = default;
 };
 
-/// A coordinate became infinite or undefined; the state is lost.
+/// A coordinate became infinite or undefined.
 class Diverged : public std::runtime_error {
  public:
   Diverged(Index vertex, double time_s);
@@ -55,8 +56,9 @@ class Simulation {
              std::optional<std::vector<Vec3>> start_m = {});
 
   /// Moves on by 1 / frame rate. A garment at rest is left as it is (the paper's Step 2: where no force
-  /// results, go straight to rendering). Throws Diverged, and ContactBlocked with the cloth as it was.
-  void advance_frame();
+  /// results, go straight to rendering). `poll` is called at least once in every time step and search. Throws
+  /// Diverged, ContactBlocked and what `poll` throws; the simulation is then as it was, to the last bit.
+  void advance_frame(const std::function<void()>& poll = {});
 
   /// Sets the clock, by which the surroundings move, and wakes the garment; it stays as it is. Below 0 s what
   /// moves from the start on has not begun.
@@ -92,8 +94,8 @@ class Simulation {
   double frame_time_s() const { return 1.0 / settings_.frame_rate_hz; }
 
  private:
+  Frame frame(const std::function<void()>& poll) const;
   void begin_in(std::vector<Vec3> start_m);
-  void keep_bound();
   void start_solver();
   void wake();
   void fall_asleep_at_rest();

@@ -32,13 +32,13 @@ std::optional<SpringStiffness> hooke_springs(const SolverMethod& method) {
 }
 
 /// Hooke's springs need steps that are short enough for their stiffness.
-int least_substeps(const SolverSettings& settings, const Garment& garment, const Pins& pins,
-                   const ExternalForces& forces, double frame_time_s) {
+int least_substeps(const SolverSettings& settings, const Frame& frame) {
   const std::optional<SpringStiffness> springs = hooke_springs(settings.method);
   if (settings.substeps || !springs) {
     return 0;
   }
-  const double needed = frame_time_s / stable_time_step_s(garment, pins, *springs, forces.air_drag_per_s);
+  const double needed = frame.duration_s / stable_time_step_s(frame.garment, frame.pins, *springs,
+                                                              frame.surroundings.forces.air_drag_per_s);
   return static_cast<int>(std::ceil(std::min<double>(needed, settings.max_substeps)));
 }
 
@@ -48,21 +48,21 @@ class SteppedSolver : public Solver {
   SteppedSolver(const SolverSettings& settings, std::unique_ptr<SpringResponse> springs)
       : settings_(settings), springs_(std::move(springs)) {}
 
-  FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                            double frame_time_s, State& state) override {
+  FrameReport advance_frame(const Frame& frame, State& state) override {
     forces_n_.assign(state.current.size(), Vec3(0.0));
     FrameReport report;
-    report.substeps = std::max(equal_substeps(settings_),
-                               least_substeps(settings_, garment, pins, surroundings.forces, frame_time_s));
+    report.substeps = std::max(equal_substeps(settings_), least_substeps(settings_, frame));
     for (int substep = 0; substep < report.substeps; ++substep) {
-      step(garment, pins, surroundings, *springs_, frame_time_s / report.substeps, state, forces_n_);
+      frame.ask();
+      step(frame.garment, frame.pins, frame.surroundings, *springs_, frame.duration_s / report.substeps,
+           state, forces_n_);
     }
     return report;
   }
 
   // All that it knows is in the state.
   void save(const Garment&, const Pins&, ByteWriter&) const override {}
-  void restore(const Garment&, const Pins&, const Surroundings&, double, ByteReader&) override {}
+  void restore(const Frame&, ByteReader&) override {}
 
  private:
   SolverSettings settings_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -42,23 +43,47 @@ struct FrameReport {
   bool operator==(const FrameReport&) const = default;
 };
 
+/// A frame to be made: which cloth, under which influences, and how long.
+struct Frame {
+  const Garment& garment;
+  const Pins& pins;
+  const Surroundings& surroundings;
+  double duration_s;  ///< above 0
+  /// Called at least once in every time step and search. An exception that it throws ends the frame; the
+  /// cloth and the solver are then as they were.
+  const std::function<void()>& poll;
+
+  void ask() const {
+    if (poll) {
+      poll();
+    }
+  }
+};
+
 /// Moves cloth from one frame to the next. The solver decides how it divides a frame.
 class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Advances `state` by one frame of `frame_time_s`, which must be above 0. Throws ContactBlocked where the
-  /// solver keeps things from crossing and cannot; `state` is then as it was.
-  virtual FrameReport advance_frame(const Garment& garment, const Pins& pins,
-                                    const Surroundings& surroundings, double frame_time_s, State& state) = 0;
+  /// Throws std::invalid_argument if the solver promises a bound on stretch or to keep layers apart, and does
+  /// not promise it for this cloth in these surroundings.
+  virtual void require_promised(const Garment&, const Surroundings&) const {}
+
+  /// Moves a start, keeping its velocity, within the bound on stretch that the solver promises, if any.
+  virtual void move_within_bound(const Garment&, const Pins&, State&) const {}
+
+  /// Advances `state` by one frame. The solver itself stays as it was until keep_frame(). Throws
+  /// ContactBlocked where the solver keeps things from crossing and cannot; `state` is undefined then.
+  [[nodiscard]] virtual FrameReport advance_frame(const Frame& frame, State& state) = 0;
+
+  /// The last frame that was advanced is kept: the next one goes on from it.
+  virtual void keep_frame() {}
 
   /// What its next frames depend on besides their arguments, as flat data; not what it measured to be quick.
   virtual void save(const Garment& garment, const Pins& pins, ByteWriter& memory) const = 0;
 
-  /// Takes over what a solver of the same settings saved; the arguments are those of its next frame. Throws
-  /// BadBytes.
-  virtual void restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                       double frame_time_s, ByteReader& memory) = 0;
+  /// Takes over what a solver of the same settings saved; `frame` is its next one. Throws BadBytes.
+  virtual void restore(const Frame& frame, ByteReader& memory) = 0;
 };
 
 }  // namespace taut::sim

@@ -7,6 +7,7 @@
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
+#include "sim/solvers/bounded/promise.hpp"
 
 namespace taut::sim {
 namespace {
@@ -362,7 +363,7 @@ TEST(Simulation, RefusesClothThatItCannotKeepApart) {
 }
 
 TEST(Simulation, RefusesAMaterialOrASolverThatDoNotGoTogetherAndStaysAsItWas) {
-  Simulation simulation(share(pinned_cloth()), {0});
+  Simulation simulation(share(pinned_cloth()), {0}, {}, {});
   Material thick = simulation.garment().material;
   thick.thickness_m = 1.0;
   SimulationSettings apart;

@@ -88,14 +88,11 @@ TEST(StableStep, IsUsedBySolversThatChooseTheirStepsUpToALimit) {
   const std::vector<Index> pins = top_corners(garment);
   const double step_s = stable_time_step_s(garment, make_pins(garment, pins), stiff, 1.5);
   const auto substeps_of = [&](const SolverMethod& method, std::optional<int> substeps, int max_substeps) {
-    SimulationSettings settings;
-    settings.solver = {substeps, max_substeps, method};
-    Simulation simulation(share(garment), pins, settings, {});
-    try {
-      simulation.advance_frame();
-    } catch (const Diverged&) {
-    }
-    return simulation.frame_report().substeps;
+    State state = make_state(garment);
+    const Pins pinned = make_pins(garment, pins);
+    return make_solver({substeps, max_substeps, method})
+        ->advance_frame({garment, pinned, {}, 1.0 / 60.0, {}}, state)
+        .substeps;
   };
   const int needed = static_cast<int>(std::ceil(1.0 / (60.0 * step_s)));
   EXPECT_GT(needed, 100);

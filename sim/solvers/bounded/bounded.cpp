@@ -4,11 +4,13 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "sim/measures.hpp"
 #include "sim/solvers/bounded/compression.hpp"
 #include "sim/solvers/bounded/projection.hpp"
+#include "sim/solvers/bounded/promise.hpp"
 #include "sim/solvers/bounded/step.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
@@ -48,7 +50,7 @@ const char* name_of(BoundKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// What the solver derives from a garment, and keeps from frame to frame.
+/// The solver's arrays for a garment and its pins. No frame depends on what earlier ones left in them.
 struct BoundedSolver::Cloth : SteppedCloth {
   Cloth(const Garment& garment, const Pins& pinned, const BoundedSettings& settings, double frame_time_s)
       : SteppedCloth(garment, pinned, settings, frame_time_s),
@@ -64,42 +66,49 @@ struct BoundedSolver::Cloth : SteppedCloth {
   std::vector<Index> pins;
   double compression_stiffness_n_per_m;
   BoundProjection projection;
-  SubstepControl control{1, 1, 1};
   ThreadChoice threads;
   double mobility_per_kg;
   Float4Array velocities;    ///< m/s, when the frame began
-  double shift = 0.0;        ///< of the last frame, in parts of the largest allowed
   double time_step_s = 0.0;  ///< the one the springs' short_share is made for
+};
+
+/// The outcome of an attempt at a frame.
+struct BoundedSolver::Attempt {
+  State state;    ///< at the end of the frame
+  Memory memory;  ///< for the next frame
+  ProjectionResult projected;
+  bool is_good = false;  ///< both promises are kept, and the projection went no further than it may
 };
 
 /// Keeps the last correction of a frame from making anything cross.
 class BoundedSolver::ApartWhileCorrected : public Confinement {
  public:
-  ApartWhileCorrected(const Garment& garment, double time_s, ParallelKernels& kernels, Cloth& cloth)
-      : garment_(garment), time_s_(time_s), kernels_(kernels), cloth_(cloth) {}
+  ApartWhileCorrected(const Frame& frame, double time_s, ParallelKernels& kernels, Cloth& cloth)
+      : frame_(frame), time_s_(time_s), kernels_(kernels), cloth_(cloth) {}
 
   void begin(const Float4Array& raw, const Float4Array& expected) override {
-    cloth_.contacts.make_regions(garment_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
+    cloth_.contacts.make_regions(frame_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
     last_ = raw;
   }
 
   // Where rows are held back by their balls there is more room from where they have come; and so there is
   // beside planes from which one of the two has moved away.
   void bring_back(Float4Array& displacements) override {
+    frame_.ask();
     ++rounds_;
     if (is_held_back_ || rounds_ % most_rounds == 0) {
       moved_.resize(last_.size());
       for (std::size_t row = 0; row < last_.size(); ++row) {
         moved_[row] = scaled_sum(displacements[row], last_[row], -1.0F);
       }
-      cloth_.contacts.renew_regions(garment_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
+      cloth_.contacts.renew_regions(frame_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
     }
     is_held_back_ = cloth_.contacts.keep_apart(kernels_, displacements);
     last_ = displacements;
   }
 
  private:
-  const Garment& garment_;
+  const Frame& frame_;
   double time_s_;
   ParallelKernels& kernels_;
   Cloth& cloth_;
@@ -116,27 +125,42 @@ BoundedSolver::BoundedSolver(const BoundedSettings& settings, std::optional<int>
 
 BoundedSolver::~BoundedSolver() = default;
 
-bool BoundedSolver::is_laid_out_for(const Garment& garment, const Pins& pins) const {
-  return cloth_ && cloth_->pins == pins.vertices &&
-         cloth_->layout.vertex_count() == garment.mesh.positions.size();
+void BoundedSolver::require_promised(const Garment& garment, const Surroundings& surroundings) const {
+  for (const auto& reason : {beyond_promise(settings_, surroundings), beyond_contact(settings_, garment)}) {
+    if (reason) {
+      throw std::invalid_argument(*reason);
+    }
+  }
 }
 
-void BoundedSolver::lay_out(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                            double frame_time_s) {
-  if (is_laid_out_for(garment, pins)) {
+void BoundedSolver::move_within_bound(const Garment& garment, const Pins& pins, State& state) const {
+  sim::move_within_bound(garment, pins, settings_, state);
+}
+
+void BoundedSolver::lay_out(const Frame& frame) {
+  const std::size_t count = frame.garment.mesh.positions.size();
+  if (cloth_ && cloth_->pins == frame.pins.vertices && cloth_->layout.vertex_count() == count) {
     return;
   }
-  kernels_ = std::make_unique<ParallelKernels>(
-      kernels_for(settings_.vector_unit), thread_count(settings_.threads, garment.mesh.triangles.size()));
-  cloth_ = std::make_unique<Cloth>(garment, pins, settings_, frame_time_s);
+  kernels_ =
+      std::make_unique<ParallelKernels>(kernels_for(settings_.vector_unit),
+                                        thread_count(settings_.threads, frame.garment.mesh.triangles.size()));
+  cloth_ = std::make_unique<Cloth>(frame.garment, frame.pins, settings_, frame.duration_s);
+}
+
+Memory BoundedSolver::first_memory(const Frame& frame) const {
+  Memory memory;
+  memory.pins = frame.pins.vertices;
+  memory.corrections.resize(cloth_->layout.row_count());
   if (substeps_) {
-    cloth_->control = SubstepControl(*substeps_, *substeps_, *substeps_);
+    memory.control = SubstepControl(*substeps_, *substeps_, *substeps_);
   } else {
-    const int least = std::max(least_substeps, cloth_->forces.updates_per_frame({}, frame_time_s));
-    cloth_->control = SubstepControl(
-        first_substeps(garment, cloth_->layout, surroundings, frame_time_s, settings_.max_stretch), least,
-        max_substeps_);
+    const int least = std::max(least_substeps, cloth_->forces.updates_per_frame({}, frame.duration_s));
+    memory.control = SubstepControl(first_substeps(frame.garment, cloth_->layout, frame.surroundings,
+                                                   frame.duration_s, settings_.max_stretch),
+                                    least, max_substeps_);
   }
+  return memory;
 }
 
 void BoundedSolver::begin_frame(const State& state) {
@@ -172,167 +196,173 @@ void BoundedSolver::begin_substeps(double time_step_s) {
   }
 }
 
-void BoundedSolver::run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
-                                 double frame_time_s, int substeps, int earlier_attempts) {
+void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps) {
   Cloth& cloth = *cloth_;
-  const double dt = frame_time_s / substeps;
-  const int updates = cloth.forces.updates_per_frame(surroundings.forces, frame_time_s);
+  const ExternalForces& external = frame.surroundings.forces;
+  const double dt = frame.duration_s / substeps;
+  const int updates = cloth.forces.updates_per_frame(external, frame.duration_s);
   const int substeps_per_update = std::max(1, substeps / updates);
-  const int wind_updates = cloth.forces.wind_updates_per_frame(surroundings.forces, frame_time_s);
+  const int wind_updates = cloth.forces.wind_updates_per_frame(external, frame.duration_s);
   const int substeps_per_wind =
       std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
   begin_substeps(dt);
-  cloth.contacts.begin_attempt({time_s, time_s + frame_time_s}, earlier_attempts);
   for (int substep = 0; substep < substeps; ++substep) {
     TimeStep time;
     time.frame_began_s = time_s;
-    time.frame_ends_s = time_s + frame_time_s;
+    time.frame_ends_s = time_s + frame.duration_s;
     time.time_s = time_s + substep * dt;
     time.time_step_s = dt;
     time.updates_forces = substep % substeps_per_update == 0;
     time.update_interval_s = substeps_per_update * dt;
     time.updates_wind = substep % substeps_per_wind == 0;
     time.wind_interval_s = substeps_per_wind * dt;
-    bounded::step(garment, surroundings, time, *kernels_, cloth);
+    bounded::step(frame, time, *kernels_, cloth);
   }
 }
 
-// The shape that keeps the bound is where the next frame begins.
-void BoundedSolver::write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const {
+// The shape that keeps the bound is where the next frame begins. Positions of a time step ago go with it, so
+// that its last correction adds no velocity.
+State BoundedSolver::shape_of(const Frame& frame, const State& begin, int substeps) const {
   const Cloth& cloth = *cloth_;
+  State state = begin;
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
     state.current[cloth.layout.vertex_of_row[row]] =
         cloth.motion.start_m[row] + vector_of(cloth.projection.corrected()[row]);
   }
   // Exactly where they belong: what single precision rounds away would add up from frame to frame.
   const std::vector<Vec3> moved_m =
-      pins_moved(surroundings, cloth, {state.time_s, state.time_s + frame_time_s});
+      pins_moved(frame.surroundings, cloth, {begin.time_s, begin.time_s + frame.duration_s});
   for (std::size_t row = 0; row < moved_m.size(); ++row) {
     state.current[cloth.layout.vertex_of_row[row]] = cloth.motion.start_m[row] + moved_m[row];
   }
+  state.time_step_s = frame.duration_s / substeps;
+  state.time_s += frame.duration_s;
+  state.step_count += static_cast<std::uint64_t>(substeps);
+  return state;
 }
 
-// Positions of a time step ago go with the shape, so that its last correction adds no velocity.
-void BoundedSolver::end_frame(double frame_time_s, int substeps, State& state) const {
+void BoundedSolver::set_previous(State& state) const {
   const Cloth& cloth = *cloth_;
   for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
     const Vec3 moved = vector_of(cloth.motion.current[row]) - vector_of(cloth.motion.previous[row]);
     const Index v = cloth.layout.vertex_of_row[row];
     state.previous[v] = state.current[v] - moved;
   }
-  state.time_step_s = frame_time_s / substeps;
-  state.time_s += frame_time_s;
-  state.step_count += static_cast<std::uint64_t>(substeps);
 }
 
-// From where the frame began: the time steps, and the projection of where they end onto the bound.
-ProjectionResult BoundedSolver::try_frame(const Garment& garment, const Pins& pins,
-                                          const Surroundings& surroundings, double frame_time_s,
-                                          int earlier_attempts, State& state) {
+// Where a crossing is accepted, it is no reason to break the other promise.
+ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, const SubstepControl& control,
+                                        Float4Array& corrections) {
   Cloth& cloth = *cloth_;
-  const int substeps = cloth.control.substeps();
-  run_substeps(garment, surroundings, state.time_s, frame_time_s, substeps, earlier_attempts);
-  const double largest_cost = cloth.control.is_spent() ? last_resort_sweeps : costliest_projection * substeps;
-  cloth.contacts.observe(cloth.layout, cloth.motion, state.time_s + frame_time_s);
-  ApartWhileCorrected apart(garment, state.time_s + frame_time_s, *kernels_, cloth);
-  const auto project = [&](Confinement* confinement) {
+  const double largest_cost =
+      control.is_spent() ? last_resort_sweeps : costliest_projection * control.substeps();
+  const auto project_within = [&](Confinement* confinement, Float4Array& from) {
     return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, largest_cost,
-                                    confinement, *kernels_);
+                                    confinement, *kernels_, from);
   };
-  ProjectionResult projected = project(cloth.contacts.is_on() ? &apart : nullptr);
-  // Where a crossing is accepted, it is no reason to break the other promise.
-  if (!projected.kept && settings_.allow_crossing && cloth.contacts.is_blocked() &&
-      cloth.control.is_spent()) {
-    projected = project(nullptr);
+  if (!cloth.contacts.is_on()) {
+    return project_within(nullptr, corrections);
   }
-  write_shape(surroundings, frame_time_s, state);
-  if (!projected.kept || cloth.layout.surface.has_thin) {
-    projected.kept = keeps_bound_in_double(garment, pins, settings_, state.current);
+  Float4Array before = corrections;
+  ApartWhileCorrected apart(frame, end_s, *kernels_, cloth);
+  const ProjectionResult projected = project_within(&apart, corrections);
+  if (projected.kept || !settings_.allow_crossing || !cloth.contacts.is_blocked() || !control.is_spent()) {
+    return projected;
   }
-  return projected;
+  corrections = std::move(before);
+  return project_within(nullptr, corrections);
 }
 
-// Otherwise the cloth goes back to where the frame began. Where it is lost, contact is not what went wrong.
-void BoundedSolver::require_a_way_on(const Pins& pins, const Surroundings& surroundings, double frame_time_s,
-                                     State& state) const {
-  const Cloth& cloth = *cloth_;
-  if (!cloth.contacts.is_blocked() || settings_.allow_crossing ||
-      first_lost(state.current) < state.current.size()) {
-    return;
+// The time steps, and the projection of where they end onto the bound.
+BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& state, Memory memory,
+                                              int earlier_attempts) {
+  Cloth& cloth = *cloth_;
+  const double end_s = state.time_s + frame.duration_s;
+  const int substeps = memory.control.substeps();
+  cloth.contacts.begin_attempt({state.time_s, end_s}, earlier_attempts, memory.contact);
+  run_substeps(frame, state.time_s, substeps);
+  cloth.contacts.observe(cloth.layout, cloth.motion, end_s);
+  Attempt attempt;
+  attempt.projected = project(frame, end_s, memory.control, memory.corrections);
+  attempt.state = shape_of(frame, state, substeps);
+  if (!attempt.projected.kept || cloth.layout.surface.has_thin) {
+    attempt.projected.kept =
+        keeps_bound_in_double(frame.garment, frame.pins, settings_, attempt.state.current);
   }
-  for (std::size_t row = 0; row < cloth.layout.vertex_count(); ++row) {
-    state.current[cloth.layout.vertex_of_row[row]] = cloth.motion.start_m[row];
-  }
-  throw ContactBlocked(cloth.contacts.blocked(), pins, surroundings.bodies, state.time_s + frame_time_s);
+  set_previous(attempt.state);
+  const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
+  const double last_shift =
+      std::exchange(memory.shift, allowed_m > 0.0 ? attempt.projected.largest_shift_m / allowed_m : 0.0);
+  attempt.is_good = attempt.projected.kept && !cloth.contacts.is_blocked() &&
+                    (memory.shift <= too_far || memory.shift <= further_than_before * last_shift);
+  memory.contact = cloth.contacts.memory();
+  attempt.memory = std::move(memory);
+  return attempt;
 }
 
-FrameReport BoundedSolver::advance_frame(const Garment& garment, const Pins& pins,
-                                         const Surroundings& surroundings, double frame_time_s,
-                                         State& state) {
-  lay_out(garment, pins, surroundings, frame_time_s);
+// Where the cloth is lost, contact is not what went wrong.
+void BoundedSolver::require_a_way_on(const Frame& frame, const State& state) const {
+  const Contacts& contacts = cloth_->contacts;
+  if (contacts.is_blocked() && !settings_.allow_crossing &&
+      first_lost(state.current) == state.current.size()) {
+    throw ContactBlocked(contacts.blocked(), frame.pins, frame.surroundings.bodies, state.time_s);
+  }
+}
+
+FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
+  lay_out(frame);
   const auto began = std::chrono::steady_clock::now();
   Cloth& cloth = *cloth_;
+  Memory begin = memory_ && memory_->pins == frame.pins.vertices ? *memory_ : first_memory(frame);
   kernels_->share(cloth.threads.is_shared());
   begin_frame(state);
-  cloth.contacts.begin_frame(garment, cloth.layout, surroundings, cloth.motion, state.time_s);
-  SubstepControl& control = cloth.control;
-  ProjectionResult projected;
-  const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
+  cloth.contacts.begin_frame(frame, cloth.layout, cloth.motion, begin.contact, state.time_s);
+  Attempt tried;
   double sweeps = 0.0;
-  double shift = 0.0;
   int attempts = 0;
-  bool is_good = false;
   do {
-    projected = try_frame(garment, pins, surroundings, frame_time_s, attempts++, state);
-    sweeps += control.substeps() + projected.cost;
-    shift = allowed_m > 0.0 ? projected.largest_shift_m / allowed_m : 0.0;
-    is_good = projected.kept && !cloth.contacts.is_blocked() &&
-              (shift <= too_far || shift <= further_than_before * cloth.shift);
+    tried = attempt(frame, state, begin, attempts++);
+    sweeps += begin.control.substeps() + tried.projected.cost;
     // Regions that hold cloth back are no reason for more steps: first with the same again, and more care.
-  } while (!is_good && ((cloth.contacts.is_on() && attempts == 1) || control.try_more()));
-  require_a_way_on(pins, surroundings, frame_time_s, state);
-  cloth.shift = shift;
-  cloth.projection.end_frame();
-  cloth.contacts.end_frame();
+  } while (!tried.is_good && ((cloth.contacts.is_on() && attempts == 1) || begin.control.try_more()));
+  require_a_way_on(frame, tried.state);
 
-  const int substeps = control.substeps();
-  control.frame_kept(projected.cost, shift);
-  end_frame(frame_time_s, substeps, state);
+  const int substeps = begin.control.substeps();
+  next_ = std::move(tried.memory);
+  next_.control.frame_kept(tried.projected.cost, next_.shift);
+  state = std::move(tried.state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   cloth.threads.frame_took(took.count(), kernels_->take_work());
   return {substeps,
           true,
-          projected.kept,
-          projected.raw_max_stretch,
+          tried.projected.kept,
+          tried.projected.raw_max_stretch,
           sweeps,
-          followed_compression(cloth.mobility_per_kg, frame_time_s / substeps),
+          followed_compression(cloth.mobility_per_kg, frame.duration_s / substeps),
           cloth.contacts.is_blocked() ? std::optional(cloth.contacts.blocked()) : std::nullopt,
           cloth.contacts.report()};
 }
 
+void BoundedSolver::keep_frame() {
+  std::swap(memory_.emplace(), next_);
+}
+
 // With other pins than the last frame's the next one begins anew.
-void BoundedSolver::save(const Garment& garment, const Pins& pins, ByteWriter& memory) const {
-  const bool goes_on = is_laid_out_for(garment, pins);
-  memory.put<std::uint8_t>(goes_on ? 1 : 0);
+void BoundedSolver::save(const Garment& garment, const Pins& pins, ByteWriter& bytes) const {
+  const bool goes_on = memory_ && memory_->pins == pins.vertices;
+  bytes.put<std::uint8_t>(goes_on ? 1 : 0);
   if (goes_on) {
-    memory.put(cloth_->shift);
-    cloth_->control.save(memory);
-    cloth_->projection.save(cloth_->layout, memory);
-    cloth_->contacts.save(cloth_->layout, memory);
+    bounded::save(*memory_, garment.mesh.positions.size(), bytes);
   }
 }
 
-void BoundedSolver::restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                            double frame_time_s, ByteReader& memory) {
-  if (!memory.get_bool("whether there was a frame")) {
-    cloth_.reset();
-    return;
+void BoundedSolver::restore(const Frame& frame, ByteReader& bytes) {
+  memory_.reset();
+  if (bytes.get_bool("whether there was a frame")) {
+    lay_out(frame);
+    memory_ = first_memory(frame);
+    bounded::restore(frame.garment.mesh.positions.size(), cloth_->layout.row_count(), bytes, *memory_);
   }
-  lay_out(garment, pins, surroundings, frame_time_s);
-  cloth_->shift = memory.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
-  cloth_->control.restore(memory);
-  cloth_->projection.restore(cloth_->layout, memory);
-  cloth_->contacts.restore(cloth_->layout, memory);
 }
 
 }  // namespace taut::sim

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "sim/solvers/bounded/memory.hpp"
 #include "sim/solvers/bounded/settings.hpp"
 #include "sim/solvers/solver.hpp"
 
@@ -20,36 +21,37 @@ class BoundedSolver : public Solver {
   BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps);
   ~BoundedSolver() override;
 
-  FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                            double frame_time_s, State& state) override;
-  void save(const Garment& garment, const Pins& pins, ByteWriter& memory) const override;
-  void restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-               double frame_time_s, ByteReader& memory) override;
+  void require_promised(const Garment& garment, const Surroundings& surroundings) const override;
+  void move_within_bound(const Garment& garment, const Pins& pins, State& state) const override;
+  FrameReport advance_frame(const Frame& frame, State& state) override;
+  void keep_frame() override;
+  void save(const Garment& garment, const Pins& pins, ByteWriter& bytes) const override;
+  void restore(const Frame& frame, ByteReader& bytes) override;
 
  private:
   struct Cloth;
+  struct Attempt;
   class ApartWhileCorrected;
 
-  bool is_laid_out_for(const Garment& garment, const Pins& pins) const;
-  void lay_out(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-               double frame_time_s);
+  void lay_out(const Frame& frame);
+  bounded::Memory first_memory(const Frame& frame) const;
   void begin_frame(const State& state);
   void begin_substeps(double time_step_s);
-  void run_substeps(const Garment& garment, const Surroundings& surroundings, double time_s,
-                    double frame_time_s, int substeps, int earlier_attempts);
-  bounded::ProjectionResult try_frame(const Garment& garment, const Pins& pins,
-                                      const Surroundings& surroundings, double frame_time_s,
-                                      int earlier_attempts, State& state);
-  void write_shape(const Surroundings& surroundings, double frame_time_s, State& state) const;
-  void require_a_way_on(const Pins& pins, const Surroundings& surroundings, double frame_time_s,
-                        State& state) const;
-  void end_frame(double frame_time_s, int substeps, State& state) const;
+  void run_substeps(const Frame& frame, double time_s, int substeps);
+  bounded::ProjectionResult project(const Frame& frame, double end_s, const bounded::SubstepControl& control,
+                                    bounded::Float4Array& corrections);
+  Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory, int earlier_attempts);
+  State shape_of(const Frame& frame, const State& begin, int substeps) const;
+  void set_previous(State& state) const;
+  void require_a_way_on(const Frame& frame, const State& state) const;
 
   BoundedSettings settings_;
   std::optional<int> substeps_;  ///< per frame; the solver chooses if there is none
   int max_substeps_;
   std::unique_ptr<bounded::ParallelKernels> kernels_;
   std::unique_ptr<Cloth> cloth_;
+  std::optional<bounded::Memory> memory_;  ///< of the last frame that was kept
+  bounded::Memory next_;                   ///< of the last frame that was advanced
 };
 
 }  // namespace taut::sim

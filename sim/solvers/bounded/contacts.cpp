@@ -73,27 +73,29 @@ std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
 
 }  // namespace
 
-void Contacts::begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
-                           const Motion& motion, double time_s) {
+void Contacts::begin_frame(const Frame& frame, const Layout& layout, const Motion& motion,
+                           const ContactMemory& memory, double time_s) {
+  const std::vector<Body>& bodies = frame.surroundings.bodies;
   first_blocked_.reset();
-  is_on_ = within_cloth_ || !surroundings.bodies.empty();
+  is_on_ = within_cloth_ || !bodies.empty();
   report_ = {};
   is_distance_known_ = false;
   if (!is_on_) {
     return;
   }
-  const bool is_known = near_ && bodies_.are(surroundings.bodies);
+  const bool is_known = near_ && bodies_.are(bodies);
   if (!is_known) {
-    lay_out(garment, layout, surroundings.bodies);
+    lay_out(frame.garment, layout, bodies);
   }
-  if (is_known && left_out_.empty() && !may_have_crossed_) {
+  near_->take_searches();  // those of a frame that was not kept
+  if (is_known && left_out_.empty() && !memory.may_have_crossed) {
     return;
   }
   std::vector<Vec3> positions_m = motion.start_m;
   positions_m.resize(layout.row_count());
   const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(time_s);
   positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
-  if (is_known && !may_have_crossed_) {
+  if (is_known && !memory.may_have_crossed) {
     left_out_.update(positions_m);
   } else {
     left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
@@ -127,7 +129,6 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
     }
   }
   near_.emplace(make_contact_mesh(triangles_, bodies_.mesh_triangles()), within_cloth_, positions_m);
-  frame_memory_.resize(layout.row_count());
 }
 
 // Bodies are also in the way of vertices without triangles.
@@ -174,26 +175,30 @@ float Contacts::room_of(std::size_t row, float most_m, float per_edge) const {
   return std::min(of_all, room_per_edge_here * edges_m_[row]);
 }
 
-void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts) {
+void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts, const ContactMemory& memory) {
   caution_ = std::pow(more_cautious, earlier_attempts);
   from_s_ = until_s_ = frame.from_s;
   frame_ends_s_ = frame.to_s;
   since_.clear();
   is_blocked_ = false;
-  memory_ = frame_memory_;
-  if (near_) {
+  if (is_on_) {
+    memory_ = memory.rows;
+    memory_.resize(rest_.size());
     near_->forget();
   }
 }
 
-void Contacts::end_frame() {
-  frame_memory_ = memory_;
-  may_have_crossed_ = is_blocked_;
+ContactMemory Contacts::memory() const {
+  return is_on_ ? ContactMemory{memory_, is_blocked_} : ContactMemory{};
+}
+
+ContactReport Contacts::report() {
   if (is_on_) {
     const LastingPairs::Searches searches = near_->take_searches();
-    report_.detections = searches.all;
-    report_.partial_detections = searches.marked;
+    report_.detections += searches.all;
+    report_.partial_detections += searches.marked;
   }
+  return report_;
 }
 
 void Contacts::observe(const Layout& layout, const Motion& motion, double time_s) {
@@ -230,7 +235,7 @@ void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Floa
   }
 }
 
-void Contacts::make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4* accelerations, std::span<const Vec3> pins_moved_m,
                             const TimeSpan& time, ParallelKernels& kernels) {
   begin_rows(layout, motion, motion.current);
@@ -252,10 +257,10 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
-  find_regions(garment, layout, motion, time, kernels);
+  find_regions(frame, layout, motion, time, kernels);
 }
 
-void Contacts::make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4Array& displacements, const Float4Array& expected, double time_s,
                             ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
@@ -264,10 +269,10 @@ void Contacts::make_regions(const Garment& garment, const Layout& layout, const 
     rows_.radii[row] =
         room_of(row, correction_room_m, correction_room_per_edge) + room_per_move * length_of(expected[row]);
   }
-  find_regions(garment, layout, motion, {time_s, time_s}, kernels);
+  find_regions(frame, layout, motion, {time_s, time_s}, kernels);
 }
 
-void Contacts::renew_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::renew_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                              const Float4Array& displacements, const Float4Array& moved, double time_s,
                              ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
@@ -275,7 +280,7 @@ void Contacts::renew_regions(const Garment& garment, const Layout& layout, const
     rows_.radii[row] = std::clamp(further * length_of(moved[row]),
                                   room_of(row, correction_room_m, correction_room_per_edge), most_room_m);
   }
-  find_regions(garment, layout, motion, {time_s, time_s}, kernels);
+  find_regions(frame, layout, motion, {time_s, time_s}, kernels);
 }
 
 // Cloth whose parts are nearer at rest than it is thick is not torn apart for that.
@@ -325,7 +330,7 @@ void Contacts::collect_pairs(const Material& material, float thickness_m, std::s
   bodies_.add_near(solid_, thickness_m, time, origin_m, rows_, pairs_);
 }
 
-void Contacts::find_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+void Contacts::find_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const TimeSpan& time, ParallelKernels& kernels) {
   const Vec3 origin_m = motion.start_m.front();
   bodies_.add_mesh_rows(time, origin_m, rows_);
@@ -340,15 +345,16 @@ void Contacts::find_regions(const Garment& garment, const Layout& layout, const 
     first_blocked_ = first_blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
-  assert(garment.material.thickness_m >= least_thickness_m);
-  const auto thickness_m = static_cast<float>(garment.material.thickness_m);
+  assert(frame.garment.material.thickness_m >= least_thickness_m);
+  const auto thickness_m = static_cast<float>(frame.garment.material.thickness_m);
   bool fits = false;
   for (int search = 0; search < most_searches && !fits; ++search) {
+    frame.ask();
     rows_.positions.resize(lasting_rows);
     rows_.moves.resize(lasting_rows);
     rows_.radii.resize(lasting_rows);
     rows_.inverse_masses_per_kg.resize(lasting_rows);
-    collect_pairs(garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
+    collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
                   kernels);
     fits = regions_.make(pairs_, rows_, kernels);
   }
@@ -405,21 +411,6 @@ void Contacts::let_go(std::span<const HeldBack> held_back, Motion& motion) {
 // Here a single row that is held back keeps the bound from being reached.
 bool Contacts::keep_apart(ParallelKernels& kernels, Float4Array& displacements) {
   return regions_.bring_back(since_, displacements, kernels) > 0;
-}
-
-void Contacts::save(const Layout& layout, ByteWriter& memory) const {
-  memory.put<std::uint8_t>(is_on_ ? 1 : 0);
-  if (is_on_) {
-    frame_memory_.save(layout.vertex_count(), memory);
-  }
-}
-
-void Contacts::restore(const Layout& layout, ByteReader& memory) {
-  is_on_ = memory.get_bool("whether anything could touch");
-  if (is_on_) {
-    frame_memory_.resize(layout.row_count());
-    frame_memory_.restore(layout.vertex_count(), memory);
-  }
 }
 
 }  // namespace taut::sim::bounded

@@ -8,8 +8,8 @@
 #include "sim/solvers/bounded/contact/lasting_pairs.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/memory.hpp"
 #include "sim/solvers/bounded/motion.hpp"
-#include "sim/solvers/bounded/row_memory.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/surroundings.hpp"
 
@@ -27,16 +27,16 @@ class Contacts {
 
   /// Call it before the first attempt at a frame, which begins at `time_s`. What crosses when the first frame
   /// begins is left out until it is apart.
-  void begin_frame(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
-                   const Motion& motion, double time_s);
-  /// Call it before each attempt: all begins as it was when the frame began. It goes the slower the more
-  /// attempts there were.
-  void begin_attempt(const TimeSpan& frame, int earlier_attempts);
-  /// Call it when a frame is kept.
-  void end_frame();
+  void begin_frame(const Frame& frame, const Layout& layout, const Motion& motion,
+                   const ContactMemory& memory, double time_s);
+  /// Call it before each attempt, with what the last kept frame left. It goes the slower the more attempts
+  /// there were.
+  void begin_attempt(const TimeSpan& frame, int earlier_attempts, const ContactMemory& memory);
+  /// Returns what an attempt leaves to the next frame.
+  [[nodiscard]] ContactMemory memory() const;
 
-  /// Returns what the last frame that was kept took.
-  const ContactReport& report() const { return report_; }
+  /// Returns the work of all attempts since the frame began.
+  [[nodiscard]] ContactReport report();
 
   /// Returns whether regions have to be made before the time step that begins now.
   bool are_due(double time_s, double time_step_s) const {
@@ -53,17 +53,17 @@ class Contacts {
   std::vector<Vec3> body_positions_m(double time_s) const { return bodies_.mesh_positions_m(time_s); }
 
   /// Makes regions for this time. `pins_moved_m` is how far pins are from the start of the frame at its end.
-  void make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+  void make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                     const Float4* accelerations, std::span<const Vec3> pins_moved_m, const TimeSpan& time,
                     ParallelKernels& kernels);
 
   /// Makes regions for a correction of displacements at the end of a frame, which is expected to be about
   /// `expected`.
-  void make_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+  void make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                     const Float4Array& displacements, const Float4Array& expected, double time_s,
                     ParallelKernels& kernels);
   /// The same for going on with a correction, where `moved` is how far it came.
-  void renew_regions(const Garment& garment, const Layout& layout, const Motion& motion,
+  void renew_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                      const Float4Array& displacements, const Float4Array& moved, double time_s,
                      ParallelKernels& kernels);
 
@@ -80,11 +80,6 @@ class Contacts {
   /// cloth flees from it. Requires that one is blocked.
   const BlockedContact& blocked() const { return *first_blocked_; }
 
-  /// Saves and restores what is kept from frame to frame.
-  void save(const Layout& layout, ByteWriter& memory) const;
-  /// Throws BadBytes.
-  void restore(const Layout& layout, ByteReader& memory);
-
  private:
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
   void add_loose_vertices(const Layout& layout);
@@ -93,7 +88,7 @@ class Contacts {
   /// edge.
   float room_of(std::size_t row, float most_m, float per_edge) const;
   void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
-  void find_regions(const Garment& garment, const Layout& layout, const Motion& motion, const TimeSpan& time,
+  void find_regions(const Frame& frame, const Layout& layout, const Motion& motion, const TimeSpan& time,
                     ParallelKernels& kernels);
   std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels);
   void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
@@ -119,7 +114,6 @@ class Contacts {
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
   Regions regions_;
   bool is_blocked_ = false;
-  bool may_have_crossed_ = false;  ///< in the last frame, which was accepted all the same
   std::optional<BlockedContact> first_blocked_;  ///< of the frame
   ContactReport report_;
   bool is_distance_known_ = false;  ///< the report has that of this frame
@@ -128,8 +122,7 @@ class Contacts {
   double until_s_ = 0.0;
   double frame_ends_s_ = 0.0;
   Float4Array since_;  ///< displacements when they were made; empty before the first
-  RowMemory memory_;
-  RowMemory frame_memory_;  ///< when the frame began
+  RowMemory memory_;   ///< of the attempt
 };
 
 }  // namespace taut::sim::bounded

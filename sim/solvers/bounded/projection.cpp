@@ -60,33 +60,8 @@ std::vector<std::uint32_t> long_blocks(const std::vector<float>& squared_ratios,
 BoundProjection::BoundProjection(const Layout& layout)
     : relaxation_(relaxation_of(layout)),
       corrected_(layout.row_count()),
-      corrections_(layout.row_count()),
-      new_corrections_(layout.row_count()),
       squared_spring_ratios_(layout.springs.block_count()),
       squared_surface_ratios_(layout.surface.block_count()) {}
-
-void BoundProjection::save(const Layout& layout, ByteWriter& memory) const {
-  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    memory.put(corrections_[row].x);
-    memory.put(corrections_[row].y);
-    memory.put(corrections_[row].z);
-  }
-}
-
-void BoundProjection::restore(const Layout& layout, ByteReader& memory) {
-  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
-    Float4& correction = corrections_[row];
-    for (float* coordinate : {&correction.x, &correction.y, &correction.z}) {
-      *coordinate = memory.get<float>("the last frame's correction");
-    }
-  }
-}
-
-void BoundProjection::start_from_last_frame(const Float4Array& raw) {
-  for (std::size_t row = 0; row < raw.size(); ++row) {
-    corrected_[row] = scaled_sum(raw[row], corrections_[row], kept_correction);
-  }
-}
 
 double BoundProjection::largest_ratio(const Layout& layout, ParallelKernels& kernels) {
   kernels.largest_ratios(layout.springs, corrected_.data(), squared_spring_ratios_.data());
@@ -130,8 +105,8 @@ double BoundProjection::shorten_long(const Layout& layout, float squared_aim, Pa
 }
 
 // Returns the largest ratio of where the correction starts: at the last one, unless the raw state is nearer.
-double BoundProjection::start(const Layout& layout, const Float4Array& raw, double raw_ratio,
-                              Confinement* confinement, ParallelKernels& kernels) {
+double BoundProjection::start(const Layout& layout, const Float4Array& raw, const Float4Array& corrections,
+                              double raw_ratio, Confinement* confinement, ParallelKernels& kernels) {
   const auto bring_back = [&] {
     if (confinement != nullptr) {
       confinement->bring_back(corrected_);
@@ -139,9 +114,11 @@ double BoundProjection::start(const Layout& layout, const Float4Array& raw, doub
     return largest_ratio(layout, kernels);
   };
   if (confinement != nullptr) {
-    confinement->begin(raw, corrections_);
+    confinement->begin(raw, corrections);
   }
-  start_from_last_frame(raw);
+  for (std::size_t row = 0; row < raw.size(); ++row) {
+    corrected_[row] = scaled_sum(raw[row], corrections[row], kept_correction);
+  }
   const double ratio = bring_back();
   if (ratio <= raw_ratio) {
     return ratio;
@@ -150,10 +127,10 @@ double BoundProjection::start(const Layout& layout, const Float4Array& raw, doub
   return bring_back();
 }
 
-void BoundProjection::end(const Float4Array& raw, ProjectionResult& result) {
+void BoundProjection::end(const Float4Array& raw, ProjectionResult& result, Float4Array& corrections) const {
   float largest_shift2 = 0.0F;
   for (std::size_t row = 0; row < raw.size(); ++row) {
-    const Float4& shift = new_corrections_[row] = scaled_sum(corrected_[row], raw[row], -1.0F);
+    const Float4& shift = corrections[row] = scaled_sum(corrected_[row], raw[row], -1.0F);
     largest_shift2 = std::max(largest_shift2, shift.x * shift.x + shift.y * shift.y + shift.z * shift.z);
   }
   result.largest_shift_m = std::sqrt(largest_shift2);
@@ -161,7 +138,7 @@ void BoundProjection::end(const Float4Array& raw, ProjectionResult& result) {
 
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
                                           double largest_cost, Confinement* confinement,
-                                          ParallelKernels& kernels) {
+                                          ParallelKernels& kernels, Float4Array& corrections) {
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;
   const float squared_aim = squared_aim_of(max_stretch);
@@ -170,7 +147,7 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   double ratio = largest_ratio(layout, kernels);
   result.raw_max_stretch = std::sqrt(ratio) - 1.0;
   if (!(ratio <= squared_bound)) {
-    ratio = start(layout, raw, ratio, confinement, kernels);
+    ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   }
   while (!(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio)) {
     result.cost += shorten_long(layout, squared_aim, kernels);
@@ -180,7 +157,7 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
     ratio = largest_ratio(layout, kernels);
   }
   result.kept = ratio <= squared_bound;
-  end(raw, result);
+  end(raw, result, corrections);
   return result;
 }
 

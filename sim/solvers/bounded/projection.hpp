@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "sim/bytes.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 
@@ -38,27 +37,20 @@ class BoundProjection {
  public:
   explicit BoundProjection(const Layout& layout);
 
+  /// Starts from the corrections of the last frame, by row, in m, and replaces them by those of this one.
   /// Stops when its cost, in sweeps over all springs and triangles, reaches `largest_cost`. `confinement` may
   /// be null.
   ProjectionResult project(const Layout& layout, const Float4Array& raw, double max_stretch,
-                           double largest_cost, Confinement* confinement, ParallelKernels& kernels);
-
-  /// Ends the frame: the next projection starts from the corrections of this one.
-  void end_frame() { corrections_.swap(new_corrections_); }
-
-  /// Saves the correction of the last frame.
-  void save(const Layout& layout, ByteWriter& memory) const;
-  /// Throws BadBytes.
-  void restore(const Layout& layout, ByteReader& memory);
+                           double largest_cost, Confinement* confinement, ParallelKernels& kernels,
+                           Float4Array& corrections);
 
   /// The result by row: displacements since the start of the frame, in m.
   const Float4Array& corrected() const { return corrected_; }
 
  private:
-  void start_from_last_frame(const Float4Array& raw);
-  double start(const Layout& layout, const Float4Array& raw, double raw_ratio, Confinement* confinement,
-               ParallelKernels& kernels);
-  void end(const Float4Array& raw, ProjectionResult& result);
+  double start(const Layout& layout, const Float4Array& raw, const Float4Array& corrections, double raw_ratio,
+               Confinement* confinement, ParallelKernels& kernels);
+  void end(const Float4Array& raw, ProjectionResult& result, Float4Array& corrections) const;
   double largest_ratio(const Layout& layout, ParallelKernels& kernels);
   double shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels);
   template <typename AnyLanes>
@@ -67,8 +59,6 @@ class BoundProjection {
 
   float relaxation_;
   Float4Array corrected_;
-  Float4Array corrections_;                    ///< of the last frame
-  Float4Array new_corrections_;                ///< of this one
   std::vector<float> squared_spring_ratios_;   ///< by block
   std::vector<float> squared_surface_ratios_;  ///< by block
 };

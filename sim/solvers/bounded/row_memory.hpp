@@ -25,6 +25,7 @@ struct RowMemory {
   /// Returns the speed at which neighbours in the cloth move against each other, but for the fastest.
   double relative_speed_m_per_s(std::span<const Triangle> triangles) const;
 
+  bool is_empty() const { return velocities.empty(); }
   void save(std::size_t rows, ByteWriter& memory) const;
   /// Requires as many rows. Throws BadBytes.
   void restore(std::size_t rows, ByteReader& memory);

@@ -86,13 +86,13 @@ double straight_until_s(const Surroundings& surroundings, const SteppedCloth& cl
 }
 
 // Until when they last is known only after it is known how fast the cloth moves.
-void renew_regions(const Garment& garment, const Surroundings& surroundings, const TimeStep& time,
-                   ParallelKernels& kernels, SteppedCloth& cloth) {
+void renew_regions(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, SteppedCloth& cloth) {
+  const Surroundings& surroundings = frame.surroundings;
   Contacts& contacts = cloth.contacts;
   contacts.observe(cloth.layout, cloth.motion, time.time_s);
   const double end_s = straight_until_s(
       surroundings, cloth, time, contacts.suitable_end_s(time.time_s, time.time_step_s, time.frame_ends_s));
-  contacts.make_regions(garment, cloth.layout, cloth.motion, cloth.forces.accelerations(),
+  contacts.make_regions(frame, cloth.layout, cloth.motion, cloth.forces.accelerations(),
                         pins_moved(surroundings, cloth, {time.frame_began_s, end_s}), {time.time_s, end_s},
                         kernels);
 }
@@ -106,15 +106,16 @@ std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedClot
                            std::span(cloth.motion.start_m).first(count), time);
 }
 
-void step(const Garment& garment, const Surroundings& surroundings, const TimeStep& time,
-          ParallelKernels& kernels, SteppedCloth& cloth) {
+void step(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, SteppedCloth& cloth) {
+  const Surroundings& surroundings = frame.surroundings;
+  frame.ask();
   // Step 2: impose the forces on the mass points, a few times in a frame ...
   if (time.updates_forces) {
-    impose_forces(garment, surroundings.forces, time, kernels, cloth);
+    impose_forces(frame.garment, surroundings.forces, time, kernels, cloth);
   }
   // ... find what could touch, as often as the cloth's motion asks for ...
   if (cloth.contacts.are_due(time.time_s, time.time_step_s)) {
-    renew_regions(garment, surroundings, time, kernels, cloth);
+    renew_regions(frame, time, kernels, cloth);
   }
   // ... and predict where they go, eq. (1): d(t+dt) = d(t) + (d(t) - d(t-dt)) / (1 + c dt) + a dt^2.
   predict(surroundings, time, kernels, cloth);

@@ -48,7 +48,6 @@ std::vector<Vec3> pins_moved(const Surroundings& surroundings, const SteppedClot
 
 /// Does one time step: Steps 2 and 3 of the paper, in the stages of sim/step.cpp. It works on displacements
 /// in single precision instead of positions in double precision.
-void step(const Garment& garment, const Surroundings& surroundings, const TimeStep& time,
-          ParallelKernels& kernels, SteppedCloth& cloth);
+void step(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, SteppedCloth& cloth);
 
 }  // namespace taut::sim::bounded

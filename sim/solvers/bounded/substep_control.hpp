@@ -12,6 +12,7 @@ namespace taut::sim::bounded {
 /// it goes by are counts and lengths of earlier frames, so that a run repeats itself bit for bit.
 class SubstepControl {
  public:
+  SubstepControl() = default;
   /// `most` is the budget. `least` is what the forces need. `first` is for the first frame.
   SubstepControl(int first, int least, int most);
 
@@ -33,12 +34,12 @@ class SubstepControl {
  private:
   void need_more();
 
-  int least_;
-  int most_;
-  int substeps_;
+  int least_ = 1;
+  int most_ = 1;
+  int substeps_ = 1;
   int calm_frames_ = 0;
   int frames_since_more_ = 0;
-  int calm_frames_needed_;
+  int calm_frames_needed_ = 1;
   bool took_fewer_ = false;  ///< since more were last needed
 };
 

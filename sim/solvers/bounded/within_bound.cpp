@@ -139,8 +139,9 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
   kernels.start(start, layout.springs);
   kernels.start(start, layout.surface);
   bounded::BoundProjection projection(layout);
+  bounded::Float4Array corrections(layout.row_count());
   projection.project(layout, bounded::Float4Array(layout.row_count()), settings.max_stretch, largest_cost,
-                     nullptr, kernels);
+                     nullptr, kernels, corrections);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     const Vec3 moved = bounded::vector_of(projection.corrected()[row]);
     state.current[layout.vertex_of_row[row]] += moved;

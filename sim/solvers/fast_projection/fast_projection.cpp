@@ -25,7 +25,7 @@ void FastProjectionSolver::prepare(const Garment& garment, const Pins& pins) {
   pinned_ = pins.vertices;
 }
 
-void FastProjectionSolver::predict(const implicit::Frame& frame, double time_step_s, State& state) {
+void FastProjectionSolver::predict(const Frame& frame, double time_step_s, State& state) {
   const Springs& springs = frame.garment.springs;
   const auto add_springs = [&](const State& now, const implicit::System& system) {
     for (const SpringKind kind : {SpringKind::shear, SpringKind::flexural}) {
@@ -51,15 +51,14 @@ void FastProjectionSolver::project(std::span<Vec3> predicted_m) {
   }
 }
 
-FrameReport FastProjectionSolver::advance_frame(const Garment& garment, const Pins& pins,
-                                                const Surroundings& surroundings, double frame_time_s,
-                                                State& state) {
-  prepare(garment, pins);
-  const double time_step_s = frame_time_s / substeps_;
+FrameReport FastProjectionSolver::advance_frame(const Frame& frame, State& state) {
+  prepare(frame.garment, frame.pins);
+  const double time_step_s = frame.duration_s / substeps_;
   for (int step = 0; step < substeps_; ++step) {
-    predict({garment, pins, surroundings}, time_step_s, state);
+    frame.ask();
+    predict(frame, time_step_s, state);
     project(state.predicted);
-    finish_step(garment, pins, surroundings, time_step_s, state);
+    finish_step(frame.garment, frame.pins, frame.surroundings, time_step_s, state);
   }
   FrameReport report;
   report.substeps = substeps_;

@@ -41,15 +41,14 @@ class FastProjectionSolver : public Solver {
   /// A frame is divided into `substeps` equal steps, 5 without.
   FastProjectionSolver(const FastProjectionSettings& settings, std::optional<int> substeps);
 
-  FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                            double frame_time_s, State& state) override;
+  FrameReport advance_frame(const Frame& frame, State& state) override;
   // All that it knows is in the state.
   void save(const Garment&, const Pins&, ByteWriter&) const override {}
-  void restore(const Garment&, const Pins&, const Surroundings&, double, ByteReader&) override {}
+  void restore(const Frame&, ByteReader&) override {}
 
  private:
   void prepare(const Garment& garment, const Pins& pins);
-  void predict(const implicit::Frame& frame, double time_step_s, State& state);
+  void predict(const Frame& frame, double time_step_s, State& state);
   void project(std::span<Vec3> predicted_m);
 
   FastProjectionSettings settings_;

@@ -75,16 +75,18 @@ bool ImplicitSolver::stretch_changes_too_much(const State& state) const {
 }
 
 /// Returns how many time steps it took.
-int ImplicitSolver::adapt(const Frame& frame, double frame_time_s, State& state) {
+int ImplicitSolver::adapt(const Frame& frame, State& state) {
   const int parts = 1 << most_halvings_;
   int steps = 0;
+  next_halvings_ = halvings_;
   int successes = 0;  // of the present length in this frame
   for (int done = 0; done < parts;) {
-    const int length = parts >> halvings_;
-    const double time_step_s = frame_time_s * length / parts;
+    frame.ask();
+    const int length = parts >> next_halvings_;
+    const double time_step_s = frame.duration_s * length / parts;
     predict(frame, time_step_s, state);
-    if (halvings_ < most_halvings_ && stretch_changes_too_much(state)) {
-      ++halvings_;
+    if (next_halvings_ < most_halvings_ && stretch_changes_too_much(state)) {
+      ++next_halvings_;
       successes = 0;
       continue;
     }
@@ -93,29 +95,27 @@ int ImplicitSolver::adapt(const Frame& frame, double frame_time_s, State& state)
     ++steps;
     successes = std::min(successes + 1, successes_to_double);
     // A longer step begins where a frame that is divided so has one.
-    if (successes == successes_to_double && halvings_ > 0 && done % (2 * length) == 0) {
-      --halvings_;
+    if (successes == successes_to_double && next_halvings_ > 0 && done % (2 * length) == 0) {
+      --next_halvings_;
       successes = 0;
     }
   }
   return steps;
 }
 
-FrameReport ImplicitSolver::advance_frame(const Garment& garment, const Pins& pins,
-                                          const Surroundings& surroundings, double frame_time_s,
-                                          State& state) {
-  prepare(garment);
-  const Frame frame = {garment, pins, surroundings};
+FrameReport ImplicitSolver::advance_frame(const Frame& frame, State& state) {
+  prepare(frame.garment);
   FrameReport report;
   if (!substeps_) {
-    report.substeps = adapt(frame, frame_time_s, state);
+    report.substeps = adapt(frame, state);
     return report;
   }
   report.substeps = *substeps_;
-  const double time_step_s = frame_time_s / report.substeps;
+  const double time_step_s = frame.duration_s / report.substeps;
   for (int step = 0; step < report.substeps; ++step) {
+    frame.ask();
     predict(frame, time_step_s, state);
-    finish_step(garment, pins, surroundings, time_step_s, state);
+    finish_step(frame.garment, frame.pins, frame.surroundings, time_step_s, state);
   }
   return report;
 }
@@ -124,8 +124,8 @@ void ImplicitSolver::save(const Garment&, const Pins&, ByteWriter& memory) const
   memory.put(halvings_);
 }
 
-void ImplicitSolver::restore(const Garment&, const Pins&, const Surroundings&, double, ByteReader& memory) {
-  halvings_ = memory.get("how often the time step is halved", 0, most_halvings_);
+void ImplicitSolver::restore(const Frame&, ByteReader& memory) {
+  halvings_ = next_halvings_ = memory.get("how often the time step is halved", 0, most_halvings_);
 }
 
 }  // namespace taut::sim

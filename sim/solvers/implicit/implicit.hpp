@@ -22,23 +22,23 @@ class ImplicitSolver : public Solver {
   /// a frame divided by the largest power of 2 that is at most `max_substeps`, which must be at least 1.
   ImplicitSolver(const ImplicitSettings& settings, std::optional<int> substeps, int max_substeps);
 
-  FrameReport advance_frame(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-                            double frame_time_s, State& state) override;
+  FrameReport advance_frame(const Frame& frame, State& state) override;
+  void keep_frame() override { halvings_ = next_halvings_; }
   void save(const Garment& garment, const Pins& pins, ByteWriter& memory) const override;
-  void restore(const Garment& garment, const Pins& pins, const Surroundings& surroundings,
-               double frame_time_s, ByteReader& memory) override;
+  void restore(const Frame& frame, ByteReader& memory) override;
 
  private:
   void prepare(const Garment& garment);
-  void predict(const implicit::Frame& frame, double time_step_s, State& state);
+  void predict(const Frame& frame, double time_step_s, State& state);
   bool stretch_changes_too_much(const State& state) const;
-  int adapt(const implicit::Frame& frame, double frame_time_s, State& state);
+  int adapt(const Frame& frame, State& state);
 
   ImplicitSettings settings_;
   std::optional<int> substeps_;
   int most_halvings_ = 0;
 
-  int halvings_ = 0;  ///< the time step is a frame divided by 2 to this power
+  int halvings_ = 0;       ///< the time step is a frame divided by 2 to this power
+  int next_halvings_ = 0;  ///< after the frame that is not kept yet
 
   std::vector<implicit::WovenTriangle> triangles_;
   std::vector<implicit::Hinge> hinges_;

@@ -3,16 +3,10 @@
 #include <functional>
 
 #include "sim/solvers/implicit/system.hpp"
+#include "sim/solvers/solver.hpp"
 #include "sim/step.hpp"
 
 namespace taut::sim::implicit {
-
-/// What stays the same during a frame.
-struct Frame {
-  const Garment& garment;
-  const Pins& pins;
-  const Surroundings& surroundings;
-};
 
 /// Adds what the cloth opposes in the current positions to a system.
 using AddConditions = std::function<void(const State& state, const System& system)>;

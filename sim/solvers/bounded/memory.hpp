@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/bytes.hpp"
+#include "sim/solvers/bounded/kernels/float4.hpp"
+#include "sim/solvers/bounded/row_memory.hpp"
+#include "sim/solvers/bounded/substep_control.hpp"
+
+namespace taut::sim::bounded {
+
+/// What contact keeps from frame to frame.
+struct ContactMemory {
+  RowMemory rows;  ///< empty where contact was off
+  /// A crossing was accepted in the last frame, so that the next one looks for all that crosses.
+  bool may_have_crossed = false;
+};
+
+/// Everything that `bounded` keeps from frame to frame besides the State. An attempt at a frame makes a new
+/// Memory of the old one; a frame that ends well is an assignment.
+struct Memory {
+  std::vector<Index> pins;  ///< the pinned vertices of the cloth that this is about
+  SubstepControl control;
+  Float4Array corrections;  ///< of the last frame's projection; by row, in m
+  ContactMemory contact;
+  double shift = 0.0;  ///< the largest correction of the last frame, as a fraction of the largest allowed
+};
+
+void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes);
+/// Requires a memory made for the same garment, pins and settings. `row_count` includes spare rows. Throws
+/// BadBytes.
+void restore(std::size_t vertex_count, std::size_t row_count, ByteReader& bytes, Memory& memory);
+
+}  // namespace taut::sim::bounded

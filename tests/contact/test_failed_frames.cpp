@@ -1,0 +1,108 @@
+// A frame that fails leaves no trace: the bytes of a checkpoint, the bits and the steps of the next frames.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "scenes.hpp"
+#include "sim/checkpoint.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::sim {
+namespace {
+
+struct Interrupted {};
+
+std::string bytes_of(const Simulation& simulation) {
+  return encode(simulation.save(), simulation.garment());
+}
+
+Body closing_ball(const char* name, double z_m, double speed_m_per_s) {
+  return {.name = name,
+          .shape = Sphere{{0.0, 0.0, z_m}, 0.1},
+          .motion = {.shift = {{0.0, 0.0, speed_m_per_s}, 0.05, 1.0}}};
+}
+
+/// A sheet that hangs by its upper edge between two balls.
+ContactScene sheet_between_balls(double speed_m_per_s) {
+  ContactScene scene = {.mesh = mesh_of({13, 13, 0.3, 0.3, GridPlane::vertical, {0.0, 0.15, 0.0}})};
+  scene.bounded.max_stretch = 0.05;
+  for (Index v = 0; v < 13; ++v) {
+    scene.pins.push_back(v);
+  }
+  scene.surroundings.bodies = {closing_ball("left", -0.12, speed_m_per_s),
+                               closing_ball("right", 0.12, -speed_m_per_s)};
+  return scene;
+}
+
+/// Counts the calls of a frame's poll and throws in the one asked for; 0 throws in none.
+struct Poll {
+  std::shared_ptr<int> calls = std::make_shared<int>(0);
+  int throws_in = 0;
+
+  void operator()() const {
+    if (++*calls == throws_in) {
+      throw Interrupted{};
+    }
+  }
+};
+
+TEST(FailedFrames, ABlockedFrameLeavesEveryByteAndTheCountOfSteps) {
+  Simulation simulation = begin(sheet_between_balls(0.5));
+  std::string before;
+  int steps = 0;
+  bool is_blocked = false;
+  for (int frame = 0; frame < 60 && !is_blocked; ++frame) {
+    before = bytes_of(simulation);
+    steps = simulation.frame_report().substeps;
+    try {
+      simulation.advance_frame();
+    } catch (const ContactBlocked&) {
+      is_blocked = true;
+    }
+  }
+  ASSERT_TRUE(is_blocked);
+  EXPECT_TRUE(bytes_of(simulation) == before);
+
+  Surroundings still = simulation.surroundings();
+  still.bodies.clear();
+  simulation.set_surroundings(still);
+  simulation.advance_frame();
+  EXPECT_LE(simulation.frame_report().substeps, 2 * steps);
+}
+
+TEST(FailedFrames, AnInterruptedFrameGoesOnWithTheSameBits) {
+  Simulation straight = begin(sheet_between_balls(0.2));
+  Simulation interrupted = begin(sheet_between_balls(0.2));
+  for (int frame = 0; frame < 8; ++frame) {
+    const Poll count;
+    straight.advance_frame(count);
+    ASSERT_GT(*count.calls, straight.frame_report().substeps);
+    const std::string before = bytes_of(interrupted);
+    for (const int call : {1, *count.calls / 2, *count.calls}) {
+      EXPECT_THROW(interrupted.advance_frame(Poll{.throws_in = call}), Interrupted);
+      ASSERT_TRUE(bytes_of(interrupted) == before) << "frame " << frame << ", call " << call;
+    }
+    interrupted.advance_frame();
+    ASSERT_TRUE(bytes_of(interrupted) == bytes_of(straight)) << "frame " << frame;
+  }
+}
+
+TEST(FailedFrames, ADivergedFrameLeavesEveryByte) {
+  ContactScene scene = sheet_between_balls(0.0);
+  SimulationSettings settings;
+  settings.solver = {.substeps = 1, .method = IdealSettings{{.structural_n_per_m = 1e9}}};
+  Simulation simulation(share(make_garment(scene.mesh)), scene.pins, settings, {});
+  std::string before;
+  const auto run = [&] {
+    for (int frame = 0; frame < 60; ++frame) {
+      before = bytes_of(simulation);
+      simulation.advance_frame();
+    }
+  };
+  EXPECT_THROW(run(), Diverged);
+  EXPECT_TRUE(bytes_of(simulation) == before);
+}
+
+}  // namespace
+}  // namespace taut::sim

@@ -16,7 +16,7 @@ COMMANDS = {
     'simulate': ['simulate', 'tshirt-gravity', *LONG_FRAME],
     'render': ['render', 'tshirt-gravity', '--frames', '0:2', '--resolution', '64,64', '--output', 'a-{frame}.png', *LONG_FRAME],
     'dress': ['simulate', 'tshirt-worn', '--frames', '2', *LONG_FRAME[:4]],
-    'figures': ['figures', '--only', 'fig7', '--output', 'figures'],
+    'figures': ['figures', '--output', 'figures'],
     'bench': ['bench', '--sizes', '84480', '--bounds', '0.001', '--output', 'bench'],
     'view': ['view', '--headless', '--script', 'session.txt', *LONG_FRAME],
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace taut::app {
 namespace {
@@ -44,20 +45,21 @@ constexpr std::array<Unit, 12> units = {{
     {"s", "s"},
 }};
 
+std::optional<double> number_in(std::string_view text) {
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
 /// The number times a power of ten, as exact as if it had been written so: "0.18" of -3 is 0.00018.
-std::optional<double> number_in(std::string_view text, int exponent) {
-  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
-  int own = 0;
-  const char* const last = text.data() + text.size();
-  if (end < text.size() && std::from_chars(text.data() + end + 1, last, own).ptr != last) {
+std::optional<double> shifted_number_in(const std::string& text, int exponent) {
+  if (!number_in(text)) {
     return std::nullopt;
   }
-  const std::string shifted = fmt::format("{}e{}", text.substr(0, end), own + exponent);
-  double number = 0.0;
-  const auto read = std::from_chars(shifted.data(), shifted.data() + shifted.size(), number);
-  return read.ec == std::errc() && read.ptr == shifted.data() + shifted.size() && std::isfinite(number)
-             ? std::optional(number)
-             : std::nullopt;
+  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+  const int own = end < text.size() ? std::atoi(text.c_str() + end + 1) : 0;
+  return number_in(fmt::format("{}e{}", text.substr(0, end), own + exponent));
 }
 
 std::optional<double> number_with_unit(std::string_view text, std::string_view unit) {
@@ -65,7 +67,8 @@ std::optional<double> number_with_unit(std::string_view text, std::string_view u
   for (const Unit& known : units) {
     const std::string_view name = text.substr(digits + (text.substr(digits).starts_with(' ') ? 1 : 0));
     if (known.of == unit && known.name == name) {
-      const std::optional<double> number = number_in(text.substr(0, digits), known.exponent);
+      const std::optional<double> number =
+          shifted_number_in(std::string(text.substr(0, digits)), known.exponent);
       return number ? std::optional(*number * known.factor) : std::nullopt;
     }
   }

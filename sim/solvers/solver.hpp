@@ -65,8 +65,8 @@ struct Frame {
   const Pins& pins;
   const Surroundings& surroundings;
   double duration_s;  ///< above 0
-  /// Called at least once in every time step and search. An exception that it throws ends the frame; the cloth
-  /// and the solver are then as they were.
+  /// Called at least once in every time step and search. An exception that it throws ends the frame; the
+  /// cloth and the solver are then as they were.
   const std::function<void()>& poll;
 
   void ask() const {

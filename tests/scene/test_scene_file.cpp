@@ -204,8 +204,9 @@ TEST(SceneFile, NamesUnknownSections) {
 
 TEST(SceneFile, RefusesWrongTypes) {
   const TemporaryFolder folder;
-  EXPECT_CONTAINS(file_error(folder, std::string(grid) + "[wind]\nspeed = \"3\"\n"),
-                  ":5: wind.speed: found \"3\", expected a number from 0 to 200 (m/s)");
+  EXPECT_CONTAINS(
+      file_error(folder, std::string(grid) + "[wind]\nspeed = \"3\"\n"),
+      ":5: wind.speed: found \"3\", expected a number from 0 to 200 (m/s, or with its unit: km/h or m/s)");
   EXPECT_CONTAINS(file_error(folder, std::string(grid) + "[solver]\nsubsteps = 2.5\n"),
                   ":5: solver.substeps: found 2.5, expected a whole number from 0");
   EXPECT_CONTAINS(file_error(folder, "wind = 3\n" + std::string(grid)),
@@ -296,7 +297,7 @@ TEST(SceneFile, RefusesUnitsOfOtherThings) {
   EXPECT_EQ(set_error("cloth.thickness=1 mm"), "");
   EXPECT_EQ(set_error("cloth.thickness=1e-3m"), "");
   for (const std::string text :
-       {"mm", "-1 mm", "1 2 mm", "1e mm", "0x1 mm", "inf mm", "1e999 mm", "1  mm", "1 mm ", "\"1\"", ""}) {
+       {"mm", "-1 mm", "1 2 mm", "1e mm", "0x1 mm", "inf mm", "1e999 mm", "1  mm", "1 mm ", "\"1\""}) {
     EXPECT_CONTAINS(set_error("cloth.thickness=" + text), "cloth.thickness: found");
   }
   EXPECT_CONTAINS(set_error("solver.max_stretch=1 mm"), "expected a number of at least 0");

@@ -35,7 +35,7 @@ bash "$sources/tests/library/installed.sh" "$cmake" "$sources" "$folder/usr" "${
 
 commands='figures render simulate view inspect fit bench scenes sweep help'
 without_sources taut scenes | grep -q '^tshirt-wind-10 ' || fail "taut scenes does not list them"
-touch "$folder/usr/share/taut/scenes/installed-alone.toml"
+cp "$folder/usr/share/taut/scenes/pinned-9x9-5.toml" "$folder/usr/share/taut/scenes/installed-alone.toml"
 without_sources taut scenes | grep -q '^installed-alone ' || fail "the scenes are others than those installed"
 rm "$folder/usr/share/taut/scenes/installed-alone.toml"
 without_sources taut figures --only fig1 >log.txt

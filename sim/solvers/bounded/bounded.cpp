@@ -147,9 +147,9 @@ void BoundedSolver::lay_out(const Frame& frame) {
   if (cloth_ && cloth_->pins == frame.pins.vertices && cloth_->layout.vertex_count() == count) {
     return;
   }
-  kernels_ = std::make_unique<ParallelKernels>(
-      kernels_for(settings_.vector_unit),
-      thread_count(settings_.threads, frame.garment.mesh.triangles.size()));
+  kernels_ =
+      std::make_unique<ParallelKernels>(kernels_for(settings_.vector_unit),
+                                        thread_count(settings_.threads, frame.garment.mesh.triangles.size()));
   cloth_ = std::make_unique<Cloth>(frame.garment, frame.pins, settings_, frame.duration_s);
 }
 

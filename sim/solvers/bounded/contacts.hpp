@@ -8,8 +8,8 @@
 #include "sim/solvers/bounded/contact/lasting_pairs.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
 #include "sim/solvers/bounded/layout.hpp"
-#include "sim/solvers/bounded/motion.hpp"
 #include "sim/solvers/bounded/memory.hpp"
+#include "sim/solvers/bounded/motion.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/surroundings.hpp"
 

@@ -16,7 +16,7 @@
 namespace taut::sim::bounded {
 
 /// Keeps cloth from crossing itself and bodies: says when to look for what is near, and gives each row its
-/// region until the next time (regions.hpp). How and why: contact.md beside this file.
+/// region until the next time (regions.hpp). How and why: bounded.md beside this file.
 class Contacts {
  public:
   /// With `within_cloth` false only bodies are in the way of the cloth.

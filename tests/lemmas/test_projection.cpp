@@ -78,7 +78,7 @@ TEST(Lemma, TheProjectionEndsWithinTheBoundAndWhatConfinesItOrSaysThatItDoesNot)
       corrections[row] = float4_of(row < layout.pin_count ? Vec3(0.0) : some.vector(0.3 * raw_m));
     }
     BallsAndPlanes confinement(layout.row_count(), static_cast<float>(some.between(0.1, 2.0) * raw_m), some);
-    BoundProjection projection(layout);
+    BoundProjection projection(layout, 1.0 / 60.0);
     const double most_sweeps = some.between(1.0, 300.0);
     const ProjectionResult result =
         projection.project(layout, raw, max_stretch, most_sweeps, &confinement, kernels, corrections);

@@ -327,13 +327,13 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
 BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& state, Memory memory,
                                               Effort& effort) {
   for (int attempts = 0;; ++attempts) {
-    const bool is_last = memory.control.is_spent();
+    const bool is_last =
+        memory.control.is_spent() || effort.work >= most_work * usual_work(frame, memory);
     Attempt tried = attempt(frame, state, memory, attempts, is_last);
     effort.add(tried, cloth_->contacts.report());
     const double raw = tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_bound);
     const bool is_same_again = attempts == 0 && cloth_->contacts.is_on() && raw < overstretched;
-    if (tried.is_good() || effort.work >= most_work * usual_work(frame, memory) ||
-        (!is_same_again && !memory.control.try_more(raw))) {
+    if (tried.is_good() || is_last || (!is_same_again && !memory.control.try_more(raw))) {
       return tried;
     }
   }

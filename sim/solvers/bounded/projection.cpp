@@ -33,6 +33,7 @@ constexpr double faded_per_s = 1.8;
 /// out displacements on so many rings of vertices around triangles that are too long, in so many passes. More
 /// rings and passes move more of the cloth.
 constexpr int rounds_looked_at = 6;
+constexpr double most_evened = 4.0;  ///< raw stretch in bounds
 constexpr double slow_progress = 0.5;
 constexpr std::uint8_t evened_rings = 5;
 constexpr int evening_passes = 8;
@@ -215,9 +216,11 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   if (!(ratio <= squared_bound)) {
     ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   }
+  // What time steps have stretched further is for more of them to mend.
+  const bool evens_out = confinement != nullptr && result.raw_max_stretch < most_evened * max_stretch;
   double earlier_ratio = ratio;
   for (int round = 1; !(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio); ++round) {
-    if (confinement != nullptr && round % rounds_looked_at == 0) {
+    if (evens_out && round % rounds_looked_at == 0) {
       if (ratio - squared_bound > slow_progress * (earlier_ratio - squared_bound)) {
         even_out(layout, static_cast<float>(squared_bound));
         confinement->bring_back(corrected_);

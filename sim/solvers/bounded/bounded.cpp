@@ -337,7 +337,6 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
           sweeps,
           followed_compression(cloth.mobility_per_kg, frame.duration_s / substeps),
           cloth.contacts.is_blocked() ? std::optional(cloth.contacts.blocked()) : std::nullopt,
-          !settings_.contact,
           cloth.contacts.report(),
           next_.contact.left_out};
 }

@@ -53,7 +53,7 @@ Simulation::Simulation(std::shared_ptr<const Garment> garment, std::vector<Index
       solver_(make_solver(settings.solver)) {
   require_frame_rate(settings);
   require_possible(surroundings_, state_.current.size());
-  solver_->require_promised(surroundings_);
+  solver_->require_promised(*garment_, surroundings_);
   if (start_m) {
     begin_in(std::move(*start_m));
   }
@@ -159,7 +159,7 @@ void Simulation::set_time(double time_s) {
 void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
     require_possible(surroundings, state_.current.size());
-    solver_->require_promised(surroundings);
+    solver_->require_promised(*garment_, surroundings);
     surroundings_ = surroundings;
     wake();
   }
@@ -169,7 +169,7 @@ void Simulation::set_settings(const SimulationSettings& settings) {
   if (settings != settings_) {
     require_frame_rate(settings);
     // Refuses what is wrong before anything has changed.
-    make_solver(settings.solver)->require_promised(surroundings_);
+    make_solver(settings.solver)->require_promised(*garment_, surroundings_);
     settings_ = settings;
     start_solver();
   }
@@ -177,7 +177,9 @@ void Simulation::set_settings(const SimulationSettings& settings) {
 
 void Simulation::set_material(const Material& material) {
   if (material != garment_->material) {
-    garment_ = share(with_material(*garment_, material));
+    Garment garment = with_material(*garment_, material);
+    solver_->require_promised(garment, surroundings_);
+    garment_ = share(std::move(garment));
     pins_ = make_pins(*garment_, std::move(pins_.vertices));
     start_solver();
   }

@@ -147,8 +147,15 @@ TautResult taut_destroy(TautCloth cloth) {
 }
 
 const char* taut_last_error(TautCloth cloth) {
+  // A copy of this thread's own: another may destroy the cloth, or fail with it, at any moment.
+  static thread_local char text[sizeof(TautError::text)];
   const std::shared_ptr<Held> held = find(cloth.id);
-  return held ? held->error : "there is no such cloth";
+  if (!held) {
+    return "there is no such cloth";
+  }
+  const std::lock_guard lock(held->error_mutex);
+  put_text(held->error, text);
+  return text;
 }
 
 TautResult taut_get_info(TautCloth cloth, TautInfo* info) {

@@ -191,7 +191,7 @@ TAUT_API TautResult taut_list(int32_t kind, char *buffer, size_t capacity, size_
 TAUT_API TautResult taut_create(const TautOptions *options, TautCloth *cloth, TautError *error);
 /* A call of another thread that is under way ends as it would have. TAUT_ERROR_HANDLE. */
 TAUT_API TautResult taut_destroy(TautCloth cloth);
-/* The text of the cloth's last error, valid until its next one; empty before the first. Never NULL. */
+/* The text of the cloth's last error, valid until this thread asks for another; empty before the first. Never NULL. */
 TAUT_API const char *taut_last_error(TautCloth cloth);
 
 /* Every call below gives TAUT_ERROR_HANDLE and _BUSY, and TAUT_ERROR_ARGUMENT on NULL where it is not named, on

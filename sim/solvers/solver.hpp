@@ -64,8 +64,8 @@ struct Frame {
   const Pins& pins;
   const Surroundings& surroundings;
   double duration_s;  ///< above 0
-  /// Called at least once in every time step and search. An exception that it throws ends the frame; the cloth
-  /// and the solver are then as they were.
+  /// Called at least once in every time step and search. An exception that it throws ends the frame; the
+  /// cloth and the solver are then as they were.
   const std::function<void()>& poll;
 
   void ask() const {
@@ -80,9 +80,9 @@ class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Throws std::invalid_argument if the solver promises a bound on stretch and does not promise it in these
-  /// surroundings.
-  virtual void require_promised(const Surroundings&) const {}
+  /// Throws std::invalid_argument if the solver makes promises and cannot make them for this garment or in
+  /// these surroundings.
+  virtual void require_promised(const Garment&, const Surroundings&) const {}
 
   /// Moves a start, keeping its velocity, within the bound on stretch that the solver promises, if any.
   virtual void move_within_bound(const Garment&, const Pins&, State&) const {}

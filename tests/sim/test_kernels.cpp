@@ -267,7 +267,7 @@ TEST(Kernels, TheWindAgreesWithTheOtherSolvers) {
   std::vector<Vec3> expected(state.current.size(), Vec3(0.0));
   add_wind_forces(garment, state, wind, 2e-3, expected);
 
-  SlowForces forces(garment, no_pins, layout, 0.0, 1.0);
+  SlowForces forces(garment, no_pins, layout, 0.0);
   Motion motion;
   motion.start_m = garment.mesh.positions;
   for (Float4Array* rows : {&motion.start.high, &motion.current, &motion.previous}) {
@@ -298,8 +298,8 @@ TEST(SlowForces, TheWindNeedNotFollowTheFastestWavesOfBending) {
   const Garment garment = make_garment(irregular_sheet(9, 1.0));
   const Pins no_pins = make_pins(garment, {});
   const Layout layout = make_layout(garment, no_pins);
-  const SlowForces stiff(garment, no_pins, layout, 1.0, 1.0 / 60.0);
-  const SlowForces limp(garment, no_pins, layout, 0.0, 1.0 / 60.0);
+  const SlowForces stiff(garment, no_pins, layout, 1.0);
+  const SlowForces limp(garment, no_pins, layout, 0.0);
   ExternalForces external;
   external.wind.speed_m_per_s = 10.0;
   EXPECT_EQ(stiff.wind_updates_per_frame(external, 1.0 / 60.0),
@@ -314,7 +314,7 @@ TEST(SlowForces, TheWindGoesOnAsItWasUntilItIsUpdated) {
   const Garment garment = make_garment(irregular_sheet(9, 1.0));
   const Pins no_pins = make_pins(garment, {});
   const Layout layout = make_layout(garment, no_pins);
-  SlowForces forces(garment, no_pins, layout, 0.0, 1.0);
+  SlowForces forces(garment, no_pins, layout, 0.0);
   Motion motion;
   set_start(layout, garment.mesh.positions, motion.start);
   motion.start_m = garment.mesh.positions;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/models/garment_loading.hpp"
@@ -239,7 +240,7 @@ void LiveSimulation::pull() {
   pristine_ = false;
 }
 
-void LiveSimulation::advance() {
+void LiveSimulation::advance(const std::function<void()>& poll) {
   ++advances_;
   steps_left_ = std::max(0, steps_left_ - 1);
   if (stopped_) {
@@ -250,11 +251,13 @@ void LiveSimulation::advance() {
       pull();
     }
     Stopwatch simulating;
-    simulation_->advance_frame();
+    simulation_->advance_frame(poll);
     const double sim_ms = simulating.elapsed_ms();
     record_ = measure_frame(*simulation_, ++frame_);
     record_.sim_ms = sim_ms;
     note_shape();
+  } catch (const Interrupted&) {
+    throw;
   } catch (const sim::ContactBlocked& blocked) {
     stop("frame " + std::to_string(frame_ + 1) + ": " + blocked.what());
   } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/contacts.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -48,8 +49,6 @@ constexpr double held_back_part = 0.03;
 /// The next ball of such a row is larger by so much.
 constexpr float held_back_room = 1.2F;
 
-/// No cloth is thinner than this, in m: there has to be room for rounding.
-constexpr double least_thickness_m = 1e-4;
 /// Neighbours in the cloth may come as near as this part of their distance at rest.
 constexpr float rest_part = 0.5F;
 /// Parts of the cloth that touch at rest, as along seams that are not sewn, are not kept apart; nor is cloth
@@ -74,12 +73,16 @@ std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
 
 }  // namespace
 
-void Contacts::begin_frame(const Frame& frame, const Layout& layout, const Motion& motion,
-                           const ContactMemory& memory, double time_s) {
+void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
+                             const ContactMemory& memory, const TimeSpan& time, int earlier_attempts) {
   const std::vector<Body>& bodies = frame.surroundings.bodies;
-  first_blocked_.reset();
   is_on_ = within_cloth_ || !bodies.empty();
+  blocked_.reset();
   report_ = {};
+  caution_ = std::pow(more_cautious, earlier_attempts);
+  from_s_ = until_s_ = time.from_s;
+  frame_ends_s_ = time.to_s;
+  since_.clear();
   if (!is_on_) {
     return;
   }
@@ -87,9 +90,11 @@ void Contacts::begin_frame(const Frame& frame, const Layout& layout, const Motio
   if (!is_known) {
     lay_out(frame.garment, layout, bodies);
   }
-  near_->take_searches();  // those of a frame that was not kept
+  memory_ = memory.rows;
+  memory_.resize(layout.row_count());
+  near_->forget();
   bodies_of_frame_ = bodies;
-  leave_out(memory, layout, motion, time_s);
+  leave_out(memory, layout, motion, time.from_s);
 }
 
 // What crosses is looked for when the cloth begins, when bodies come, and after a crossing was accepted.
@@ -218,28 +223,15 @@ float Contacts::room_of(std::size_t row, float most_m, float per_edge) const {
   return std::min(of_all, room_per_edge_here * edges_m_[row]);
 }
 
-void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts, const ContactMemory& memory) {
-  caution_ = std::pow(more_cautious, earlier_attempts);
-  from_s_ = until_s_ = frame.from_s;
-  frame_ends_s_ = frame.to_s;
-  since_.clear();
-  is_blocked_ = false;
-  if (is_on_) {
-    memory_ = memory.rows;
-    memory_.resize(rest_.size());
-    near_->forget();
-  }
-}
-
 ContactMemory Contacts::memory() const {
-  return is_on_ ? ContactMemory{memory_, is_blocked_, bodies_of_frame_, left_out()} : ContactMemory{};
+  return is_on_ ? ContactMemory{memory_, blocked_.has_value(), bodies_of_frame_, left_out()} : ContactMemory{};
 }
 
 ContactReport Contacts::report() {
   if (is_on_) {
     const LastingPairs::Searches searches = near_->take_searches();
-    report_.detections += searches.all;
-    report_.partial_detections += searches.marked;
+    report_.detections = searches.all;
+    report_.partial_detections = searches.marked;
     report_.left_out_share = left_out_.empty() ? 0.0 : left_out_share();
   }
   return report_;
@@ -274,14 +266,17 @@ void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Floa
   rows_.cloth_count = count;
   rows_.radii.assign(count, 0.0F);
   rows_.inverse_masses_per_kg = layout.inverse_masses_per_kg;
+  float squared_m = 0.0F;
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     rows_.positions[row] = scaled_sum(motion.start.high[row], since_[row], 1.0F);
+    squared_m = std::max(squared_m, dot(since_[row], since_[row]));
   }
+  rows_.displaced_m = std::sqrt(squared_m);
 }
 
 void Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4* accelerations, std::span<const Vec3> pins_moved_m,
-                            const TimeSpan& time, ParallelKernels& kernels) {
+                            double off_chord_m, const TimeSpan& time, ParallelKernels& kernels) {
   begin_rows(layout, motion, motion.current);
   const auto lasts_s = static_cast<float>(time.to_s - time.from_s);
   const auto before_s = static_cast<float>(std::min(memory_.elapsed_s, time.to_s - time.from_s));
@@ -301,6 +296,7 @@ void Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
+  off_chord_m_ = off_chord_m;
   find_regions(frame, layout, motion, time, kernels);
 }
 
@@ -385,11 +381,11 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   if (const std::optional<std::size_t> row = first_not_findable(rows_)) {
     std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
     regions_.make({}, rows_, kernels);
-    is_blocked_ = true;
-    first_blocked_ = first_blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
+    blocked_ = blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
-  const auto thickness_m = static_cast<float>(std::max(frame.garment.material.thickness_m, least_thickness_m));
+  assert(frame.garment.material.thickness_m >= least_thickness_m);
+  const auto thickness_m = static_cast<float>(frame.garment.material.thickness_m);
   bool fits = false;
   for (int search = 0; search < most_searches && !fits; ++search) {
     frame.ask();
@@ -411,12 +407,8 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
 }
 
 void Contacts::note_blocked(const Layout& layout, const Vec3& origin_m, bool fits) {
-  if (fits && !regions_.blocked()) {
-    return;
-  }
-  is_blocked_ = true;
-  if (!first_blocked_) {
-    first_blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);
+  if (!blocked_ && (!fits || regions_.blocked())) {
+    blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);
   }
 }
 
@@ -425,6 +417,7 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   const double lasts_s = until_s_ - from_s_;
   const auto time = static_cast<float>((time_s - from_s_) / lasts_s);
   const auto step = static_cast<float>(time_step_s / lasts_s);
+  kept_at_ = time;
   regions_.collide(time, step, since_, motion.previous, motion.current);
   const std::span<const HeldBack> held_back =
       regions_.bring_back(time, step, since_, motion.previous, motion.current, kernels);
@@ -435,7 +428,8 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   const double most_held_back = held_back_part / (caution_ * caution_);
   if (static_cast<double>(held_back.size()) > most_held_back * static_cast<double>(layout.vertex_count())) {
     let_go(held_back, motion);
-    until_s_ = time_s;
+    // Before their end planes are where chords are, and not where kinematic things are.
+    until_s_ = 2.0 * off_chord_m_ <= regions_.kinematic_gap_m() ? time_s : until_s_;
   }
 }
 
@@ -447,8 +441,13 @@ void Contacts::let_go(std::span<const HeldBack> held_back, Motion& motion) {
   }
 }
 
+bool Contacts::allow(Index row, const Vec3& displacement_m) const {
+  return !is_on_ || regions_.contains(row, kept_at_, displacement_m - vector_of(since_[row]));
+}
+
 // Here a single row that is held back keeps the bound from being reached.
 bool Contacts::keep_apart(ParallelKernels& kernels, Float4Array& displacements) {
+  kept_at_ = 1.0F;
   return regions_.bring_back(since_, displacements, kernels) > 0;
 }
 

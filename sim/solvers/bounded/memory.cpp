@@ -40,6 +40,7 @@ void restore(const Frame& frame, ByteReader& bytes, ContactMemory& memory) {
 
 void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
   bytes.put(memory.shift);
+  bytes.put(memory.median_work);
   memory.control.save(bytes);
   for (std::size_t row = 0; row < vertex_count; ++row) {
     const Float4& correction = memory.corrections[row];
@@ -58,6 +59,7 @@ void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
 void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, Memory& memory) {
   const std::size_t vertex_count = frame.garment.mesh.positions.size();
   memory.shift = bytes.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
+  memory.median_work = bytes.get("the work of a frame", 0.0, std::numeric_limits<double>::max());
   memory.control.restore(bytes);
   memory.corrections.assign(row_count, Float4{});
   for (std::size_t row = 0; row < vertex_count; ++row) {

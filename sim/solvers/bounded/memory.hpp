@@ -29,6 +29,7 @@ struct Memory {
   Float4Array corrections;  ///< of the last frame's projection; by row, in m
   ContactMemory contact;
   double shift = 0.0;  ///< the largest correction of the last frame, as a fraction of the largest allowed
+  double median_work = 0.0;  ///< of frames, in sweeps
 };
 
 void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes);

@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/projection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace taut::sim::bounded {
@@ -24,8 +25,17 @@ constexpr double most_springs = 128.0;
 /// nearer to 1 fewer blocks are swept, in more rounds.
 constexpr float nearly = 0.75F;
 
-/// Of the last frame's correction. All of it would be fewest sweeps, but shapes would drift off.
-constexpr float kept_correction = 0.97F;
+/// How fast the last frame's correction fades, in 1/s. Not at all would be fewest sweeps, but shapes would
+/// drift off.
+constexpr double faded_per_s = 1.8;
+
+/// A projection is held up by contact if so many rounds leave more than this part of the excess. It then evens
+/// out displacements on so many rings of vertices around triangles that are too long, in so many passes. More
+/// rings and passes move more of the cloth.
+constexpr int rounds_looked_at = 6;
+constexpr double slow_progress = 0.5;
+constexpr std::uint8_t evened_rings = 5;
+constexpr int evening_passes = 8;
 
 /// Aims at this part of the bound: the last of a correction takes the most sweeps. Less is done sooner and
 /// moves the cloth further.
@@ -55,10 +65,25 @@ std::vector<std::uint32_t> long_blocks(const std::vector<float>& squared_ratios,
   return blocks;
 }
 
+/// Calls each(block, corners) for all triangles, with the rows of their corners.
+template <typename Each>
+void for_triangles(const SurfaceLanes& surface, const Each& each) {
+  for (std::size_t block = 0; block < surface.block_count(); ++block) {
+    for (std::size_t lane = 0; lane < block_size; ++lane) {
+      std::array<Index, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = surface.blocks[block].at[k][lane] / 4;
+      }
+      each(block, corners);
+    }
+  }
+}
+
 }  // namespace
 
-BoundProjection::BoundProjection(const Layout& layout)
+BoundProjection::BoundProjection(const Layout& layout, double frame_time_s)
     : relaxation_(relaxation_of(layout)),
+      kept_correction_(static_cast<float>(std::max(0.0, 1.0 - faded_per_s * frame_time_s))),
       corrected_(layout.row_count()),
       squared_spring_ratios_(layout.springs.block_count()),
       squared_surface_ratios_(layout.surface.block_count()) {}
@@ -117,7 +142,7 @@ double BoundProjection::start(const Layout& layout, const Float4Array& raw, cons
     confinement->begin(raw, corrections);
   }
   for (std::size_t row = 0; row < raw.size(); ++row) {
-    corrected_[row] = scaled_sum(raw[row], corrections[row], kept_correction);
+    corrected_[row] = scaled_sum(raw[row], corrections[row], kept_correction_);
   }
   const double ratio = bring_back();
   if (ratio <= raw_ratio) {
@@ -136,6 +161,47 @@ void BoundProjection::end(const Float4Array& raw, ProjectionResult& result, Floa
   result.largest_shift_m = std::sqrt(largest_shift2);
 }
 
+void BoundProjection::find_rings(const SurfaceLanes& surface, float squared_bound) {
+  rings_.assign(corrected_.size(), 0);
+  for_triangles(surface, [&](std::size_t block, const std::array<Index, 3>& corners) {
+    if (squared_surface_ratios_[block] > squared_bound) {
+      for (const Index row : corners) {
+        rings_[row] = evened_rings;
+      }
+    }
+  });
+  for (std::uint8_t ring = evened_rings; ring > 1; --ring) {
+    for_triangles(surface, [&](std::size_t, const std::array<Index, 3>& corners) {
+      if (std::any_of(corners.begin(), corners.end(), [&](Index row) { return rings_[row] == ring; })) {
+        for (const Index row : corners) {
+          rings_[row] = std::max<std::uint8_t>(rings_[row], ring - 1);
+        }
+      }
+    });
+  }
+}
+
+// Where all vertices move alike, triangles are as they were when the frame began: within the bound.
+void BoundProjection::even_out(const Layout& layout, float squared_bound) {
+  find_rings(layout.surface, squared_bound);
+  for (int pass = 0; pass < evening_passes; ++pass) {
+    sums_.assign(corrected_.size(), Float4{});
+    counts_.assign(corrected_.size(), 0.0F);
+    for_triangles(layout.surface, [&](std::size_t, const std::array<Index, 3>& corners) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        add_scaled(sums_[corners[k]], corrected_[corners[(k + 1) % 3]], 1.0F);
+        add_scaled(sums_[corners[k]], corrected_[corners[(k + 2) % 3]], 1.0F);
+        counts_[corners[k]] += 2.0F;
+      }
+    });
+    for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+      if (rings_[row] > 0) {
+        corrected_[row] = times(sums_[row], 1.0F / counts_[row]);
+      }
+    }
+  }
+}
+
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
                                           double largest_cost, Confinement* confinement,
                                           ParallelKernels& kernels, Float4Array& corrections) {
@@ -149,7 +215,16 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   if (!(ratio <= squared_bound)) {
     ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   }
-  while (!(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio)) {
+  double earlier_ratio = ratio;
+  for (int round = 1; !(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio); ++round) {
+    if (confinement != nullptr && round % rounds_looked_at == 0) {
+      if (ratio - squared_bound > slow_progress * (earlier_ratio - squared_bound)) {
+        even_out(layout, static_cast<float>(squared_bound));
+        confinement->bring_back(corrected_);
+        largest_ratio(layout, kernels);
+      }
+      earlier_ratio = ratio;
+    }
     result.cost += shorten_long(layout, squared_aim, kernels);
     if (confinement != nullptr) {
       confinement->bring_back(corrected_);

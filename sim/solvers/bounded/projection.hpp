@@ -35,7 +35,7 @@ class Confinement {
 /// instead of back and forth. The correction of the last frame, a little faded, is where the next one starts.
 class BoundProjection {
  public:
-  explicit BoundProjection(const Layout& layout);
+  BoundProjection(const Layout& layout, double frame_time_s);
 
   /// Starts from the corrections of the last frame, by row, in m, and replaces them by those of this one.
   /// Stops when its cost, in sweeps over all springs and triangles, reaches `largest_cost`. `confinement` may
@@ -51,6 +51,8 @@ class BoundProjection {
   double start(const Layout& layout, const Float4Array& raw, const Float4Array& corrections, double raw_ratio,
                Confinement* confinement, ParallelKernels& kernels);
   void end(const Float4Array& raw, ProjectionResult& result, Float4Array& corrections) const;
+  void find_rings(const SurfaceLanes& surface, float squared_bound);
+  void even_out(const Layout& layout, float squared_bound);
   double largest_ratio(const Layout& layout, ParallelKernels& kernels);
   double shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels);
   template <typename AnyLanes>
@@ -58,7 +60,11 @@ class BoundProjection {
                  float factor, ParallelKernels& kernels);
 
   float relaxation_;
+  float kept_correction_;  ///< of the last frame's
   Float4Array corrected_;
+  std::vector<std::uint8_t> rings_;            ///< by row, around triangles that stay too long; 0 elsewhere
+  Float4Array sums_;                           ///< by row, of neighbours' displacements
+  std::vector<float> counts_;                  ///< of `sums_`
   std::vector<float> squared_spring_ratios_;   ///< by block
   std::vector<float> squared_surface_ratios_;  ///< by block
 };

@@ -14,8 +14,7 @@ namespace taut::sim::bounded {
 class SlowForces {
  public:
   /// `layout` must outlive this object.
-  SlowForces(const Garment& garment, const Pins& pins, const Layout& layout, double bending_rigidity_n_m,
-             double frame_time_s);
+  SlowForces(const Garment& garment, const Pins& pins, const Layout& layout, double bending_rigidity_n_m);
 
   /// Returns how many evaluations per frame keep the cloth stable although the forces stay constant in
   /// between.

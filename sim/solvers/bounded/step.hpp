@@ -14,9 +14,9 @@ namespace taut::sim::bounded {
 /// What time steps work on: the cloth, what acts on it and where it is.
 struct SteppedCloth {
   /// Makes no tethers and sets no positions.
-  SteppedCloth(const Garment& garment, const Pins& pins, const BoundedSettings& settings, double frame_time_s)
+  SteppedCloth(const Garment& garment, const Pins& pins, const BoundedSettings& settings)
       : layout(make_layout(garment, pins, settings.bound)),
-        forces(garment, pins, layout, garment.material.bending_rigidity_n_m, frame_time_s),
+        forces(garment, pins, layout, garment.material.bending_rigidity_n_m),
         contacts(settings.contact) {}
   SteppedCloth(const SteppedCloth&) = delete;
   SteppedCloth& operator=(const SteppedCloth&) = delete;

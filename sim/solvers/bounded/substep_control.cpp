@@ -14,20 +14,23 @@ constexpr double cheap_projection = 0.6;   ///< likewise; below it the next may 
 constexpr double small_shift = 0.6;        ///< of the largest allowed; as above
 constexpr double idle_projection = 0.2;    ///< below both of these many fewer
 constexpr double idle_shift = 0.25;
-/// As the projection starts from its last correction, shifts go on for some frames after they were needed.
-constexpr int frames_shifts_last = 8;
+/// As the projection starts from its last correction, shifts go on for a while after they were needed.
+constexpr double shifts_last_s = 8.0 / 60.0;
 /// A projection comes in rounds of about this many sweeps; one round is never too many.
 constexpr double one_round = 8.0;
 /// Doubled every time fewer steps prove too few, halved when they do not: cloth about to rest is not kept
 /// awake by steps that change for ever.
-constexpr int fewest_calm_frames = 4;
-constexpr int most_calm_frames = 192;
+constexpr double shortest_calm_s = 4.0 / 60.0;
+constexpr double longest_calm_s = 192.0 / 60.0;
 /// The steps of the next frame over those of the last: the further from 1, the sooner they fit and the more
 /// they change about what fits. `many_more` is for a frame that is done again.
 constexpr double fewer = 0.94;
 constexpr double many_fewer = 0.85;
 constexpr double more = 1.12;
 constexpr double many_more = 1.4;
+constexpr double most_more = 3.0;
+/// A frame that is repeated takes so many steps that they stretch by this many times the bound.
+constexpr double repeated_raw = 4.0;
 
 /// What first_substeps calls c, measured on hanging T-shirts and sheets; more begins with more steps.
 constexpr double load_factor = 6.0;
@@ -53,13 +56,20 @@ double acceleration(const Garment& garment, const Surroundings& surroundings) {
          caught_wind * pressure / garment.material.areal_density_kg_per_m2;
 }
 
+int frames_in(double time_s, double frame_time_s) {
+  return std::max(1, static_cast<int>(std::lround(time_s / frame_time_s)));
+}
+
 }  // namespace
 
-SubstepControl::SubstepControl(int first, int least, int most)
-    : least_(std::min(least, most)),
+SubstepControl::SubstepControl(int first, int least, int most, double frame_time_s)
+    : least_(std::clamp(least, 1, most)),
       most_(most),
+      fewest_calm_frames_(frames_in(shortest_calm_s, frame_time_s)),
+      most_calm_frames_(frames_in(longest_calm_s, frame_time_s)),
+      frames_shifts_last_(frames_in(shifts_last_s, frame_time_s)),
       substeps_(std::clamp(first, least_, most)),
-      calm_frames_needed_(fewest_calm_frames) {}
+      calm_frames_needed_(fewest_calm_frames_) {}
 
 void SubstepControl::frame_kept(double projection_cost, double shift) {
   const double part = projection_cost / substeps_;
@@ -67,14 +77,14 @@ void SubstepControl::frame_kept(double projection_cost, double shift) {
   calm_frames_ = is_calm ? calm_frames_ + 1 : 0;
   ++frames_since_more_;
   const bool is_costly = projection_cost > costly_projection * substeps_ + one_round;
-  const bool is_far = shift > 1.0 && frames_since_more_ > frames_shifts_last;
+  const bool is_far = shift > 1.0 && frames_since_more_ > frames_shifts_last_;
   double wanted = substeps_;
   if (is_costly || is_far) {
     need_more();
     wanted = std::ceil(wanted * more);
   } else if (calm_frames_ >= calm_frames_needed_) {
     if (took_fewer_) {
-      calm_frames_needed_ = std::max(calm_frames_needed_ / 2, fewest_calm_frames);
+      calm_frames_needed_ = std::max(calm_frames_needed_ / 2, fewest_calm_frames_);
     }
     took_fewer_ = true;
     const bool is_idle = part < idle_projection && shift < idle_shift;
@@ -88,16 +98,18 @@ void SubstepControl::need_more() {
   frames_since_more_ = 0;
   calm_frames_ = 0;
   if (took_fewer_) {
-    calm_frames_needed_ = std::min(2 * calm_frames_needed_, most_calm_frames);
+    calm_frames_needed_ = std::min(2 * calm_frames_needed_, most_calm_frames_);
     took_fewer_ = false;
   }
 }
 
-bool SubstepControl::try_more() {
+bool SubstepControl::try_more(double raw) {
   if (is_spent()) {
     return false;
   }
-  substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * many_more)), least_, most_);
+  // Stretch falls with the square of the time step.
+  const double wanted = std::clamp(std::sqrt(raw / repeated_raw), many_more, most_more);
+  substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * wanted)), least_, most_);
   need_more();
   return true;
 }
@@ -114,7 +126,7 @@ void SubstepControl::restore(ByteReader& memory) {
   substeps_ = memory.get("the number of substeps", least_, most_);
   calm_frames_ = memory.get("the number of calm frames", 0, most_counted);
   frames_since_more_ = memory.get("the number of frames since more were needed", 0, most_counted);
-  calm_frames_needed_ = memory.get("the calm frames needed", fewest_calm_frames, most_calm_frames);
+  calm_frames_needed_ = memory.get("the calm frames needed", fewest_calm_frames_, most_calm_frames_);
   took_fewer_ = memory.get_bool("whether fewer substeps were taken");
 }
 

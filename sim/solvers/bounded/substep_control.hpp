@@ -14,7 +14,7 @@ class SubstepControl {
  public:
   SubstepControl() = default;
   /// `most` is the budget. `least` is what the forces need. `first` is for the first frame.
-  SubstepControl(int first, int least, int most);
+  SubstepControl(int first, int least, int most, double frame_time_s);
 
   int substeps() const { return substeps_; }
   bool is_spent() const { return substeps_ >= most_; }
@@ -23,8 +23,9 @@ class SubstepControl {
   /// vertex further than `shift`, in parts of the largest that is allowed.
   void frame_kept(double projection_cost, double shift);
 
-  /// Takes more steps to repeat a frame that broke its bound. Returns false if the budget is spent.
-  bool try_more();
+  /// Takes more steps to repeat a frame that broke its bound, whose steps stretched something by `raw` times
+  /// the bound. Returns false if the budget is spent.
+  bool try_more(double raw);
 
   /// Saves all its counts.
   void save(ByteWriter& memory) const;
@@ -36,6 +37,9 @@ class SubstepControl {
 
   int least_ = 1;
   int most_ = 1;
+  int fewest_calm_frames_ = 1;
+  int most_calm_frames_ = 1;
+  int frames_shifts_last_ = 1;
   int substeps_ = 1;
   int calm_frames_ = 0;
   int frames_since_more_ = 0;

@@ -138,7 +138,7 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
   bounded::set_start(layout, state.current, start);
   kernels.start(start, layout.springs);
   kernels.start(start, layout.surface);
-  bounded::BoundProjection projection(layout);
+  bounded::BoundProjection projection(layout, 0.0);
   bounded::Float4Array corrections(layout.row_count());
   projection.project(layout, bounded::Float4Array(layout.row_count()), settings.max_stretch, largest_cost,
                      nullptr, kernels, corrections);
@@ -150,13 +150,19 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
 }
 
 bool keeps_bound_in_double(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
-                           std::span<Vec3> positions) {
+                           std::span<Vec3> positions, const AllowPosition& allow) {
   double excess_m = largest_excess_m(garment, settings, positions);
+  const std::vector<Vec3> before_m(positions.begin(), positions.end());
   for (int sweep = 0; sweep < most_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m; ++sweep) {
     shorten_once(garment, pins, settings, positions);
     excess_m = largest_excess_m(garment, settings, positions);
   }
-  return excess_m == 0.0;
+  for (Index v = 0; v < before_m.size(); ++v) {
+    if (allow && positions[v] != before_m[v] && !allow(v, positions[v])) {
+      positions[v] = before_m[v];
+    }
+  }
+  return largest_excess_m(garment, settings, positions) == 0.0;
 }
 
 }  // namespace taut::sim

@@ -83,7 +83,6 @@ void put_report(const FrameReport& report, ByteWriter& out) {
   out.put(report.raw_max_stretch);
   out.put(report.sweeps);
   out.put(report.followed_compression_n_per_m);
-  out.put<std::uint8_t>(report.ignores_contact ? 1 : 0);
   out.put(report.contact.detections);
   out.put(report.contact.partial_detections);
   out.put(report.contact.most_pairs);
@@ -113,7 +112,6 @@ FrameReport get_report(ByteReader& in) {
   report.raw_max_stretch = in.get("the stretch before the last correction", -1.0, largest);
   report.sweeps = in.get("the number of sweeps", 0.0, largest);
   report.followed_compression_n_per_m = in.get("the stiffness that was followed", 0.0, infinity);
-  report.ignores_contact = in.get_bool("whether contact was left out");
   report.contact = get_contact(in);
   return report;
 }

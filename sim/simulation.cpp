@@ -87,15 +87,16 @@ void Simulation::advance_frame(const std::function<void()>& poll) {
   std::swap(state_, next);
   before_m_ = std::move(next.current);
   report_ = report;
-  if (!report_.ignores_contact || !surroundings_.bodies.empty()) {
-    const MeasuredContact measured = measure_contact();
-    report_.contact.smallest_distance_m = measured.nearest_m;
-    report_.contact.crossing_pairs = measured.crossing_pairs;
-  }
+  const MeasuredContact measured = measure_contact();
+  report_.contact.smallest_distance_m = measured.nearest_m;
+  report_.contact.crossing_pairs = measured.crossing_pairs;
   fall_asleep_at_rest();
 }
 
-MeasuredContact Simulation::measure_contact() {
+MeasuredContact Simulation::measure_contact() const {
+  if (solver_->ignores_contact() && surroundings_.bodies.empty()) {
+    return {};
+  }
   if (!measure_ || measure_->bodies() != surroundings_.bodies) {
     measure_.emplace(garment_->mesh.triangles, garment_->mesh.positions, surroundings_.bodies);
   }

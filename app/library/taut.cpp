@@ -27,6 +27,8 @@ TautFrame frame_of(const app::FrameRecord& record) {
   frame.is_bound_kept = record.bound_kept ? 1 : 0;
   frame.is_contact_kept = record.blocked || record.crossing_pairs.value_or(0) > 0 ? 0 : 1;
   frame.is_asleep = record.asleep ? 1 : 0;
+  frame.measured_crossings = record.contact.crossing_pairs;
+  frame.left_out_share = record.contact.left_out_share;
   return frame;
 }
 

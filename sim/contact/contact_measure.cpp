@@ -61,7 +61,8 @@ ContactMeasure::ContactMeasure(std::span<const Triangle> triangles, std::span<co
                                std::vector<Body> bodies)
     : triangles_(triangles.begin(), triangles.end()),
       bodies_(std::move(bodies)),
-      tree_(triangles, positions_m) {
+      tree_(triangles, positions_m),
+      areas_m2_(triangles.size()) {
   for (const Body& body : bodies_) {
     if (const auto* mesh = std::get_if<BodyMesh>(&body.shape)) {
       body_trees_.emplace_back(mesh->data->triangles, mesh->data->positions_m);
@@ -94,29 +95,26 @@ bool ContactMeasure::lies_open(Index vertex, std::span<const Vec3> positions_m) 
   if (around.empty()) {
     return triangles_of_[vertex].empty();
   }
-  const Vec3& here = positions_m[vertex];
-  const Vec3 first = positions_m[around[0]] - here;
-  Vec3 sum(0.0), from = first;
-  for (std::size_t k = 1; k < around.size(); ++k) {
-    const Vec3 to = positions_m[around[k]] - here;
-    sum += glm::cross(from, to);
-    from = to;
+  Vec3 sum(0.0);
+  for (const Index t : triangles_of_[vertex]) {
+    sum += areas_m2_[t];
   }
   const double least = least_facing * glm::dot(sum, sum);
-  const Vec3 ahead = glm::cross(sum, first);
-  bool is_past_half = false;
-  from = first;
-  for (std::size_t k = 1; k < around.size(); ++k) {
-    const Vec3 to = positions_m[around[k]] - here;
-    if (!(glm::dot(glm::cross(from, to), sum) > least)) {
+  for (const Index t : triangles_of_[vertex]) {
+    if (!(glm::dot(areas_m2_[t], sum) > least)) {
       return false;
     }
-    const bool is_ahead = glm::dot(ahead, to) > 0.0;
+  }
+  const Vec3& here = positions_m[vertex];
+  const Vec3 ahead = glm::cross(sum, positions_m[around[0]] - here);
+  bool is_past_half = false;
+  const std::size_t closes = around.front() == around.back() ? 1 : 0;
+  for (const Index v : around.subspan(1, around.size() - 1 - closes)) {
+    const bool is_ahead = glm::dot(ahead, positions_m[v] - here) > 0.0;
     if (is_past_half && is_ahead) {
       return false;
     }
     is_past_half = !is_ahead;
-    from = to;
   }
   return true;
 }
@@ -149,7 +147,7 @@ void ContactMeasure::measure_mesh(const Body& body, TriangleTree& tree, std::spa
   near_.clear();
   tree_.find_near(tree, near_);
   for (const auto& [s, t] : near_) {
-    const TrianglePairMeasure pair = measure_pair(triangles_[s], mesh.triangles[t], positions_m, body_m);
+    const TrianglePairMeasure pair = measure_pair(triangles_[s], mesh.triangles[t], positions_m, body_m, reach_m);
     note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
   }
 }
@@ -163,8 +161,12 @@ MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, doubl
   near_.clear();
   tree_.find_near(near_);
   for (const auto& [s, t] : near_) {
-    const TrianglePairMeasure pair = measure_pair(triangles_[s], triangles_[t], positions_m, positions_m);
+    const TrianglePairMeasure pair = measure_pair(triangles_[s], triangles_[t], positions_m, positions_m, reach_m);
     note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
+  }
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const auto& [i, j, k] = triangles_[t];
+    areas_m2_[t] = glm::cross(positions_m[j] - positions_m[i], positions_m[k] - positions_m[i]);
   }
   for (Index v = 0; v < positions_m.size(); ++v) {
     measured.crossing_pairs += lies_open(v, positions_m) ? 0 : crossings_around(v, positions_m);

@@ -58,6 +58,32 @@ bool pierces(const Vec3& from, const Vec3& to, const Corners& t) {
   return first != 0 && side_of(from, to, t[1], t[2]) == first && side_of(from, to, t[2], t[0]) == first;
 }
 
+/// Whether the triangles lie on different sides of a plane at right angles to the axis, further apart than the reach.
+bool are_parted(const Vec3& axis, const Corners& a, const Corners& b, double reach_m) {
+  const std::array<double, 3> of_a = {glm::dot(axis, a[0]), glm::dot(axis, a[1]), glm::dot(axis, a[2])};
+  const std::array<double, 3> of_b = {glm::dot(axis, b[0]), glm::dot(axis, b[1]), glm::dot(axis, b[2])};
+  const auto [low_a, high_a] = std::minmax({of_a[0], of_a[1], of_a[2]});
+  const auto [low_b, high_b] = std::minmax({of_b[0], of_b[1], of_b[2]});
+  const double apart = std::max(low_a - high_b, low_b - high_a);
+  return apart > 0.0 && apart * apart > reach_m * reach_m * glm::dot(axis, axis);
+}
+
+/// Whether one of the planes through a face, or upright on it through an edge, parts the triangles by the reach.
+bool are_parted(const Corners& a, const Corners& b, double reach_m) {
+  for (const Corners* t : {&a, &b}) {
+    const Vec3 normal = glm::cross((*t)[1] - (*t)[0], (*t)[2] - (*t)[0]);
+    if (are_parted(normal, a, b, reach_m)) {
+      return true;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (are_parted(glm::cross((*t)[(k + 1) % 3] - (*t)[k], normal), a, b, reach_m)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Turns the corners of both so that those that are shared come first, in the same order. Returns how many.
 std::size_t bring_shared_to_front(Triangle& s, Triangle& t) {
   std::size_t shared = 0;
@@ -118,6 +144,14 @@ bool lie_apart(const Corners& a, const Corners& b) {
          glm::dot(axis, y) < -least;
 }
 
+/// Whether the plane of the one, through their common first corner, has the other on one side.
+bool has_on_one_side(const Corners& a, const Corners& b) {
+  const Vec3 normal = glm::cross(a[1] - a[0], a[2] - a[0]);
+  const double least = touching_m * glm::length(normal);
+  const double x = glm::dot(normal, b[1] - a[0]), y = glm::dot(normal, b[2] - a[0]);
+  return (x > least && y > least) || (x < -least && y < -least);
+}
+
 /// Whether triangles that share their first two corners lie on different sides of a plane through these.
 bool unfold(const Corners& a, const Corners& b) {
   const Vec3 edge = a[1] - a[0], normal = glm::cross(edge, a[2] - a[0]);
@@ -145,8 +179,18 @@ double point_triangle_distance_m(const Vec3& p, const Corners& t) {
 }
 
 TrianglePairMeasure measure_pair(const Triangle& s, const Triangle& t, std::span<const Vec3> s_positions_m,
-                                 std::span<const Vec3> t_positions_m) {
-  return measure_with(0, corners_in(s, s_positions_m), corners_in(t, t_positions_m));
+                                 std::span<const Vec3> t_positions_m, double reach_m) {
+  // From the one on, so that rounding is that of their distance.
+  const Vec3 origin_m = s_positions_m[s[0]];
+  Corners a = corners_in(s, s_positions_m), b = corners_in(t, t_positions_m);
+  for (std::size_t k = 0; k < 3; ++k) {
+    a[k] -= origin_m;
+    b[k] -= origin_m;
+  }
+  if (are_parted(a, b, reach_m)) {
+    return {std::numeric_limits<double>::infinity(), false};
+  }
+  return measure_with(0, a, b);
 }
 
 TrianglePairMeasure measure_neighbours(Triangle s, Triangle t, std::span<const Vec3> positions_m) {
@@ -158,7 +202,8 @@ TrianglePairMeasure measure_neighbours(Triangle s, Triangle t, std::span<const V
 bool neighbours_cross(Triangle s, Triangle t, std::span<const Vec3> positions_m) {
   const std::size_t shared = bring_shared_to_front(s, t);
   const Corners a = corners_in(s, positions_m), b = corners_in(t, positions_m);
-  return shared == 1 ? !lie_apart(a, b) && measure_with(1, a, b).is_crossing()
+  return shared == 1 ? !lie_apart(a, b) && !has_on_one_side(a, b) && !has_on_one_side(b, a) &&
+                           measure_with(1, a, b).is_crossing()
                      : !unfold(a, b) && !is_flat_beside_edge(a, b) && measure_beside_edge(a, b).is_crossing();
 }
 

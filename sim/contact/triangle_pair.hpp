@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "sim/mesh/types.hpp"
@@ -33,9 +34,10 @@ inline bool TrianglePairMeasure::is_crossing() const {
 /// Returns the distance of a point from a triangle, in m.
 double point_triangle_distance_m(const Vec3& point_m, const Corners& triangle);
 
-/// Measures two triangles that share no vertex.
+/// Measures two triangles that share no vertex. What is further off than the reach may be said to be infinitely far.
 TrianglePairMeasure measure_pair(const Triangle& s, const Triangle& t, std::span<const Vec3> s_positions_m,
-                                 std::span<const Vec3> t_positions_m);
+                                 std::span<const Vec3> t_positions_m,
+                                 double reach_m = std::numeric_limits<double>::infinity());
 
 /// Measures two triangles that share a vertex or an edge: of these only what does not belong to both counts. Two that
 /// share an edge cross if they are folded flat onto each other.

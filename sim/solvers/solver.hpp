@@ -52,7 +52,6 @@ struct FrameReport {
   double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
   /// `bounded`: what may cross in this frame, where its settings accept that. Not saved.
   std::optional<BlockedContact> blocked = {};
-  bool ignores_contact = false;  ///< the cloth may cross itself: whether it does, nobody asks
   ContactReport contact = {};
   std::vector<LeftOutTriangle> left_out = {};  ///< `bounded`: in this frame, the cloth's first. Not saved.
 
@@ -87,6 +86,9 @@ class Solver {
 
   /// Moves a start, keeping its velocity, within the bound on stretch that the solver promises, if any.
   virtual void move_within_bound(const Garment&, const Pins&, State&) const {}
+
+  /// Returns whether cloth may cross itself and nobody asks whether it does.
+  virtual bool ignores_contact() const { return false; }
 
   /// Advances `state` by one frame. The solver itself stays as it was until keep_frame(). Throws
   /// ContactBlocked where the solver keeps things from crossing and cannot; `state` is undefined then.

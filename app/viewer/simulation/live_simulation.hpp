@@ -57,6 +57,7 @@ class LiveSimulation {
   void perform(const Compare&) {}  // of a SimulationPair
 
   void start(std::shared_ptr<const LoadedScene> loaded);
+  void untangle(const RunSettings& simulation);
   void set_pins(std::vector<sim::Index> pins);
   void note_shape();
   void tell_of_start();

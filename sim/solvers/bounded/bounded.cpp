@@ -371,7 +371,6 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
           effort.sweeps,
           followed_compression(cloth.mobility_per_kg, state.time_step_s),
           tried.blocked ? effort.first_blocked : std::nullopt,
-          !settings_.contact,
           effort.contact,
           next_.contact.left_out};
 }

@@ -25,6 +25,7 @@ class BoundedSolver : public Solver {
   void move_within_bound(const Garment& garment, const Pins& pins, State& state) const override;
   FrameReport advance_frame(const Frame& frame, State& state) override;
   void keep_frame() override;
+  bool ignores_contact() const override { return !settings_.contact; }
   void save(const Garment& garment, const Pins& pins, ByteWriter& bytes) const override;
   void restore(const Frame& frame, ByteReader& bytes) override;
 

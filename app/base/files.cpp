@@ -156,14 +156,16 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     return;
   }
   const fs::path temporary = temporary_name(path);
+  // By which the temporary file is also found in a folder that somebody renames meanwhile.
+  const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   try {
     if (const auto reason = try_to_write(temporary, bytes, std::ios::trunc)) {
       fail_to_write(path, *reason);
     }
     put_in_place(temporary, path);
   } catch (...) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
+    ::unlinkat(folder.number() >= 0 ? folder.number() : AT_FDCWD,
+               (folder.number() >= 0 ? temporary.filename() : temporary).c_str(), 0);
     throw;
   }
 }

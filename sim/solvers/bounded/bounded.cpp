@@ -327,8 +327,10 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
 BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& state, Memory memory,
                                               Effort& effort) {
   for (int attempts = 0;; ++attempts) {
-    const bool is_last =
-        memory.control.is_spent() || effort.work >= most_work * usual_work(frame, memory);
+    // Where nothing is near, more steps help in the end.
+    const bool is_over =
+        effort.contact.most_pairs > 0 && effort.work >= most_work * usual_work(frame, memory);
+    const bool is_last = memory.control.is_spent() || is_over;
     Attempt tried = attempt(frame, state, memory, attempts, is_last);
     effort.add(tried, cloth_->contacts.report());
     const double raw = tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_bound);

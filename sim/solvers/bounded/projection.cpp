@@ -33,7 +33,7 @@ constexpr double faded_per_s = 1.8;
 /// out displacements on so many rings of vertices around triangles that are too long, in so many passes. More
 /// rings and passes move more of the cloth.
 constexpr int rounds_looked_at = 6;
-constexpr double most_evened = 4.0;  ///< raw stretch in bounds
+constexpr double most_evened = 6.0;  ///< raw stretch in bounds
 constexpr double slow_progress = 0.5;
 constexpr std::uint8_t evened_rings = 5;
 constexpr int evening_passes = 8;

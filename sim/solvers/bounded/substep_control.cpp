@@ -28,7 +28,7 @@ constexpr double fewer = 0.94;
 constexpr double many_fewer = 0.85;
 constexpr double more = 1.12;
 constexpr double many_more = 1.4;
-constexpr double most_more = 3.0;
+constexpr double most_more = 2.0;
 /// A frame that is repeated takes so many steps that they stretch by this many times the bound.
 constexpr double repeated_raw = 4.0;
 

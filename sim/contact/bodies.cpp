@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "sim/contact/law.hpp"
+
 namespace taut::sim {
 namespace {
 
@@ -133,11 +135,7 @@ struct FurthestFromAxis {
 Vec3 with_friction(double friction, const SurfacePoint& surface, double depth_m, const Vec3& moved,
                    const Vec3& pushed_out) {
   const Vec3 slid = moved - surface.normal * glm::dot(moved, surface.normal);
-  const double slid_m = glm::length(slid);
-  if (!(slid_m > 0.0)) {
-    return pushed_out;
-  }
-  return pushed_out - slid * std::min(1.0, friction * depth_m / slid_m);
+  return pushed_out - slid * stopped_share(friction, depth_m, glm::length(slid));
 }
 
 }  // namespace
@@ -192,7 +190,7 @@ void push_out_of_bodies(std::span<const Body> bodies, const ClothSurface& cloth,
                         std::span<Vec3> predicted) {
   assert(current.size() == predicted.size() && inverse_masses_per_kg.size() == predicted.size());
   for (const Body& body : bodies) {
-    const double friction = body.friction.value_or(cloth.friction);
+    const double friction = friction_against(body, cloth.friction);
     const Shape shape = shape_at(body, step.to_s);
     const RigidMove back(body.motion, {step.to_s, step.from_s});
     for (std::size_t v = 0; v < predicted.size(); ++v) {

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "sheets.hpp"
 #include "sim/simulation.hpp"
+#include "sim/solvers/bounded/substep_control.hpp"
 
 namespace taut::sim {
 namespace {
@@ -46,6 +48,16 @@ Jerk jerk(Index count, double max_stretch, double aside_m_per_s2, std::optional<
 }
 
 // Without repeating its corners are thrown at 8.4 m/s.
+TEST(RepeatedFrames, OfClothThatIsLostTakeMoreStepsUntilTheBudgetIsSpent) {
+  bounded::SubstepControl control(8, 1, 40, 1.0 / 60.0);
+  int attempts = 0;
+  while (control.try_more(std::numeric_limits<double>::quiet_NaN()) && attempts < 100) {
+    ++attempts;
+  }
+  EXPECT_LT(attempts, 10);
+  EXPECT_EQ(control.substeps(), 40);
+}
+
 TEST(RepeatedFrames, ThrowNothing) {
   EXPECT_LT(jerk(9, 0.01, 40.0).speed_m_per_s, 1.3 * jerk(9, 0.01, 40.0, 200).speed_m_per_s);
 }

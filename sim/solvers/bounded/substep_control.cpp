@@ -107,8 +107,8 @@ bool SubstepControl::try_more(double raw) {
   if (is_spent()) {
     return false;
   }
-  // Stretch falls with the square of the time step.
-  const double wanted = std::clamp(std::sqrt(raw / repeated_raw), many_more, most_more);
+  // Stretch falls with the square of the time step. Cloth that is lost has no stretch: NaN asks for most.
+  const double wanted = std::max(many_more, std::min(most_more, std::sqrt(raw / repeated_raw)));
   substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * wanted)), least_, most_);
   need_more();
   return true;

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <type_traits>
 
+#include "sim/contact/law.hpp"
 #include "sim/solvers/bounded/contact/closest_points.hpp"
 
 namespace taut::sim::bounded {
@@ -209,7 +210,7 @@ void add_near_plane(const Search& search, const Plane& at_begin, const Plane& at
 BodyContacts::BodyContacts(std::vector<Body> bodies, double default_friction, Index first_row)
     : bodies_(std::move(bodies)), first_row_(first_row) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    frictions_.push_back(static_cast<float>(bodies_[b].friction.value_or(default_friction)));
+    frictions_.push_back(static_cast<float>(friction_against(bodies_[b], default_friction)));
     if (const auto* mesh = std::get_if<BodyMesh>(&bodies_[b].shape)) {
       const auto first = static_cast<Index>(first_row + body_of_row_.size());
       for (const auto& [i, j, k] : mesh->data->triangles) {

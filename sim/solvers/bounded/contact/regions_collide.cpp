@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/contact/law.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
 
 namespace taut::sim::bounded {
@@ -91,8 +92,7 @@ void Regions::collide(const Touch& touch, float time, float step, const Float4* 
   }
   const float away = dot(slid, touch.normal);
   slid = scaled_sum(slid, touch.normal, -away);
-  const float length = std::sqrt(dot(slid, slid));
-  const float stopped = length > 0.0F ? std::min(1.0F, touch.friction * lacking / length) : 0.0F;
+  const float stopped = stopped_share(touch.friction, lacking, std::sqrt(dot(slid, slid)));
   const Float4 moves = scaled_sum(parted, slid, -stopped);
   const Float4 unspent = times(touch.normal, std::clamp(away, 0.0F, lacking));
   for (std::size_t k = 0; k < touch.count; ++k) {

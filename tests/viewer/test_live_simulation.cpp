@@ -208,6 +208,31 @@ TEST(LiveSimulation, ANewBoundHoldsBeforeTheNextFrame) {
   EXPECT_LE(live.take_snapshot()->record.stretch.max, 0.01);
 }
 
+TEST(LiveSimulation, ComingBackFromASolverWithoutContactPartsWhatCrossed) {
+  const std::vector<Override> small = {parse_override("garment.file=\"tshirt_1028\"")};
+  const DrawnScene scene = find_scene("tshirt-wind-10", small);
+  const auto crossing = [](LiveSimulation& live) { return live.take_snapshot()->record.contact.crossing_pairs; };
+  LiveSimulation live(scene);
+  advance(live, 10);
+  ASSERT_EQ(crossing(live), 0U);
+  ChangeSettings without(scene);
+  without.simulation.solver.kind = sim::SolverKind::vassilev;
+  live.apply(without);
+  advance(live, 60);
+  const std::size_t crossed = crossing(live);
+  ASSERT_GT(crossed, 20U);
+  live.apply(ChangeSettings(scene));
+  const Notice& said = live.take_snapshot()->notices->back();
+  EXPECT_CONTAINS(said.text, " crossed: ");
+  advance(live, 1);
+  const std::size_t left = crossing(live);
+  EXPECT_LT(left, crossed / 2);
+  EXPECT_EQ(said.is_error, left > 0) << said.text;
+  advance(live, 20);
+  EXPECT_FALSE(live.take_snapshot()->stopped);
+  EXPECT_LE(crossing(live), left);
+}
+
 TEST(LiveSimulation, AHandPullsTheHemAndLetsGo) {
   LiveSimulation live(small_scene());
   advance(live, 60);

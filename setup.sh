@@ -19,7 +19,7 @@ packages=(
   libbullet-dev       # taut bench compares with it; all else works without
   libcairo2-dev       # text and page composition
   libcli11-dev
-  libdeflate-dev      # compresses PNG
+  libdeflate-dev      # compresses PNG for stb
   libeigen3-dev       # solves sparse systems
   libfmt-dev
   libfontconfig-dev   # finds the window's font
@@ -31,6 +31,7 @@ packages=(
   libminizip-dev      # reads the unit of 3MF files
   libpugixml-dev      # reads their XML
   libqhull-dev        # triangulates the sewing pattern
+  libstb-dev          # writes PNG, and the tests read it
   libegl1             # OpenGL without a display or a GPU
   libegl-mesa0
   libgl1-mesa-dri
@@ -46,7 +47,6 @@ packages=(
   # tests
   libgtest-dev
   librapidcheck-dev   # properties of random cases
-  libstb-dev          # reads PNG
   python3             # makes models of every format, and is a terminal
   python3-numpy       # the library's Python
   mono-mcs            # and its C#

@@ -141,8 +141,7 @@ void write_results(const BenchOptions& options, const BenchResults& results, con
   tell(options.output / "bench.json");
   const Drawing drawing = draw_bench(results);
   const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
-  write_file(options.output / "bench.png",
-             renderer::encode_png(to_image(drawing), texts, {.deflate_level = 6, .filter = 4}));
+  write_file(options.output / "bench.png", renderer::encode_png(to_image(drawing), texts));
   tell(options.output / "bench.png");
   write_pdf(options.output / "bench.pdf", drawing, "taut bench: time for one frame against stretch");
   tell(options.output / "bench.pdf");

@@ -19,9 +19,6 @@
 namespace taut::app {
 namespace {
 
-// Figures are compressed more than frames of a sequence, for which speed matters more.
-constexpr renderer::PngEffort effort = {.deflate_level = 6, .filter = 4};
-
 class FigureWriter {
  public:
   explicit FigureWriter(const FiguresOptions& options)
@@ -32,7 +29,7 @@ class FigureWriter {
     const Drawing drawing = figure.draw(results, offscreen_);
     renderer::Image picture = to_image(drawing, options_.scale);
     const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
-    write_file(noted(figure.name + ".png"), renderer::encode_png(picture, texts, effort));
+    write_file(noted(figure.name + ".png"), renderer::encode_png(picture, texts));
     write_pdf(noted(figure.name + ".pdf"), drawing, figure.title);
     if (figure.csv != nullptr) {
       write_text_file(noted(figure.name + ".csv"), figure.csv(results));
@@ -59,8 +56,7 @@ class FigureWriter {
   }
 
   void write_contact_sheet() {
-    write_file(noted("contact_sheet.png"),
-               renderer::encode_png(contact_sheet(drawn_, options_.scale), {}, effort));
+    write_file(noted("contact_sheet.png"), renderer::encode_png(contact_sheet(drawn_, options_.scale)));
     tell();
   }
 

@@ -130,7 +130,7 @@ int status(const SweepOptions& options, const Sweep& sweep) {
 }
 
 void write_image(const std::filesystem::path& file, const renderer::Image& image) {
-  write_file(file, renderer::encode_png(image, {}, {.deflate_level = 6, .filter = 4}));
+  write_file(file, renderer::encode_png(image));
   fmt::print("wrote {}\n", file.string());
 }
 

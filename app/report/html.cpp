@@ -138,7 +138,7 @@ std::string promises_html(const std::vector<PromiseResult>& promises) {
 
 std::string png_url(const renderer::Image& picture) {
   return "data:image/png;base64," +
-         base64(renderer::encode_png(picture, {}, {.deflate_level = 6, .filter = 4}));
+         base64(renderer::encode_png(picture));
 }
 
 std::string figure_html(const DrawnFigure& figure) {

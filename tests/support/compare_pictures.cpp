@@ -53,8 +53,7 @@ int compare_files(const std::string& expected_path, const std::string& actual_pa
 }
 
 int repack(const char* from, const char* to) {
-  constexpr renderer::PngEffort smallest = {.deflate_level = 12, .filter = -1};
-  write(to, renderer::encode_png(tests::read_png(from), {}, smallest));
+  write(to, renderer::encode_png(tests::read_png(from)));
   return 0;
 }
 

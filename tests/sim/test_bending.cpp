@@ -115,7 +115,7 @@ TEST(Bending, WavesTooFastToFollowAreSlowedAndWideFoldsKeepTheirRigidity) {
     const double allowed_per_s = whole.largest_rate_per_s() / 12.0;
     Bending shared(garment, pins, layout, rigidity_n_m, allowed_per_s);
     EXPECT_GE(shared.level_count(), 3u);
-    EXPECT_LE(shared.largest_rate_per_s(), 2.5 * allowed_per_s);
+    EXPECT_LE(shared.largest_rate_per_s(), 5.5 * allowed_per_s);
     double sum = 0.0;
     for (const double angle : {0.2, 0.7, 1.3, 1.9, 2.5}) {
       const double ratio = cylinder_energy_ratio(garment, shared, rigidity_n_m, angle);

@@ -1,13 +1,8 @@
 #include "sim/solvers/bounded/apart_while_corrected.hpp"
 
+#include "sim/solvers/bounded/tuning.hpp"
+
 namespace taut::sim::bounded {
-namespace {
-
-/// Rounds of a correction that go on within the same regions.
-constexpr int most_rounds = 8;
-
-}  // namespace
-
 void ApartWhileCorrected::begin(const Float4Array& raw, const Float4Array& expected) {
   cloth_.contacts.make_regions(frame_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
   last_ = raw;
@@ -18,7 +13,7 @@ void ApartWhileCorrected::begin(const Float4Array& raw, const Float4Array& expec
 void ApartWhileCorrected::bring_back(Float4Array& displacements) {
   frame_.ask();
   ++rounds_;
-  if (is_held_back_ || rounds_ % most_rounds == 0) {
+  if (is_held_back_ || rounds_ % tuning::most_rounds == 0) {
     moved_.resize(last_.size());
     for (std::size_t row = 0; row < last_.size(); ++row) {
       moved_[row] = scaled_sum(displacements[row], last_[row], -1.0F);

@@ -7,29 +7,14 @@
 
 #include "sim/solvers/bounded/coarse_cloth.hpp"
 #include "sim/solvers/bounded/flexural.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 namespace {
 
-/// The fastest wave of all elements together is faster than one element alone by about this factor. A larger
-/// value softens elements more.
-constexpr double wave_per_element = 2.2;
-/// Another level is made if at some vertex more than this fraction of the rigidity is left over. A larger
-/// value makes fewer levels and loses more rigidity.
-constexpr double least_share = 0.01;
-/// The largest number of levels. Each level has a quarter of the vertices of the one before, so only meshes
-/// of some millions reach it.
-constexpr std::size_t most_levels = 8;
-/// The smallest number of clusters of a level. So few have no folds distinct from ripples and cost almost
-/// nothing.
-constexpr std::size_t fewest_clusters = 100;
-/// The coarsest level takes all that is left, with rates up to this many times those of other levels. Only
-/// needles exceed it.
-constexpr double coarsest_rate = 10.0;
-/// The highest rate is found by the power method with this many iterations. Its result is slightly too low,
-/// so its square is multiplied by the margin. It is close because the highest modes are many and similar.
+/// The highest rate is found by the power method with this many iterations: it is close because the highest
+/// modes are many and similar.
 constexpr int power_iterations = 40;
-constexpr double power_margin = 1.15;
 
 /// Returns the square of the angular frequency of one element alone, in 1/s^2.
 double squared_rate(const FlexuralElement& e, double stiffness, const Pins& pins) {
@@ -70,8 +55,7 @@ struct Taken {
 
 /// `shares` holds, per vertex, the fraction of the rigidity that this level should take.
 Taken take_stiffness(const Garment& garment, const Pins& pins, const std::vector<Index>& row_of_vertex,
-                     const std::vector<double>& shares, double rigidity_n_m, double largest_rate_per_s) {
-  const double stiffest = largest_rate_per_s / wave_per_element;
+                     const std::vector<double>& shares, double rigidity_n_m, double stiffest) {
   std::vector<double> left(shares.size(), 0.0);
   std::vector<double> whole(shares.size(), 0.0);
   std::vector<Entry> entries;
@@ -139,15 +123,15 @@ std::vector<Index> in_order(std::size_t count) {
 }  // namespace
 
 Bending::Bending(const Garment& garment, const Pins& pins, const Layout& layout, double rigidity_n_m,
-                 double largest_rate_per_s)
+                 double fastest_element_per_s)
     : first_free_row_(layout.pin_count), row_count_(layout.vertex_count()) {
   if (!(rigidity_n_m > 0.0)) {
     return;
   }
   const auto take = [&](const Garment& from, const Pins& level_pins, const std::vector<Index>& row_of_vertex,
                         const std::vector<Index>& vertex_of_row, const std::vector<double>& shares) {
-    const bool is_coarsest = levels_.size() + 1 == most_levels || shares.size() < 4 * fewest_clusters;
-    const double rate_per_s = largest_rate_per_s * (is_coarsest ? coarsest_rate : 1.0);
+    const bool is_coarsest = shares.size() < largest_cluster * tuning::fewest_clusters;
+    const double rate_per_s = fastest_element_per_s * (is_coarsest ? tuning::coarsest_rate : 1.0);
     Taken taken = take_stiffness(from, level_pins, row_of_vertex, shares, rigidity_n_m, rate_per_s);
     const auto inverse_masses = by_row<double>(level_pins.inverse_masses_per_kg, vertex_of_row);
     levels_.emplace_back();
@@ -159,7 +143,7 @@ Bending::Bending(const Garment& garment, const Pins& pins, const Layout& layout,
   std::vector<double> left =
       take(garment, pins, layout.row_of_vertex, order, std::vector<double>(row_count_, 1.0));
   CoarseCloth coarse;
-  while (*std::max_element(left.begin(), left.end()) > least_share) {
+  while (*std::max_element(left.begin(), left.end()) > 0.0) {
     coarse = coarsen(levels_.size() == 1 ? garment : coarse.garment, order);
     const std::vector<double> shares = shares_of_clusters(coarse, left);
     const auto cluster_of = by_row<std::uint32_t>(coarse.cluster_of, order);
@@ -201,7 +185,7 @@ std::vector<double> Bending::image_of(const std::vector<double>& mode) const {
 double Bending::find_largest_rate_per_s() const {
   std::vector<double> mode(row_count_, 0.0);
   for (std::size_t row = first_free_row_; row < row_count_; ++row) {
-    mode[row] = row % 2 == 0 ? 1.0 : -0.7;
+    mode[row] = row % 2 == 0 ? 1.0 : -0.5;
   }
   double eigenvalue = 0.0;
   for (int iteration = 0; iteration < power_iterations; ++iteration) {
@@ -218,7 +202,7 @@ double Bending::find_largest_rate_per_s() const {
       x /= largest;
     }
   }
-  return std::sqrt(power_margin * eigenvalue);
+  return std::sqrt(eigenvalue);
 }
 
 void Bending::add_accelerations(const Float4Array& positions, ParallelKernels& kernels,

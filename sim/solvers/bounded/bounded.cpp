@@ -15,6 +15,7 @@
 #include "sim/solvers/bounded/step.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
 #include "sim/solvers/bounded/thread_choice.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 #include "sim/solvers/bounded/within_bound.hpp"
 
 namespace taut::sim {
@@ -23,43 +24,19 @@ using namespace bounded;
 
 namespace {
 
-/// Fewer time steps would do for small stiff cloths.
-constexpr double least_substeps_per_s = 480.0;
+/// Stretch, in bounds, that even the most more steps leave too much of.
+constexpr double overstretched = tuning::coped_stretch * tuning::most_more_steps * tuning::most_more_steps;
 
-/// A projection that costs more sweeps than this many times the substeps is not worth it: more substeps are. So
-/// many sweeps are always.
-constexpr double costliest_projection = 3.0;
-constexpr double cheap_projection = 24.0;
-/// Where no more substeps are to be had, it is.
-constexpr double last_resort_sweeps = 1000.0;
-/// Stretch is compared with no tighter bound than this one.
-constexpr double smallest_bound = 1e-4;
-/// Stretch, in bounds, that more steps have to mend.
-constexpr double overstretched = 16.0;
-
-/// A frame may take this many times the work of the median frame.
-constexpr double most_work = 20.0;
-/// The work of a search, in sweeps, and of one around single vertices.
-constexpr double work_of_search = 25.0;
-constexpr double work_of_partial_search = 12.0;
-/// Searches of a frame before there is one to count them.
-constexpr double first_searches = 5.0;
-/// The median follows by this factor a frame.
-constexpr double median_step = 1.1;
-
-/// A frame corrected by this many times more than allowed is repeated, unless the frame before it was
-/// corrected as far.
-constexpr double too_far = 3.0;
-constexpr double further_than_before = 1.2;
-
-/// The work of a frame that divides so, before there is one to tell.
-double work_for(int substeps) {
-  return 2.0 * substeps + first_searches * work_of_search;
+/// Returns the work of a frame before there is one to tell, in sweeps: its projection takes as many as its
+/// substeps, and a search of its own.
+double work_for(int substeps, double frame_time_s) {
+  const double searches = 1.0 + tuning::touching_regions_per_s * frame_time_s;
+  return 2.0 * substeps + searches * tuning::work_of_search;
 }
 
 /// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
 double tether_slack(const BoundedSettings& settings) {
-  return settings.bound == BoundKind::springs ? 0.5 * settings.max_stretch : 0.0;
+  return settings.bound == BoundKind::springs ? settings.max_stretch : 0.0;
 }
 
 }  // namespace
@@ -113,8 +90,7 @@ struct BoundedSolver::Effort {
   void add(const Attempt& attempt, const ContactReport& report) {
     const double attempt_sweeps = attempt.substeps + attempt.projected.cost;
     sweeps += attempt_sweeps;
-    work += attempt_sweeps + work_of_search * report.detections +
-            work_of_partial_search * report.partial_detections;
+    work += attempt_sweeps + tuning::work_of_search * (report.detections + 0.5 * report.partial_detections);
     contact.detections += report.detections;
     contact.partial_detections += report.partial_detections;
     contact.most_pairs = std::max(contact.most_pairs, report.most_pairs);
@@ -160,7 +136,7 @@ int BoundedSolver::substeps_for_load(const Frame& frame) const {
 
 // A load that sets in is as usual as what has been.
 double BoundedSolver::usual_work(const Frame& frame, const Memory& memory) const {
-  return std::max(memory.median_work, work_for(substeps_for_load(frame)));
+  return std::max(memory.median_work, work_for(substeps_for_load(frame), frame.duration_s));
 }
 
 Memory BoundedSolver::first_memory(const Frame& frame) const {
@@ -170,11 +146,11 @@ Memory BoundedSolver::first_memory(const Frame& frame) const {
   if (substeps_) {
     memory.control = SubstepControl(*substeps_, *substeps_, *substeps_, frame.duration_s);
   } else {
-    const int least = std::max(static_cast<int>(std::lround(least_substeps_per_s * frame.duration_s)),
-                               cloth_->forces.updates_per_frame({}, frame.duration_s));
+    const int least = std::max(static_cast<int>(std::lround(tuning::least_steps_per_s * frame.duration_s)),
+                               cloth_->forces.updates_per_frame(frame.duration_s));
     memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_, frame.duration_s);
   }
-  memory.median_work = work_for(memory.control.substeps());
+  memory.median_work = work_for(memory.control.substeps(), frame.duration_s);
   return memory;
 }
 
@@ -213,11 +189,10 @@ void BoundedSolver::begin_substeps(double time_step_s) {
 
 void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps) {
   Cloth& cloth = *cloth_;
-  const ExternalForces& external = frame.surroundings.forces;
   const double dt = frame.duration_s / substeps;
-  const int updates = cloth.forces.updates_per_frame(external, frame.duration_s);
+  const int updates = cloth.forces.updates_per_frame(frame.duration_s);
   const int substeps_per_update = std::max(1, substeps / updates);
-  const int wind_updates = cloth.forces.wind_updates_per_frame(external, frame.duration_s);
+  const int wind_updates = SlowForces::wind_updates_per_frame(frame.duration_s);
   const int substeps_per_wind =
       std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
   begin_substeps(dt);
@@ -270,7 +245,7 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
                                         Float4Array& corrections) {
   Cloth& cloth = *cloth_;
   const double largest_cost =
-      is_last ? last_resort_sweeps : std::max(costliest_projection * substeps, cheap_projection);
+      is_last ? tuning::last_resort_sweeps : tuning::costliest * std::max<double>(substeps, round_sweeps);
   const auto project_within = [&](Confinement* confinement, Float4Array& from) {
     return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, largest_cost,
                                     confinement, *kernels_, from);
@@ -312,10 +287,10 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
         keeps_bound_in_double(frame.garment, frame.pins, settings_, attempt.state.current, allow);
   }
   set_previous(attempt.state);
-  const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
+  const double allowed_m = allowed_shift_m(cloth.layout);
   const double last_shift = std::exchange(
       memory.shift, allowed_m > 0.0 ? attempt.projected.largest_shift_m / allowed_m : 0.0);
-  attempt.is_far = memory.shift > too_far && memory.shift > further_than_before * last_shift;
+  attempt.is_far = memory.shift > tuning::costliest && memory.shift > tuning::more_steps * last_shift;
   attempt.blocked = cloth.contacts.blocked();
   memory.contact = cloth.contacts.memory();
   attempt.memory = std::move(memory);
@@ -333,7 +308,7 @@ BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& s
     const bool is_last = memory.control.is_spent() || is_over;
     Attempt tried = attempt(frame, state, memory, attempts, is_last);
     effort.add(tried, cloth_->contacts.report());
-    const double raw = tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_bound);
+    const double raw = tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_promised_bound);
     const bool is_same_again = attempts == 0 && cloth_->contacts.is_on() && raw < overstretched;
     if (tried.is_good() || is_last || (!is_same_again && !memory.control.try_more(raw))) {
       return tried;
@@ -362,7 +337,7 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
 
   next_ = std::move(tried.memory);
   next_.control.frame_kept(tried.projected.cost, next_.shift);
-  next_.median_work *= effort.work > begin.median_work ? median_step : 1.0 / median_step;
+  next_.median_work *= effort.work > begin.median_work ? tuning::more_steps : 1.0 / tuning::more_steps;
   state = std::move(tried.state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   cloth.threads.frame_took(took.count(), kernels_->take_work());

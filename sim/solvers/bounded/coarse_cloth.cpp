@@ -9,8 +9,6 @@ namespace taut::sim::bounded {
 namespace {
 
 constexpr Index unassigned = ~Index{0};
-/// The largest cluster, in vertices. A larger value makes fewer levels with coarser steps between them.
-constexpr std::size_t largest_cluster = 4;
 
 class Clusters {
  public:

@@ -6,6 +6,9 @@
 
 namespace taut::sim::bounded {
 
+/// Vertices of the largest cluster: edges twice as long.
+inline constexpr std::size_t largest_cluster = 4;
+
 /// A coarser copy of a garment: clusters of about four vertices each. A cluster has the mass of all its
 /// vertices at their centre of mass. Triangles are where three clusters meet.
 struct CoarseCloth {

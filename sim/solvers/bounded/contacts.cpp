@@ -7,57 +7,17 @@
 #include <limits>
 
 #include "sim/solvers/bounded/blocked_pairs.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 namespace {
 
-/// How far rows may deviate from where they are expected: in m, or in parts of the mean edge where that is
-/// less, and this part of the way there. More finds more pairs, and where these are neighbours in the
-/// cloth their planes hold it stiff; less makes regions last less long. Corrections of a frame are known less
-/// well.
-constexpr float room_m = 2e-3F;
-constexpr float room_per_edge = 0.04F;
-constexpr float correction_room_m = 5e-4F;
-constexpr float correction_room_per_edge = 0.03F;
-/// In parts of the mean of the edges that meet in a row: there are places that are much finer than all else.
-constexpr float room_per_edge_here = 0.1F;
-constexpr float room_per_move = 0.25F;
-constexpr float most_room_m = 5e-3F;
-/// A correction that goes on may go this many times as far as it came.
-constexpr float further = 1.5F;
-
-/// Regions last while neighbours move against each other by this part of the mean edge.
-constexpr double turned_part_of_edge = 0.2;
-
-/// Pairs found last a frame where nothing moves further in it than this part of the mean edge.
-constexpr float slow_part_of_edge = 0.5F;
-
-/// Where something is near, regions last no longer than this, in s: their planes move as things did before,
-/// and would carry what since has been slowed down.
-constexpr double longest_touching_s = 1.0 / 240.0;
-
-/// When a frame is attempted again, regions last so much less long every time, and hold back so much less to
-/// its square: regions that are wrong stretch the cloth, and more time steps do not help.
-constexpr double more_cautious = 2.0;
-
-/// Of what contact moved rows from where they were expected, so much is expected the next time.
-constexpr float deviation_kept = 0.9F;
-constexpr float deviation_room = 1.25F;
-
-/// Regions are made anew when more than this part of the rows is held back by its ball.
-constexpr double held_back_part = 0.03;
-/// The next ball of such a row is larger by so much.
-constexpr float held_back_room = 1.2F;
-
-/// Neighbours in the cloth may come as near as this part of their distance at rest.
+/// Neighbours in the cloth may come as near as this part of their distance at rest: contact's law.
 constexpr float rest_part = 0.5F;
+
 /// Parts of the cloth that touch at rest, as along seams that are not sewn, are not kept apart; nor is cloth
 /// finer than single precision can tell.
-constexpr float smallest_kept_m = 1e-6F;
-/// Searches for pairs, each with larger radii. It was never more than seven.
-constexpr int most_searches = 16;
-/// A thread takes at least so many pairs.
-constexpr std::size_t least_pairs = 512;
+constexpr float smallest_kept_part = 1e-3F;
 
 /// Returns the first row that is where nothing can be found, if one is: in a frame that flies apart.
 std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
@@ -79,7 +39,8 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   is_on_ = within_cloth_ || !bodies.empty();
   blocked_.reset();
   report_ = {};
-  caution_ = std::pow(more_cautious, earlier_attempts);
+  // Regions that are wrong stretch the cloth, and more time steps do not help.
+  caution_ = 1.0 + earlier_attempts;
   from_s_ = until_s_ = time.from_s;
   frame_ends_s_ = time.to_s;
   since_.clear();
@@ -90,6 +51,7 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   if (!is_known) {
     lay_out(frame.garment, layout, bodies);
   }
+  largest_gravity_m_per_s2_ = static_cast<float>(largest_gravity_m_per_s2(frame.surroundings.forces));
   memory_ = memory.rows;
   memory_.resize(layout.row_count());
   near_->forget();
@@ -218,9 +180,9 @@ void Contacts::measure_edges(const Mesh& mesh, const Layout& layout) {
   }
 }
 
-float Contacts::room_of(std::size_t row, float most_m, float per_edge) const {
-  const float of_all = std::min(most_m, per_edge * static_cast<float>(mean_edge_m_));
-  return std::min(of_all, room_per_edge_here * edges_m_[row]);
+float Contacts::room_of(std::size_t row) const {
+  return std::min(tuning::room_per_edge * static_cast<float>(mean_edge_m_),
+                  tuning::room_per_edge_here * edges_m_[row]);
 }
 
 ContactMemory Contacts::memory() const {
@@ -239,16 +201,17 @@ ContactReport Contacts::report() {
 
 void Contacts::observe(const Layout& layout, const Motion& motion, double time_s) {
   if (!since_.empty()) {
-    memory_.observe(layout.vertex_count(), since_, motion.current, time_s - from_s_);
+    memory_.observe(layout.vertex_count(), since_, motion.current, time_s - from_s_,
+                    largest_gravity_m_per_s2_);
   }
 }
 
 double Contacts::suitable_end_s(double time_s, double time_step_s, double frame_end_s) const {
   double longest_s =
-      std::min(frame_end_s - time_s, turned_part_of_edge / caution_ * mean_edge_m_ /
+      std::min(frame_end_s - time_s, tuning::turned_part_of_edge / caution_ * mean_edge_m_ /
                                          std::max(memory_.relative_speed_m_per_s(triangles_), 1e-9));
   if (memory_.is_touching) {
-    longest_s = std::min(longest_s, longest_touching_s);
+    longest_s = std::min(longest_s, 1.0 / tuning::touching_regions_per_s);
   }
   const double steps_left = std::max(std::round((frame_end_s - time_s) / time_step_s), 1.0);
   const double times_left = std::ceil((frame_end_s - time_s) / std::max(longest_s, time_step_s) - 1e-3);
@@ -290,9 +253,9 @@ void Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
     add_scaled(move, memory_.accelerations[row], 0.5F * lasts_s * (lasts_s + before_s));
     // What presses layers together; most of it is undone by the cloth itself.
     const Float4 pressed = times(accelerations[row], 0.5F * lasts_s * lasts_s);
-    const float room = room_of(row, room_m, room_per_edge);
+    const float room = room_of(row);
     move = scaled_sum(move, no_longer_than(room, pressed), 1.0F);
-    rows_.radii[row] = std::min(room + room_per_move * length_of(move), most_room_m);
+    rows_.radii[row] = std::min(room + tuning::room_per_move * length_of(move), most_room_m());
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
@@ -306,8 +269,7 @@ void Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
   begin_rows(layout, motion, displacements);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     rows_.moves[row] = expected[row];
-    rows_.radii[row] =
-        room_of(row, correction_room_m, correction_room_per_edge) + room_per_move * length_of(expected[row]);
+    rows_.radii[row] = correction_room_of(row) + tuning::room_per_move * length_of(expected[row]);
   }
   find_regions(frame, layout, motion, {time_s, time_s}, kernels);
 }
@@ -317,8 +279,8 @@ void Contacts::renew_regions(const Frame& frame, const Layout& layout, const Mot
                              ParallelKernels& kernels) {
   begin_rows(layout, motion, displacements);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    rows_.radii[row] = std::clamp(further * length_of(moved[row]),
-                                  room_of(row, correction_room_m, correction_room_per_edge), most_room_m);
+    rows_.radii[row] =
+        std::clamp(tuning::larger * length_of(moved[row]), correction_room_of(row), most_room_m());
   }
   find_regions(frame, layout, motion, {time_s, time_s}, kernels);
 }
@@ -341,7 +303,7 @@ std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickn
   std::transform(rows_.radii.begin(), rows_.radii.end(), reaches_.begin(),
                  [&](float radius) { return radius + 0.5F * thickness_m; });
   return near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
-                     slow_part_of_edge * static_cast<float>(mean_edge_m_), kernels);
+                     static_cast<float>(mean_edge_m_), kernels);
 }
 
 // Of pairs that are not kept apart the thickness is 0.
@@ -355,13 +317,14 @@ ContactPair Contacts::contact_of(const NearPair& near, const Material& material,
     return {near, thickness_m, bodies_.friction_of(bodies_.has(first) ? first : second)};
   }
   const float kept_m = thickness_of(near, thickness_m);
-  return {near, kept_m > smallest_kept_m ? kept_m : 0.0F, static_cast<float>(material.friction)};
+  return {near, kept_m > smallest_kept_part * thickness_m ? kept_m : 0.0F,
+          static_cast<float>(material.friction)};
 }
 
 void Contacts::collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
                              const TimeSpan& time, const Vec3& origin_m, ParallelKernels& kernels) {
   pairs_.resize(found.size());
-  kernels.split(0, found.size(), least_pairs, [&](std::size_t begin, std::size_t end) {
+  kernels.split(0, found.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       pairs_[i] = contact_of(found[i], material, thickness_m);
     }
@@ -376,7 +339,7 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   bodies_.add_mesh_rows(time, origin_m, rows_);
   const std::size_t lasting_rows = rows_.radii.size();
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    rows_.radii[row] = std::max(rows_.radii[row], deviation_room * memory_.deviations[row]);
+    rows_.radii[row] = std::max(rows_.radii[row], memory_.deviations[row] / tuning::filled_part_of_ball);
   }
   if (const std::optional<std::size_t> row = first_not_findable(rows_)) {
     std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
@@ -387,7 +350,7 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   assert(frame.garment.material.thickness_m >= least_thickness_m);
   const auto thickness_m = static_cast<float>(frame.garment.material.thickness_m);
   bool fits = false;
-  for (int search = 0; search < most_searches && !fits; ++search) {
+  for (int search = 0; search < tuning::most_rounds && !fits; ++search) {
     frame.ask();
     rows_.positions.resize(lasting_rows);
     rows_.moves.resize(lasting_rows);
@@ -401,8 +364,7 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   report_.most_pairs = std::max(report_.most_pairs, static_cast<int>(regions_.pair_count()));
   note_blocked(layout, origin_m, fits);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
-    float& deviation = memory_.deviations[row];
-    deviation = std::max(deviation_kept * deviation, regions_.deviation(row));
+    memory_.deviations[row] = regions_.deviation(row);
   }
 }
 
@@ -423,9 +385,9 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
       regions_.bring_back(time, step, since_, motion.previous, motion.current, kernels);
   for (const HeldBack& held : held_back) {
     memory_.deviations[held.row] =
-        std::max(memory_.deviations[held.row], held_back_room * regions_.radius(held.row));
+        std::max(memory_.deviations[held.row], tuning::larger * regions_.radius(held.row));
   }
-  const double most_held_back = held_back_part / (caution_ * caution_);
+  const double most_held_back = tuning::few / (caution_ * caution_);
   if (static_cast<double>(held_back.size()) > most_held_back * static_cast<double>(layout.vertex_count())) {
     let_go(held_back, motion);
     // Before their end planes are where chords are, and not where kinematic things are.

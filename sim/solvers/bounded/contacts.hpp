@@ -10,6 +10,7 @@
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/memory.hpp"
 #include "sim/solvers/bounded/motion.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/surroundings.hpp"
 
@@ -86,9 +87,11 @@ class Contacts {
   std::vector<LeftOutTriangle> left_out() const;
   double left_out_share() const;
   void measure_edges(const Mesh& mesh, const Layout& layout);
-  /// How far a row may deviate from where it is expected, in m: at most so much, and this part of the mean
-  /// edge.
-  float room_of(std::size_t row, float most_m, float per_edge) const;
+  /// Returns how far a row may deviate from where it is expected, in m.
+  float room_of(std::size_t row) const;
+  float most_room_m() const { return tuning::most_room_per_edge * static_cast<float>(mean_edge_m_); }
+  /// Corrections of a frame are known less well, and larger balls do not fit into lists that last.
+  float correction_room_of(std::size_t row) const { return 0.5F * room_of(row); }
   void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
   void find_regions(const Frame& frame, const Layout& layout, const Motion& motion, const TimeSpan& time,
                     ParallelKernels& kernels);
@@ -107,7 +110,8 @@ class Contacts {
   Float4Array rest_;                 ///< its positions at rest, by row, in m
   double mean_edge_m_ = 0.0;
   float longest_edge_m_ = 0.0F;
-  std::vector<float> edges_m_;  ///< mean length of the edges that meet in a row
+  float largest_gravity_m_per_s2_ = 0.0F;  ///< neighbours that change faster tremble
+  std::vector<float> edges_m_;             ///< mean length of the edges that meet in a row
   BodyContacts bodies_;
   std::optional<LastingPairs> near_;
   Crossings left_out_;

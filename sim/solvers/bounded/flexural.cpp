@@ -16,11 +16,6 @@ constexpr double grid_factor = 2.0;
 /// Two lines cross if the squared sine of the angle between them is above this. A smaller value accepts lines
 /// that are almost parallel, whose crossing is ill defined.
 constexpr double least_squared_sine = 1e-3;
-/// A crossing may be this far from the middle of the spring, as a fraction of the spring's length. A larger
-/// value finds cloth below more springs, with stiffer elements.
-constexpr double largest_offset = 0.3;
-/// How far a line is extended beyond v, as a fraction of the edge v-c.
-constexpr double extension = 0.5;
 /// Of crossings equally far from the middle, this weight prefers the one nearer to v.
 constexpr double distance_weight = 1e-3;
 
@@ -75,20 +70,20 @@ class Neighbours {
 };
 
 /// Returns the element whose crossing is nearest to the middle of the spring. It looks at the lines from each
-/// vertex that is a neighbour of both ends. A line is extended slightly beyond v because at a border the
+/// vertex that is a neighbour of both ends. A line is extended beyond v because at a border the
 /// spring can pass outside the cloth.
 std::optional<FlexuralElement> element_of(const Edge& spring, const std::vector<Vec3>& positions,
                                           const Neighbours& neighbours) {
   const auto [a, b] = spring;
   std::optional<FlexuralElement> best;
-  double best_offset = largest_offset;
+  double best_offset = 0.5;  // within the spring
   for (const Index v : neighbours.common(a, b)) {
     for (const Index c : neighbours.of(v)) {
       if (c == a || c == b) {
         continue;
       }
       const auto crossing = crossing_of(positions[a], positions[b], positions[v], positions[c]);
-      if (!crossing || !(crossing->t >= -extension && crossing->t <= 1.0)) {
+      if (!crossing || !(std::abs(crossing->t) <= 1.0)) {
         continue;
       }
       const auto [s, t] = *crossing;

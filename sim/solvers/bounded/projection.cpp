@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/solvers/bounded/tuning.hpp"
+
 namespace taut::sim::bounded {
 namespace {
 
@@ -11,47 +13,15 @@ namespace {
 /// more, so that it also holds when the positions are read back in double precision.
 constexpr double rounding = 2e-6;
 
-/// Over-relaxed sweeps between two looks at all springs, and then one of factor 1: where springs pull at each
-/// other, a sweep that is over-relaxed leaves some of them too long. Fewer look more often, at the cost of a
-/// sweep.
-constexpr int relaxed_sweeps = 6;
-
-/// Chains of springs are taken for no shorter and no longer than this, see relaxation_of. More relaxes more,
-/// which settles faster along a chain and slower across.
-constexpr double least_springs = 16.0;
-constexpr double most_springs = 128.0;
-
-/// Springs and triangles stretched by this part of the aim may get too long by the correction of others:
-/// nearer to 1 fewer blocks are swept, in more rounds.
-constexpr float nearly = 0.75F;
-
-/// How fast the last frame's correction fades, in 1/s. Not at all would be fewest sweeps, but shapes would
-/// drift off.
-constexpr double faded_per_s = 1.8;
-
-/// A projection is held up by contact if so many rounds leave more than this part of the excess. It then evens
-/// out displacements on so many rings of vertices around triangles that are too long, in so many passes. More
-/// rings and passes move more of the cloth.
-constexpr int rounds_looked_at = 6;
-constexpr double most_evened = 6.0;  ///< raw stretch in bounds
-constexpr double slow_progress = 0.5;
-constexpr std::uint8_t evened_rings = 5;
-constexpr int evening_passes = 8;
-
-/// Aims at this part of the bound: the last of a correction takes the most sweeps. Less is done sooner and
-/// moves the cloth further.
-constexpr double aimed_part = 0.97;
-
 /// Below 2 the distance to every shape within the bound can only fall, whatever the weights (Agmon 1954).
 /// What is best for a chain of n springs is 2 / (1 + sin(pi / n)) (Young 1954); the weights make chains
 /// shorter.
 float relaxation_of(const Layout& layout) {
-  return static_cast<float>(2.0 /
-                            (1.0 + 2.0 / std::clamp(layout.reach_springs, least_springs, most_springs)));
+  return static_cast<float>(2.0 / (1.0 + 2.0 / std::max(layout.reach_springs, tuning::shortest_chain)));
 }
 
 float squared_aim_of(double max_stretch) {
-  const double length = (1.0 + aimed_part * max_stretch) * (1.0 - 2.0 * rounding);
+  const double length = (1.0 + tuning::aimed_part * max_stretch) * (1.0 - 2.0 * rounding);
   return static_cast<float>(length * length);
 }
 
@@ -84,7 +54,7 @@ void for_triangles(const SurfaceLanes& surface, const Each& each) {
 
 BoundProjection::BoundProjection(const Layout& layout, double frame_time_s)
     : relaxation_(relaxation_of(layout)),
-      kept_correction_(static_cast<float>(std::max(0.0, 1.0 - faded_per_s * frame_time_s))),
+      kept_correction_(static_cast<float>(std::max(0.0, 1.0 - tuning::faded_per_s * frame_time_s))),
       corrected_(layout.row_count()),
       squared_spring_ratios_(layout.springs.block_count()),
       squared_surface_ratios_(layout.surface.block_count()) {}
@@ -117,12 +87,12 @@ double BoundProjection::shorten(const AnyLanes& lanes, const std::vector<std::ui
 
 // One round. Returns its work, in sweeps over all springs and triangles.
 double BoundProjection::shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels) {
-  const float least = 1.0F + nearly * (squared_aim - 1.0F);
+  const float least = 1.0F + tuning::nearly_long * (squared_aim - 1.0F);
   const std::vector<std::uint32_t> springs = long_blocks(squared_spring_ratios_, least);
   const std::vector<std::uint32_t> surface = long_blocks(squared_surface_ratios_, least);
   double shortened = 0.0;
-  for (int sweep = 0; sweep <= relaxed_sweeps; ++sweep) {
-    const float factor = sweep < relaxed_sweeps ? relaxation_ : 1.0F;
+  for (int sweep = 0; sweep <= tuning::relaxed_sweeps; ++sweep) {
+    const float factor = sweep < tuning::relaxed_sweeps ? relaxation_ : 1.0F;
     shortened += shorten(layout.springs, springs, squared_aim, factor, kernels);
     shortened += shorten(layout.surface, surface, squared_aim, factor, kernels);
   }
@@ -167,11 +137,11 @@ void BoundProjection::find_rings(const SurfaceLanes& surface, float squared_boun
   for_triangles(surface, [&](std::size_t block, const std::array<Index, 3>& corners) {
     if (squared_surface_ratios_[block] > squared_bound) {
       for (const Index row : corners) {
-        rings_[row] = evened_rings;
+        rings_[row] = tuning::evened_rings;
       }
     }
   });
-  for (std::uint8_t ring = evened_rings; ring > 1; --ring) {
+  for (std::uint8_t ring = tuning::evened_rings; ring > 1; --ring) {
     for_triangles(surface, [&](std::size_t, const std::array<Index, 3>& corners) {
       if (std::any_of(corners.begin(), corners.end(), [&](Index row) { return rings_[row] == ring; })) {
         for (const Index row : corners) {
@@ -185,7 +155,7 @@ void BoundProjection::find_rings(const SurfaceLanes& surface, float squared_boun
 // Where all vertices move alike, triangles are as they were when the frame began: within the bound.
 void BoundProjection::even_out(const Layout& layout, float squared_bound) {
   find_rings(layout.surface, squared_bound);
-  for (int pass = 0; pass < evening_passes; ++pass) {
+  for (int pass = 0; pass < tuning::most_rounds; ++pass) {
     sums_.assign(corrected_.size(), Float4{});
     counts_.assign(corrected_.size(), 0.0F);
     for_triangles(layout.surface, [&](std::size_t, const std::array<Index, 3>& corners) {
@@ -217,11 +187,11 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
     ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   }
   // What time steps have stretched further is for more of them to mend.
-  const bool evens_out = confinement != nullptr && result.raw_max_stretch < most_evened * max_stretch;
+  const bool evens_out = confinement != nullptr && result.raw_max_stretch < tuning::coped_stretch * max_stretch;
   double earlier_ratio = ratio;
   for (int round = 1; !(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio); ++round) {
-    if (evens_out && round % rounds_looked_at == 0) {
-      if (ratio - squared_bound > slow_progress * (earlier_ratio - squared_bound)) {
+    if (evens_out && round % tuning::most_rounds == 0) {
+      if (ratio - squared_bound > tuning::slow_progress * (earlier_ratio - squared_bound)) {
         even_out(layout, static_cast<float>(squared_bound));
         confinement->bring_back(corrected_);
         largest_ratio(layout, kernels);

@@ -5,8 +5,12 @@
 
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
+
+/// The work of one round, in sweeps: the relaxed ones, an exact one, and a look at everything.
+inline constexpr double round_sweeps = tuning::relaxed_sweeps + 2.0;
 
 /// What came of making a frame keep its bound.
 struct ProjectionResult {

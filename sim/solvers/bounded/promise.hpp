@@ -20,6 +20,9 @@ struct PromiseNames {
 /// The smallest bound on stretch that is promised.
 inline constexpr double smallest_promised_bound = 1e-4;
 
+/// A frame ends, kept or refused, within so many times the work of the median frame.
+inline constexpr double most_work = 20.0;
+
 /// Returns why `bounded` does not promise its bound in these surroundings, as a message for the user. Returns
 /// nothing if it does promise it, and if the settings allow exceeding it.
 std::optional<std::string> beyond_promise(const BoundedSettings& settings, const Surroundings& surroundings,

@@ -3,19 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/solvers/bounded/tuning.hpp"
+
 namespace taut::sim::bounded {
-namespace {
-
-/// A velocity is a mean over this time, in s. Within a time step vertices go back and forth.
-constexpr double lasting_s = 2e-3;
-/// In m/s^2: more than a fall's is trembling.
-constexpr float most_acceleration = 12.0F;
-/// The fastest neighbours are not counted, as single vertices tremble.
-constexpr double counted_part = 0.99;
-/// Some triangles tell as much as all.
-constexpr std::size_t looked_at_every = 4;
-
-}  // namespace
 
 void RowMemory::resize(std::size_t rows) {
   velocities.resize(rows);
@@ -24,13 +14,13 @@ void RowMemory::resize(std::size_t rows) {
 }
 
 void RowMemory::observe(std::size_t rows, const Float4Array& before, const Float4Array& after,
-                        double observed_s) {
-  const auto share = static_cast<float>(observed_s / std::max(observed_s, lasting_s));
+                        double observed_s, float most_acceleration) {
   const auto per_s = static_cast<float>(1.0 / observed_s);
   for (std::size_t row = 0; row < rows; ++row) {
     const Float4 moved = scaled_sum(after[row], before[row], -1.0F);
-    const Float4 change = times(scaled_sum(times(moved, per_s), velocities[row], -1.0F), share);
-    velocities[row] = scaled_sum(velocities[row], change, 1.0F);
+    const Float4 velocity = times(moved, per_s);
+    const Float4 change = scaled_sum(velocity, velocities[row], -1.0F);
+    velocities[row] = velocity;
     const Float4 observed = no_longer_than(most_acceleration, times(change, per_s));
     accelerations[row] = times(scaled_sum(accelerations[row], observed, 1.0F), 0.5F);
   }
@@ -42,12 +32,11 @@ double RowMemory::relative_speed_m_per_s(std::span<const Triangle> triangles) co
     return 0.0;
   }
   std::vector<float> speeds;
-  speeds.reserve(triangles.size() / looked_at_every + 1);
-  for (std::size_t k = 0; k < triangles.size(); k += looked_at_every) {
-    const Triangle& t = triangles[k];
+  speeds.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
     speeds.push_back(length_of(scaled_sum(velocities[t[0]], velocities[t[1]], -1.0F)));
   }
-  const auto rank = static_cast<std::ptrdiff_t>(counted_part * static_cast<double>(speeds.size()));
+  const auto rank = static_cast<std::ptrdiff_t>(tuning::counted_part * static_cast<double>(speeds.size()));
   std::nth_element(speeds.begin(), speeds.begin() + rank, speeds.end());
   return speeds[static_cast<std::size_t>(rank)];
 }

@@ -19,8 +19,10 @@ struct RowMemory {
 
   void resize(std::size_t rows);
 
-  /// Learns from displacements at both ends of a time, in m.
-  void observe(std::size_t rows, const Float4Array& before, const Float4Array& after, double elapsed_s);
+  /// Learns from displacements at both ends of a time, in m. More acceleration than `most_acceleration`, in
+  /// m/s^2, is trembling.
+  void observe(std::size_t rows, const Float4Array& before, const Float4Array& after, double elapsed_s,
+               float most_acceleration);
 
   /// Returns the speed at which neighbours in the cloth move against each other, but for the fastest.
   double relative_speed_m_per_s(std::span<const Triangle> triangles) const;

@@ -7,13 +7,10 @@
 #include "sim/mesh/elementary.hpp"
 #include "sim/mesh/geodesics.hpp"
 #include "sim/solvers/bounded/kernels/blocks.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 namespace {
-
-/// In the projection, weights grow by this power of e per spring towards the pins. A larger value hands
-/// corrections down the cloth faster and leaves smaller ones near the pins.
-constexpr double projection_weight_growth = 0.2;
 
 void number_rows(const Garment& garment, const Pins& pins, Rows& rows) {
   const GeodesicDistances geodesics = geodesic_distances(garment.mesh, garment.adjacency, pins.vertices);
@@ -67,7 +64,7 @@ double projection_ratio(Index row_i, Index row_j, const Rows& rows) {
   if (!std::isfinite(further_m) || !(rows.reach_m > 0.0)) {
     return 1.0;
   }
-  return exponential(-projection_weight_growth * further_m * rows.reach_springs / rows.reach_m);
+  return exponential(-tuning::projection_weight_growth * further_m * rows.reach_springs / rows.reach_m);
 }
 
 }  // namespace taut::sim::bounded

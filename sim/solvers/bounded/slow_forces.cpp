@@ -5,35 +5,13 @@
 #include <cmath>
 
 #include "sim/hand.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 namespace {
 
-/// The fewest updates of all slow forces. Fewer cost less, and the wind then lags behind the cloth.
-constexpr double least_updates_per_s = 180.0;
 /// The largest number of updates per frame. Vertices of almost no mass would need any number.
 constexpr double most_updates_per_frame = 1e6;
-/// How far the wind blows from one update to the next, in m. The force of the wind turns with the cloth, by
-/// about the same angle per distance blown. With a smaller value, a shirt in a wind of 10 m/s changed by less
-/// than its own turbulence.
-constexpr double wind_update_m = 0.042;
-
-/// The angular frequency of the fastest bending mode times the interval between updates, in radians. It is
-/// stable while its square is below 2 (see add_bending). At 1.3 the cloth trembled, because sweeps come in
-/// between. A smaller value needs more updates.
-constexpr double largest_rate_times_interval = 0.95;
-
-/// Waves of bending faster than this, in radians per second, are slowed down where edges are long. A larger
-/// value needs more updates.
-constexpr double fastest_bending_rad_per_s = 132.0;
-/// How many edges the bending length of cloth may have before the limit above rises, with the sixth power of
-/// their number: folds that are few edges wide are smeared by clusters, and cloth drapes too softly.
-constexpr double edges_in_bending_length = 1.13;
-/// The limit rises to no more than the first of these plus the second times the number of edges to the power
-/// 3/4. Larger values keep more of the rigidity near clamps, where clusters cannot bend as cloth does, for
-/// more updates.
-constexpr double least_rise = 3.0;
-constexpr double more_rise = 2.0;
 
 /// The cube of the bending length (Peirce 1930): rigidity over weight.
 double cubed_bending_length_m3(double rigidity_n_m, double areal_density_kg_per_m2) {
@@ -41,22 +19,18 @@ double cubed_bending_length_m3(double rigidity_n_m, double areal_density_kg_per_
   return rigidity_n_m / (areal_density_kg_per_m2 * gravity_m_per_s2);
 }
 
-double fastest_bending_per_s(const Garment& garment, double rigidity_n_m) {
+double fastest_element_per_s(const Garment& garment, double rigidity_n_m) {
   const double edge_m = mean_edge_m(garment.springs);
   const double cubed_edges = cubed_bending_length_m3(rigidity_n_m, garment.material.areal_density_kg_per_m2) /
                              (edge_m * edge_m * edge_m);
-  const double ratio =
-      cubed_edges / (edges_in_bending_length * edges_in_bending_length * edges_in_bending_length);
-  const double largest_rise = least_rise + more_rise * std::sqrt(std::sqrt(cubed_edges));
-  const double rise = std::clamp(ratio * ratio, 1.0, largest_rise);
-  return rise * fastest_bending_rad_per_s;
+  const double edges = std::cbrt(cubed_edges);
+  const double ratio = cubed_edges / std::pow(tuning::edges_in_bending_length, 3);
+  const double rise = std::clamp(ratio * ratio, 1.0, std::max(tuning::rise_per_edge * edges, 1.0));
+  return rise * tuning::fastest_element_per_s;
 }
 
-int whole_updates(double wanted, double frame_time_s) {
-  const double rounded = std::ceil(wanted);
-  const int least = std::max(1, static_cast<int>(std::lround(least_updates_per_s * frame_time_s)));
-  return std::max(least,
-                  static_cast<int>(rounded < most_updates_per_frame ? rounded : most_updates_per_frame));
+int whole_updates(double wanted) {
+  return std::max(1, static_cast<int>(std::min(most_updates_per_frame, std::ceil(wanted))));
 }
 
 AirFlow air_flow(const Garment& garment, const Wind& wind, double time_s, double time_step_s,
@@ -79,19 +53,20 @@ SlowForces::SlowForces(const Garment& garment, const Pins& pins, const Layout& l
                        double bending_rigidity_n_m)
     : layout_(layout),
       bending_(garment, pins, layout, bending_rigidity_n_m,
-               fastest_bending_per_s(garment, bending_rigidity_n_m)),
+               fastest_element_per_s(garment, bending_rigidity_n_m)),
       accelerations_(layout.row_count()),
       corner_forces_n_(layout.triangles.lane_count()),
       wind_accelerations_(layout.row_count()),
       positions_(layout.row_count()) {}
 
-int SlowForces::wind_updates_per_frame(const ExternalForces& external, double frame_time_s) const {
-  return whole_updates(external.wind.speed_m_per_s * frame_time_s / wind_update_m, frame_time_s);
+int SlowForces::wind_updates_per_frame(double frame_time_s) {
+  return std::max(1, static_cast<int>(std::lround(tuning::least_updates_per_s * frame_time_s)));
 }
 
-int SlowForces::updates_per_frame(const ExternalForces& external, double frame_time_s) const {
-  const double for_bending = bending_.largest_rate_per_s() * frame_time_s / largest_rate_times_interval;
-  return std::max(wind_updates_per_frame(external, frame_time_s), whole_updates(for_bending, frame_time_s));
+int SlowForces::updates_per_frame(double frame_time_s) const {
+  const double for_bending =
+      bending_.largest_rate_per_s() * frame_time_s / tuning::largest_rate_times_interval;
+  return std::max(wind_updates_per_frame(frame_time_s), whole_updates(for_bending));
 }
 
 void SlowForces::add_gravity_and_artificial(const ExternalForces& external, double time_s) {

@@ -18,9 +18,9 @@ class SlowForces {
 
   /// Returns how many evaluations per frame keep the cloth stable although the forces stay constant in
   /// between.
-  int updates_per_frame(const ExternalForces& external, double frame_time_s) const;
+  int updates_per_frame(double frame_time_s) const;
   /// The same for the wind alone, which turns with the cloth and need not follow waves of bending.
-  int wind_updates_per_frame(const ExternalForces& external, double frame_time_s) const;
+  static int wind_updates_per_frame(double frame_time_s);
 
   /// Evaluates the wind at the current motion, for the updates of the next `interval_s`. `time_step_s` is the
   /// time between the two displacements of `motion`.

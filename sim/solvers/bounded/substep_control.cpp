@@ -4,48 +4,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/solvers/bounded/projection.hpp"
+#include "sim/solvers/bounded/promise.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
+
 namespace taut::sim::bounded {
 namespace {
-
-/// The projection may cost about as much as the substeps; much less than that and there are too many of
-/// them. In between nothing is changed, so that hanging cloth keeps its step and comes to rest.
-constexpr double costly_projection = 1.0;  ///< sweeps per time step; above it the next frame takes more steps
-constexpr double cheap_projection = 0.6;   ///< likewise; below it the next may take fewer
-constexpr double small_shift = 0.6;        ///< of the largest allowed; as above
-constexpr double idle_projection = 0.2;    ///< below both of these many fewer
-constexpr double idle_shift = 0.25;
-/// As the projection starts from its last correction, shifts go on for a while after they were needed.
-constexpr double shifts_last_s = 8.0 / 60.0;
-/// A projection comes in rounds of about this many sweeps; one round is never too many.
-constexpr double one_round = 8.0;
-/// Doubled every time fewer steps prove too few, halved when they do not: cloth about to rest is not kept
-/// awake by steps that change for ever.
-constexpr double shortest_calm_s = 4.0 / 60.0;
-constexpr double longest_calm_s = 192.0 / 60.0;
-/// The steps of the next frame over those of the last: the further from 1, the sooner they fit and the more
-/// they change about what fits. `many_more` is for a frame that is done again.
-constexpr double fewer = 0.94;
-constexpr double many_fewer = 0.85;
-constexpr double more = 1.12;
-constexpr double many_more = 1.4;
-constexpr double most_more = 2.0;
-/// A frame that is repeated takes so many steps that they stretch by this many times the bound.
-constexpr double repeated_raw = 4.0;
-
-/// What first_substeps calls c, measured on hanging T-shirts and sheets; more begins with more steps.
-constexpr double load_factor = 6.0;
-/// The projection copes with raw stretch of about this many times the bound.
-constexpr double raw_per_bound = 6.0;
-/// Tighter bounds begin with no more steps than this one.
-constexpr double smallest_bound = 1e-4;
-
-/// Wind pulls at the pins with a part of its pressure, as most cloth turns out of it.
-constexpr double caught_wind = 0.15;
-
-/// The shift that is allowed, in parts of the cloth's reach from its pins: so much, and this part of the
-/// bound. More takes fewer steps and moves the cloth further at the end of a frame.
-constexpr double part_of_reach = 0.003;
-constexpr double part_of_bound = 0.1;
 
 double acceleration(const Garment& garment, const Surroundings& surroundings) {
   const PinMotion& motion = surroundings.pin_motion;
@@ -53,7 +17,7 @@ double acceleration(const Garment& garment, const Surroundings& surroundings) {
   const double speed = surroundings.forces.wind.speed_m_per_s;
   const double pressure = 0.5 * air_density_kg_per_m3 * speed * speed;
   return largest_gravity_m_per_s2(surroundings.forces) + rate * rate * glm::length(motion.amplitude_m) +
-         caught_wind * pressure / garment.material.areal_density_kg_per_m2;
+         tuning::caught_wind * pressure / garment.material.areal_density_kg_per_m2;
 }
 
 int frames_in(double time_s, double frame_time_s) {
@@ -65,30 +29,27 @@ int frames_in(double time_s, double frame_time_s) {
 SubstepControl::SubstepControl(int first, int least, int most, double frame_time_s)
     : least_(std::clamp(least, 1, most)),
       most_(most),
-      fewest_calm_frames_(frames_in(shortest_calm_s, frame_time_s)),
-      most_calm_frames_(frames_in(longest_calm_s, frame_time_s)),
-      frames_shifts_last_(frames_in(shifts_last_s, frame_time_s)),
+      fewest_calm_frames_(frames_in(tuning::calm_s, frame_time_s)),
       substeps_(std::clamp(first, least_, most)),
       calm_frames_needed_(fewest_calm_frames_) {}
 
 void SubstepControl::frame_kept(double projection_cost, double shift) {
-  const double part = projection_cost / substeps_;
-  const bool is_calm = part < cheap_projection && shift < small_shift;
+  const bool is_calm = projection_cost < tuning::cheap * substeps_ && shift < tuning::cheap;
   calm_frames_ = is_calm ? calm_frames_ + 1 : 0;
   ++frames_since_more_;
-  const bool is_costly = projection_cost > costly_projection * substeps_ + one_round;
-  const bool is_far = shift > 1.0 && frames_since_more_ > frames_shifts_last_;
+  const bool is_costly = projection_cost > substeps_ + round_sweeps;
+  // As the projection starts from its last correction, shifts go on for some frames after they were needed.
+  const bool is_far = shift > 1.0 && frames_since_more_ > 2 * fewest_calm_frames_;
   double wanted = substeps_;
   if (is_costly || is_far) {
     need_more();
-    wanted = std::ceil(wanted * more);
+    wanted = std::ceil(wanted * tuning::more_steps);
   } else if (calm_frames_ >= calm_frames_needed_) {
     if (took_fewer_) {
       calm_frames_needed_ = std::max(calm_frames_needed_ / 2, fewest_calm_frames_);
     }
     took_fewer_ = true;
-    const bool is_idle = part < idle_projection && shift < idle_shift;
-    wanted = std::floor(wanted * (is_idle ? many_fewer : fewer));
+    wanted = std::floor(wanted / tuning::more_steps);
     calm_frames_ = 0;
   }
   substeps_ = std::clamp(static_cast<int>(wanted), least_, most_);
@@ -98,7 +59,8 @@ void SubstepControl::need_more() {
   frames_since_more_ = 0;
   calm_frames_ = 0;
   if (took_fewer_) {
-    calm_frames_needed_ = std::min(2 * calm_frames_needed_, most_calm_frames_);
+    // Cloth about to rest is not kept awake by steps that change for ever.
+    calm_frames_needed_ = std::min(2 * calm_frames_needed_, most_counted);
     took_fewer_ = false;
   }
 }
@@ -108,7 +70,8 @@ bool SubstepControl::try_more(double raw) {
     return false;
   }
   // Stretch falls with the square of the time step. Cloth that is lost has no stretch: NaN asks for most.
-  const double wanted = std::max(many_more, std::min(most_more, std::sqrt(raw / repeated_raw)));
+  constexpr double least_more = tuning::more_steps * tuning::more_steps * tuning::more_steps;
+  const double wanted = std::max(least_more, std::min(tuning::most_more_steps, std::sqrt(raw / tuning::coped_stretch)));
   substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * wanted)), least_, most_);
   need_more();
   return true;
@@ -126,12 +89,12 @@ void SubstepControl::restore(ByteReader& memory) {
   substeps_ = memory.get("the number of substeps", least_, most_);
   calm_frames_ = memory.get("the number of calm frames", 0, most_counted);
   frames_since_more_ = memory.get("the number of frames since more were needed", 0, most_counted);
-  calm_frames_needed_ = memory.get("the calm frames needed", fewest_calm_frames_, most_calm_frames_);
+  calm_frames_needed_ = memory.get("the calm frames needed", fewest_calm_frames_, most_counted);
   took_fewer_ = memory.get_bool("whether fewer substeps were taken");
 }
 
-double allowed_shift_m(const Layout& layout, double max_stretch) {
-  return layout.reach_m * (part_of_reach + part_of_bound * max_stretch);
+double allowed_shift_m(const Layout& layout) {
+  return tuning::shift_per_reach * layout.reach_m;
 }
 
 int first_substeps(const Garment& garment, const Layout& layout, const Surroundings& surroundings,
@@ -157,9 +120,9 @@ int first_substeps(const Garment& garment, const Layout& layout, const Surroundi
     hanging_kg +=
         std::isfinite(layout.distance_from_pins_m[row]) ? garment.masses_kg[layout.vertex_of_row[row]] : 0.0;
   }
-  const double raw = raw_per_bound * std::max(max_stretch, smallest_bound);
+  const double raw = std::max(max_stretch, smallest_promised_bound);
   const double stretch_per_squared_step =
-      load_factor * acceleration(garment, surroundings) * (hanging_kg / joined_kg) / (length_m / count);
+      acceleration(garment, surroundings) * (hanging_kg / joined_kg) / (length_m / count);
   const double substeps = frame_time_s * std::sqrt(stretch_per_squared_step / raw);
   return static_cast<int>(std::ceil(std::min(substeps, 1e6)));
 }

@@ -38,8 +38,6 @@ class SubstepControl {
   int least_ = 1;
   int most_ = 1;
   int fewest_calm_frames_ = 1;
-  int most_calm_frames_ = 1;
-  int frames_shifts_last_ = 1;
   int substeps_ = 1;
   int calm_frames_ = 0;
   int frames_since_more_ = 0;
@@ -49,7 +47,7 @@ class SubstepControl {
 
 /// Returns how far the last correction of a frame should move a vertex at most, in m. This is some
 /// thousandths of the cloth's reach from its pins.
-double allowed_shift_m(const Layout& layout, double max_stretch);
+double allowed_shift_m(const Layout& layout);
 
 /// For the first frame: hanging cloth stretches next to its pins by about c g dt^2 M / (m L), with the mass M
 /// that hangs, the mass m of the vertices joined to pins and the mean rest length L of the springs between

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/solvers/bounded/colouring.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 namespace {
@@ -22,14 +23,11 @@ bool is_flat(const Mesh& mesh, const Quad& cell) {
   return apart_m <= flat * glm::length(one) * glm::length(normal);
 }
 
-/// Triangles near the pins carry all that hangs below, and their error grows with their load. So these parts
-/// of each colour, the nearest to the pins, are swept again after all of it. Without this, a shirt in a wind
-/// of 10 m/s takes twice the time.
-constexpr std::array swept_again = {0.3, 0.12, 0.05, 0.02};
-
+// Triangles near the pins carry all that hangs below, and their error grows with their load. Without this, a
+// shirt in a wind of 10 m/s takes twice the time.
 void sweep_again_near_pins(SurfaceLanes& lanes) {
   const std::vector<BlockRange> colours = lanes.sweep;
-  for (const double part : swept_again) {
+  for (double part = tuning::swept_again; part > tuning::few; part *= tuning::swept_again) {
     for (const BlockRange& colour : colours) {
       const auto count = static_cast<std::uint32_t>(std::ceil(part * (colour.end - colour.begin)));
       lanes.sweep.push_back({colour.begin, colour.begin + count, true});

@@ -9,19 +9,11 @@
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/projection.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim {
 namespace {
 
-/// The most work, in sweeps over all springs. It can be large because this is not done in every frame.
-constexpr double largest_cost = 1000.0;
-
-/// Springs are shortened to this fraction of the bound, so that their neighbours settle too. A smaller value
-/// takes fewer sweeps and moves the cloth farther.
-constexpr double aimed_part = 0.97;
-/// The largest number of sweeps in double precision. Springs still too long after these are taken to be kept
-/// apart by pins.
-constexpr int most_sweeps = 500;
 /// Below this excess, in m, single precision cannot tell whether a spring is too long.
 constexpr double smallest_told_apart_m = 1e-6;
 
@@ -64,7 +56,7 @@ void shorten_springs(const Garment& garment, const Pins& pins, double max_stretc
     const double w_i = pins.inverse_masses_per_kg[i];
     const double w_j = pins.inverse_masses_per_kg[j];
     if (length_m > (1.0 + max_stretch) * springs.rest_lengths_m[s] && w_i + w_j > 0.0) {
-      const double aim_m = (1.0 + aimed_part * max_stretch) * springs.rest_lengths_m[s];
+      const double aim_m = (1.0 + bounded::tuning::aimed_part * max_stretch) * springs.rest_lengths_m[s];
       const Vec3 correction = spring * ((length_m - aim_m) / length_m / (w_i + w_j));
       positions[i] -= w_i * correction;
       positions[j] += w_j * correction;
@@ -104,7 +96,7 @@ void shorten_surface(const Garment& garment, const Pins& pins, double max_stretc
     if (rest.has_surface() &&
         principal_stretches(deformation_gradient(rest, corners_of(triangle, positions))).largest >
             1.0 + max_stretch) {
-      shorten_triangle(rest, triangle, pins, 1.0 + aimed_part * max_stretch, positions);
+      shorten_triangle(rest, triangle, pins, 1.0 + bounded::tuning::aimed_part * max_stretch, positions);
     }
   }
 }
@@ -140,8 +132,8 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
   kernels.start(start, layout.surface);
   bounded::BoundProjection projection(layout, 0.0);
   bounded::Float4Array corrections(layout.row_count());
-  projection.project(layout, bounded::Float4Array(layout.row_count()), settings.max_stretch, largest_cost,
-                     nullptr, kernels, corrections);
+  projection.project(layout, bounded::Float4Array(layout.row_count()), settings.max_stretch,
+                     bounded::tuning::last_resort_sweeps, nullptr, kernels, corrections);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     const Vec3 moved = bounded::vector_of(projection.corrected()[row]);
     state.current[layout.vertex_of_row[row]] += moved;
@@ -153,7 +145,9 @@ bool keeps_bound_in_double(const Garment& garment, const Pins& pins, const Bound
                            std::span<Vec3> positions, const AllowPosition& allow) {
   double excess_m = largest_excess_m(garment, settings, positions);
   const std::vector<Vec3> before_m(positions.begin(), positions.end());
-  for (int sweep = 0; sweep < most_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m; ++sweep) {
+  for (int sweep = 0;
+       sweep < bounded::tuning::last_resort_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m;
+       ++sweep) {
     shorten_once(garment, pins, settings, positions);
     excess_m = largest_excess_m(garment, settings, positions);
   }

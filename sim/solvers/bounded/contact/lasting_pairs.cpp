@@ -2,20 +2,10 @@
 
 #include <algorithm>
 
+#include "sim/solvers/bounded/tuning.hpp"
+
 namespace taut::sim::bounded {
 namespace {
-
-/// In a list's time rows may move so much more than asked for, in m, and by this part of their ways in it.
-/// More makes the list longer and lets it last longer.
-constexpr float more_m = 1e-3F;
-constexpr float more_per_way = 0.1F;
-/// Those that did not keep to that may go off so far again, but not further than this, in m.
-constexpr float most_off_m = 5e-3F;
-/// A list is made anew rather than renewed when more than this part of the rows has to be looked at.
-constexpr double most_renewed = 0.1;
-
-/// A list is made to last where no more than this part of the rows is fast.
-constexpr double fast_part = 0.02;
 
 enum Mark : std::uint8_t { as_expected, renewed, unexpected };
 
@@ -50,10 +40,11 @@ void LastingPairs::sort_by_kind(std::span<const NearPair> pairs) {
   }
 }
 
-void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float slow_m,
+void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float edge_m,
                              ParallelKernels& kernels) {
   const double lasts_s = rows.time.to_s - rows.time.from_s;
   const auto longer = static_cast<float>(lasts_s > 0.0 ? (until_s - rows.time.from_s) / lasts_s : 0.0);
+  const float slow_m = tuning::slow_part_of_edge * edge_m;
   const auto is_fast = [&](const Float4& move) { return !(longer * length_of(move) < slow_m); };
   begin_ = rows.positions;
   ways_ = rows.moves;
@@ -61,12 +52,13 @@ void LastingPairs::make_list(const ExpectedRows& rows, double until_s, float slo
   marks_.assign(rows.radii.size(), as_expected);
   time_ = rows.time;
   const auto fast = static_cast<double>(std::count_if(rows.moves.begin(), rows.moves.end(), is_fast));
-  lasts_ = longer > 1.0F && fast < fast_part * static_cast<double>(rows.moves.size());
+  lasts_ = longer > 1.0F && fast < tuning::few * static_cast<double>(rows.moves.size());
   if (lasts_) {
     time_.to_s = until_s;
     for (std::size_t row = 0; row < reaches_.size(); ++row) {
       ways_[row] = times(ways_[row], longer);
-      reaches_[row] += more_m + more_per_way * length_of(ways_[row]);
+      reaches_[row] +=
+          tuning::more_in_list_per_edge * edge_m + tuning::room_per_move * length_of(ways_[row]);
     }
   }
   ++searches_.all;
@@ -95,7 +87,7 @@ LastingPairs::Marked LastingPairs::mark_unexpected(const ExpectedRows& rows) {
 }
 
 // Rows go on from where they are; at a moment that ends the list's time, the way there stays as it was.
-void LastingPairs::renew_marked(const ExpectedRows& rows, ParallelKernels& kernels) {
+void LastingPairs::renew_marked(const ExpectedRows& rows, float edge_m, ParallelKernels& kernels) {
   const double lasts_s = rows.time.to_s - rows.time.from_s;
   const double list_lasts_s = time_.to_s - time_.from_s;
   const bool is_end = !(lasts_s > 0.0) && list_lasts_s > 0.0;
@@ -107,14 +99,16 @@ void LastingPairs::renew_marked(const ExpectedRows& rows, ParallelKernels& kerne
     }
     marks_[row] = renewed;
     const Float4 expected = scaled_sum(begin_[row], ways_[row], from);
-    const float off = std::min(length_between(rows.positions[row], expected), most_off_m);
+    const float off =
+        std::min(length_between(rows.positions[row], expected), tuning::most_room_per_edge * edge_m);
     if (!is_end) {
       ways_[row] = times(rows.moves[row], longer);
     }
     begin_[row] = scaled_sum(rows.positions[row], ways_[row], -from);
     reaches_[row] = rows.radii[row] + (is_end ? length_of(rows.moves[row]) : 0.0F);
     if (lasts_) {
-      reaches_[row] += off + more_m + more_per_way * length_of(ways_[row]);
+      reaches_[row] +=
+          off + tuning::more_in_list_per_edge * edge_m + tuning::room_per_move * length_of(ways_[row]);
     }
   }
   ++searches_.marked;
@@ -132,16 +126,16 @@ void LastingPairs::keep_near(const MovingRows& rows, Index first_count, const Co
   append_near(rows, first_count, list[0].size(), at, kernels, pairs_);
 }
 
-std::span<const NearPair> LastingPairs::find(const ExpectedRows& rows, double until_s, float slow_m,
+std::span<const NearPair> LastingPairs::find(const ExpectedRows& rows, double until_s, float edge_m,
                                              ParallelKernels& kernels) {
   bool is_new = true;
   if (!is_list_for(rows)) {
-    make_list(rows, until_s, slow_m, kernels);
+    make_list(rows, until_s, edge_m, kernels);
   } else if (const Marked marked = mark_unexpected(rows);
-             static_cast<double>(marked.all) > most_renewed * static_cast<double>(reaches_.size())) {
-    make_list(rows, until_s, slow_m, kernels);
+             static_cast<double>(marked.all) > tuning::most_renewed * static_cast<double>(reaches_.size())) {
+    make_list(rows, until_s, edge_m, kernels);
   } else if (marked.unexpected > 0) {
-    renew_marked(rows, kernels);
+    renew_marked(rows, edge_m, kernels);
   } else {
     is_new = false;
   }

@@ -42,8 +42,8 @@ class LastingPairs {
   Searches take_searches() { return std::exchange(searches_, {}); }
 
   /// Finds all pairs that could meet while rows move as expected. A list lasts until `until_s` where rows are
-  /// slow enough: by then none should have gone further than `slow_m`.
-  std::span<const NearPair> find(const ExpectedRows& rows, double until_s, float slow_m,
+  /// slow enough, in parts of the mean edge.
+  std::span<const NearPair> find(const ExpectedRows& rows, double until_s, float edge_m,
                                  ParallelKernels& kernels);
 
  private:
@@ -56,9 +56,9 @@ class LastingPairs {
   };
 
   bool is_list_for(const ExpectedRows& rows) const;
-  void make_list(const ExpectedRows& rows, double until_s, float slow_m, ParallelKernels& kernels);
+  void make_list(const ExpectedRows& rows, double until_s, float edge_m, ParallelKernels& kernels);
   Marked mark_unexpected(const ExpectedRows& rows);
-  void renew_marked(const ExpectedRows& rows, ParallelKernels& kernels);
+  void renew_marked(const ExpectedRows& rows, float edge_m, ParallelKernels& kernels);
   float part_at(double time_s, float at_once) const;
   void sort_by_kind(std::span<const NearPair> pairs);
   void keep_near(const MovingRows& rows, Index first_count, const ContactKernels& kernels);

@@ -9,23 +9,15 @@
 
 #include "sim/solvers/bounded/contact/closest_points.hpp"
 #include "sim/solvers/bounded/contact/plane_gap.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Moves need not part things to the last bit: planes go by what they leave.
-constexpr float enough_part = 0.01F;
-constexpr int most_passes = 12;
 /// Where what the normal tells apart is less than this part of the smallest distance, it is uncertain.
 constexpr float told_apart_part = 0.9F;
-/// Of its ball, a row's move as contact lets it may be so far from the centre, so that there is room to
-/// deviate from it.
-constexpr float largest_deviation = 0.8F;
-constexpr float more_radius = 1.5F;
-/// A thread takes at least so many pairs.
-constexpr std::size_t least_pairs = 256;
 
 /// `p` are the corners of the pair.
 PairExtent extent_of(const NearPair& near, const std::array<glm::vec3, 4>& p, const RowMoves& rows) {
@@ -78,7 +70,7 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
 void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, ParallelKernels& kernels) {
   blocked_.reset();
   pairs_.resize(pairs.size());
-  kernels.split(0, pairs.size(), least_pairs, [&](std::size_t begin, std::size_t end) {
+  kernels.split(0, pairs.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       pairs_[i] = pair_of(pairs[i], rows);
     }
@@ -159,10 +151,10 @@ void Regions::resolve(const Pair& pair, std::span<const float> inverse_masses) {
 
 void Regions::resolve_moves(std::span<const float> inverse_masses) {
   bool is_done = false;
-  for (int pass = 0; pass < most_passes && !is_done; ++pass) {
+  for (int pass = 0; pass < tuning::most_rounds && !is_done; ++pass) {
     is_done = true;
     for (const Pair& pair : pairs_) {
-      if (span_at_end(pair).apart() < pair.wanted - enough_part * pair.contact.thickness_m) {
+      if (span_at_end(pair).apart() < pair.wanted - tuning::enough_part * pair.contact.thickness_m) {
         resolve(pair, inverse_masses);
         is_done = false;
       }
@@ -211,7 +203,7 @@ bool Regions::fit_radii(RowMoves& rows) {
   for (std::size_t row = 0; row < rows.radii.size(); ++row) {
     const glm::vec3 deviation = vec(moves_[row]) - vec(rows.moves[row]);
     const float length = deviations_[row] = glm::length(deviation);
-    const float most = largest_deviation * rows.radii[row];
+    const float most = tuning::filled_part_of_ball * rows.radii[row];
     if (rows.inverse_masses_per_kg[row] > 0.0F && !(length <= most)) {
       moves_[row] = rows.moves[row];
       add(moves_[row], most / length * deviation);
@@ -232,7 +224,7 @@ bool Regions::needs_larger_balls(RowMoves& rows) const {
     }
     for (const Index row : r) {
       if (!is_within(row)) {
-        rows.radii[row] = std::max(rows.radii[row], more_radius * deviations_[row]);
+        rows.radii[row] = std::max(rows.radii[row], tuning::larger * deviations_[row]);
         needs = true;
       }
     }
@@ -287,7 +279,7 @@ void Regions::set_half_spaces(const Pair& pair, std::span<const float> inverse_m
 }
 
 float Regions::room_of(Index row) const {
-  float room = radii_[row] - std::min(deviations_[row], largest_deviation * radii_[row]);
+  float room = radii_[row] - std::min(deviations_[row], tuning::filled_part_of_ball * radii_[row]);
   for (const HalfSpace& half_space : half_spaces_of(row)) {
     room = std::min(room, half_space.room);
   }
@@ -296,7 +288,7 @@ float Regions::room_of(Index row) const {
 
 void Regions::make_half_spaces(std::span<const float> inverse_masses, ParallelKernels& kernels) {
   place_half_spaces();
-  kernels.split(0, pairs_.size(), least_pairs, [&](std::size_t begin, std::size_t end) {
+  kernels.split(0, pairs_.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       set_half_spaces(pairs_[i], inverse_masses);
     }

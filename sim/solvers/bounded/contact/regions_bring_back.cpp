@@ -4,20 +4,9 @@
 
 #include "sim/solvers/bounded/contact/plane_gap.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
-namespace {
-
-/// Rounds over the half-spaces of a row, and how much further than onto one a round moves it after the first:
-/// where half-spaces are nearly parallel, exact projections take very many. Where these do not end within all
-/// of them, the row is moved less.
-constexpr int most_projections = 12;
-constexpr float over_projected = 1.4F;
-/// A thread takes at least so many blocks of rows.
-constexpr std::size_t least_blocks = 64;
-
-}  // namespace
-
 std::span<const Regions::HalfSpace> Regions::half_spaces_of(Index row) const {
   return {half_spaces_.data() + half_space_begin_[row], half_spaces_.data() + half_space_begin_[row + 1]};
 }
@@ -37,12 +26,12 @@ template <typename Met>
 glm::vec3 Regions::projected(Index row, float time, const glm::vec3& start, const Met& met) const {
   glm::vec3 e = start;
   bool is_out = true;
-  for (int projection = 0; projection < most_projections && is_out; ++projection) {
+  for (int projection = 0; projection < tuning::most_rounds && is_out; ++projection) {
     is_out = false;
     for (const HalfSpace& half_space : half_spaces_of(row)) {
       const float depth = half_space.start + time * half_space.rate - glm::dot(half_space.normal, e);
       if (depth > (projection == 0 ? 0.0F : tolerance_m)) {
-        e += (projection == 0 ? depth : over_projected * depth) * half_space.normal;
+        e += (projection == 0 ? depth : tuning::over_projected * depth) * half_space.normal;
         if (projection == 0) {
           met(half_space, e);
         }
@@ -103,10 +92,10 @@ template <typename Met>
 void Regions::bring_all_back(float time, const Float4Array& since, Float4Array& current, const Met& met,
                              ParallelKernels& kernels) {
   const std::size_t blocks = current.size() / block_size;
-  parts_.resize(std::max(parts_.size(), blocks / least_blocks + 1));
-  kernels.split(0, blocks, least_blocks, [&](std::size_t begin, std::size_t end) {
+  parts_.resize(std::max(parts_.size(), blocks / ParallelKernels::least_blocks + 1));
+  kernels.split(0, blocks, ParallelKernels::least_blocks, [&](std::size_t begin, std::size_t end) {
     // No other part begins so near.
-    Part& part = parts_[begin / least_blocks];
+    Part& part = parts_[begin / ParallelKernels::least_blocks];
     part.rows.resize((end - begin) * block_size + 1);
     const std::size_t off = kernels.contact().off_their_ways(since.data(), moves_.data(), time, begin, end,
                                                              current.data(), part.rows.data());

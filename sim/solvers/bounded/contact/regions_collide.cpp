@@ -3,19 +3,11 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/law.hpp"
+#include "sim/solvers/bounded/contact/plane_gap.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
+#include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
-namespace {
-
-/// Of what two things lack to the thickness, so much is asked for while regions last, and no less than this,
-/// in m. More throws them apart; less lets a pile sink into itself.
-constexpr float parted_at_once = 0.2F;
-constexpr float least_parted_m = 1e-4F;
-/// What is expected to come no nearer than this to touching is left to its planes, in m.
-constexpr float may_touch_within_m = 2e-4F;
-
-}  // namespace
 
 void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, const RowMoves& rows) {
   const ContactPair& contact = pair.contact;
@@ -45,7 +37,8 @@ void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, c
   }
   const float wanted = std::min(contact.thickness_m, std::max(distance, 0.0F));
   const float lacking = contact.thickness_m - wanted;
-  const float parted = std::min(lacking, std::max(parted_at_once * lacking, least_parted_m));
+  const float parted =
+      std::min(lacking, std::max(tuning::parted_at_once * lacking, least_part * contact.thickness_m));
   add(touch.normal, pair.normal);
   add(touch.carried, carried - contact.surface_slides);
   touch.distance = distance;
@@ -58,7 +51,9 @@ void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, c
 void Regions::make_touches(const RowMoves& rows) {
   touches_.clear();
   for (const Pair& pair : pairs_) {
-    if (std::min(pair.distance, span_at_end(pair).apart()) > pair.contact.thickness_m + may_touch_within_m) {
+    // What is expected to stay further apart is left to its planes.
+    if (std::min(pair.distance, span_at_end(pair).apart()) >
+        (1.0F + tuning::parted_at_once) * pair.contact.thickness_m) {
       continue;
     }
     if (pair.contact.near.first_count < 3) {

@@ -3,18 +3,10 @@
 #include <algorithm>
 
 namespace taut::sim::bounded {
-namespace {
-
-/// A thread takes at least this many blocks: some microseconds of work. Fewer are done sooner than another
-/// thread notices them.
-constexpr std::size_t least_blocks = 48;
-
-}  // namespace
-
 void ParallelKernels::predict(const Prediction& prediction, const Tether* tethers,
                               const Float4* accelerations, const Float4Array& current,
                               Float4Array& previous) {
-  pool_.split(0, current.size() / block_size, 2 * least_rows / block_size, [&](std::size_t b, std::size_t e) {
+  pool_.split(0, current.size() / block_size, least_blocks, [&](std::size_t b, std::size_t e) {
     kernels_.predict(b * block_size, e * block_size, prediction, tethers, accelerations, current.data(),
                      previous.data());
   });

@@ -10,6 +10,11 @@ namespace taut::sim::bounded {
 /// The functions of Kernels, each shared among the threads of a pool. They do what is said there.
 class ParallelKernels {
  public:
+  /// A thread takes at least this many blocks, or pairs of things that may touch: some microseconds of work.
+  /// Fewer are done sooner than another thread notices them.
+  static constexpr std::size_t least_blocks = 64;
+  static constexpr std::size_t least_pairs = 256;
+
   ParallelKernels(const Kernels& kernels, int threads) : kernels_(kernels), pool_(threads) {}
 
   /// See ThreadPool.
@@ -52,13 +57,10 @@ class ParallelKernels {
   /// depend on other rows.
   template <typename Part>
   void for_rows(std::size_t begin, std::size_t end, const Part& part) {
-    pool_.split(begin, end, least_rows, part);
+    pool_.split(begin, end, least_blocks * block_size, part);
   }
 
  private:
-  /// A thread takes at least this many rows; fewer are done sooner than another thread notices them.
-  static constexpr std::size_t least_rows = 2048;
-
   const Kernels& kernels_;
   ThreadPool pool_;
 };

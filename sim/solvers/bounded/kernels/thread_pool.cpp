@@ -9,8 +9,7 @@ namespace {
 /// How often a thread looks for another loop before it sleeps, and how often the caller looks for the end of
 /// a chunk before it yields. This is some tens of microseconds, the time between two loops. More looks use a
 /// processor that others could use.
-constexpr int looks_before_sleep = 4000;
-constexpr int looks_before_yield = 4000;
+constexpr int most_looks = 4000;
 /// More chunks balance threads of different speed better and cost more claims.
 constexpr std::size_t chunks_per_thread = 3;
 /// The smallest garment, in triangles, for several threads, and their largest number; see thread_count.
@@ -71,7 +70,7 @@ void ThreadPool::run(Call call, const void* context, std::size_t begin, std::siz
 void ThreadPool::wait_for(std::size_t chunks) {
   const auto began = std::chrono::steady_clock::now();
   for (int looks = 0; done_.load(std::memory_order_acquire) != chunks; ++looks) {
-    if (looks < looks_before_yield) {
+    if (looks < most_looks) {
       pause();
     } else {
       std::this_thread::yield();
@@ -92,7 +91,7 @@ void ThreadPool::work() {
       return claim_.load(std::memory_order_acquire) / one_loop == before / one_loop;
     };
     int looks = 0;
-    while (looks < looks_before_sleep && is_same_loop()) {
+    while (looks < most_looks && is_same_loop()) {
       pause();
       ++looks;
     }

@@ -38,9 +38,16 @@ constexpr double further_than_before = 1.2;
 /// Rounds of a correction that go on within the same regions.
 constexpr int most_rounds = 8;
 
-/// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
-double tether_slack(const BoundedSettings& settings) {
-  return settings.bound == BoundKind::springs ? 0.5 * settings.max_stretch : 0.0;
+/// Cloth made of springs stretches slightly across them, where none limits it. Tethers of the exact length
+/// would lift the hanging shirt by 3 mm; with this slack they lift it by less than half a millimetre.
+constexpr double most_slack_of_springs = 0.01;
+
+double tether_slack(const Material& material, const BoundedSettings& settings) {
+  if (has_law(material) && settings.bound == BoundKind::surface) {
+    return settings.max_stretch;
+  }
+  return settings.bound == BoundKind::springs ? std::min(most_slack_of_springs, 0.5 * settings.max_stretch)
+                                              : 0.0;
 }
 
 }  // namespace
@@ -59,7 +66,7 @@ struct BoundedSolver::Cloth : SteppedCloth {
         projection(layout, frame_time_s),
         mobility_per_kg(mean_mobility_per_kg(layout)) {
     if (settings.tethers && layout.pin_count > 0) {
-      tethers = make_tethers(garment, layout, tether_slack(settings));
+      tethers = make_tethers(garment, layout, tether_slack(garment.material, settings));
     }
   }
 
@@ -150,6 +157,10 @@ Memory BoundedSolver::first_memory(const Frame& frame) const {
   Memory memory;
   memory.pins = frame.pins.vertices;
   memory.corrections.resize(cloth_->layout.row_count());
+  if (cloth_->elasticity.has_law()) {
+    memory.elastic.tension_n_per_m.resize(cloth_->layout.surface.block_count());
+    memory.elastic.drift_m_per_s.resize(cloth_->layout.row_count());
+  }
   if (substeps_) {
     memory.control = SubstepControl(*substeps_, *substeps_, *substeps_, frame.duration_s);
   } else {
@@ -191,7 +202,16 @@ void BoundedSolver::begin_substeps(double time_step_s) {
   }
   if (cloth.time_step_s != time_step_s) {
     cloth.time_step_s = time_step_s;
-    set_short_shares(cloth.compression_stiffness_n_per_m, time_step_s, cloth.layout);
+    set_short_shares(cloth.compression_stiffness_n_per_m, time_step_s, cloth.layout, cloth.swept_surface());
+  }
+}
+
+// At the end of equal parts of a frame. Their last steps are the frame's.
+void BoundedSolver::follow_tension(int done, int substeps, double frame_time_s) {
+  Cloth& cloth = *cloth_;
+  const int follows = std::min(follows_in(frame_time_s), substeps);
+  if (cloth.elasticity.has_law() && done * follows / substeps != (done - 1) * follows / substeps) {
+    cloth.elasticity.follow(cloth.layout, cloth.motion.start, frame_time_s / substeps, *kernels_);
   }
 }
 
@@ -204,6 +224,7 @@ void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
   const int wind_updates = cloth.forces.wind_updates_per_frame(external, frame.duration_s);
   const int substeps_per_wind =
       std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
+  const int settles = cloth.elasticity.has_law() ? settles_in(substeps) : 0;
   begin_substeps(dt);
   for (int substep = 0; substep < substeps; ++substep) {
     TimeStep time;
@@ -215,7 +236,10 @@ void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
     time.update_interval_s = substeps_per_update * dt;
     time.updates_wind = substep % substeps_per_wind == 0;
     time.wind_interval_s = substeps_per_wind * dt;
+    time.settles = settles > 0 && (substep + 1) % (substeps / settles) == 0;
+    time.settle_interval_s = settles > 0 ? frame.duration_s / settles : 0.0;
     bounded::step(frame, time, *kernels_, cloth);
+    follow_tension(substep + 1, substeps, frame.duration_s);
   }
 }
 
@@ -272,12 +296,21 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, const 
   return project_within(nullptr, corrections);
 }
 
+int BoundedSolver::substeps_of(const SubstepControl& control) const {
+  return cloth_->elasticity.has_law() && !substeps_ ? settling_substeps(control.substeps())
+                                                    : control.substeps();
+}
+
 // The time steps, and the projection of where they end onto the bound.
 BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& state, Memory memory,
                                               int earlier_attempts) {
   Cloth& cloth = *cloth_;
   const double end_s = state.time_s + frame.duration_s;
-  const int substeps = memory.control.substeps();
+  const int substeps = substeps_of(memory.control);
+  if (cloth.elasticity.has_law()) {
+    cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic,
+                                   aimed_stretch(settings_.max_stretch), *kernels_);
+  }
   cloth.contacts.begin_attempt({state.time_s, end_s}, earlier_attempts, memory.contact);
   run_substeps(frame, state.time_s, substeps);
   cloth.contacts.observe(cloth.layout, cloth.motion, end_s);
@@ -295,6 +328,11 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   attempt.is_good = attempt.projected.kept && !cloth.contacts.is_blocked() &&
                     (memory.shift <= too_far || memory.shift <= further_than_before * last_shift);
   memory.contact = cloth.contacts.memory();
+  if (cloth.elasticity.has_law()) {
+    memory.elastic = cloth.elasticity.memory();
+    memory.control.need_at_least(
+        static_cast<int>(std::ceil(cloth.elasticity.steps_needed_per_s() * frame.duration_s)));
+  }
   attempt.memory = std::move(memory);
   return attempt;
 }
@@ -320,12 +358,12 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
   int attempts = 0;
   do {
     tried = attempt(frame, state, begin, attempts++);
-    sweeps += begin.control.substeps() + tried.projected.cost;
+    sweeps += substeps_of(begin.control) + tried.projected.cost;
     // Regions that hold cloth back are no reason for more steps: first with the same again, and more care.
   } while (!tried.is_good && ((cloth.contacts.is_on() && attempts == 1) || begin.control.try_more()));
   require_a_way_on(frame, tried.state);
 
-  const int substeps = begin.control.substeps();
+  const int substeps = substeps_of(begin.control);
   next_ = std::move(tried.memory);
   next_.control.frame_kept(tried.projected.cost, next_.shift);
   state = std::move(tried.state);

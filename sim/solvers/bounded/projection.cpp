@@ -41,7 +41,7 @@ float relaxation_of(const Layout& layout) {
 }
 
 float squared_aim_of(double max_stretch) {
-  const double length = (1.0 + aimed_part * max_stretch) * (1.0 - 2.0 * rounding);
+  const double length = (1.0 + aimed_stretch(max_stretch)) * (1.0 - 2.0 * rounding);
   return static_cast<float>(length * length);
 }
 
@@ -57,6 +57,10 @@ std::vector<std::uint32_t> long_blocks(const std::vector<float>& squared_ratios,
 }
 
 }  // namespace
+
+double aimed_stretch(double max_stretch) {
+  return aimed_part * max_stretch;
+}
 
 BoundProjection::BoundProjection(const Layout& layout, double frame_time_s)
     : relaxation_(relaxation_of(layout)),

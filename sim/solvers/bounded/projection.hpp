@@ -25,6 +25,9 @@ class Confinement {
   virtual void bring_back(Float4Array& displacements) = 0;
 };
 
+/// Returns the stretch that the last correction of a frame aims at, a little within the bound.
+double aimed_stretch(double max_stretch);
+
 /// The last correction of a frame: moves the cloth to where no spring, or no triangle in any direction, is
 /// longer than the bound.
 ///

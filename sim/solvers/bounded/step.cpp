@@ -41,16 +41,15 @@ void move_pins(const Surroundings& surroundings, const TimeStep& time, SteppedCl
   std::transform(moved_m.begin(), moved_m.end(), cloth.motion.current.begin(), float4_of);
 }
 
-template <typename AnyLanes>
-void sweep(const AnyLanes& lanes, ParallelKernels& kernels, SteppedCloth& cloth) {
-  for (const BlockRange& range : lanes.sweep) {
-    kernels.sweep(lanes, range, cloth.motion.current.data());
-  }
-}
-
 void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
-  sweep(cloth.layout.springs, kernels, cloth);
-  sweep(cloth.layout.surface, kernels, cloth);
+  Float4* rows = cloth.motion.current.data();
+  for (const BlockRange& range : cloth.layout.springs.sweep) {
+    kernels.sweep(cloth.layout.springs, range, rows);
+  }
+  const SurfaceLanes& surface = cloth.swept_surface();
+  for (const BlockRange& range : surface.sweep) {
+    kernels.sweep(surface, range, cloth.elasticity.sums(), rows);
+  }
 }
 
 /// How far pins and bodies may be from straight ways while regions last, in m: what planes leave is more.
@@ -123,6 +122,10 @@ void step(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, St
 
   // Step 3: compensate the predicted displacements, eqs. (2)-(3).
   constrain(kernels, cloth);
+  cloth.elasticity.count_step();
+  if (time.settles) {
+    cloth.elasticity.settle(time.settle_interval_s, kernels, cloth.motion);
+  }
   if (cloth.contacts.is_on()) {
     cloth.contacts.keep_apart(cloth.layout, time.time_s + time.time_step_s, time.time_step_s, kernels,
                               cloth.motion);

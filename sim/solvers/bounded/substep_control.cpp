@@ -88,7 +88,7 @@ void SubstepControl::frame_kept(double projection_cost, double shift) {
     wanted = std::floor(wanted * (is_idle ? many_fewer : fewer));
     calm_frames_ = 0;
   }
-  substeps_ = std::clamp(static_cast<int>(wanted), least_, most_);
+  substeps_ = std::clamp(static_cast<int>(wanted), std::max(least_, needed_), most_);
 }
 
 void SubstepControl::need_more() {
@@ -97,6 +97,14 @@ void SubstepControl::need_more() {
   if (took_fewer_) {
     calm_frames_needed_ = std::min(2 * calm_frames_needed_, most_calm_frames_);
     took_fewer_ = false;
+  }
+}
+
+void SubstepControl::need_at_least(int substeps) {
+  needed_ = std::clamp(substeps, least_, most_);
+  if (needed_ > substeps_) {
+    substeps_ = needed_;
+    need_more();
   }
 }
 

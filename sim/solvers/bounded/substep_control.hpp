@@ -23,6 +23,9 @@ class SubstepControl {
   /// vertex further than `shift`, in parts of the largest that is allowed.
   void frame_kept(double projection_cost, double shift);
 
+  /// Takes at least so many, within the budget, in the frames to come until it is told otherwise.
+  void need_at_least(int substeps);
+
   /// Takes more steps to repeat a frame that broke its bound. Returns false if the budget is spent.
   bool try_more();
 
@@ -39,6 +42,7 @@ class SubstepControl {
   int fewest_calm_frames_ = 1;
   int most_calm_frames_ = 1;
   int frames_shifts_last_ = 1;
+  int needed_ = 1;  ///< set in every frame that sets it at all
   int substeps_ = 1;
   int calm_frames_ = 0;
   int frames_since_more_ = 0;

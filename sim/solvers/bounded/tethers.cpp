@@ -11,18 +11,13 @@ namespace {
 /// pins may be near. A smaller value makes more tethers.
 constexpr double least_springs = 3.0;
 
-/// The most that tethers are longer than the way along the cloth, as a fraction of it. Cloth of triangles
-/// stretches slightly across its edges, where no spring limits it. Tethers of the exact length lift the
-/// hanging shirt by 3 mm; at this value they lift it by less than half a millimetre.
-constexpr double most_slack = 0.01;
-
 }  // namespace
 
 Tethers make_tethers(const Garment& garment, const Layout& layout, double slack) {
   Tethers tethers;
   tethers.pin.resize(layout.row_count(), 0);
   tethers.lanes.resize(layout.row_count());
-  const double stretched = 1.0 + std::min(most_slack, slack);
+  const double stretched = 1.0 + slack;
   const double spring_m = layout.reach_springs > 0.0 ? layout.reach_m / layout.reach_springs : 0.0;
   const std::vector<Vec3>& rest = garment.mesh.positions;
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {

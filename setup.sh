@@ -45,6 +45,7 @@ packages=(
   ffmpeg
   # tests
   libgtest-dev
+  librapidcheck-dev   # properties of random cases
   libstb-dev          # reads PNG
   python3             # makes models of every format, and is a terminal
   python3-numpy       # the library's Python

@@ -14,7 +14,7 @@ bool is_drawn(int frame, const FrameOutputs& outputs) {
 
 void advance(sim::Simulation& simulation, int frame) {
   try {
-    simulation.advance_frame();
+    simulation.advance_frame(throw_if_interrupted);
   } catch (const sim::ContactBlocked& error) {
     throw FrameBlocked(frame, error);
   }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view magic = "TAUTSAVE";
 /// Raised whenever something is written otherwise, or a solver remembers otherwise.
-constexpr std::uint32_t version = 3;
+constexpr std::uint32_t version = 4;
 
 constexpr double largest = std::numeric_limits<double>::max();
 /// No run lasts for thirty years. Gusts count their periods.
@@ -87,6 +87,8 @@ void put_report(const FrameReport& report, ByteWriter& out) {
   out.put(report.contact.partial_detections);
   out.put(report.contact.most_pairs);
   out.put(report.contact.smallest_distance_m);
+  out.put<std::uint64_t>(report.contact.crossing_pairs);
+  out.put(report.contact.left_out_share);
 }
 
 ContactReport get_contact(ByteReader& in) {
@@ -96,6 +98,8 @@ ContactReport get_contact(ByteReader& in) {
   contact.most_pairs = in.get("the number of near pairs", 0, most_counted);
   contact.smallest_distance_m =
       in.get("the smallest distance", -largest, std::numeric_limits<double>::infinity());
+  contact.crossing_pairs = in.get<std::uint64_t>("the number of crossing pairs");
+  contact.left_out_share = in.get("the part of the area that is left out", 0.0, 1.0);
   return contact;
 }
 

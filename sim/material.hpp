@@ -2,12 +2,16 @@
 
 namespace taut::sim {
 
+/// No cloth is thinner than this: planes leave a tenth of it, which is more than single precision rounds away
+/// from vertices a metre from each other.
+inline constexpr double least_thickness_m = 1e-5;
+
 /// The physical properties of the cloth. They do not depend on how fine the mesh is.
 struct Material {
   /// Must be above 0. The default is a light jersey. Wind moves heavier cloth less.
   double areal_density_kg_per_m2 = 0.15;
-  /// Used by `bounded` and `implicit`. The default is a soft jersey. Denim has about ten times this value and folds
-  /// less.
+  /// Used by `bounded` and `implicit`. The default is a soft jersey. Denim has about ten times this value and
+  /// folds less.
   double bending_rigidity_n_m = 5e-6;
   /// Used by `bounded` only: the stiffness of springs that are shorter than their rest length. A lower value
   /// lets the cloth crumple sooner. For its upper limit see FrameReport::followed_compression_n_per_m.

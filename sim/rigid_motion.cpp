@@ -1,8 +1,10 @@
 #include "sim/rigid_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
-#include <glm/matrix.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
 
 #include "sim/mesh/elementary.hpp"
 
@@ -66,13 +68,47 @@ Vec3 RigidMove::displacement_m(const Vec3& point_m) const {
   if (from_.rotation == to_.rotation) {
     return to_.offset_m - from_.offset_m;
   }
-  return to_(glm::transpose(from_.rotation) * (point_m - from_.offset_m)) - point_m;
+  return to_(from_.modelled(point_m)) - point_m;
 }
 
 bool is_moving_after(const RigidMotion& motion, double time_s) {
   const bool shifts = motion.shift.velocity_m_per_s != Vec3(0.0) && lasts_after(motion.shift, time_s);
   const bool spins = motion.spin.turns_per_s != 0.0 && lasts_after(motion.spin, time_s);
   return shifts || spins || changes_after(motion.path, time_s);
+}
+
+double off_chord_per_jump(double at_s, const TimeSpan& time) {
+  return at_s > time.from_s && at_s < time.to_s
+             ? (at_s - time.from_s) * (time.to_s - at_s) / (time.to_s - time.from_s)
+             : 0.0;
+}
+
+double off_chord_m(const RigidMotion& motion, double radius_m, double speed_m_per_s, const TimeSpan& time) {
+  const auto& [shift, spin, path] = motion;
+  const auto begins_and_ends = [&](const auto& part) {
+    return off_chord_per_jump(part.from_s, time) + off_chord_per_jump(part.until_s, time);
+  };
+  double off_m = glm::length(shift.velocity_m_per_s) * begins_and_ends(shift);
+  if (spin.turns_per_s != 0.0 && spin.from_s < time.to_s && spin.until_s > time.from_s) {
+    const double radians_per_s = 2.0 * std::numbers::pi * std::abs(spin.turns_per_s);
+    off_m +=
+        radians_per_s * (radians_per_s * radius_m + 2.0 * speed_m_per_s) * off_chord_per_acceleration(time) +
+        radians_per_s * radius_m * begins_and_ends(spin);
+  }
+  const auto velocity = [&](std::size_t k) {  // from one point of the path to the next
+    return k + 1 < path.size() ? (path[k + 1].offset - path[k].offset) / (path[k + 1].time_s - path[k].time_s)
+                               : Vec3(0.0);
+  };
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    if (const double per_jump = off_chord_per_jump(path[k].time_s, time); per_jump > 0.0) {
+      off_m += per_jump * glm::distance(velocity(k), k > 0 ? velocity(k - 1) : Vec3(0.0));
+    }
+  }
+  return off_m;
+}
+
+double distance_from_axis_m(const Spin& spin, const Vec3& modelled_m) {
+  return glm::length(glm::cross(spin.axis, modelled_m - spin.about_m));
 }
 
 }  // namespace taut::sim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <vector>
 
@@ -65,6 +66,8 @@ struct Pose {
   Vec3 offset_m = {0.0, 0.0, 0.0};
 
   Vec3 operator()(const Vec3& modelled_m) const { return rotation * modelled_m + offset_m; }
+  /// Returns where the point was modelled that is at `point_m`.
+  Vec3 modelled(const Vec3& point_m) const { return glm::transpose(rotation) * (point_m - offset_m); }
 };
 
 /// Returns the pose at this time. Requires a path whose times rise.
@@ -87,5 +90,24 @@ class RigidMove {
 
 /// Returns whether it moves at any time after this one.
 bool is_moving_after(const RigidMotion& motion, double time_s);
+
+// A path x(t) whose acceleration is at most a, but for jumps J_k of its velocity at times s_k, is off its
+// chord by at most a T^2 / 8 + sum of J_k (s_k - from) (to - s_k) / T at any time of a span of length T:
+// Green's function of x'' on the span is at most T / 4, and its integral at most T^2 / 8.
+
+/// Returns how far a jump of the velocity by 1 m/s at this time takes a path off its chord, in m: 0 outside
+/// of the span.
+double off_chord_per_jump(double at_s, const TimeSpan& time);
+/// Returns how far an acceleration of 1 m/s^2 takes a path off its chord, in m.
+inline double off_chord_per_acceleration(const TimeSpan& time) {
+  return (time.to_s - time.from_s) * (time.to_s - time.from_s) / 8.0;
+}
+
+/// Returns a bound on how far a point is off the chord of its path at any time of the span, in m, that is up
+/// to `radius_m` from the axis of the spin and goes at `speed_m_per_s` before it is moved.
+double off_chord_m(const RigidMotion& motion, double radius_m, double speed_m_per_s, const TimeSpan& time);
+
+/// Returns how far a point is from the axis, in m, before it is moved.
+double distance_from_axis_m(const Spin& spin, const Vec3& modelled_m);
 
 }  // namespace taut::sim

@@ -53,7 +53,7 @@ Simulation::Simulation(std::shared_ptr<const Garment> garment, std::vector<Index
       solver_(make_solver(settings.solver)) {
   require_frame_rate(settings);
   require_possible(surroundings_, state_.current.size());
-  solver_->require_promised(surroundings_);
+  solver_->require_promised(*garment_, surroundings_);
   if (start_m) {
     begin_in(std::move(*start_m));
   }
@@ -87,7 +87,20 @@ void Simulation::advance_frame(const std::function<void()>& poll) {
   std::swap(state_, next);
   before_m_ = std::move(next.current);
   report_ = report;
+  const MeasuredContact measured = measure_contact();
+  report_.contact.smallest_distance_m = measured.nearest_m;
+  report_.contact.crossing_pairs = measured.crossing_pairs;
   fall_asleep_at_rest();
+}
+
+MeasuredContact Simulation::measure_contact() const {
+  if (solver_->ignores_contact() && surroundings_.bodies.empty()) {
+    return {};
+  }
+  if (!measure_ || measure_->bodies() != surroundings_.bodies) {
+    measure_.emplace(garment_->mesh.triangles, garment_->mesh.positions, surroundings_.bodies);
+  }
+  return measure_->measure(state_.current, state_.time_s, 2.0 * garment_->material.thickness_m);
 }
 
 void Simulation::start_solver() {
@@ -108,6 +121,7 @@ Checkpoint Simulation::save() const {
   }
   saved.report = report_;
   saved.report.blocked.reset();
+  saved.report.left_out.clear();
   saved.solver = name_of(kind_of(settings_.solver.method));
   saved.solver_memory = memory.bytes();
   return saved;
@@ -145,7 +159,7 @@ void Simulation::set_time(double time_s) {
 void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
     require_possible(surroundings, state_.current.size());
-    solver_->require_promised(surroundings);
+    solver_->require_promised(*garment_, surroundings);
     surroundings_ = surroundings;
     wake();
   }
@@ -155,7 +169,7 @@ void Simulation::set_settings(const SimulationSettings& settings) {
   if (settings != settings_) {
     require_frame_rate(settings);
     // Refuses what is wrong before anything has changed.
-    make_solver(settings.solver)->require_promised(surroundings_);
+    make_solver(settings.solver)->require_promised(*garment_, surroundings_);
     settings_ = settings;
     start_solver();
   }
@@ -163,7 +177,9 @@ void Simulation::set_settings(const SimulationSettings& settings) {
 
 void Simulation::set_material(const Material& material) {
   if (material != garment_->material) {
-    garment_ = share(with_material(*garment_, material));
+    Garment garment = with_material(*garment_, material);
+    solver_->require_promised(garment, surroundings_);
+    garment_ = share(std::move(garment));
     pins_ = make_pins(*garment_, std::move(pins_.vertices));
     start_solver();
   }

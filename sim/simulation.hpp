@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/checkpoint.hpp"
+#include "sim/contact/contact_measure.hpp"
 #include "sim/garment.hpp"
 #include "sim/measures.hpp"
 #include "sim/pins.hpp"
@@ -89,6 +90,9 @@ class Simulation {
   ShapeChange change() const { return {before_m_, state_.current, frame_time_s()}; }
   /// The report of the last frame that was computed.
   const FrameReport& frame_report() const { return report_; }
+  /// Measures how near things are in the present shape, up to twice the cloth's thickness. Nothing is near or crosses
+  /// where the solver ignores contact and there are no bodies.
+  MeasuredContact measure_contact() const;
   const Surroundings& surroundings() const { return surroundings_; }
   const SimulationSettings& settings() const { return settings_; }
   double frame_time_s() const { return 1.0 / settings_.frame_rate_hz; }
@@ -109,6 +113,7 @@ class Simulation {
   std::vector<Vec3> quiet_since_m_;  ///< the shape at the start of the quiet frames
   std::unique_ptr<Solver> solver_;
   FrameReport report_;
+  mutable std::optional<ContactMeasure> measure_;  ///< made once for these bodies; it knows no shape
 };
 
 }  // namespace taut::sim

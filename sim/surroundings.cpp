@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +23,17 @@ void require_vertex(const char* acts_on, Index vertex, std::size_t vertex_count)
 /// Returns the offset of a swinging pin from its first position, in m: none before 0 s.
 Vec3 pin_offset(const PinMotion& motion, double time_s) {
   return motion.amplitude_m * sine_of_turns(motion.frequency_hz * std::max(time_s, 0.0));
+}
+
+/// Returns a bound on how far swinging pins are off their chord within the time, in m. A sine's slope is at
+/// most 1, so that between the span's ends it is at most their mean and half of the angle more.
+double swing_off_chord_m(const PinMotion& motion, const TimeSpan& time) {
+  const double radians_per_s = 2.0 * std::numbers::pi * std::abs(motion.frequency_hz);
+  const auto size = [&](double time_s) { return std::abs(sine_of_turns(motion.frequency_hz * time_s)); };
+  const double largest_sine =
+      std::min(1.0, 0.5 * (size(time.from_s) + size(time.to_s) + radians_per_s * (time.to_s - time.from_s)));
+  return radians_per_s * glm::length(motion.amplitude_m) *
+         (radians_per_s * largest_sine * off_chord_per_acceleration(time) + off_chord_per_jump(0.0, time));
 }
 
 /// Returns what part of their way led pins go within the time.
@@ -65,6 +79,29 @@ std::vector<Vec3> pin_displacements(const Surroundings& surroundings, std::span<
     }
   }
   return moved_m;
+}
+
+double pins_off_chord_m(const Surroundings& surroundings, std::span<const Index> pins,
+                        std::span<const Vec3> at_m, double at_s, const TimeSpan& time) {
+  assert(at_m.size() == pins.size());
+  double off_m = pins.empty() ? 0.0 : swing_off_chord_m(surroundings.pin_motion, time);
+  for (const MovingPins& group : surroundings.moving_pins) {
+    const Pose pose = pose_at(group.motion, at_s);
+    double radius_m = 0.0;
+    for (std::size_t k = 0; k < pins.size(); ++k) {
+      if (std::binary_search(group.vertices.begin(), group.vertices.end(), pins[k])) {
+        radius_m = std::max(radius_m, distance_from_axis_m(group.motion.spin, pose.modelled(at_m[k])));
+      }
+    }
+    off_m = std::max(off_m, off_chord_m(group.motion, radius_m, 0.0, time));
+  }
+  const LedPins& led = surroundings.led_pins;
+  for (const Vec3& by_m : led.by_m) {
+    const double jump_m_per_s = glm::length(by_m) / (led.until_s - led.from_s);
+    off_m = std::max(
+        off_m, jump_m_per_s * (off_chord_per_jump(led.from_s, time) + off_chord_per_jump(led.until_s, time)));
+  }
+  return off_m;
 }
 
 bool has_pins_of_their_own(const Surroundings& surroundings) {

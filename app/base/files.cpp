@@ -11,6 +11,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "app/base/child_process.hpp"
 #include "app/base/errors.hpp"
 
 namespace taut::app {
@@ -47,6 +48,12 @@ std::optional<std::string> try_to_write(const fs::path& path, std::span<const st
   return file ? std::nullopt : std::optional(reason_of(errno));
 }
 
+/// Waits until a file or a folder is on the disk. Some file systems know no such thing of folders.
+bool is_on_disk(const fs::path& path, int flags) {
+  const Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags));
+  return opened.number() >= 0 && (::fsync(opened.number()) == 0 || errno == EINVAL || errno == ENOTSUP);
+}
+
 }  // namespace
 
 fs::path temporary_name(const fs::path& path) {
@@ -54,6 +61,13 @@ fs::path temporary_name(const fs::path& path) {
   // Other machines that share the folder count their processes too.
   name += ".part-" + host_name() + '-' + std::to_string(::getpid());
   return name;
+}
+
+void put_in_place(const fs::path& complete, const fs::path& path) {
+  if (!is_on_disk(complete, 0) || ::rename(complete.c_str(), path.c_str()) != 0 ||
+      (!is_on_disk(folder_of(path), O_DIRECTORY) && errno != EACCES)) {  // a folder may be closed to readers
+    fail_to_write(path, reason_of(errno));
+  }
 }
 
 void fail_to_write(const fs::path& path, const std::string& reason) {
@@ -142,16 +156,17 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     return;
   }
   const fs::path temporary = temporary_name(path);
-  std::optional<std::string> reason = try_to_write(temporary, bytes, std::ios::trunc);
-  std::error_code error;
-  if (!reason) {
-    fs::rename(temporary, path, error);
-    reason = error ? std::optional(error.message()) : std::nullopt;
-  }
-  if (reason) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    fail_to_write(path, *reason);
+  // By which the temporary file is also found in a folder that somebody renames meanwhile.
+  const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  try {
+    if (const auto reason = try_to_write(temporary, bytes, std::ios::trunc)) {
+      fail_to_write(path, *reason);
+    }
+    put_in_place(temporary, path);
+  } catch (...) {
+    ::unlinkat(folder.number() >= 0 ? folder.number() : AT_FDCWD,
+               (folder.number() >= 0 ? temporary.filename() : temporary).c_str(), 0);
+    throw;
   }
 }
 

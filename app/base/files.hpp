@@ -29,12 +29,17 @@ std::filesystem::path free_name(const std::filesystem::path& folder, const std::
 /// A name in the same folder for what will be renamed to `path` when it is complete.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
+/// Renames a complete file of the same folder to `path`. Not before its bytes are on the disk, and returns
+/// when its name is: after a loss of power too, `path` is as it was before or complete. Throws InputError
+/// that names `path` and the system's reason; `complete` is left.
+void put_in_place(const std::filesystem::path& complete, const std::filesystem::path& path);
+
 /// Throws InputError that names the path and the reason.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& reason);
 
-/// Writes to a temporary name in the same folder, then renames it. So `path` is never half written: it is
-/// absent, as it was before, or complete. Throws InputError that names the path and the system's reason; the
-/// temporary file is removed.
+/// Writes to a temporary name in the same folder, then puts it in place. So `path` is never half written: it
+/// is absent, as it was before, or complete. Throws InputError that names the path and the system's reason;
+/// the temporary file is removed.
 void write_text_file(const std::filesystem::path& path, const std::string& text);
 /// As write_text_file, for bytes.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);

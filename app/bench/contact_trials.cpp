@@ -6,6 +6,7 @@
 #include <random>
 
 #include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
@@ -97,7 +98,7 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
     run.start = judge.judge(simulation, 0, 0.0);
     for (int frame = 1; frame <= frames; ++frame) {
       const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
-      simulation.advance_frame();
+      simulation.advance_frame(throw_if_interrupted);
       run.frames.push_back(judge.judge(simulation, frame, clock.elapsed_ms()));
       after_frame(frame);
     }

@@ -122,7 +122,7 @@ void PointCacheSink::copy(const fs::path& from, std::size_t header_bytes, std::s
     }
     file_.close();
     put("");
-    fs::rename(target, part_);
+    put_in_place(target, part_);
   } catch (...) {
     std::error_code ignored;
     fs::remove(target, ignored);
@@ -155,10 +155,7 @@ std::string PointCacheSink::finish() {
     copy(part_, point_cache_header_bytes(format_, asked), written_, header(written_));
   }
   write_text_file(obj_beside(path_), cloth_.obj_at_rest());
-  fs::rename(part_, path_, error);
-  if (error) {
-    fail_to_write(path_, error.message());
-  }
+  put_in_place(part_, path_);
   return fmt::format("wrote {}, {} of {} vertices, and {}, the rest shape that they move", path_.string(),
                      counted(written_, "frame"), cloth_.vertices(), obj_beside(path_).string());
 }

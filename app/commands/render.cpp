@@ -409,7 +409,9 @@ int run(const RenderOptions& options) {
     statistics->finish(summary);
     fmt::print("wrote {}\n", options.statistics.string());
   }
-  fmt::print("{}\n{}", written, options.verify ? verifier.summary() + '\n' : "");
+  const std::string crossings = describe_crossings(summary);
+  fmt::print("{}\n{}{}", written, options.verify ? verifier.summary() + '\n' : "",
+             crossings.empty() ? "" : crossings + '\n');
   return judge_bound(job.scene, summary);
 }
 

@@ -57,12 +57,13 @@ class FrameLines {
 void print_summary(const RunSummary& summary) {
   fmt::print(
       "{}, {:.2f} ms of processor time each; largest stretch {:.4f} % (frame {}), at the end {:.4f} %; "
-      "of the surface {:.4f} % (frame {}), at the end {:.4f} %{}\n",
+      "of the surface {:.4f} % (frame {}), at the end {:.4f} %{}{}\n",
       counted(summary.frames, "frame"), summary.mean_sim_ms(), 100.0 * summary.max_stretch,
       summary.max_stretch_frame, 100.0 * summary.final_max_stretch, 100.0 * summary.max_surface_stretch,
       summary.max_surface_stretch_frame, 100.0 * summary.final_max_surface_stretch,
       summary.asleep_since_frame < 0 ? ""
-                                     : fmt::format("; at rest since frame {}", summary.asleep_since_frame));
+                                     : fmt::format("; at rest since frame {}", summary.asleep_since_frame),
+      describe_crossings(summary).empty() ? "" : "; " + describe_crossings(summary));
 }
 
 bool is_told(const SimulateOptions& options) {

@@ -36,7 +36,8 @@ std::string scene_text(const DrawnScene& scene, GarmentNaming naming) {
 std::string scene_help() {
   std::string text =
       "A scene file is TOML. Every key has a default, apart from the garment: one of\n"
-      "garment.file and [garment.grid]. The same keys work with --set KEY=VALUE.\n\n";
+      "garment.file and [garment.grid]. The same keys work with --set KEY=VALUE.\n"
+      "A length, speed, weight, angle or time may carry its unit: \"1 mm\", \"36 km/h\".\n\n";
   const DrawnScene defaults;
   for (const Key<DrawnScene>& key : drawn_scene_format().keys) {
     text += describe_key(key, defaults);

@@ -59,6 +59,7 @@ TautResult with(TautCloth cloth, const Work& work) noexcept {
     work(held->session);
     return TAUT_OK;
   } catch (...) {
+    const std::lock_guard lock(held->error_mutex);
     return describe_failure(held->error);
   }
 }

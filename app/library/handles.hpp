@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 
 #include "app/library/session.hpp"
 
@@ -14,6 +15,7 @@ struct Held {
 
   Session session;
   std::atomic<bool> is_busy = false;
+  std::mutex error_mutex;  ///< as another thread may ask while this one fails
   char error[sizeof(TautError::text)] = {};
 };
 

@@ -18,6 +18,8 @@ inline constexpr std::size_t smallest_size<TautOptions> = offsetof(TautOptions, 
 template <>
 inline constexpr std::size_t smallest_size<TautBody> = offsetof(TautBody, dress);
 template <>
+inline constexpr std::size_t smallest_size<TautFrame> = offsetof(TautFrame, measured_crossings);
+template <>
 inline constexpr std::size_t smallest_size<TautInfo> = offsetof(TautInfo, crossings_at_start);
 
 /// The largest size that a later version could have.

@@ -27,6 +27,8 @@ TautFrame frame_of(const app::FrameRecord& record) {
   frame.is_bound_kept = record.bound_kept ? 1 : 0;
   frame.is_contact_kept = record.blocked || record.crossing_pairs.value_or(0) > 0 ? 0 : 1;
   frame.is_asleep = record.asleep ? 1 : 0;
+  frame.measured_crossings = record.contact.crossing_pairs;
+  frame.left_out_share = record.contact.left_out_share;
   return frame;
 }
 
@@ -145,8 +147,15 @@ TautResult taut_destroy(TautCloth cloth) {
 }
 
 const char* taut_last_error(TautCloth cloth) {
+  // A copy of this thread's own: another may destroy the cloth, or fail with it, at any moment.
+  static thread_local char text[sizeof(TautError::text)];
   const std::shared_ptr<Held> held = find(cloth.id);
-  return held ? held->error : "there is no such cloth";
+  if (!held) {
+    return "there is no such cloth";
+  }
+  const std::lock_guard lock(held->error_mutex);
+  put_text(held->error, text);
+  return text;
 }
 
 TautResult taut_get_info(TautCloth cloth, TautInfo* info) {

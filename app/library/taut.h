@@ -138,14 +138,17 @@ typedef struct TautFrame {
   double time_s;                /* at the end of the frame */
   double max_edge_stretch;      /* of the most stretched edge */
   double max_surface_stretch;   /* along any direction in any triangle: largest singular value - 1 */
-  double smallest_distance_m;   /* between near parts where the frame began; infinite: nothing was near */
+  double smallest_distance_m;   /* of the nearest triangles, or from a body, measured where the frame ends; infinite: more
+                                 * than twice cloth.thickness */
   int64_t crossing_pairs;       /* pairs of triangles that cross and did not at the start, nor when a body was added or
-                                 * placed; -1: not counted */
+                                 * placed, nor within what is left out; -1: not counted */
   uint64_t state_hash;          /* of all bits of positions and velocities, as in the statistics of the program */
   int32_t substeps;             /* time steps that the frame was divided into */
   int32_t is_bound_kept;        /* 1: solver.max_stretch is kept, or the solver has no bound */
   int32_t is_contact_kept;      /* 1: nothing may cross that was apart; 0 only where the scene allows it */
   int32_t is_asleep;            /* 1: at rest, nothing was computed */
+  uint64_t measured_crossings;  /* all pairs of triangles that cross where the frame ends, measured in every frame */
+  double left_out_share;        /* of the cloth's area, around what crosses since the start: not kept apart in itself */
 } TautFrame;
 
 typedef struct TautInfo {
@@ -188,7 +191,7 @@ TAUT_API TautResult taut_list(int32_t kind, char *buffer, size_t capacity, size_
 TAUT_API TautResult taut_create(const TautOptions *options, TautCloth *cloth, TautError *error);
 /* A call of another thread that is under way ends as it would have. TAUT_ERROR_HANDLE. */
 TAUT_API TautResult taut_destroy(TautCloth cloth);
-/* The text of the cloth's last error, valid until its next one; empty before the first. Never NULL. */
+/* The text of the cloth's last error, valid until this thread asks for another; empty before the first. Never NULL. */
 TAUT_API const char *taut_last_error(TautCloth cloth);
 
 /* Every call below gives TAUT_ERROR_HANDLE and _BUSY, and TAUT_ERROR_ARGUMENT on NULL where it is not named, on

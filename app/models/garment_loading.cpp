@@ -15,6 +15,7 @@
 #include "app/models/outside.hpp"
 #include "app/models/pins.hpp"
 #include "app/models/trims.hpp"
+#include "app/scene/promise.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/subdivide.hpp"
 #include "sim/mesh/welding.hpp"
@@ -308,6 +309,9 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
     loaded.colours = subdivided_colours(std::move(loaded.colours));
   }
   loaded.garment = sim::share(sim::make_garment(std::move(pinned.mesh), scene.mapping, scene.material));
+  if (const std::optional<std::string> reason = beyond_contact(scene, *loaded.garment)) {
+    throw InputError(*reason);
+  }
   loaded.pins = std::move(pinned.pins);
   for (const sim::MovingPins& group : loaded.moving_pins) {
     loaded.pins.insert(loaded.pins.end(), group.vertices.begin(), group.vertices.end());

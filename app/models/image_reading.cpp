@@ -87,16 +87,27 @@ std::vector<fs::path> places_of(const std::string& name, const fs::path& folder)
   return {folder / slashed, folder / last, folder / "textures" / last};
 }
 
+bool is_inside(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path way = fs::canonical(file, error).lexically_relative(fs::canonical(folder, error));
+  return !way.empty() && *way.begin() != "..";
+}
+
+/// Nothing outside of the model's folder is read: a model could ask for any file of the machine.
 std::string read_file_of(const std::string& name, const fs::path& folder) {
   const std::vector<fs::path> places = places_of(name, folder);
+  bool is_outside = false;
   for (const fs::path& place : places) {
     std::error_code error;
-    if (fs::is_regular_file(place, error)) {
+    if (fs::is_regular_file(place, error) && is_inside(place, folder)) {
       return read_text_file(place);
     }
+    is_outside |= fs::exists(place, error);
   }
-  throw InputError(fmt::format("it is neither '{}' nor '{}' nor '{}'", places[0].lexically_normal().string(),
-                               places[1].lexically_normal().string(), places[2].lexically_normal().string()));
+  throw InputError(fmt::format("it is neither '{}' nor '{}' nor '{}'{}",
+                               places[0].lexically_normal().string(), places[1].lexically_normal().string(),
+                               places[2].lexically_normal().string(),
+                               is_outside ? ", of which nothing outside of the model's folder is read" : ""));
 }
 
 TextureImage read_map(const SurfaceMaterial& material, const fs::path& folder, const EmbeddedImage& embedded,

@@ -52,7 +52,6 @@ fs::path importer_program(const fs::path& chosen_program) {
   for (fs::path& candidate : candidates) {
     candidate = candidate / "libexec" / "taut" / "taut-import";
   }
-  candidates.emplace_back(TAUT_BUILT_PROGRAM);
   std::error_code error;
   const auto found = std::find_if(candidates.begin(), candidates.end(),
                                   [&](const fs::path& candidate) { return fs::exists(candidate, error); });

@@ -35,16 +35,16 @@ enum class ImportAnswer : char { arrays = 'A', reason = 'R' };
 ///
 /// The child runs `PROGRAM import-model FILE`. Unless the limits name it, the program is $TAUT_IMPORTER if
 /// that is set; else this program if it is taut; else libexec/taut/taut-import of the folders above this
-/// code's file, which is that of libtaut; else the program of the build folder. Throws InputError with the
-/// reason, without the name of the file; Interrupted.
+/// code's file, such as libtaut. Throws InputError with the reason, without the name of the file;
+/// Interrupted.
 ModelArrays read_model_in_process(const std::filesystem::path& path, const ImportLimits& limits,
                                   ReadParts parts);
 
 /// Reads an image in the same way. Throws InputError that names the file and the reason; Interrupted.
 TextureImage read_image(const std::filesystem::path& path);
 
-/// Runs in the child process. Sets the limits, reads the model and writes its arrays to standard output, or
-/// the reason for failure. Returns the exit code.
+/// Runs in the child process. Sets the limits, confines itself to the model's folder, reads the model and
+/// writes its arrays to standard output, or the reason for failure. Returns the exit code.
 int serve_import(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts);
 
 }  // namespace taut::app

@@ -3,10 +3,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <new>
 
+#include "app/models/confinement.hpp"
 #include "app/models/import_process.hpp"
 #include "app/models/model_reading.hpp"
 
@@ -69,9 +71,11 @@ std::string reason_of(const std::exception& error, const ImportLimits& limits) {
 
 }  // namespace
 
+// The file as well as its folder: where it is a link it lies elsewhere.
 int serve_import(const std::filesystem::path& path, const ImportLimits& limits, ReadParts parts) {
   const int output = take_standard_output();
   keep_to(limits);
+  confine_to(std::array{path, path.parent_path()});
   std::string answer;
   try {
     answer = framed(ImportAnswer::arrays, encode(read_model(path, parts)));

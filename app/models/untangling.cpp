@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/base/counted.hpp"
+#include "app/base/interruption.hpp"
 #include "sim/untangle/untangle.hpp"
 
 namespace taut::app {
@@ -15,6 +16,7 @@ std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment&
   settings.distance_m = garment.material.thickness_m;
   sim::Untangled untangled =
       sim::untangle(garment, start_m, settings, [&](std::span<const sim::Vec3> positions_m) {
+        throw_if_interrupted();
         std::vector<sim::TrianglePair> pairs;
         for (const CrossingPair& pair : crossing_pairs({positions_m, garment.mesh.triangles})) {
           pairs.push_back({pair.first, pair.second});

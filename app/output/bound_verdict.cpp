@@ -63,6 +63,20 @@ std::string describe_stretch(const sim::BoundedSettings& bound, const RunSummary
 
 }  // namespace
 
+std::string describe_crossings(const RunSummary& summary) {
+  if (summary.crossings_at_start == 0 && summary.final_crossings == 0 && !(summary.most_left_out_share > 0.0)) {
+    return "";
+  }
+  const std::string counts = fmt::format("{} at the start and {} at the end",
+                                         counted(static_cast<std::size_t>(summary.crossings_at_start),
+                                                 "pair of triangles crosses", "pairs of triangles cross"),
+                                         summary.final_crossings);
+  return summary.most_left_out_share > 0.0
+             ? fmt::format("{}; around them contact leaves out {:.2f} % of the cloth, at the end {:.2f} %", counts,
+                           100.0 * summary.most_left_out_share, 100.0 * summary.final_left_out_share)
+             : counts;
+}
+
 std::string describe_excess(const Scene& scene, const RunSummary& summary) {
   const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
   return summary.frames_over_bound == 0

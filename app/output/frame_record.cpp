@@ -43,6 +43,10 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
     record.substeps = report.substeps;
     record.followed_compression_n_per_m = report.followed_compression_n_per_m;
     record.contact = report.contact;
+  } else {
+    const sim::MeasuredContact measured = simulation.measure_contact();
+    record.contact.smallest_distance_m = measured.nearest_m;
+    record.contact.crossing_pairs = measured.crossing_pairs;
   }
   const sim::ShapeChange change = simulation.change();
   record.rms_speed_m_per_s = sim::rms_speed(change);
@@ -55,7 +59,12 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame) {
 }
 
 void RunSummary::add(const FrameRecord& record) {
-  ++frames;
+  if (frames++ == 0) {
+    crossings_at_start = static_cast<int>(record.contact.crossing_pairs);
+  }
+  final_crossings = static_cast<int>(record.contact.crossing_pairs);
+  final_left_out_share = record.contact.left_out_share;
+  most_left_out_share = std::max(most_left_out_share, record.contact.left_out_share);
   simulated_frames += record.frame > 0 ? 1 : 0;
   if (record.stretch.max > max_stretch) {
     max_stretch = record.stretch.max;

@@ -27,7 +27,8 @@ struct FrameRecord {
   double convergence_m = 0.0;  ///< the largest |p(t) - p(t - dt)| of any vertex, from frame to frame
   std::uint64_t state_hash = 0;
   bool asleep = false;
-  std::optional<std::size_t> crossing_pairs = {};  ///< empty: nobody has counted (frame_verifier.hpp)
+  /// Those that --verify does not allow; empty: nobody has counted (frame_verifier.hpp).
+  std::optional<std::size_t> crossing_pairs = {};
   /// Processor time of the thread that simulates, which waits for its helpers without sleeping. In the
   /// window, which has to keep up with the clock, time on the clock.
   double sim_ms = 0.0;
@@ -75,6 +76,10 @@ struct RunSummary {
       std::numeric_limits<double>::infinity();  ///< in the least stiff frame
   /// Of all frames, as sim::ContactReport has it; infinite: nothing was near.
   double smallest_distance_m = std::numeric_limits<double>::infinity();
+  int crossings_at_start = 0;  ///< pairs of triangles, measured in the first frame that was added
+  int final_crossings = 0;
+  double most_left_out_share = 0.0;  ///< of the cloth's area, as sim::ContactReport has it
+  double final_left_out_share = 0.0;
   double final_rms_speed_m_per_s = 0.0;
   int asleep_since_frame = -1;  ///< none: -1
   double total_sim_ms = 0.0;

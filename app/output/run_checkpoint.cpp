@@ -11,7 +11,7 @@ namespace taut::app {
 namespace {
 
 constexpr std::string_view magic = "TAUTRUN\n";
-constexpr std::uint32_t version = 4;
+constexpr std::uint32_t version = 5;
 
 template <class Summary, class Field>
 void for_each_field(Summary& summary, const Field& field) {
@@ -33,6 +33,10 @@ void for_each_field(Summary& summary, const Field& field) {
   field(summary.total_substeps);
   field(summary.followed_compression_n_per_m);
   field(summary.smallest_distance_m);
+  field(summary.crossings_at_start);
+  field(summary.final_crossings);
+  field(summary.most_left_out_share);
+  field(summary.final_left_out_share);
   field(summary.final_rms_speed_m_per_s);
   field(summary.asleep_since_frame);
   field(summary.total_sim_ms);

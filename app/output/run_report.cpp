@@ -74,11 +74,18 @@ const FrameColumn frame_columns[] = {
     {"contact_pairs", "", "near pairs that were kept apart at a time, the most of them",
      [](const auto& r) -> Json { return r.contact.most_pairs; }},
     {"smallest_distance", "m",
-     "of what was near when the frame began, negative within a body; null: nothing was",
+     "of the two nearest triangles that share no vertex, or from a body, measured at the frame's end; null: "
+     "more than twice cloth.thickness",
      [](const auto& r) -> Json { return distance_json(r.contact.smallest_distance_m); }},
+    {"measured_crossings", "",
+     "pairs of triangles that cross then, and triangles in a body: also where they are left out",
+     [](const auto& r) -> Json { return r.contact.crossing_pairs; }},
+    {"left_out_share", "",
+     "of the cloth's area, around what crosses since the start: not kept apart within itself",
+     [](const auto& r) -> Json { return r.contact.left_out_share; }},
     {"crossing_pairs", "",
      "with --verify alone: pairs of triangles that cross, and triangles in a body; not those that do so "
-     "since the start",
+     "since the start, nor within what is left out",
      [](const auto& r) -> Json { return r.crossing_pairs.value_or(0); }, true},
 };
 
@@ -130,6 +137,10 @@ Json summary_json(const RunSummary& summary) {
                {"max_raw_stretch", summary.max_raw_stretch},
                {"frames_over_bound", summary.frames_over_bound},
                {"smallest_distance", distance_json(summary.smallest_distance_m)},
+               {"crossings_at_start", summary.crossings_at_start},
+               {"final_crossings", summary.final_crossings},
+               {"most_left_out_share", summary.most_left_out_share},
+               {"final_left_out_share", summary.final_left_out_share},
                {"mean_substeps", summary.mean_substeps()},
                {"final_rms_speed", summary.final_rms_speed_m_per_s},
                {"asleep_since_frame", nullptr},

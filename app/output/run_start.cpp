@@ -52,7 +52,7 @@ void dress(const Scene& scene, sim::Simulation& simulation) {
       throw PromiseBroken(fmt::format("while it is dressed, in frame {} of {}: {}", frame, frames, why));
     };
     try {
-      simulation.advance_frame();
+      simulation.advance_frame(throw_if_interrupted);
     } catch (const sim::ContactBlocked& error) {
       give_up(error.what());
     }

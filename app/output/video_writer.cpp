@@ -177,11 +177,7 @@ void VideoWriter::finish() {
     throw InputError(fmt::format("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(),
                                  describe_end(status), counted(frames_, "frame"), last_words()));
   }
-  std::error_code error;
-  fs::rename(temporary_, file_, error);
-  if (error) {
-    throw InputError("cannot write '" + file_.string() + "': " + error.message());
-  }
+  put_in_place(temporary_, file_);
 }
 
 void VideoWriter::fail_stopped() {

@@ -3,14 +3,24 @@
 #include "sim/solvers/bounded/promise.hpp"
 
 namespace taut::app {
+namespace {
+
+constexpr sim::PromiseNames keys = {"solver.max_stretch", "gusts (wind.speed, wind.gust_amplitude)",
+                                    "solver.allow_exceeding = \"bound\"", "cloth.thickness"};
+
+}  // namespace
 
 std::optional<std::string> beyond_promise(const Scene& scene) {
-  constexpr sim::PromiseNames keys = {"solver.max_stretch", "gusts (wind.speed, wind.gust_amplitude)",
-                                      "solver.allow_exceeding = \"bound\""};
   const SolverChoice& solver = scene.simulation.solver;
   return solver.kind == sim::SolverKind::bounded
              ? sim::beyond_promise(solver.bounded, scene.surroundings, keys)
              : std::nullopt;
+}
+
+std::optional<std::string> beyond_contact(const Scene& scene, const sim::Garment& garment) {
+  const SolverChoice& solver = scene.simulation.solver;
+  return solver.kind == sim::SolverKind::bounded ? sim::beyond_contact(solver.bounded, garment, keys)
+                                                 : std::nullopt;
 }
 
 std::optional<double> stretch_bound(const Scene& scene) {

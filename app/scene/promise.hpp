@@ -11,6 +11,10 @@ namespace taut::app {
 /// the scene has no bound, or if the scene allows exceeding it.
 std::optional<std::string> beyond_promise(const Scene& scene);
 
+/// Says why the `bounded` solver does not keep layers of this scene's cloth apart: it is too thin, or too
+/// thick for its mesh. Empty if it keeps them apart or is not asked to.
+std::optional<std::string> beyond_contact(const Scene& scene, const sim::Garment& garment);
+
 /// The largest stretch that the scene's solver tries to keep, a fraction. Empty if it has none.
 std::optional<double> stretch_bound(const Scene& scene);
 

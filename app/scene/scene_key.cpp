@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace taut::app {
 namespace {
@@ -21,7 +23,69 @@ constexpr std::array<std::pair<const char*, const char*>, 35> named_colours = {{
     {"brown", "#a52a2a"},     {"chocolate", "#d2691e"}, {"tan", "#d2b48c"},
 }};
 
+/// A unit that a text may end in: a number of it is one of `of` times ten to the exponent, times the factor.
+struct Unit {
+  std::string_view name;
+  std::string_view of;
+  int exponent = 0;
+  double factor = 1.0;
+};
+constexpr std::array<Unit, 12> units = {{
+    {"mm", "m", -3},
+    {"cm", "m", -2},
+    {"m", "m"},
+    {"km/h", "m/s", 0, 1.0 / 3.6},
+    {"m/s", "m/s"},
+    {"g/m2", "kg/m2", -3},
+    {"kg/m2", "kg/m2"},
+    {"rad", "degrees", 0, 57.29577951308232},
+    {"deg", "degrees"},
+    {"degrees", "degrees"},
+    {"ms", "s", -3},
+    {"s", "s"},
+}};
+
+std::optional<double> number_in(std::string_view text) {
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
+/// The number times a power of ten, as exact as if it had been written so: "0.18" of -3 is 0.00018.
+std::optional<double> shifted_number_in(const std::string& text, int exponent) {
+  if (!number_in(text)) {
+    return std::nullopt;
+  }
+  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+  const int own = end < text.size() ? std::atoi(text.c_str() + end + 1) : 0;
+  return number_in(fmt::format("{}e{}", text.substr(0, end), own + exponent));
+}
+
+std::optional<double> number_with_unit(std::string_view text, std::string_view unit) {
+  const std::size_t digits = std::min(text.find_first_not_of("+-0123456789.eE"), text.size());
+  for (const Unit& known : units) {
+    const std::string_view name = text.substr(digits + (text.substr(digits).starts_with(' ') ? 1 : 0));
+    if (known.of == unit && known.name == name) {
+      const std::optional<double> number =
+          shifted_number_in(std::string(text.substr(0, digits)), known.exponent);
+      return number ? std::optional(*number * known.factor) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::string units_like(std::string_view unit) {
+  std::vector<std::string> names;
+  for (const Unit& known : units) {
+    if (known.of == unit) {
+      names.emplace_back(known.name);
+    }
+  }
+  return joined(names, " or ");
+}
 
 std::string describe(const std::string& what, const Range& range) {
   const bool bounded_below = std::isfinite(range.lowest);
@@ -49,7 +113,10 @@ bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers) {
   return size <= limits.largest && (limits.may_be_zero || size > 0.0);
 }
 
-std::optional<double> finite_number(const toml::node& value) {
+std::optional<double> finite_number(const toml::node& value, std::string_view unit) {
+  if (const auto* text = value.as_string()) {
+    return number_with_unit(text->get(), unit);
+  }
   if (const auto* whole = value.as_integer()) {
     return static_cast<double>(whole->get());
   }
@@ -61,14 +128,14 @@ std::optional<std::int64_t> whole_number(const toml::node& value) {
   return value.value_exact<std::int64_t>();
 }
 
-std::optional<std::array<double, 3>> three_numbers(const toml::node& value) {
+std::optional<std::array<double, 3>> three_numbers(const toml::node& value, std::string_view unit) {
   const toml::array* list = value.as_array();
   if (list == nullptr || list->size() != 3) {
     return std::nullopt;
   }
   std::array<double, 3> numbers{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<double> number = finite_number((*list)[i]);
+    const std::optional<double> number = finite_number((*list)[i], unit);
     if (!number) {
       return std::nullopt;
     }

@@ -44,10 +44,13 @@ inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};  ///< a
 std::string describe(const std::string& what, const Range& range);
 
 /// What a value holds: a finite number, a whole number, a list of three finite numbers. Empty for anything
-/// else.
-std::optional<double> finite_number(const toml::node& value);
+/// else. A number may be a text that ends in a unit of the same kind as `unit`, which it then is in: "1 mm".
+std::optional<double> finite_number(const toml::node& value, std::string_view unit = "");
 std::optional<std::int64_t> whole_number(const toml::node& value);
-std::optional<std::array<double, 3>> three_numbers(const toml::node& value);
+std::optional<std::array<double, 3>> three_numbers(const toml::node& value, std::string_view unit = "");
+
+/// The units that a text may end in where this one is expected: "mm, cm or m"; empty for most.
+std::string units_like(std::string_view unit);
 
 /// Red, green and blue, 0 to 1, of a text "#rrggbb" or the name of a colour; empty for anything else.
 std::optional<glm::vec3> colour_value(const toml::node& value);
@@ -90,7 +93,7 @@ template <class T, class Access>
 Key<T> number_key(std::string name, std::string unit, const Range& range, Access access, std::string meaning,
                   double factor = 1.0) {
   auto read = [=](const toml::node& value, const Source&, T& target) {
-    const std::optional<double> number = finite_number(value);
+    const std::optional<double> number = finite_number(value, unit);
     if (!number || !range.contains(*number)) {
       return false;
     }
@@ -150,7 +153,7 @@ template <class T, class Access>
 Key<T> vector_key(std::string name, std::string unit, Access access, std::string meaning,
                   VectorLimits limits = {}) {
   auto read = [=](const toml::node& value, const Source&, T& target) {
-    const auto numbers = three_numbers(value);
+    const auto numbers = three_numbers(value, unit);
     if (!numbers || !allows(limits, *numbers)) {
       return false;
     }
@@ -254,7 +257,8 @@ class KeyReader {
     for (const Key<T>& key : keys_) {
       if (key.name == name) {
         if (!key.read(value, source_, target_)) {
-          fail(source_, line_of(value), name + ": found " + to_text(value) + ", expected " + expected(key));
+          fail(source_, line_of(value),
+               name + ": found " + to_text(value) + ", expected " + expected(key, value.is_string()));
         }
         return;
       }
@@ -271,8 +275,11 @@ class KeyReader {
   }
 
  private:
-  static std::string expected(const Key<T>& key) {
-    return key.unit.empty() ? key.expected : key.expected + " (" + key.unit + ')';
+  static std::string expected(const Key<T>& key, bool is_text_found) {
+    const std::string others = is_text_found ? units_like(key.unit) : "";
+    return key.unit.empty() ? key.expected
+                            : key.expected + " (" + key.unit +
+                                  (others.empty() ? "" : ", or with its unit: " + others) + ')';
   }
 
   bool is_section(const std::string& name) const {

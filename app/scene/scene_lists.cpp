@@ -172,7 +172,7 @@ Key<Scene> pins_key() {
 Key<Scene> weld_key() {
   constexpr Range range = {0.0, 0.05};
   auto read = [range](const toml::node& value, const Source&, Scene& scene) {
-    const std::optional<double> number = finite_number(value);
+    const std::optional<double> number = finite_number(value, "m");
     const bool is_number = number && range.contains(*number);
     if (is_number || text_in(value) == "auto") {
       scene.garment.weld_m = number;

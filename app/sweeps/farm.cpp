@@ -29,6 +29,24 @@ std::string task_command(const Sweep& sweep, const FarmSettings& settings) {
   return this_command({"sweep", "run", full(sweep.folder), "--chunk", std::to_string(settings.chunk)});
 }
 
+/// As sbatch reads it in a script: in quotes.
+std::string sbatch_quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    quoted.append(letter == '"' || letter == '\\' ? "\\" : "").append(1, letter);
+  }
+  return quoted + '"';
+}
+
+/// A log beside the runs, whose name may have Slurm's symbols while its folder's has none.
+std::string sbatch_log(const Sweep& sweep, const std::string& name) {
+  std::string path;
+  for (const char letter : full(sweep.folder / "slurm")) {
+    path.append(letter == '%' ? 2 : 1, letter);
+  }
+  return sbatch_quoted(path + '/' + name);
+}
+
 /// As snakemake has it where names in braces stand for something.
 std::string with_plain_braces(const std::string& command) {
   std::string text;
@@ -73,7 +91,7 @@ std::size_t usual_chunk(std::size_t runs) {
 std::string slurm_script(const Sweep& sweep, const FarmSettings& settings) {
   std::string text = fmt::format(
       "#!/bin/bash\n"
-      "#SBATCH --job-name=taut-{}\n"
+      "#SBATCH --job-name={}\n"
       "#SBATCH --output={}\n"
       "#SBATCH --open-mode=append\n"
       "#SBATCH --mem={}\n"
@@ -81,7 +99,7 @@ std::string slurm_script(const Sweep& sweep, const FarmSettings& settings) {
       "#SBATCH --requeue\n"
       "# Half a minute to save what was simulated, before time is up.\n"
       "#SBATCH --signal=B:TERM@30\n",
-      sweep.scene_name, full(sweep.folder / "slurm" / "%A.log"), settings.memory);
+      sbatch_quoted("taut-" + sweep.scene_name), sbatch_log(sweep, "%A.log"), settings.memory);
   for (const std::string& option : settings.sbatch) {
     text += "#SBATCH " + option + '\n';
   }
@@ -90,8 +108,7 @@ std::string slurm_script(const Sweep& sweep, const FarmSettings& settings) {
 
 std::string merge_script(const Sweep& sweep) {
   return fmt::format("#!/bin/bash\n#SBATCH --job-name=taut-merge\n#SBATCH --output={}\nexec {}\n",
-                     full(sweep.folder / "slurm" / "merge.log"),
-                     this_command({"sweep", "merge", full(sweep.folder)}));
+                     sbatch_log(sweep, "merge.log"), this_command({"sweep", "merge", full(sweep.folder)}));
 }
 
 std::string parallel_script(const Sweep& sweep, const FarmSettings& settings) {

@@ -194,7 +194,9 @@ class WindowViewer {
       SessionFrame last = viewer_.update({{}, 0.0, std::nullopt, std::nullopt});
       simulation_.end();
       last.pace->advances = simulation_.advances();
-      last.expected_state = simulation_.state_hash();
+      if (!simulation_.gave_up_frame()) {
+        last.expected_state = simulation_.state_hash();
+      }
       recorder_->add(last);
     }
   }

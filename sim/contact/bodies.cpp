@@ -65,6 +65,70 @@ void shape_of_frames(const BodyFrames& frames, double time_s, std::span<Vec3> po
   }
 }
 
+/// How vertices of a mesh go from frame to frame while a span lasts.
+struct FrameWays {
+  double off_chord_m = 0.0;
+  double radius_m = 0.0;  ///< the furthest from the axis of the spin
+  double speed_m_per_s = 0.0;
+};
+
+// Where their velocity jumps by the second difference of their positions.
+FrameWays ways_in_frames(const BodyMesh& mesh, const Spin& spin, const TimeSpan& time) {
+  const BodyFrames& frames = *mesh.frames;
+  const auto last = static_cast<double>(frames.count() - 1);
+  const auto frame_at = [&](double time_s) {
+    return std::clamp((time_s - frames.first_s()) * frames.rate_hz(), 0.0, last);
+  };
+  const auto positions_in = [&](double frame) {
+    std::vector<Vec3> positions_m(mesh.data->positions_m.size());
+    frames.positions_in(static_cast<std::size_t>(std::clamp(frame, 0.0, last)), positions_m);
+    return positions_m;
+  };
+  // In the span's ends themselves, rounded, nothing jumps.
+  constexpr double least_s = 1e-12;
+  FrameWays ways;
+  for (double frame = std::floor(frame_at(time.from_s)); frame <= std::ceil(frame_at(time.to_s)); ++frame) {
+    const double per_jump = off_chord_per_jump(frames.first_s() + frame / frames.rate_hz(), time);
+    if (spin.turns_per_s == 0.0 && per_jump < least_s) {
+      continue;
+    }
+    const std::vector<Vec3> before_m = positions_in(frame - 1.0);
+    const std::vector<Vec3> at_m = positions_in(frame);
+    const std::vector<Vec3> after_m = positions_in(frame + 1.0);
+    double jump_m = 0.0;
+    for (std::size_t v = 0; v < at_m.size(); ++v) {
+      jump_m = std::max(jump_m, glm::length(after_m[v] - 2.0 * at_m[v] + before_m[v]));
+      ways.radius_m = std::max(ways.radius_m, distance_from_axis_m(spin, at_m[v]));
+      ways.speed_m_per_s =
+          std::max(ways.speed_m_per_s, frames.rate_hz() * glm::distance(at_m[v], before_m[v]));
+    }
+    ways.off_chord_m += per_jump * frames.rate_hz() * jump_m;
+  }
+  return ways;
+}
+
+/// Returns how far the shape's points are from the axis of the spin at most, in m: for a limb those of its
+/// ends, as its radii turn with it.
+struct FurthestFromAxis {
+  const Spin& spin;
+
+  double operator()(const Plane& plane) const {
+    constexpr double endless_m = 1e9;
+    return glm::cross(plane.normal, spin.axis) == Vec3(0.0) ? 0.0 : endless_m;
+  }
+  double operator()(const Sphere& ball) const { return distance_from_axis_m(spin, ball.centre_m); }
+  double operator()(const Capsule& limb) const {
+    return std::max(distance_from_axis_m(spin, limb.start_m), distance_from_axis_m(spin, limb.end_m));
+  }
+  double operator()(const BodyMesh& mesh) const {
+    double furthest_m = 0.0;
+    for (const Vec3& position_m : mesh.data->positions_m) {
+      furthest_m = std::max(furthest_m, distance_from_axis_m(spin, position_m));
+    }
+    return furthest_m;
+  }
+};
+
 /// `moved` is how far the vertex has moved over the body.
 Vec3 with_friction(double friction, const SurfacePoint& surface, double depth_m, const Vec3& moved,
                    const Vec3& pushed_out) {
@@ -110,6 +174,17 @@ bool is_moving_after(const Body& body, double time_s) {
                        static_cast<double>(mesh->frames->count() - 1) >
                            (time_s - mesh->frames->first_s()) * mesh->frames->rate_hz();
   return changes || is_moving_after(body.motion, time_s);
+}
+
+double off_chord_m(const Body& body, const TimeSpan& time) {
+  const auto* mesh = std::get_if<BodyMesh>(&body.shape);
+  FrameWays ways;
+  if (mesh != nullptr && mesh->frames) {
+    ways = ways_in_frames(*mesh, body.motion.spin, time);
+  } else if (body.motion.spin.turns_per_s != 0.0) {
+    ways.radius_m = std::visit(FurthestFromAxis{body.motion.spin}, body.shape);
+  }
+  return ways.off_chord_m + off_chord_m(body.motion, ways.radius_m, ways.speed_m_per_s, time);
 }
 
 void push_out_of_bodies(std::span<const Body> bodies, const ClothSurface& cloth, const TimeSpan& step,

@@ -96,6 +96,10 @@ Vec3 point_moved(const Body& body, const Vec3& point_m, const TimeSpan& time);
 /// Returns whether the body moves or changes its shape at any time after this one.
 bool is_moving_after(const Body& body, double time_s);
 
+/// Returns a bound on how far any point of the body is off the chord of its path at any time of the span, in
+/// m, which for a plane that tilts is larger than all else.
+double off_chord_m(const Body& body, const TimeSpan& time);
+
 /// A point on the surface of a shape, seen from another point.
 struct SurfacePoint {
   double distance_m;  ///< from the surface, negative inside

@@ -37,9 +37,8 @@ int least_substeps(const SolverSettings& settings, const Frame& frame) {
   if (settings.substeps || !springs) {
     return 0;
   }
-  const double needed =
-      frame.duration_s / stable_time_step_s(frame.garment, frame.pins, *springs,
-                                            frame.surroundings.forces.air_drag_per_s);
+  const double needed = frame.duration_s / stable_time_step_s(frame.garment, frame.pins, *springs,
+                                                              frame.surroundings.forces.air_drag_per_s);
   return static_cast<int>(std::ceil(std::min<double>(needed, settings.max_substeps)));
 }
 

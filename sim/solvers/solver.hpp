@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "sim/blocked_contact.hpp"
 #include "sim/bytes.hpp"
@@ -18,11 +19,24 @@ struct ContactReport {
   int detections = 0;          ///< how often all of the cloth and the bodies was searched for what is near
   int partial_detections = 0;  ///< how often that was done around single vertices alone
   int most_pairs = 0;          ///< near pairs that were kept apart at a time, the most of them
-  /// Of near pairs in the shape that the frame began with, in m, negative within a body; infinite where
-  /// nothing was near. Without what crosses since the start and what touches at rest.
+  /// Of the two nearest things in the shape that the frame ended with, in m, as ContactMeasure measures it whatever the
+  /// solver does: 0 where they cross, below 0 in a plane, sphere or capsule, infinite where nothing is near.
   double smallest_distance_m = std::numeric_limits<double>::infinity();
+  std::size_t crossing_pairs = 0;  ///< in that shape, measured likewise
+  /// `bounded`: the part of the cloth's area at rest that was not kept apart from all else, as it crossed something
+  /// when the run began.
+  double left_out_share = 0.0;
 
   bool operator==(const ContactReport&) const = default;
+};
+
+/// A triangle around what crosses since the cloth began. Within a group nothing is kept apart.
+struct LeftOutTriangle {
+  std::optional<std::size_t> body = {};  ///< its place among the surroundings' bodies; empty: of the cloth
+  Index triangle = 0;
+  Index group = 0;
+
+  friend auto operator<=>(const LeftOutTriangle&, const LeftOutTriangle&) = default;
 };
 
 /// How a frame went.
@@ -38,7 +52,8 @@ struct FrameReport {
   double followed_compression_n_per_m = std::numeric_limits<double>::infinity();
   /// `bounded`: what may cross in this frame, where its settings accept that. Not saved.
   std::optional<BlockedContact> blocked = {};
-  ContactReport contact = {};  ///< `bounded`: of solver.contact and bodies
+  ContactReport contact = {};
+  std::vector<LeftOutTriangle> left_out = {};  ///< `bounded`: in this frame, the cloth's first. Not saved.
 
   bool operator==(const FrameReport&) const = default;
 };
@@ -49,8 +64,8 @@ struct Frame {
   const Pins& pins;
   const Surroundings& surroundings;
   double duration_s;  ///< above 0
-  /// Called at least once in every time step and search. An exception that it throws ends the frame; the cloth
-  /// and the solver are then as they were.
+  /// Called at least once in every time step and search. An exception that it throws ends the frame; the
+  /// cloth and the solver are then as they were.
   const std::function<void()>& poll;
 
   void ask() const {
@@ -65,12 +80,15 @@ class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Throws std::invalid_argument if the solver promises a bound on stretch and does not promise it in these
-  /// surroundings.
-  virtual void require_promised(const Surroundings&) const {}
+  /// Throws std::invalid_argument if the solver makes promises and cannot make them for this garment or in
+  /// these surroundings.
+  virtual void require_promised(const Garment&, const Surroundings&) const {}
 
   /// Moves a start, keeping its velocity, within the bound on stretch that the solver promises, if any.
   virtual void move_within_bound(const Garment&, const Pins&, State&) const {}
+
+  /// Returns whether cloth may cross itself and nobody asks whether it does.
+  virtual bool ignores_contact() const { return false; }
 
   /// Advances `state` by one frame. The solver itself stays as it was until keep_frame(). Throws
   /// ContactBlocked where the solver keeps things from crossing and cannot; `state` is undefined then.

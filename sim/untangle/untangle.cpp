@@ -78,7 +78,7 @@ std::vector<Vec3> within_bound(const Garment& garment, const BoundedSettings& se
   State state = make_state(garment);
   state.current = state.previous = std::move(positions_m);
   move_within_bound(garment, none, settings, state);
-  keeps_bound_in_double(garment, none, settings, state.current);
+  std::ignore = keeps_bound_in_double(garment, none, settings, state.current);
   return state.current;
 }
 

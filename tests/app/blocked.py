@@ -101,11 +101,11 @@ through = ['through.obj', *flags, '--verify', '--set', 'solver.contact=true']
 out, _ = run(0, 'simulate', *through, '--frames', ':30', '--stats', 'through.jsonl', '--checkpoint', 'saved', '--checkpoint-every', '3')
 remarks = [line for line in out.splitlines() if line.startswith('through.obj: at the start ')]
 expect(len(remarks) == 1 and 'cross' in remarks[0], 'remarks: %s' % remarks)
-expect(re.search(r'verified 31 frames: 0 crossing pairs but for [1-9]\d* from the start, of which 0 still cross', out), out)
+expect(re.search(r'verified 31 frames: 0 crossing pairs outside what crosses since the start: [1-9]\d* pairs then, 0 at the end', out), out)
 expect('"crossing_pairs":0' in (folder / 'through.jsonl').read_text(), 'nothing was counted')
 run(0, 'simulate', *through, '--frames', ':3', '--checkpoint', 'early')
 out, _ = run(0, 'simulate', *through, '--frames', ':30', '--resume', 'early')
-expect(re.search(r'but for [1-9]\d* from the start', out), 'resumed: ' + out)
+expect(re.search(r'outside what crosses since the start: [1-9]\d* pairs then', out), 'resumed: ' + out)
 
 # What came to cross before a run is resumed counts, although it crosses where the run goes on.
 vertices, faces = [], []

@@ -402,5 +402,35 @@ TEST(Library, AClothInUseIsBusyAndOthersGoOn) {
   EXPECT_GT(busy, 0);
 }
 
+TEST(Library, TheLastErrorIsReadWhileOthersFailAndDestroy) {
+  for (int round = 0; round < 20; ++round) {
+    OwnCloth cloth("pinned-9x9-5");
+    std::thread other([&] {
+      for (int k = 0; k < 50; ++k) {
+        EXPECT_EQ(taut_set(cloth, k % 2 == 0 ? "none" : "wind.speed", "very fast"), TAUT_ERROR_ARGUMENT);
+      }
+      EXPECT_EQ(taut_destroy(cloth), TAUT_OK);
+    });
+    std::string text;
+    const char* last = "";
+    while (text != "there is no such cloth") {
+      last = taut_last_error(cloth);
+      text = last;
+      EXPECT_TRUE(text.empty() || text.find("none") != text.npos || text.find("speed") != text.npos ||
+                  text == "there is no such cloth")
+          << text;
+    }
+    other.join();
+  }
+}
+
+TEST(Library, TheTextOfTheLastErrorOutlivesItsCloth) {
+  OwnCloth cloth("pinned-9x9-5");
+  EXPECT_EQ(taut_set(cloth, "none", "1"), TAUT_ERROR_ARGUMENT);
+  const char* text = taut_last_error(cloth);
+  EXPECT_EQ(taut_destroy(cloth), TAUT_OK);
+  EXPECT_CONTAINS(std::string(text), "none");
+}
+
 }  // namespace
 }  // namespace taut::test

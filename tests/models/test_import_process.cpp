@@ -1,9 +1,14 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 
 #include "app/base/errors.hpp"
+#include "app/models/confinement.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/model_arrays.hpp"
 #include "temporary_folder.hpp"
@@ -61,6 +66,62 @@ TEST(ImportProcess, NamesAnImporterThatDoesNotStart) {
   const auto model = folder.write("dress.obj", "v 0 0 0\n");
   EXPECT_CONTAINS(message_of<InputError>([&] { import_garment(model); }), "none' does not start");
   ::unsetenv("TAUT_IMPORTER");
+}
+
+/// Whether something is true in a process that is confined to a folder.
+template <class Question>
+bool holds_in(const TemporaryFolder& folder, const Question& question) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const bool is_confined = confine_to(std::vector<std::filesystem::path>{folder / ""});
+    ::_exit(question(is_confined) ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+constexpr const char* not_confined =
+    "this kernel has no Landlock (Linux 5.13), which keeps files from a process";
+
+TEST(Confinement, LeavesAFolderToReadAndNothingElse) {
+  const TemporaryFolder folder;
+  const auto inside = folder.write("shirt.obj", "v 0 0 0\n");
+  const auto opens = [](const std::filesystem::path& path, int flags) {
+    return [path, flags](bool) { return ::open(path.c_str(), flags, 0600) >= 0; };
+  };
+  EXPECT_TRUE(holds_in(folder, opens(inside, O_RDONLY)));
+  EXPECT_FALSE(holds_in(folder, [](bool) { return ::socket(AF_INET, SOCK_STREAM, 0) >= 0; }));
+  EXPECT_FALSE(holds_in(folder, [](bool) { return ::socket(AF_UNIX, SOCK_DGRAM, 0) >= 0; }));
+  EXPECT_TRUE(holds_in(folder, [](bool) { return ::execl("/bin/false", "false", nullptr) == -1; }));
+  if (!holds_in(folder, [](bool is_confined) { return is_confined; })) {
+    GTEST_SKIP() << not_confined;
+  }
+  EXPECT_FALSE(holds_in(folder, opens("/etc/passwd", O_RDONLY)));
+  EXPECT_FALSE(holds_in(folder, opens(inside, O_RDWR)));
+  EXPECT_FALSE(holds_in(folder, opens(folder / "new", O_WRONLY | O_CREAT)));
+  EXPECT_FALSE(holds_in(folder, [&](bool) { return ::unlink(inside.c_str()) == 0; }));
+}
+
+TEST(Confinement, IsThatOfAModelsReader) {
+  const TemporaryFolder folder;
+  if (!holds_in(folder, [](bool is_confined) { return is_confined; })) {
+    GTEST_SKIP() << not_confined;
+  }
+  std::filesystem::create_directories(folder / "here");
+  folder.write("blue.mtl", "newmtl blue\nKd 0 0 1\n");
+  const auto model = folder.write(
+      "dress.obj", "mtllib dress.mtl\nusemtl blue\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::filesystem::create_symlink(model, folder / "here/dress.obj");
+  const auto colour = [&] {
+    const ModelArrays read = read_model_in_process(folder / "here/dress.obj", {}, ReadParts::model);
+    return read.colours.materials.empty() ? glm::vec3(-1) : read.colours.materials[0].base_colour;
+  };
+  std::filesystem::copy(folder / "blue.mtl", folder / "here/dress.mtl");
+  EXPECT_EQ(colour(), glm::vec3(0, 0, 1)) << "a link to a model can be read";
+  std::filesystem::remove(folder / "here/dress.mtl");
+  std::filesystem::create_symlink(folder / "blue.mtl", folder / "here/dress.mtl");
+  EXPECT_NE(colour(), glm::vec3(0, 0, 1)) << "what a model names elsewhere was read";
 }
 
 TEST(ImportProcess, KeepsToItsMemory) {

@@ -181,6 +181,21 @@ TEST(SurfaceColours, GiveWayToWhatTheSceneAsksFor) {
   EXPECT_TRUE(drawn_colours(scene, loaded).base_colours.empty());
 }
 
+TEST(SurfaceColours, DoNotComeFromOutsideOfTheModelsFolder) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "model");
+  for (const auto& file : {write_two(folder, "newmtl blue\nmap_Kd ../check.png\n"), folder / "two.mtl"}) {
+    std::filesystem::rename(file, folder / "model" / file.filename());
+  }
+  const DrawnScene scene = scene_of(folder / "model/two.obj");
+  folder.write("check.png", png_of(1, 1, {10, 20, 30, 255}));
+  const std::vector<std::string> outside = load_garment(scene).colours.remarks;
+  ASSERT_EQ(outside.size(), 1U);
+  EXPECT_CONTAINS(outside[0], ", of which nothing outside of the model's folder is read");
+  std::filesystem::rename(folder / "check.png", folder / "model/check.png");
+  EXPECT_TRUE(load_garment(scene).colours.remarks.empty());
+}
+
 TEST(SurfaceColours, SayWhichImageIsMissingAndWhereItWasLookedFor) {
   const TemporaryFolder folder;
   const DrawnScene scene = scene_of(write_two(

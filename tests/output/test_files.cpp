@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <thread>
 
@@ -12,12 +14,35 @@ namespace {
 using test::message_of;
 using test::TemporaryFolder;
 
+thread_local std::vector<std::string> synced;  ///< which names they had then
+
+}  // namespace
+}  // namespace taut::app
+
+/// In the place of the C library's.
+extern "C" int fsync(int file) {
+  taut::app::synced.push_back(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file)));
+  return static_cast<int>(::syscall(SYS_fsync, file));
+}
+
+namespace taut::app {
+namespace {
+
 TEST(Files, AreWrittenWholeAndLeaveNothingElse) {
   const TemporaryFolder folder;
   write_text_file(folder / "a.txt", "first");
   write_text_file(folder / "a.txt", "second");
   EXPECT_EQ(read_text_file(folder / "a.txt"), "second");
   EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(Files, AreOnTheDiskBeforeTheyHaveTheirNamesAndThoseAfterwards) {
+  const TemporaryFolder folder;
+  synced.clear();
+  write_text_file(folder / "a.txt", "text");
+  ASSERT_EQ(synced.size(), 2U);
+  EXPECT_EQ(synced[0], temporary_name(folder / "a.txt").string());
+  EXPECT_EQ(synced[1] + "/", folder / "");
 }
 
 TEST(Files, LeaveNothingWhereTheyCannotBeWritten) {

@@ -98,14 +98,14 @@ TEST(FrameVerifier, LeavesOutWhatCrossesAtTheStartPairByPairUntilItIsApart) {
   using Checked = std::pair<std::size_t, std::string>;
   EXPECT_EQ(check(0.0), Checked(0, ""));
   EXPECT_EQ(check(1.0), Checked(0, ""));
-  EXPECT_CONTAINS(verifier.summary(), "0 crossing pairs but for 1 from the start, of which 1 still cross,");
+  EXPECT_CONTAINS(verifier.summary(), "0 crossing pairs outside what crosses since the start: 1 pairs then, 1 at the end,");
   FrameVerifier another;
   another.begin(simulation);
   FrameRecord moved;
   moved.time_s = 4.0;
   EXPECT_CONTAINS(another.check(simulation, moved), "triangle 2 (vertices ") << "another pair counts";
   EXPECT_EQ(check(2.0), Checked(0, ""));
-  EXPECT_CONTAINS(verifier.summary(), "0 crossing pairs but for 1 from the start, of which 0 still cross,");
+  EXPECT_CONTAINS(verifier.summary(), "0 crossing pairs outside what crosses since the start: 1 pairs then, 0 at the end,");
   EXPECT_EQ(check(3.0), Checked(1, "frame 0, 3.0000")) << "it was apart";
 }
 

@@ -22,6 +22,8 @@ def used(sources, build):
     files.update(dict.fromkeys(uses.loaded_by(executables), 'a program that was built'))
     files.update(dict.fromkeys(uses.loaded_while_drawing(build / 'app/taut'), 'taut render'))
     programs.update((name, str(script)) for name, script in uses.programs_of(uses.scripts_in(sources)).items())
+    for made in executables:
+        programs.pop(made.name, None)  # the machine may have an older one installed
     return {path: user for path, user in files.items() if outside(path, sources)}, programs
 
 

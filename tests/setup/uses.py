@@ -77,12 +77,14 @@ def words_of(path):
 
 
 def scripts_in(sources):
+    """All but setup.sh, which runs before it has brought anything."""
     for folder, folders, names in os.walk(sources):
         folders[:] = [name for name in folders if name not in ('build', '.git', 'node_modules')]
         for name in names:
             path = pathlib.Path(folder, name)
             if path.suffix in ('.sh', '.py', '.cmake') or name in ('CMakeLists.txt', 'run'):
-                yield path
+                if path != sources / 'setup.sh':
+                    yield path
 
 
 def programs_of(scripts):

@@ -134,6 +134,24 @@ TEST_P(Bounded, KeepsTheBoundOfEdgesOfTenNanometres) {
   }
 }
 
+TEST(WithinBound, NoVertexIsMovedToWhereContactDoesNotLetIt) {
+  const Mesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0.3, 0.01, 0}}, {{0, 1, 2}}, {}};
+  const Garment garment = make_garment(mesh);
+  const BoundedSettings settings = {.bound = BoundKind::surface, .max_stretch = 0.01};
+  std::vector<Vec3> positions = mesh.positions;
+  positions[2].y *= 1.01001;
+  const std::vector<Vec3> before = positions;
+  int asked = 0;
+  const auto nowhere = [&](Index vertex, const Vec3& position_m) {
+    EXPECT_NE(position_m, before[vertex]) << "only vertices that were moved are asked for";
+    ++asked;
+    return false;
+  };
+  EXPECT_FALSE(keeps_bound_in_double(garment, make_pins(garment, {0}), settings, positions, nowhere));
+  EXPECT_EQ(positions, before);
+  EXPECT_GT(asked, 0);
+}
+
 TEST(WithinBound, TrianglesTooLongByLessThanAMicrometreAreShortenedInDoublePrecision) {
   const Mesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0.3, 0.01, 0}}, {{0, 1, 2}}, {}};
   const Garment garment = make_garment(mesh);

@@ -7,6 +7,7 @@
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"
+#include "sim/solvers/bounded/promise.hpp"
 
 namespace taut::sim {
 namespace {
@@ -337,6 +338,45 @@ TEST(Simulation, RefusesWhatItsSolverDoesNotPromise) {
   EXPECT_EQ(simulation.surroundings(), Surroundings{}) << "nothing has changed";
   Simulation in_wind(share(pinned_cloth()), corners, {}, windy);
   EXPECT_THROW(in_wind.set_settings(tight), std::invalid_argument);
+}
+
+TEST(Simulation, RefusesClothThatItCannotKeepApart) {
+  const auto refusal = [](double thickness_m, const BoundedSettings& bounded) -> std::string {
+    SimulationSettings settings;
+    settings.solver.method = bounded;
+    try {
+      Garment garment = pinned_cloth();
+      garment.material.thickness_m = thickness_m;
+      Simulation(share(std::move(garment)), {0}, settings, {});
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const double edge_m = mean_edge_m(pinned_cloth().springs);
+  EXPECT_EQ(refusal(1.0, {}).substr(0, 38), "thickness: found 1 m (1000 mm), edges ") << refusal(1.0, {});
+  EXPECT_EQ(refusal(0.99 * thickest_part_of_edge * edge_m, {}), "");
+  EXPECT_NE(refusal(1.01 * thickest_part_of_edge * edge_m, {}), "");
+  EXPECT_EQ(refusal(1.0, {.contact = false}), "");
+  EXPECT_EQ(refusal(0.9e-5, {}), "thickness: found 9e-06 m (0.009 mm), expected at least 0.01 mm");
+  EXPECT_EQ(refusal(least_thickness_m, {}), "");
+}
+
+TEST(Simulation, RefusesAMaterialOrASolverThatDoNotGoTogetherAndStaysAsItWas) {
+  Simulation simulation(share(pinned_cloth()), {0}, {}, {});
+  Material thick = simulation.garment().material;
+  thick.thickness_m = 1.0;
+  SimulationSettings apart;
+  apart.solver.method = BoundedSettings{.contact = true};
+  SimulationSettings together;
+  together.solver.method = BoundedSettings{.contact = false};
+  simulation.set_settings(apart);
+  EXPECT_THROW(simulation.set_material(thick), std::invalid_argument);
+  EXPECT_NE(simulation.garment().material, thick);
+  simulation.set_settings(together);
+  simulation.set_material(thick);
+  EXPECT_THROW(simulation.set_settings(apart), std::invalid_argument);
+  EXPECT_EQ(simulation.settings(), together);
 }
 
 TEST(Simulation, BeginsInAShapeOtherThanTheRestShape) {

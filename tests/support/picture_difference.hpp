@@ -9,11 +9,12 @@
 namespace taut::tests {
 
 /// How much two pictures may differ and still pass. The defaults pass every variation of the software
-/// rasteriser that was tried, and fail for a cloth moved by 0.3 mm.
+/// rasteriser that was tried, and fail for a cloth moved by 0.3 mm. Processors of two makers differ by one
+/// level in some channels and by up to 0.0225 on average, as their approximate square roots do.
 struct PictureLimit {
   int channel_difference = 2;          ///< of 255; a pixel counts if a channel differs by more
   double differing_fraction = 0.0001;  ///< of all pixels
-  double mean_difference = 0.002;      ///< of 255, over all channels
+  double mean_difference = 0.03;       ///< of 255, over all channels
 };
 
 /// A pixel in which two pictures differ.

@@ -30,14 +30,16 @@ TEST(PictureDifference, OnePixelInTenThousandMayDifferButNotTwo) {
 
 TEST(PictureDifference, DifferencesOfTwoDoNotCountAsPixelsButInTheMean) {
   renderer::Image actual = grey();
-  for (int x = 0; x < 25; ++x) {
-    actual.at(x, 7)[0] = 130;
+  for (int x = 0; x < 100; ++x) {
+    for (int y = 0; y < 4; ++y) {
+      actual.at(x, y)[0] = 130;
+    }
   }
-  EXPECT_TRUE(alike(grey(), actual));  // mean 50 / 30000
-  for (int x = 0; x < 25; ++x) {
+  EXPECT_TRUE(alike(grey(), actual));  // mean 800 / 30000
+  for (int x = 0; x < 100; ++x) {
     actual.at(x, 8)[0] = 130;
   }
-  EXPECT_FALSE(alike(grey(), actual));  // mean 100 / 30000
+  EXPECT_FALSE(alike(grey(), actual));  // mean 1000 / 30000
 }
 
 TEST(PictureDifference, OtherSizesFail) {

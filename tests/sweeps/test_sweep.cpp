@@ -1,7 +1,9 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 
@@ -277,6 +279,70 @@ TEST_F(SweepTest, LocksThatWereLeftBehindAreTakenOver) {
   fs::last_write_time(file, fs::file_time_type::clock::now() - 2 * RunLock::stale_after);
   EXPECT_TRUE(RunLock(file).is_held());
   EXPECT_EQ(folder.file_count(), 1U) << "only the scene is left";
+}
+
+TEST_F(SweepTest, TheLockOfAProcessThatNobodyHasWaitedForIsTakenOver) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::_exit(0);
+  }
+  siginfo_t ended{};
+  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
+  write_text_file(folder / "lock", host_name() + ' ' + std::to_string(child) + " -\n");
+  EXPECT_TRUE(RunLock(folder / "lock").is_held());
+  ::waitpid(child, nullptr, 0);
+}
+
+/// Which of some processes that try at once hold a lock, while all of them still run.
+int holders_at_once(const fs::path& file, int processes) {
+  std::array<int, 2> start{}, answers{}, end{};
+  EXPECT_EQ(::pipe(start.data()) + ::pipe(answers.data()) + ::pipe(end.data()), 0);
+  char byte = 0;
+  for (int k = 0; k < processes; ++k) {
+    if (::fork() == 0) {
+      ::close(start[1]);
+      ::close(end[1]);
+      ssize_t ignored = ::read(start[0], &byte, 1);
+      {
+        const RunLock lock(file);
+        byte = lock.is_held() ? 1 : 0;
+        ignored = ::write(answers[1], &byte, 1);
+        ignored = ::read(end[0], &byte, 1);
+      }
+      ::_exit(ignored == 0 ? 0 : 1);
+    }
+  }
+  ::close(start[1]);
+  int holders = 0;
+  for (int k = 0; k < processes && ::read(answers[0], &byte, 1) == 1; ++k) {
+    holders += byte;
+  }
+  ::close(end[1]);
+  for (const int number : {start[0], answers[0], answers[1], end[0]}) {
+    ::close(number);
+  }
+  for (int k = 0; k < processes; ++k) {
+    ::wait(nullptr);
+  }
+  return holders;
+}
+
+TEST_F(SweepTest, OneOfManyTakesOverALock) {
+  const fs::path file = folder / "lock";
+  for (int round = 0; round < 100; ++round) {
+    write_text_file(file, host_name() + " 4194304 -\n");
+    ASSERT_EQ(holders_at_once(file, 4), 1) << "round " << round;
+  }
+}
+
+TEST_F(SweepTest, SlurmReadsTheNamesOfAScriptAsTheyAre) {
+  Sweep sweep = planned("scene = \"scene.toml\"\nframes = 1\n[axes]\nwind.speed = [0, 1]\n");
+  sweep.folder = "/my runs/50%/\"b\"";
+  sweep.scene_name = "my scene";
+  const std::string script = slurm_script(sweep, {});
+  EXPECT_CONTAINS(script, "#SBATCH --job-name=\"taut-my scene\"\n");
+  EXPECT_CONTAINS(script, "#SBATCH --output=\"/my runs/50%%/\\\"b\\\"/slurm/%A.log\"\n");
+  EXPECT_CONTAINS(merge_script(sweep), "#SBATCH --output=\"/my runs/50%%/\\\"b\\\"/slurm/merge.log\"\n");
 }
 
 TEST_F(SweepTest, LocksAreTakenOnFileSystemsThatAreNotLikeThis) {

@@ -400,6 +400,23 @@ TEST(SimulationThread, AReplayOfItsPaceEndsInTheSameState) {
   EXPECT_EQ(replay.state_hash(), live.state_hash());
 }
 
+TEST(SimulationThread, GivesUpAFrameThatTakesLong) {
+  DrawnScene scene = small_scene();
+  scene.garment.grid.columns = 60;
+  scene.garment.grid.rows = 60;
+  scene.simulation.frame_rate_hz = 1.0;
+  scene.simulation.solver.substeps = scene.simulation.solver.max_substeps = 10000;
+  SimulationThread live(scene);
+  while (live.post({}) == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const auto asked = std::chrono::steady_clock::now();
+  live.end();
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(2));
+  EXPECT_TRUE(live.gave_up_frame());
+  EXPECT_EQ(live.state_hash(), SteppedSimulation(scene).state_hash());
+}
+
 TEST(SteppedSimulation, RefusesAPaceThatGoesBack) {
   SteppedSimulation simulation(small_scene());
   simulation.begin_frame(0.0, Pace{5, 6});

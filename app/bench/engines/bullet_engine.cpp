@@ -5,6 +5,7 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
+#include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
@@ -85,6 +86,7 @@ class BulletEngine : public Engine {
   FrameCost advance_frame() override {
     FrameCost cost;
     for (int substep = 0; substep < settings_.substeps; ++substep) {
+      throw_if_interrupted();
       add_wind();
       move_pins();
       const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);

@@ -1,5 +1,6 @@
 #include "app/bench/engines/taut_engine.hpp"
 
+#include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
 #include "sim/simulation.hpp"
 
@@ -27,7 +28,7 @@ class TautEngine : public Engine {
   FrameCost advance_frame() override {
     FrameCost cost;
     const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
-    simulation_.advance_frame();
+    simulation_.advance_frame(throw_if_interrupted);
     cost.cpu_ms = clock.elapsed_ms();
     const sim::FrameReport& report = simulation_.frame_report();
     cost.substeps = report.substeps;

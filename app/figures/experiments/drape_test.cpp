@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "app/base/interruption.hpp"
 #include "renderer/light/rasterise_triangle.hpp"
 #include "sim/simulation.hpp"
 
@@ -127,7 +128,7 @@ DrapeRun run_drape(const sim::Material& fabric, const DiscMesh& mesh,
   sim::Simulation simulation(run.garment, run.pins, drape_settings(), air);
   while (run.frames < most_frames && !simulation.state().asleep) {
     report_progress(static_cast<double>(run.frames) / most_frames);
-    simulation.advance_frame();
+    simulation.advance_frame(throw_if_interrupted);
     ++run.frames;
   }
   run.at_rest = simulation.state().asleep;

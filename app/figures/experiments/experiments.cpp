@@ -8,6 +8,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "app/base/interruption.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/moments.hpp"
 #include "app/models/garment_loading.hpp"
@@ -198,7 +199,7 @@ MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s
   const auto steps = static_cast<int>(std::lround(duration_s * steps_per_s));
   try {
     for (int step = 0; step < steps; ++step) {
-      simulation.advance_frame();
+      simulation.advance_frame(throw_if_interrupted);
       const sim::ShapeChange change = simulation.change();
       run.max_stretch.push_back(sim::measure_stretch(simulation.garment().springs, change.now).max);
       run.moved_rms_m.push_back(sim::measure_convergence(change).rms_m);
@@ -234,7 +235,8 @@ RestartRun run_restart(const DrawnScene& scene, int steps_before, int steps_afte
   const auto go_on = [&](sim::State& state, int steps) {
     const auto solver = sim::make_solver(solver_settings(stepped.simulation.solver));
     for (int step = 0; step < steps; ++step) {
-      std::ignore = solver->advance_frame({garment, pins, surroundings, time_step_s, {}}, state);
+      std::ignore =
+          solver->advance_frame({garment, pins, surroundings, time_step_s, throw_if_interrupted}, state);
       solver->keep_frame();
     }
   };

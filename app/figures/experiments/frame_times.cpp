@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/figures/experiments/experiments.hpp"
@@ -54,7 +55,7 @@ std::vector<TimedRun> make_timed_runs() {
 
 void time_frame(TimedRun& run) {
   const ProcessorStopwatch stopwatch;
-  run.simulation.advance_frame();
+  run.simulation.advance_frame(throw_if_interrupted);
   run.times.frame_ms.push_back(stopwatch.elapsed_ms());
   const double stretch =
       sim::measure_stretch(run.simulation.garment().springs, run.simulation.state().current).max;
@@ -79,7 +80,7 @@ void measure_frame_times(int repeats, const ProgressCallback& report_progress, R
   std::vector<TimedRun> runs = make_timed_runs();
   for (TimedRun& run : runs) {
     // The first frame fills the caches.
-    run.simulation.advance_frame();
+    run.simulation.advance_frame(throw_if_interrupted);
   }
   // In turn: what else the machine does meanwhile meets all of them alike.
   for (int repeat = 0; repeat < repeats; ++repeat) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
@@ -46,7 +47,7 @@ class RunningTrial {
     for (int frame = 0; frame < frames && !trial_.is_lost; ++frame) {
       const ProcessorStopwatch stopwatch;
       try {
-        simulation_.advance_frame();
+        simulation_.advance_frame(throw_if_interrupted);
       } catch (const sim::Diverged&) {
         trial_.is_lost = true;
         return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/base/interruption.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"
@@ -103,7 +104,7 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
   counter.count(simulation, start);
   for (int frame = 1; frame <= frames.back() && !recording.came_to_rest; ++frame) {
     for (int step = 0; step < steps_in_frame && !recording.came_to_rest; ++step) {
-      simulation.advance_frame();
+      simulation.advance_frame(throw_if_interrupted);
       recording.came_to_rest = simulation.state().asleep;
       // Cloth that is put to sleep is stopped; until then it moved.
       if (!recording.came_to_rest) {

@@ -23,6 +23,8 @@ public struct Frame {
   public long CrossingPairs;
   public ulong StateHash;
   public int Substeps, IsBoundKept, IsContactKept, IsAsleep;
+  public ulong MeasuredCrossings;
+  public double LeftOutShare;
 }
 
 /// TautInfo of taut.h.

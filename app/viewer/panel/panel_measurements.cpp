@@ -123,6 +123,7 @@ void plot_stretch(ViewerState& state, float scale) {
   }
   draw_curve(stretch.values(), place, highest, curve_colour, scale);
   reading_line(state, "measured.stretches", other_stretches(state.newest->record, held));
+  reading_line(state, "measured.contact", contact_text(state.newest->record.contact));
 }
 
 void plot_convergence(ViewerState& state, float scale) {

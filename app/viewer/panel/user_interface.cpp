@@ -128,7 +128,7 @@ void UserInterface::make_letters() {
   style.GrabRounding = 3.0F;
   style.GrabMinSize = 8.0F;
   style.WindowBorderSize = 0.0F;
-  style.ItemSpacing = {6.0F, 3.0F};
+  style.ItemSpacing = {6.0F, 2.0F};
   style.FramePadding = {6.0F, 3.0F};
   style.ScaleAllSizes(scale);
   ImGui::GetStyle() = style;

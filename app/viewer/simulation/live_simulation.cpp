@@ -1,13 +1,18 @@
 #include "app/viewer/simulation/live_simulation.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
+#include "app/models/untangling.hpp"
 #include "app/output/run_start.hpp"
 
 namespace taut::app {
@@ -20,6 +25,18 @@ std::shared_ptr<const LoadedScene> load(const DrawnScene& scene, std::uint64_t g
   DrawnColours colours = drawn_colours(hung, loaded);
   return std::make_shared<const LoadedScene>(
       LoadedScene{std::move(loaded), std::move(hung), std::move(colours), generation});
+}
+
+bool keeps_apart(const sim::SimulationSettings& settings) {
+  const auto* bounded = std::get_if<sim::BoundedSettings>(&settings.solver.method);
+  return bounded != nullptr && bounded->contact;
+}
+
+std::string describe_now(const Untangling& u) {
+  return fmt::format("{} crossed: {}", counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
+                     u.pairs_left == 0
+                         ? fmt::format("parted, no vertex was moved by more than {:.3g} mm", 1e3 * u.largest_move_m)
+                         : fmt::format("{} left, around which contact is off until they are apart", u.pairs_left));
 }
 
 // The outer third on one side of what the pins extend over, across.
@@ -107,13 +124,36 @@ void LiveSimulation::perform(const ChangeSettings& change) {
   pristine_ = pristine_ && frame_ == start_frame_;
   const sim::SimulationSettings settings = simulation_settings(change.simulation);
   if (settings != simulation_->settings() || change.material != simulation_->garment().material) {
+    const bool was_kept_apart = keeps_apart(simulation_->settings());
     simulation_->set_settings(settings);
     simulation_->set_material(change.material);
+    if (!was_kept_apart && keeps_apart(settings)) {
+      untangle(change.simulation);
+    }
     // Another bound may move the cloth before another frame.
     measure_stretches(*simulation_, record_);
   }
   surroundings_ = settled(change.surroundings, *loaded_);
   simulation_->set_surroundings(surroundings_);
+}
+
+// What crossed while nothing kept it apart.
+void LiveSimulation::untangle(const RunSettings& simulation) {
+  sim::Checkpoint now = simulation_->save();
+  Scene scene = loaded_->scene;
+  scene.simulation = simulation;
+  std::vector<sim::Vec3> positions_m = now.state.current;
+  const std::optional<Untangling> untangling =
+      untangle_start(scene, simulation_->garment(), positions_m, [](const std::string&) {});
+  if (!untangling) {
+    return;
+  }
+  for (std::size_t v = 0; v < positions_m.size(); ++v) {
+    now.state.previous[v] += positions_m[v] - now.state.current[v];
+  }
+  now.state.current = now.before_m = positions_m;
+  simulation_->restore(now);
+  tell(describe_now(*untangling), untangling->pairs_left > 0);
 }
 
 void LiveSimulation::perform(const TogglePin& toggle) {
@@ -200,7 +240,7 @@ void LiveSimulation::pull() {
   pristine_ = false;
 }
 
-void LiveSimulation::advance() {
+void LiveSimulation::advance(const std::function<void()>& poll) {
   ++advances_;
   steps_left_ = std::max(0, steps_left_ - 1);
   if (stopped_) {
@@ -211,11 +251,13 @@ void LiveSimulation::advance() {
       pull();
     }
     Stopwatch simulating;
-    simulation_->advance_frame();
+    simulation_->advance_frame(poll);
     const double sim_ms = simulating.elapsed_ms();
     record_ = measure_frame(*simulation_, ++frame_);
     record_.sim_ms = sim_ms;
     note_shape();
+  } catch (const Interrupted&) {
+    throw;
   } catch (const sim::ContactBlocked& blocked) {
     stop("frame " + std::to_string(frame_ + 1) + ": " + blocked.what());
   } catch (const std::exception& error) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "app/viewer/simulation/simulation_command.hpp"
@@ -27,8 +28,9 @@ class LiveSimulation {
   double frame_time_s() const { return simulation_->frame_time_s(); }
   std::uint64_t advances() const { return advances_; }
 
-  /// Computes one frame. Does nothing after the simulation has diverged or was blocked.
-  void advance();
+  /// Computes one frame. Does nothing after the simulation has diverged or was blocked. Throws Interrupted
+  /// where `poll`, which is called often, does; the cloth is then as it was.
+  void advance(const std::function<void()>& poll = {});
 
   /// The state of now, with that of a garment beside it. Each call returns a serial number larger by 1.
   SnapshotPtr take_snapshot(SnapshotPtr compared = nullptr);
@@ -55,6 +57,7 @@ class LiveSimulation {
   void perform(const Compare&) {}  // of a SimulationPair
 
   void start(std::shared_ptr<const LoadedScene> loaded);
+  void untangle(const RunSettings& simulation);
   void set_pins(std::vector<sim::Index> pins);
   void note_shape();
   void tell_of_start();

@@ -91,10 +91,10 @@ void SimulationPair::pass_on_notices() {
   }
 }
 
-void SimulationPair::advance() {
-  first_.advance();
+void SimulationPair::advance(const std::function<void()>& poll) {
+  first_.advance(poll);
   if (second_) {
-    second_->advance();
+    second_->advance(poll);
     pass_on_notices();
   }
 }

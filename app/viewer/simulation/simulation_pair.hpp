@@ -25,8 +25,8 @@ class SimulationPair {
   std::uint64_t advances() const { return first_.advances(); }
   std::uint64_t state_hash() const { return first_.state_hash(); }
 
-  /// Computes one frame of each.
-  void advance();
+  /// Computes one frame of each, as LiveSimulation does.
+  void advance(const std::function<void()>& poll = {});
 
   /// The state of now; the second garment's is within. Each call returns a serial number larger by 1.
   SnapshotPtr take_snapshot();

@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/base/errors.hpp"
+
 namespace taut::app {
 namespace {
 
 // A simulation that falls behind the clock by more gives the time up: it runs slower, and never hurries to
 // catch up.
 constexpr std::chrono::milliseconds most_behind{50};
+/// Whoever closes a window waits no longer.
+constexpr std::chrono::milliseconds longest_end{500};
 
 // That the calling thread has had.
 std::chrono::nanoseconds processor_time() {
@@ -36,6 +40,11 @@ void SimulationThread::end() {
     ending_ = true;
   }
   changed_.notify_all();
+  {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, longest_end, [this] { return !busy_; });
+    gives_up_ = is_in_frame_;
+  }
   if (thread_.joinable()) {
     thread_.join();
   }
@@ -123,16 +132,24 @@ void SimulationThread::perform_posted(std::unique_lock<std::mutex>& lock) {
 
 void SimulationThread::advance(std::unique_lock<std::mutex>& lock) {
   ++begun_;
-  busy_ = true;
+  busy_ = is_in_frame_ = true;
   lock.unlock();
   const Clock::duration before = processor_time();
-  simulation_.advance();
+  try {
+    simulation_.advance([this] {
+      if (gives_up_) {
+        throw Interrupted(0);
+      }
+    });
+  } catch (const Interrupted&) {
+    // Of what is shown nothing has changed.
+  }
   SnapshotPtr snapshot = simulation_.take_snapshot();
   const Clock::duration worked = processor_time() - before;
   lock.lock();
   worked_ = worked;
   timeline_.add(std::move(snapshot));
-  busy_ = false;
+  busy_ = is_in_frame_ = false;
   changed_.notify_all();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -17,7 +18,7 @@ class SimulationThread : public SimulationHost {
  public:
   /// Throws InputError if the garment cannot be loaded.
   explicit SimulationThread(const DrawnScene& scene);
-  /// Waits for the frame that is being computed.
+  /// As end().
   ~SimulationThread() override;
 
   SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;
@@ -25,8 +26,10 @@ class SimulationThread : public SimulationHost {
   SnapshotPtr past_frame(const SnapshotPtr& now, int frame) override;
   std::uint64_t state_hash() override;
 
-  /// Stops the simulation. Waits for the frame that is being computed and for posted commands.
+  /// Stops the simulation. Waits for posted commands, and half a second for the frame that is being computed,
+  /// which is given up then.
   void end();
+  bool gave_up_frame() const { return gives_up_; }  ///< after `end`
   /// Simulated time that was given up since the last call because other work had the processors; 0 where
   /// the simulation could not have kept up anyway.
   double take_given_up_ms();
@@ -51,7 +54,9 @@ class SimulationThread : public SimulationHost {
   Clock::duration given_up_{};
   Clock::duration worked_{};  ///< processor time of the last frame
   bool busy_ = false;
+  bool is_in_frame_ = false;
   bool ending_ = false;
+  std::atomic<bool> gives_up_ = false;
   Clock::time_point due_;
   std::thread thread_;
 };

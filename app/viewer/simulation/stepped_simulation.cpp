@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
 
 namespace taut::app {
 namespace {
@@ -21,7 +22,7 @@ SteppedSimulation::SteppedSimulation(const DrawnScene& scene) : simulation_(scen
 }
 
 void SteppedSimulation::advance() {
-  simulation_.advance();
+  simulation_.advance(throw_if_interrupted);
   timeline_.add(simulation_.take_snapshot());
 }
 

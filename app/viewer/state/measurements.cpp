@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "app/base/counted.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -62,6 +64,16 @@ std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted) {
   const double other_p99 = plots_springs ? record.surface_stretch.p99 : record.stretch.p99;
   return fmt::format("p99 {} %, {} {} %, p99 {} %", percent(p99), plots_springs ? "surface" : "springs",
                      percent(other), percent(other_p99));
+}
+
+std::string contact_text(const sim::ContactReport& contact) {
+  const std::string nearest = std::isfinite(contact.smallest_distance_m)
+                                  ? "nearest " + in_little_room(1000.0 * contact.smallest_distance_m, 2) + " mm"
+                                  : std::string("nothing near");
+  return contact.left_out_share > 0.0
+             ? fmt::format("{}, {} pairs cross, {:.1f} % left out", nearest, contact.crossing_pairs,
+                           100.0 * contact.left_out_share)
+             : fmt::format("{}, {}", nearest, counted(contact.crossing_pairs, "pair crosses", "pairs cross"));
 }
 
 void Measurements::add(const FrameRecord& record) {

@@ -60,6 +60,9 @@ std::string in_little_room(double value, int decimals);
 /// percentile, and both of the other kind.
 std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted);
 
+/// How near things come and what crosses, as the panel says it.
+std::string contact_text(const sim::ContactReport& contact);
+
 /// The measurements that the panel plots.
 struct Measurements {
   RecentValues max_stretch;  ///< of the springs

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/measures.hpp"
+#include "sim/solvers/bounded/apart_while_corrected.hpp"
 #include "sim/solvers/bounded/compression.hpp"
 #include "sim/solvers/bounded/projection.hpp"
 #include "sim/solvers/bounded/promise.hpp"
@@ -25,18 +26,36 @@ namespace {
 /// Fewer time steps would do for small stiff cloths.
 constexpr double least_substeps_per_s = 480.0;
 
-/// A projection that costs more sweeps than this many times the substeps is not worth it: more substeps are.
+/// A projection that costs more sweeps than this many times the substeps is not worth it: more substeps are. So
+/// many sweeps are always.
 constexpr double costliest_projection = 3.0;
+constexpr double cheap_projection = 24.0;
 /// Where no more substeps are to be had, it is.
 constexpr double last_resort_sweeps = 1000.0;
+/// Stretch is compared with no tighter bound than this one.
+constexpr double smallest_bound = 1e-4;
+/// Stretch, in bounds, that more steps have to mend.
+constexpr double overstretched = 16.0;
+
+/// A frame may take this many times the work of the median frame.
+constexpr double most_work = 20.0;
+/// The work of a search, in sweeps, and of one around single vertices.
+constexpr double work_of_search = 25.0;
+constexpr double work_of_partial_search = 12.0;
+/// Searches of a frame before there is one to count them.
+constexpr double first_searches = 5.0;
+/// The median follows by this factor a frame.
+constexpr double median_step = 1.1;
 
 /// A frame corrected by this many times more than allowed is repeated, unless the frame before it was
 /// corrected as far.
 constexpr double too_far = 3.0;
 constexpr double further_than_before = 1.2;
 
-/// Rounds of a correction that go on within the same regions.
-constexpr int most_rounds = 8;
+/// The work of a frame that divides so, before there is one to tell.
+double work_for(int substeps) {
+  return 2.0 * substeps + first_searches * work_of_search;
+}
 
 /// Cloth made of springs stretches slightly across them, where none limits it. Tethers of the exact length
 /// would lift the hanging shirt by 3 mm; with this slack they lift it by less than half a millimetre.
@@ -79,50 +98,36 @@ struct BoundedSolver::Cloth : SteppedCloth {
   double time_step_s = 0.0;  ///< the one the springs' short_share is made for
 };
 
-/// The outcome of an attempt at a frame.
+/// The outcome of an attempt at a frame or a part of it.
 struct BoundedSolver::Attempt {
-  State state;    ///< at the end of the frame
-  Memory memory;  ///< for the next frame
+  State state;    ///< at its end
+  Memory memory;  ///< for what follows
   ProjectionResult projected;
-  bool is_good = false;  ///< both promises are kept, and the projection went no further than it may
+  int substeps = 0;
+  bool is_far = false;  ///< the projection went further than it may
+  std::optional<BlockedContact> blocked;
+
+  bool is_good() const { return projected.kept && !is_far && !blocked; }
 };
 
-/// Keeps the last correction of a frame from making anything cross.
-class BoundedSolver::ApartWhileCorrected : public Confinement {
- public:
-  ApartWhileCorrected(const Frame& frame, double time_s, ParallelKernels& kernels, Cloth& cloth)
-      : frame_(frame), time_s_(time_s), kernels_(kernels), cloth_(cloth) {}
+/// The work of all attempts at a frame.
+struct BoundedSolver::Effort {
+  double work = 0.0;  ///< in sweeps
+  double sweeps = 0.0;
+  ContactReport contact = {};
+  std::optional<BlockedContact> first_blocked = {};  ///< later attempts tell how cloth flees from it
 
-  void begin(const Float4Array& raw, const Float4Array& expected) override {
-    cloth_.contacts.make_regions(frame_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
-    last_ = raw;
+  void add(const Attempt& attempt, const ContactReport& report) {
+    const double attempt_sweeps = attempt.substeps + attempt.projected.cost;
+    sweeps += attempt_sweeps;
+    work += attempt_sweeps + work_of_search * report.detections +
+            work_of_partial_search * report.partial_detections;
+    contact.detections += report.detections;
+    contact.partial_detections += report.partial_detections;
+    contact.most_pairs = std::max(contact.most_pairs, report.most_pairs);
+    contact.left_out_share = report.left_out_share;
+    first_blocked = first_blocked ? first_blocked : attempt.blocked;
   }
-
-  // Where rows are held back by their balls there is more room from where they have come; and so there is
-  // beside planes from which one of the two has moved away.
-  void bring_back(Float4Array& displacements) override {
-    frame_.ask();
-    ++rounds_;
-    if (is_held_back_ || rounds_ % most_rounds == 0) {
-      moved_.resize(last_.size());
-      for (std::size_t row = 0; row < last_.size(); ++row) {
-        moved_[row] = scaled_sum(displacements[row], last_[row], -1.0F);
-      }
-      cloth_.contacts.renew_regions(frame_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
-    }
-    is_held_back_ = cloth_.contacts.keep_apart(kernels_, displacements);
-    last_ = displacements;
-  }
-
- private:
-  const Frame& frame_;
-  double time_s_;
-  ParallelKernels& kernels_;
-  Cloth& cloth_;
-  int rounds_ = 0;
-  bool is_held_back_ = false;
-  Float4Array last_;  ///< displacements that are known to keep everything apart
-  Float4Array moved_;
 };
 
 BoundedSolver::BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps)
@@ -132,9 +137,11 @@ BoundedSolver::BoundedSolver(const BoundedSettings& settings, std::optional<int>
 
 BoundedSolver::~BoundedSolver() = default;
 
-void BoundedSolver::require_promised(const Surroundings& surroundings) const {
-  if (const std::optional<std::string> reason = beyond_promise(settings_, surroundings)) {
-    throw std::invalid_argument(*reason);
+void BoundedSolver::require_promised(const Garment& garment, const Surroundings& surroundings) const {
+  for (const auto& reason : {beyond_promise(settings_, surroundings), beyond_contact(settings_, garment)}) {
+    if (reason) {
+      throw std::invalid_argument(*reason);
+    }
   }
 }
 
@@ -147,10 +154,20 @@ void BoundedSolver::lay_out(const Frame& frame) {
   if (cloth_ && cloth_->pins == frame.pins.vertices && cloth_->layout.vertex_count() == count) {
     return;
   }
-  kernels_ = std::make_unique<ParallelKernels>(
-      kernels_for(settings_.vector_unit),
-      thread_count(settings_.threads, frame.garment.mesh.triangles.size()));
+  kernels_ =
+      std::make_unique<ParallelKernels>(kernels_for(settings_.vector_unit),
+                                        thread_count(settings_.threads, frame.garment.mesh.triangles.size()));
   cloth_ = std::make_unique<Cloth>(frame.garment, frame.pins, settings_, frame.duration_s);
+}
+
+int BoundedSolver::substeps_for_load(const Frame& frame) const {
+  return first_substeps(frame.garment, cloth_->layout, frame.surroundings, frame.duration_s,
+                        settings_.max_stretch);
+}
+
+// A load that sets in is as usual as what has been.
+double BoundedSolver::usual_work(const Frame& frame, const Memory& memory) const {
+  return std::max(memory.median_work, work_for(substeps_for_load(frame)));
 }
 
 Memory BoundedSolver::first_memory(const Frame& frame) const {
@@ -166,10 +183,10 @@ Memory BoundedSolver::first_memory(const Frame& frame) const {
   } else {
     const int least = std::max(static_cast<int>(std::lround(least_substeps_per_s * frame.duration_s)),
                                cloth_->forces.updates_per_frame({}, frame.duration_s));
-    memory.control = SubstepControl(first_substeps(frame.garment, cloth_->layout, frame.surroundings,
-                                                   frame.duration_s, settings_.max_stretch),
-                                    least, max_substeps_, frame.duration_s);
+    memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_, frame.duration_s,
+                                    cloth_->elasticity.has_law() ? steps_to_settle : 1);
   }
+  memory.median_work = work_for(memory.control.substeps());
   return memory;
 }
 
@@ -224,7 +241,7 @@ void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
   const int wind_updates = cloth.forces.wind_updates_per_frame(external, frame.duration_s);
   const int substeps_per_wind =
       std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
-  const int settles = cloth.elasticity.has_law() ? settles_in(substeps) : 0;
+  const int settles = cloth.elasticity.has_law() ? std::max(1, substeps / steps_to_settle) : 0;
   begin_substeps(dt);
   for (int substep = 0; substep < substeps; ++substep) {
     TimeStep time;
@@ -274,11 +291,11 @@ void BoundedSolver::set_previous(State& state) const {
 }
 
 // Where a crossing is accepted, it is no reason to break the other promise.
-ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, const SubstepControl& control,
+ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int substeps, bool is_last,
                                         Float4Array& corrections) {
   Cloth& cloth = *cloth_;
   const double largest_cost =
-      control.is_spent() ? last_resort_sweeps : costliest_projection * control.substeps();
+      is_last ? last_resort_sweeps : std::max(costliest_projection * substeps, cheap_projection);
   const auto project_within = [&](Confinement* confinement, Float4Array& from) {
     return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, largest_cost,
                                     confinement, *kernels_, from);
@@ -289,44 +306,46 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, const 
   Float4Array before = corrections;
   ApartWhileCorrected apart(frame, end_s, *kernels_, cloth);
   const ProjectionResult projected = project_within(&apart, corrections);
-  if (projected.kept || !settings_.allow_crossing || !cloth.contacts.is_blocked() || !control.is_spent()) {
+  if (projected.kept || !settings_.allow_crossing || !cloth.contacts.blocked() || !is_last) {
     return projected;
   }
   corrections = std::move(before);
   return project_within(nullptr, corrections);
 }
 
-int BoundedSolver::substeps_of(const SubstepControl& control) const {
-  return cloth_->elasticity.has_law() && !substeps_ ? settling_substeps(control.substeps())
-                                                    : control.substeps();
-}
-
 // The time steps, and the projection of where they end onto the bound.
 BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& state, Memory memory,
-                                              int earlier_attempts) {
+                                              int earlier_attempts, bool is_last) {
   Cloth& cloth = *cloth_;
   const double end_s = state.time_s + frame.duration_s;
-  const int substeps = substeps_of(memory.control);
+  const int substeps = memory.control.substeps();
+  begin_frame(state);
   if (cloth.elasticity.has_law()) {
     cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic,
                                    aimed_stretch(settings_.max_stretch), *kernels_);
   }
-  cloth.contacts.begin_attempt({state.time_s, end_s}, earlier_attempts, memory.contact);
+  cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s},
+                               earlier_attempts);
   run_substeps(frame, state.time_s, substeps);
   cloth.contacts.observe(cloth.layout, cloth.motion, end_s);
   Attempt attempt;
-  attempt.projected = project(frame, end_s, memory.control, memory.corrections);
+  attempt.substeps = substeps;
+  attempt.projected = project(frame, end_s, substeps, is_last, memory.corrections);
   attempt.state = shape_of(frame, state, substeps);
   if (!attempt.projected.kept || cloth.layout.surface.has_thin) {
+    const auto allow = [&](Index vertex, const Vec3& position_m) {
+      const Index row = cloth.layout.row_of_vertex[vertex];
+      return cloth.contacts.allow(row, position_m - cloth.motion.start_m[row]);
+    };
     attempt.projected.kept =
-        keeps_bound_in_double(frame.garment, frame.pins, settings_, attempt.state.current);
+        keeps_bound_in_double(frame.garment, frame.pins, settings_, attempt.state.current, allow);
   }
   set_previous(attempt.state);
   const double allowed_m = allowed_shift_m(cloth.layout, settings_.max_stretch);
   const double last_shift = std::exchange(
       memory.shift, allowed_m > 0.0 ? attempt.projected.largest_shift_m / allowed_m : 0.0);
-  attempt.is_good = attempt.projected.kept && !cloth.contacts.is_blocked() &&
-                    (memory.shift <= too_far || memory.shift <= further_than_before * last_shift);
+  attempt.is_far = memory.shift > too_far && memory.shift > further_than_before * last_shift;
+  attempt.blocked = cloth.contacts.blocked();
   memory.contact = cloth.contacts.memory();
   if (cloth.elasticity.has_law()) {
     memory.elastic = cloth.elasticity.memory();
@@ -337,11 +356,31 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   return attempt;
 }
 
+// Regions that hold cloth back are no reason for more steps: where steps alone do not stretch it that much, the
+// second attempt takes the same number, with more care.
+BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& state, Memory memory,
+                                              Effort& effort) {
+  for (int attempts = 0;; ++attempts) {
+    // Where nothing is near, more steps help in the end.
+    const bool is_over =
+        effort.contact.most_pairs > 0 && effort.work >= most_work * usual_work(frame, memory);
+    const bool is_last = memory.control.is_spent() || is_over;
+    Attempt tried = attempt(frame, state, memory, attempts, is_last);
+    effort.add(tried, cloth_->contacts.report());
+    const double raw = tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_bound);
+    const bool is_same_again = attempts == 0 && cloth_->contacts.is_on() && raw < overstretched;
+    if (tried.is_good() || is_last || (!is_same_again && !memory.control.try_more(raw))) {
+      return tried;
+    }
+  }
+}
+
 // Where the cloth is lost, contact is not what went wrong.
-void BoundedSolver::require_a_way_on(const Frame& frame, const State& state) const {
-  const Contacts& contacts = cloth_->contacts;
-  if (contacts.is_blocked() && !settings_.allow_crossing && first_lost(state.current) == state.current.size()) {
-    throw ContactBlocked(contacts.blocked(), frame.pins, frame.surroundings.bodies, state.time_s);
+void BoundedSolver::require_a_way_on(const Frame& frame, const State& begin, const Attempt& last,
+                                     const Effort& effort) const {
+  if (last.blocked && !settings_.allow_crossing && first_lost(last.state.current) == last.state.current.size()) {
+    throw ContactBlocked(*effort.first_blocked, frame.pins, frame.surroundings.bodies,
+                         begin.time_s + frame.duration_s);
   }
 }
 
@@ -349,34 +388,27 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
   lay_out(frame);
   const auto began = std::chrono::steady_clock::now();
   Cloth& cloth = *cloth_;
-  Memory begin = memory_ && memory_->pins == frame.pins.vertices ? *memory_ : first_memory(frame);
   kernels_->share(cloth.threads.is_shared());
-  begin_frame(state);
-  cloth.contacts.begin_frame(frame, cloth.layout, cloth.motion, begin.contact, state.time_s);
-  Attempt tried;
-  double sweeps = 0.0;
-  int attempts = 0;
-  do {
-    tried = attempt(frame, state, begin, attempts++);
-    sweeps += substeps_of(begin.control) + tried.projected.cost;
-    // Regions that hold cloth back are no reason for more steps: first with the same again, and more care.
-  } while (!tried.is_good && ((cloth.contacts.is_on() && attempts == 1) || begin.control.try_more()));
-  require_a_way_on(frame, tried.state);
+  const Memory begin = memory_ && memory_->pins == frame.pins.vertices ? *memory_ : first_memory(frame);
+  Effort effort;
+  Attempt tried = advance(frame, state, begin, effort);
+  require_a_way_on(frame, state, tried, effort);
 
-  const int substeps = substeps_of(begin.control);
   next_ = std::move(tried.memory);
   next_.control.frame_kept(tried.projected.cost, next_.shift);
+  next_.median_work *= effort.work > begin.median_work ? median_step : 1.0 / median_step;
   state = std::move(tried.state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   cloth.threads.frame_took(took.count(), kernels_->take_work());
-  return {substeps,
+  return {tried.substeps,
           true,
           tried.projected.kept,
           tried.projected.raw_max_stretch,
-          sweeps,
-          followed_compression(cloth.mobility_per_kg, frame.duration_s / substeps),
-          cloth.contacts.is_blocked() ? std::optional(cloth.contacts.blocked()) : std::nullopt,
-          cloth.contacts.report()};
+          effort.sweeps,
+          followed_compression(cloth.mobility_per_kg, state.time_step_s),
+          tried.blocked ? effort.first_blocked : std::nullopt,
+          effort.contact,
+          next_.contact.left_out};
 }
 
 void BoundedSolver::keep_frame() {
@@ -397,7 +429,7 @@ void BoundedSolver::restore(const Frame& frame, ByteReader& bytes) {
   if (bytes.get_bool("whether there was a frame")) {
     lay_out(frame);
     memory_ = first_memory(frame);
-    bounded::restore(frame.garment.mesh.positions.size(), cloth_->layout.row_count(), bytes, *memory_);
+    bounded::restore(frame, cloth_->layout.row_count(), bytes, *memory_);
   }
 }
 

@@ -21,31 +21,36 @@ class BoundedSolver : public Solver {
   BoundedSolver(const BoundedSettings& settings, std::optional<int> substeps, int max_substeps);
   ~BoundedSolver() override;
 
-  void require_promised(const Surroundings& surroundings) const override;
+  void require_promised(const Garment& garment, const Surroundings& surroundings) const override;
   void move_within_bound(const Garment& garment, const Pins& pins, State& state) const override;
   FrameReport advance_frame(const Frame& frame, State& state) override;
   void keep_frame() override;
+  bool ignores_contact() const override { return !settings_.contact; }
   void save(const Garment& garment, const Pins& pins, ByteWriter& bytes) const override;
   void restore(const Frame& frame, ByteReader& bytes) override;
 
  private:
   struct Cloth;
   struct Attempt;
-  class ApartWhileCorrected;
+  struct Effort;
 
   void lay_out(const Frame& frame);
+  int substeps_for_load(const Frame& frame) const;
+  double usual_work(const Frame& frame, const bounded::Memory& memory) const;
   bounded::Memory first_memory(const Frame& frame) const;
   void begin_frame(const State& state);
   void begin_substeps(double time_step_s);
-  int substeps_of(const bounded::SubstepControl& control) const;
   void follow_tension(int done, int substeps, double frame_time_s);
   void run_substeps(const Frame& frame, double time_s, int substeps);
-  bounded::ProjectionResult project(const Frame& frame, double end_s, const bounded::SubstepControl& control,
+  bounded::ProjectionResult project(const Frame& frame, double end_s, int substeps, bool is_last,
                                     bounded::Float4Array& corrections);
-  Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory, int earlier_attempts);
+  Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory,
+                  int earlier_attempts, bool is_last);
+  Attempt advance(const Frame& frame, const State& state, bounded::Memory memory, Effort& effort);
   State shape_of(const Frame& frame, const State& begin, int substeps) const;
   void set_previous(State& state) const;
-  void require_a_way_on(const Frame& frame, const State& state) const;
+  void require_a_way_on(const Frame& frame, const State& begin, const Attempt& last,
+                        const Effort& effort) const;
 
   BoundedSettings settings_;
   std::optional<int> substeps_;  ///< per frame; the solver chooses if there is none

@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/contacts.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -48,8 +49,6 @@ constexpr double held_back_part = 0.03;
 /// The next ball of such a row is larger by so much.
 constexpr float held_back_room = 1.2F;
 
-/// No cloth is thinner than this, in m: there has to be room for rounding.
-constexpr double least_thickness_m = 1e-4;
 /// Neighbours in the cloth may come as near as this part of their distance at rest.
 constexpr float rest_part = 0.5F;
 /// Parts of the cloth that touch at rest, as along seams that are not sewn, are not kept apart; nor is cloth
@@ -74,13 +73,16 @@ std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
 
 }  // namespace
 
-void Contacts::begin_frame(const Frame& frame, const Layout& layout, const Motion& motion,
-                           const ContactMemory& memory, double time_s) {
+void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
+                             const ContactMemory& memory, const TimeSpan& time, int earlier_attempts) {
   const std::vector<Body>& bodies = frame.surroundings.bodies;
-  first_blocked_.reset();
   is_on_ = within_cloth_ || !bodies.empty();
+  blocked_.reset();
   report_ = {};
-  is_distance_known_ = false;
+  caution_ = std::pow(more_cautious, earlier_attempts);
+  from_s_ = until_s_ = time.from_s;
+  frame_ends_s_ = time.to_s;
+  since_.clear();
   if (!is_on_) {
     return;
   }
@@ -88,19 +90,56 @@ void Contacts::begin_frame(const Frame& frame, const Layout& layout, const Motio
   if (!is_known) {
     lay_out(frame.garment, layout, bodies);
   }
-  near_->take_searches();  // those of a frame that was not kept
-  if (is_known && left_out_.empty() && !memory.may_have_crossed) {
+  memory_ = memory.rows;
+  memory_.resize(layout.row_count());
+  near_->forget();
+  bodies_of_frame_ = bodies;
+  leave_out(memory, layout, motion, time.from_s);
+}
+
+// What crosses is looked for when the cloth begins, when bodies come, and after a crossing was accepted.
+void Contacts::leave_out(const ContactMemory& memory, const Layout& layout, const Motion& motion, double time_s) {
+  const bool goes_on = memory.bodies == bodies_of_frame_;
+  std::vector<Index> group_of(triangle_of_.size(), 0);
+  for (const LeftOutTriangle& t : goes_on ? memory.left_out : std::vector<LeftOutTriangle>{}) {
+    const auto found = std::lower_bound(triangle_of_.begin(), triangle_of_.end(), LeftOutTriangle{t.body, t.triangle});
+    if (found != triangle_of_.end() && found->body == t.body && found->triangle == t.triangle) {
+      group_of[static_cast<std::size_t>(found - triangle_of_.begin())] = t.group;
+    }
+  }
+  left_out_.set_groups(std::move(group_of));
+  const bool looks = !goes_on || memory.may_have_crossed;
+  if (!looks && left_out_.empty()) {
     return;
   }
   std::vector<Vec3> positions_m = motion.start_m;
   positions_m.resize(layout.row_count());
   const std::vector<Vec3> bodies_m = bodies_.mesh_positions_m(time_s);
   positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
-  if (is_known && !memory.may_have_crossed) {
-    left_out_.update(positions_m);
-  } else {
-    left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
+  if (looks) {
+    left_out_.add(positions_m);
   }
+  left_out_.free(positions_m);
+}
+
+std::vector<LeftOutTriangle> Contacts::left_out() const {
+  std::vector<LeftOutTriangle> all;
+  for (std::size_t t = 0; t < triangle_of_.size(); ++t) {
+    if (left_out_.groups()[t] > 0) {
+      all.push_back(triangle_of_[t]);
+      all.back().group = left_out_.groups()[t];
+    }
+  }
+  return all;
+}
+
+double Contacts::left_out_share() const {
+  double all = 0.0, left_out = 0.0;
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    all += areas_[t];
+    left_out += left_out_.groups()[t] > 0 ? areas_[t] : 0.0;
+  }
+  return all > 0.0 ? left_out / all : 0.0;
 }
 
 // A triangle without a surface has nothing to cross, and faces any way.
@@ -111,10 +150,14 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
     positions_m[row] = at_rest_m[layout.vertex_of_row[row]];
   }
   triangles_.clear();
+  triangle_of_.clear();
+  areas_.clear();
   for (std::size_t t = 0; t < garment.mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = garment.mesh.triangles[t];
     if (!within_cloth_ || garment.triangles_at_rest[t].has_surface()) {
       triangles_.push_back({layout.row_of_vertex[a], layout.row_of_vertex[b], layout.row_of_vertex[c]});
+      triangle_of_.push_back({{}, static_cast<Index>(t)});
+      areas_.push_back(0.5 * glm::length(doubled_area_vector(garment.mesh.positions, garment.mesh.triangles[t])));
     }
   }
   add_loose_vertices(layout);
@@ -122,11 +165,15 @@ void Contacts::lay_out(const Garment& garment, const Layout& layout, const std::
   rest_.resize(layout.row_count());
   std::transform(positions_m.begin(), positions_m.end(), rest_.begin(), float4_of);
   bodies_ = BodyContacts(bodies, garment.material.friction, static_cast<Index>(layout.row_count()));
+  left_out_ = Crossings(triangles_, bodies_.mesh_triangles(), within_cloth_, positions_m);
   // As they were modelled, wherever they are: the order in which pairs are found hangs on it, and the last
   // bits.
   for (const Body& body : bodies) {
     if (const auto* mesh = std::get_if<BodyMesh>(&body.shape)) {
       positions_m.insert(positions_m.end(), mesh->data->positions_m.begin(), mesh->data->positions_m.end());
+      for (Index t = 0; t < mesh->data->triangles.size(); ++t) {
+        triangle_of_.push_back({static_cast<std::size_t>(&body - bodies.data()), t});
+      }
     }
   }
   near_.emplace(make_contact_mesh(triangles_, bodies_.mesh_triangles()), within_cloth_, positions_m);
@@ -176,28 +223,16 @@ float Contacts::room_of(std::size_t row, float most_m, float per_edge) const {
   return std::min(of_all, room_per_edge_here * edges_m_[row]);
 }
 
-void Contacts::begin_attempt(const TimeSpan& frame, int earlier_attempts, const ContactMemory& memory) {
-  caution_ = std::pow(more_cautious, earlier_attempts);
-  from_s_ = until_s_ = frame.from_s;
-  frame_ends_s_ = frame.to_s;
-  since_.clear();
-  is_blocked_ = false;
-  if (is_on_) {
-    memory_ = memory.rows;
-    memory_.resize(rest_.size());
-    near_->forget();
-  }
-}
-
 ContactMemory Contacts::memory() const {
-  return is_on_ ? ContactMemory{memory_, is_blocked_} : ContactMemory{};
+  return is_on_ ? ContactMemory{memory_, blocked_.has_value(), bodies_of_frame_, left_out()} : ContactMemory{};
 }
 
 ContactReport Contacts::report() {
   if (is_on_) {
     const LastingPairs::Searches searches = near_->take_searches();
-    report_.detections += searches.all;
-    report_.partial_detections += searches.marked;
+    report_.detections = searches.all;
+    report_.partial_detections = searches.marked;
+    report_.left_out_share = left_out_.empty() ? 0.0 : left_out_share();
   }
   return report_;
 }
@@ -231,14 +266,17 @@ void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Floa
   rows_.cloth_count = count;
   rows_.radii.assign(count, 0.0F);
   rows_.inverse_masses_per_kg = layout.inverse_masses_per_kg;
+  float squared_m = 0.0F;
   for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
     rows_.positions[row] = scaled_sum(motion.start.high[row], since_[row], 1.0F);
+    squared_m = std::max(squared_m, dot(since_[row], since_[row]));
   }
+  rows_.displaced_m = std::sqrt(squared_m);
 }
 
 void Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4* accelerations, std::span<const Vec3> pins_moved_m,
-                            const TimeSpan& time, ParallelKernels& kernels) {
+                            double off_chord_m, const TimeSpan& time, ParallelKernels& kernels) {
   begin_rows(layout, motion, motion.current);
   const auto lasts_s = static_cast<float>(time.to_s - time.from_s);
   const auto before_s = static_cast<float>(std::min(memory_.elapsed_s, time.to_s - time.from_s));
@@ -258,6 +296,7 @@ void Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;
+  off_chord_m_ = off_chord_m;
   find_regions(frame, layout, motion, time, kernels);
 }
 
@@ -342,11 +381,11 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   if (const std::optional<std::size_t> row = first_not_findable(rows_)) {
     std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
     regions_.make({}, rows_, kernels);
-    is_blocked_ = true;
-    first_blocked_ = first_blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
+    blocked_ = blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
-  const auto thickness_m = static_cast<float>(std::max(frame.garment.material.thickness_m, least_thickness_m));
+  assert(frame.garment.material.thickness_m >= least_thickness_m);
+  const auto thickness_m = static_cast<float>(frame.garment.material.thickness_m);
   bool fits = false;
   for (int search = 0; search < most_searches && !fits; ++search) {
     frame.ask();
@@ -360,10 +399,6 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   }
   memory_.is_touching = regions_.pair_count() > 0;
   report_.most_pairs = std::max(report_.most_pairs, static_cast<int>(regions_.pair_count()));
-  if (!is_distance_known_) {
-    is_distance_known_ = true;
-    report_.smallest_distance_m = regions_.smallest_distance();
-  }
   note_blocked(layout, origin_m, fits);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     float& deviation = memory_.deviations[row];
@@ -372,12 +407,8 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
 }
 
 void Contacts::note_blocked(const Layout& layout, const Vec3& origin_m, bool fits) {
-  if (fits && !regions_.blocked()) {
-    return;
-  }
-  is_blocked_ = true;
-  if (!first_blocked_) {
-    first_blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);
+  if (!blocked_ && (!fits || regions_.blocked())) {
+    blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);
   }
 }
 
@@ -386,6 +417,7 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   const double lasts_s = until_s_ - from_s_;
   const auto time = static_cast<float>((time_s - from_s_) / lasts_s);
   const auto step = static_cast<float>(time_step_s / lasts_s);
+  kept_at_ = time;
   regions_.collide(time, step, since_, motion.previous, motion.current);
   const std::span<const HeldBack> held_back =
       regions_.bring_back(time, step, since_, motion.previous, motion.current, kernels);
@@ -396,7 +428,8 @@ void Contacts::keep_apart(const Layout& layout, double time_s, double time_step_
   const double most_held_back = held_back_part / (caution_ * caution_);
   if (static_cast<double>(held_back.size()) > most_held_back * static_cast<double>(layout.vertex_count())) {
     let_go(held_back, motion);
-    until_s_ = time_s;
+    // Before their end planes are where chords are, and not where kinematic things are.
+    until_s_ = 2.0 * off_chord_m_ <= regions_.kinematic_gap_m() ? time_s : until_s_;
   }
 }
 
@@ -408,8 +441,13 @@ void Contacts::let_go(std::span<const HeldBack> held_back, Motion& motion) {
   }
 }
 
+bool Contacts::allow(Index row, const Vec3& displacement_m) const {
+  return !is_on_ || regions_.contains(row, kept_at_, displacement_m - vector_of(since_[row]));
+}
+
 // Here a single row that is held back keeps the bound from being reached.
 bool Contacts::keep_apart(ParallelKernels& kernels, Float4Array& displacements) {
+  kept_at_ = 1.0F;
   return regions_.bring_back(since_, displacements, kernels) > 0;
 }
 

@@ -8,15 +8,15 @@
 #include "sim/solvers/bounded/contact/lasting_pairs.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
 #include "sim/solvers/bounded/layout.hpp"
-#include "sim/solvers/bounded/motion.hpp"
 #include "sim/solvers/bounded/memory.hpp"
+#include "sim/solvers/bounded/motion.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::sim::bounded {
 
 /// Keeps cloth from crossing itself and bodies: says when to look for what is near, and gives each row its
-/// region until the next time (regions.hpp). How and why: contact.md beside this file.
+/// region until the next time (regions.hpp). How and why: bounded.md beside this file.
 class Contacts {
  public:
   /// With `within_cloth` false only bodies are in the way of the cloth.
@@ -25,17 +25,14 @@ class Contacts {
   /// Returns whether anything could touch in this frame.
   bool is_on() const { return is_on_; }
 
-  /// Call it before the first attempt at a frame, which begins at `time_s`. What crosses when the first frame
-  /// begins is left out until it is apart.
-  void begin_frame(const Frame& frame, const Layout& layout, const Motion& motion, const ContactMemory& memory,
-                   double time_s);
-  /// Call it before each attempt, with what the last kept frame left. It goes the slower the more attempts
-  /// there were.
-  void begin_attempt(const TimeSpan& frame, int earlier_attempts, const ContactMemory& memory);
+  /// Call it before each attempt at a frame or a part of it, with what the last kept one left. What crosses
+  /// when the first one begins is left out until it is apart. It goes the slower the more attempts at the
+  /// frame there were.
+  void begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
+                     const ContactMemory& memory, const TimeSpan& time, int earlier_attempts);
   /// Returns what an attempt leaves to the next frame.
   [[nodiscard]] ContactMemory memory() const;
-
-  /// Returns the work of all attempts since the frame began.
+  /// Returns the work of the attempt.
   [[nodiscard]] ContactReport report();
 
   /// Returns whether regions have to be made before the time step that begins now.
@@ -49,13 +46,14 @@ class Contacts {
   /// Returns until when regions that are made now should last: a time at which a time step ends.
   double suitable_end_s(double time_s, double time_step_s, double frame_end_s) const;
 
-  /// Returns where the vertices of bodies are that are meshes.
-  std::vector<Vec3> body_positions_m(double time_s) const { return bodies_.mesh_positions_m(time_s); }
+  /// Returns a bound on how far bodies are off their chords at any time of the span, in m.
+  double bodies_off_chord_m(const TimeSpan& time) const { return bodies_.off_chord_m(time); }
 
-  /// Makes regions for this time. `pins_moved_m` is how far pins are from the start of the frame at its end.
+  /// Makes regions for this time. `pins_moved_m` is how far pins are from the start of the frame at its end;
+  /// pins and bodies are up to `off_chord_m` off their chords until then.
   void make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
-                    const Float4* accelerations, std::span<const Vec3> pins_moved_m, const TimeSpan& time,
-                    ParallelKernels& kernels);
+                    const Float4* accelerations, std::span<const Vec3> pins_moved_m, double off_chord_m,
+                    const TimeSpan& time, ParallelKernels& kernels);
 
   /// Makes regions for a correction of displacements at the end of a frame, which is expected to be about
   /// `expected`.
@@ -74,15 +72,19 @@ class Contacts {
   /// Keeps things apart in a correction. Returns whether regions should be made anew.
   bool keep_apart(ParallelKernels& kernels, Float4Array& displacements);
 
-  /// Returns whether some pair could not be kept apart since the attempt began.
-  bool is_blocked() const { return is_blocked_; }
-  /// Returns the first pair that could not be kept apart in any attempt at the frame: later ones tell how
-  /// cloth flees from it. Requires that one is blocked.
-  const BlockedContact& blocked() const { return *first_blocked_; }
+  /// Returns whether a vertex may be displaced by so much since the frame began, in m, where things were kept
+  /// apart last.
+  [[nodiscard]] bool allow(Index row, const Vec3& displacement_m) const;
+
+  /// Returns the first pair that could not be kept apart in the attempt, if there is one.
+  const std::optional<BlockedContact>& blocked() const { return blocked_; }
 
  private:
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
   void add_loose_vertices(const Layout& layout);
+  void leave_out(const ContactMemory& memory, const Layout& layout, const Motion& motion, double time_s);
+  std::vector<LeftOutTriangle> left_out() const;
+  double left_out_share() const;
   void measure_edges(const Mesh& mesh, const Layout& layout);
   /// How far a row may deviate from where it is expected, in m: at most so much, and this part of the mean
   /// edge.
@@ -109,19 +111,22 @@ class Contacts {
   BodyContacts bodies_;
   std::optional<LastingPairs> near_;
   Crossings left_out_;
+  std::vector<LeftOutTriangle> triangle_of_;  ///< by triangle, of the cloth and then of bodies: which one it is
+  std::vector<double> areas_;                 ///< of those of the cloth, at rest, in m^2
+  std::vector<Body> bodies_of_frame_;
   std::vector<ContactPair> pairs_;
   RowMoves rows_;
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
   Regions regions_;
-  bool is_blocked_ = false;
-  std::optional<BlockedContact> first_blocked_;  ///< of the frame
+  std::optional<BlockedContact> blocked_;
   ContactReport report_;
-  bool is_distance_known_ = false;  ///< the report has that of this frame
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;
+  double off_chord_m_ = 0.0;
   double frame_ends_s_ = 0.0;
-  Float4Array since_;  ///< displacements when they were made; empty before the first
+  float kept_at_ = 0.0F;  ///< the time from 0 to 1 at which they were last kept to
+  Float4Array since_;     ///< displacements when they were made; empty before the first
   RowMemory memory_;     ///< of the attempt
 };
 

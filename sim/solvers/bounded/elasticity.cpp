@@ -15,9 +15,6 @@ constexpr double follows_per_s = 60.0;
 /// How fast the drift against sagging fades, in 1/s: a load that is gone is forgotten as fast. With more cloth
 /// on fine meshes sags.
 constexpr double faded_per_s = 1.8;
-/// Time steps from one settling to the next. With fewer, tension has no time to be what the load asks for, and
-/// cloth shrinks; with more, heavily loaded cloth trembles.
-constexpr int steps_to_settle = 4;
 /// All but the last over-relaxed. Fewer leave more of the sagging of fine meshes.
 constexpr int settling_sweeps = 3;
 constexpr float over_relaxation = 1.9F;
@@ -96,14 +93,6 @@ Vec2 warp_of(const Garment& garment, Index triangle) {
 }
 
 }  // namespace
-
-int settles_in(int substeps) {
-  return std::max(1, substeps / steps_to_settle);
-}
-
-int settling_substeps(int substeps) {
-  return (substeps + steps_to_settle - 1) / steps_to_settle * steps_to_settle;
-}
 
 int follows_in(double frame_time_s) {
   return std::max(1, static_cast<int>(std::lround(follows_per_s * frame_time_s)));

@@ -10,6 +10,10 @@
 
 namespace taut::sim::bounded {
 
+/// Time steps from one settling to the next. With fewer, tension has no time to be what the load asks for, and
+/// cloth shrinks; with more, heavily loaded cloth trembles.
+inline constexpr int steps_to_settle = 4;
+
 /// The law of cloth in its plane: strain = tension / stiffness along warp, weft and in shear, at any length of
 /// a time step.
 ///
@@ -68,10 +72,6 @@ class Elasticity {
   Float4Array before_;                 ///< by row
 };
 
-/// Returns how often a frame of so many time steps settles, after equal parts of it.
-int settles_in(int substeps);
-/// Returns the next number of time steps that can be divided so.
-int settling_substeps(int substeps);
 /// Returns how often rest shapes follow tension in a frame.
 int follows_in(double frame_time_s);
 

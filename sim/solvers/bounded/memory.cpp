@@ -4,8 +4,43 @@
 
 namespace taut::sim::bounded {
 
+namespace {
+
+void save(const ContactMemory& memory, ByteWriter& bytes) {
+  bytes.put<std::uint8_t>(memory.may_have_crossed ? 1 : 0);
+  bytes.put<std::uint8_t>(memory.bodies ? 1 : 0);
+  bytes.put<std::uint64_t>(memory.left_out.size());
+  for (const LeftOutTriangle& t : memory.left_out) {
+    bytes.put<std::uint64_t>(t.body ? *t.body + 1 : 0);
+    bytes.put(t.triangle);
+    bytes.put(t.group);
+  }
+}
+
+void restore(const Frame& frame, ByteReader& bytes, ContactMemory& memory) {
+  const std::vector<Body>& bodies = frame.surroundings.bodies;
+  memory.may_have_crossed = bytes.get_bool("whether a crossing was accepted");
+  if (bytes.get_bool("whether it is known what crosses")) {
+    memory.bodies = bodies;
+  }
+  const auto count = bytes.get<std::uint64_t>("the number of triangles that are left out");
+  memory.left_out.clear();
+  for (std::uint64_t k = 0; k < count; ++k) {
+    LeftOutTriangle t;
+    if (const auto body = bytes.get<std::uint64_t>("a body of a triangle that is left out", 0, bodies.size()); body > 0) {
+      t.body = body - 1;
+    }
+    t.triangle = bytes.get<Index>("a triangle that is left out");
+    t.group = bytes.get<Index>("the group of a triangle that is left out", 1);
+    memory.left_out.push_back(t);
+  }
+}
+
+}  // namespace
+
 void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
   bytes.put(memory.shift);
+  bytes.put(memory.median_work);
   memory.control.save(bytes);
   for (std::size_t row = 0; row < vertex_count; ++row) {
     const Float4& correction = memory.corrections[row];
@@ -30,10 +65,13 @@ void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
   if (!rows.is_empty()) {
     rows.save(vertex_count, bytes);
   }
+  save(memory.contact, bytes);
 }
 
-void restore(std::size_t vertex_count, std::size_t row_count, ByteReader& bytes, Memory& memory) {
+void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, Memory& memory) {
+  const std::size_t vertex_count = frame.garment.mesh.positions.size();
   memory.shift = bytes.get("the last frame's shift", 0.0, std::numeric_limits<double>::max());
+  memory.median_work = bytes.get("the work of a frame", 0.0, std::numeric_limits<double>::max());
   memory.control.restore(bytes);
   memory.corrections.assign(row_count, Float4{});
   for (std::size_t row = 0; row < vertex_count; ++row) {
@@ -58,6 +96,7 @@ void restore(std::size_t vertex_count, std::size_t row_count, ByteReader& bytes,
     memory.contact.rows.resize(row_count);
     memory.contact.rows.restore(vertex_count, bytes);
   }
+  restore(frame, bytes, memory.contact);
 }
 
 }  // namespace taut::sim::bounded

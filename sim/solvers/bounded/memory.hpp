@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/bytes.hpp"
 #include "sim/solvers/bounded/kernels/lanes.hpp"
 #include "sim/solvers/bounded/row_memory.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
+#include "sim/solvers/solver.hpp"
 
 namespace taut::sim::bounded {
 
@@ -14,6 +16,9 @@ struct ContactMemory {
   RowMemory rows;  ///< empty where contact was off
   /// A crossing was accepted in the last frame, so that the next one looks for all that crosses.
   bool may_have_crossed = false;
+  /// What crosses since the cloth began among these bodies; empty: no frame began yet.
+  std::optional<std::vector<Body>> bodies = {};
+  std::vector<LeftOutTriangle> left_out = {};
 };
 
 /// What the law of cloth in its plane keeps from frame to frame; empty where it has none.
@@ -33,11 +38,12 @@ struct Memory {
   ContactMemory contact;
   ElasticMemory elastic;
   double shift = 0.0;  ///< the largest correction of the last frame, as a fraction of the largest allowed
+  double median_work = 0.0;  ///< of frames, in sweeps
 };
 
 void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes);
 /// Requires a memory made for the same garment, pins and settings. `row_count` includes spare rows. Throws
 /// BadBytes.
-void restore(std::size_t vertex_count, std::size_t row_count, ByteReader& bytes, Memory& memory);
+void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, Memory& memory);
 
 }  // namespace taut::sim::bounded

@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/projection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace taut::sim::bounded {
@@ -28,6 +29,15 @@ constexpr float nearly = 0.75F;
 /// drift off.
 constexpr double faded_per_s = 1.8;
 
+/// A projection is held up by contact if so many rounds leave more than this part of the excess. It then evens
+/// out displacements on so many rings of vertices around triangles that are too long, in so many passes. More
+/// rings and passes move more of the cloth.
+constexpr int rounds_looked_at = 6;
+constexpr double most_evened = 6.0;  ///< raw stretch in bounds
+constexpr double slow_progress = 0.5;
+constexpr std::uint8_t evened_rings = 5;
+constexpr int evening_passes = 8;
+
 /// Aims at this part of the bound: the last of a correction takes the most sweeps. Less is done sooner and
 /// moves the cloth further.
 constexpr double aimed_part = 0.97;
@@ -54,6 +64,20 @@ std::vector<std::uint32_t> long_blocks(const std::vector<float>& squared_ratios,
     }
   }
   return blocks;
+}
+
+/// Calls each(block, corners) for all triangles, with the rows of their corners.
+template <typename Each>
+void for_triangles(const SurfaceLanes& surface, const Each& each) {
+  for (std::size_t block = 0; block < surface.block_count(); ++block) {
+    for (std::size_t lane = 0; lane < block_size; ++lane) {
+      std::array<Index, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = surface.blocks[block].at[k][lane] / 4;
+      }
+      each(block, corners);
+    }
+  }
 }
 
 }  // namespace
@@ -142,6 +166,47 @@ void BoundProjection::end(const Float4Array& raw, ProjectionResult& result, Floa
   result.largest_shift_m = std::sqrt(largest_shift2);
 }
 
+void BoundProjection::find_rings(const SurfaceLanes& surface, float squared_bound) {
+  rings_.assign(corrected_.size(), 0);
+  for_triangles(surface, [&](std::size_t block, const std::array<Index, 3>& corners) {
+    if (squared_surface_ratios_[block] > squared_bound) {
+      for (const Index row : corners) {
+        rings_[row] = evened_rings;
+      }
+    }
+  });
+  for (std::uint8_t ring = evened_rings; ring > 1; --ring) {
+    for_triangles(surface, [&](std::size_t, const std::array<Index, 3>& corners) {
+      if (std::any_of(corners.begin(), corners.end(), [&](Index row) { return rings_[row] == ring; })) {
+        for (const Index row : corners) {
+          rings_[row] = std::max<std::uint8_t>(rings_[row], ring - 1);
+        }
+      }
+    });
+  }
+}
+
+// Where all vertices move alike, triangles are as they were when the frame began: within the bound.
+void BoundProjection::even_out(const Layout& layout, float squared_bound) {
+  find_rings(layout.surface, squared_bound);
+  for (int pass = 0; pass < evening_passes; ++pass) {
+    sums_.assign(corrected_.size(), Float4{});
+    counts_.assign(corrected_.size(), 0.0F);
+    for_triangles(layout.surface, [&](std::size_t, const std::array<Index, 3>& corners) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        add_scaled(sums_[corners[k]], corrected_[corners[(k + 1) % 3]], 1.0F);
+        add_scaled(sums_[corners[k]], corrected_[corners[(k + 2) % 3]], 1.0F);
+        counts_[corners[k]] += 2.0F;
+      }
+    });
+    for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+      if (rings_[row] > 0) {
+        corrected_[row] = times(sums_[row], 1.0F / counts_[row]);
+      }
+    }
+  }
+}
+
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
                                           double largest_cost, Confinement* confinement,
                                           ParallelKernels& kernels, Float4Array& corrections) {
@@ -155,7 +220,18 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   if (!(ratio <= squared_bound)) {
     ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   }
-  while (!(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio)) {
+  // What time steps have stretched further is for more of them to mend.
+  const bool evens_out = confinement != nullptr && result.raw_max_stretch < most_evened * max_stretch;
+  double earlier_ratio = ratio;
+  for (int round = 1; !(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio); ++round) {
+    if (evens_out && round % rounds_looked_at == 0) {
+      if (ratio - squared_bound > slow_progress * (earlier_ratio - squared_bound)) {
+        even_out(layout, static_cast<float>(squared_bound));
+        confinement->bring_back(corrected_);
+        largest_ratio(layout, kernels);
+      }
+      earlier_ratio = ratio;
+    }
     result.cost += shorten_long(layout, squared_aim, kernels);
     if (confinement != nullptr) {
       confinement->bring_back(corrected_);

@@ -54,6 +54,8 @@ class BoundProjection {
   double start(const Layout& layout, const Float4Array& raw, const Float4Array& corrections, double raw_ratio,
                Confinement* confinement, ParallelKernels& kernels);
   void end(const Float4Array& raw, ProjectionResult& result, Float4Array& corrections) const;
+  void find_rings(const SurfaceLanes& surface, float squared_bound);
+  void even_out(const Layout& layout, float squared_bound);
   double largest_ratio(const Layout& layout, ParallelKernels& kernels);
   double shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels);
   template <typename AnyLanes>
@@ -63,6 +65,9 @@ class BoundProjection {
   float relaxation_;
   float kept_correction_;  ///< of the last frame's
   Float4Array corrected_;
+  std::vector<std::uint8_t> rings_;            ///< by row, around triangles that stay too long; 0 elsewhere
+  Float4Array sums_;                           ///< by row, of neighbours' displacements
+  std::vector<float> counts_;                  ///< of `sums_`
   std::vector<float> squared_spring_ratios_;   ///< by block
   std::vector<float> squared_surface_ratios_;  ///< by block
 };

@@ -114,4 +114,21 @@ std::optional<std::string> beyond_promise(const BoundedSettings& settings, const
   return std::nullopt;
 }
 
+std::optional<std::string> beyond_contact(const BoundedSettings& settings, const Garment& garment,
+                                          const PromiseNames& names) {
+  const double thickness_m = garment.material.thickness_m;
+  const double edge_m = mean_edge_m(garment.springs);
+  const double thickest_m = thickest_part_of_edge * edge_m;
+  if (!settings.contact || (thickness_m >= least_thickness_m && thickness_m <= thickest_m)) {
+    return std::nullopt;
+  }
+  const std::string found = std::string(names.thickness) + ": found " + digits(thickness_m, 4) + " m (" +
+                            digits(1e3 * thickness_m, 4) + " mm), ";
+  return thickness_m < least_thickness_m
+             ? found + "expected at least " + digits(1e3 * least_thickness_m) + " mm"
+             : found + "edges are " + digits(1e3 * edge_m, 3) + " mm long on average; expected at most " +
+                   digits(1e3 * thickest_m, 3) + " mm, " + digits(100.0 * thickest_part_of_edge) +
+                   " % of that, or a coarser mesh";
+}
+
 }  // namespace taut::sim

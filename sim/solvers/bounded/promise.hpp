@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/garment.hpp"
 #include "sim/solvers/bounded/settings.hpp"
 #include "sim/surroundings.hpp"
 
@@ -13,6 +14,7 @@ struct PromiseNames {
   const char* bound = "max_stretch";
   const char* gusts = "gusts";
   const char* allow_exceeding = "allow_exceeding = true";
+  const char* thickness = "thickness";
 };
 
 /// The smallest bound on stretch that is promised.
@@ -21,6 +23,17 @@ inline constexpr double smallest_promised_bound = 1e-4;
 /// Returns why `bounded` does not promise its bound in these surroundings, as a message for the user. Returns
 /// nothing if it does promise it, and if the settings allow exceeding it.
 std::optional<std::string> beyond_promise(const BoundedSettings& settings, const Surroundings& surroundings,
+                                          const PromiseNames& names = {});
+
+/// The thickest cloth that is kept apart, as a part of its mean edge. Neighbours are told apart by half of
+/// their distance at rest at most, and get in each other's way as soon as the thickness is more. T-shirts of
+/// 1028 and 5280 triangles take 2.4 and 1.5 times as long at 0.4 as at 1 mm, in a wind of 10 m/s, and never
+/// end at 0.5.
+inline constexpr double thickest_part_of_edge = 0.42;
+
+/// Returns why `bounded` does not keep layers of this cloth apart, as a message for the user: it is thinner
+/// than least_thickness_m or thicker than its mesh allows. Returns nothing if it does, and without contact.
+std::optional<std::string> beyond_contact(const BoundedSettings& settings, const Garment& garment,
                                           const PromiseNames& names = {});
 
 }  // namespace taut::sim

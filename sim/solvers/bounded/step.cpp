@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+
+#include "sim/solvers/bounded/contact/plane_gap.hpp"
 
 namespace taut::sim::bounded {
 namespace {
@@ -52,36 +53,31 @@ void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
   }
 }
 
-/// How far pins and bodies may be from straight ways while regions last, in m: what planes leave is more.
-constexpr double straight_m = 2e-5;
+/// A time for regions, and a bound on how far pins and bodies are off their chords in it, in m.
+struct StraightSpan {
+  TimeSpan time;
+  double off_chord_m;
+};
 
-/// Positions of what goes its way whatever the cloth does.
-std::vector<Vec3> led_m(const Surroundings& surroundings, const SteppedCloth& cloth, const TimeStep& time,
-                        double at_s) {
-  std::vector<Vec3> positions_m = pins_moved(surroundings, cloth, {time.frame_began_s, at_s});
-  const std::vector<Vec3> bodies_m = cloth.contacts.body_positions_m(at_s);
-  positions_m.insert(positions_m.end(), bodies_m.begin(), bodies_m.end());
-  return positions_m;
-}
-
-/// Returns an earlier end where that does not go straight until then, but not before the time step ends.
-double straight_until_s(const Surroundings& surroundings, const SteppedCloth& cloth, const TimeStep& time,
-                        double end_s) {
-  const std::vector<Vec3> begin_m = led_m(surroundings, cloth, time, time.time_s);
-  for (double steps = std::round((end_s - time.time_s) / time.time_step_s); steps > 1.0;
-       steps = std::ceil(0.5 * steps)) {
+/// Returns an earlier end where they are further off than planes leave room for, but not before the time step
+/// ends: at both ends of a chord they are on it.
+StraightSpan straight_span(const Garment& garment, const Surroundings& surroundings,
+                           const SteppedCloth& cloth, const TimeStep& time, double end_s) {
+  const std::size_t count = cloth.layout.pin_count;
+  const auto pins = std::span(cloth.layout.vertex_of_row).first(count);
+  const auto pins_m = std::span(cloth.motion.start_m).first(count);
+  double steps = std::round((end_s - time.time_s) / time.time_step_s);
+  while (true) {
+    const TimeSpan span = {time.time_s, end_s};
+    const double off_chord_m =
+        std::max(pins_off_chord_m(surroundings, pins, pins_m, time.frame_began_s, span),
+                 cloth.contacts.bodies_off_chord_m(span));
+    if (steps <= 1.0 || off_chord_m <= off_chord_part * garment.material.thickness_m) {
+      return {span, off_chord_m};
+    }
+    steps = std::ceil(0.5 * steps);
     end_s = time.time_s + steps * time.time_step_s;
-    const std::vector<Vec3> middle_m = led_m(surroundings, cloth, time, 0.5 * (time.time_s + end_s));
-    const std::vector<Vec3> end_m = led_m(surroundings, cloth, time, end_s);
-    double off_m = 0.0;
-    for (std::size_t k = 0; k < begin_m.size(); ++k) {
-      off_m = std::max(off_m, glm::distance(middle_m[k], 0.5 * (begin_m[k] + end_m[k])));
-    }
-    if (!(off_m > straight_m)) {
-      return end_s;
-    }
   }
-  return time.time_s + time.time_step_s;
 }
 
 // Until when they last is known only after it is known how fast the cloth moves.
@@ -89,10 +85,11 @@ void renew_regions(const Frame& frame, const TimeStep& time, ParallelKernels& ke
   const Surroundings& surroundings = frame.surroundings;
   Contacts& contacts = cloth.contacts;
   contacts.observe(cloth.layout, cloth.motion, time.time_s);
-  const double end_s = straight_until_s(
-      surroundings, cloth, time, contacts.suitable_end_s(time.time_s, time.time_step_s, time.frame_ends_s));
+  const auto [span, off_chord_m] =
+      straight_span(frame.garment, surroundings, cloth, time,
+                    contacts.suitable_end_s(time.time_s, time.time_step_s, time.frame_ends_s));
   contacts.make_regions(frame, cloth.layout, cloth.motion, cloth.forces.accelerations(),
-                        pins_moved(surroundings, cloth, {time.frame_began_s, end_s}), {time.time_s, end_s},
+                        pins_moved(surroundings, cloth, {time.frame_began_s, span.to_s}), off_chord_m, span,
                         kernels);
 }
 

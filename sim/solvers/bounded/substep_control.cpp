@@ -28,6 +28,9 @@ constexpr double fewer = 0.94;
 constexpr double many_fewer = 0.85;
 constexpr double more = 1.12;
 constexpr double many_more = 1.4;
+constexpr double most_more = 2.0;
+/// A frame that is repeated takes so many steps that they stretch by this many times the bound.
+constexpr double repeated_raw = 4.0;
 
 /// What first_substeps calls c, measured on hanging T-shirts and sheets; more begins with more steps.
 constexpr double load_factor = 6.0;
@@ -59,12 +62,13 @@ int frames_in(double time_s, double frame_time_s) {
 
 }  // namespace
 
-SubstepControl::SubstepControl(int first, int least, int most, double frame_time_s)
+SubstepControl::SubstepControl(int first, int least, int most, double frame_time_s, int multiple)
     : least_(std::clamp(least, 1, most)),
       most_(most),
       fewest_calm_frames_(frames_in(shortest_calm_s, frame_time_s)),
       most_calm_frames_(frames_in(longest_calm_s, frame_time_s)),
       frames_shifts_last_(frames_in(shifts_last_s, frame_time_s)),
+      multiple_(multiple),
       substeps_(std::clamp(first, least_, most)),
       calm_frames_needed_(fewest_calm_frames_) {}
 
@@ -108,11 +112,13 @@ void SubstepControl::need_at_least(int substeps) {
   }
 }
 
-bool SubstepControl::try_more() {
+bool SubstepControl::try_more(double raw) {
   if (is_spent()) {
     return false;
   }
-  substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * many_more)), least_, most_);
+  // Stretch falls with the square of the time step.
+  const double wanted = std::clamp(std::sqrt(raw / repeated_raw), many_more, most_more);
+  substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * wanted)), least_, most_);
   need_more();
   return true;
 }

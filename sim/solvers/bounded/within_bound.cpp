@@ -150,13 +150,19 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
 }
 
 bool keeps_bound_in_double(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
-                           std::span<Vec3> positions) {
+                           std::span<Vec3> positions, const AllowPosition& allow) {
   double excess_m = largest_excess_m(garment, settings, positions);
+  const std::vector<Vec3> before_m(positions.begin(), positions.end());
   for (int sweep = 0; sweep < most_sweeps && excess_m > 0.0 && excess_m < smallest_told_apart_m; ++sweep) {
     shorten_once(garment, pins, settings, positions);
     excess_m = largest_excess_m(garment, settings, positions);
   }
-  return excess_m == 0.0;
+  for (Index v = 0; v < before_m.size(); ++v) {
+    if (allow && positions[v] != before_m[v] && !allow(v, positions[v])) {
+      positions[v] = before_m[v];
+    }
+  }
+  return largest_excess_m(garment, settings, positions) == 0.0;
 }
 
 }  // namespace taut::sim

@@ -43,6 +43,8 @@ class Frame(NamedTuple):
     is_bound_kept: bool
     is_contact_kept: bool
     is_asleep: bool
+    measured_crossings: int
+    left_out_share: float
 
 
 class _Points(ctypes.Structure):
@@ -74,7 +76,8 @@ class _Frame(ctypes.Structure):
     _fields_ = [('struct_size', c_uint32), ('frame', c_int32), ('time_s', c_double), ('max_edge_stretch', c_double),
                 ('max_surface_stretch', c_double), ('smallest_distance_m', c_double), ('crossing_pairs', c_int64),
                 ('state_hash', c_uint64), ('substeps', c_int32), ('is_bound_kept', c_int32),
-                ('is_contact_kept', c_int32), ('is_asleep', c_int32)]
+                ('is_contact_kept', c_int32), ('is_asleep', c_int32), ('measured_crossings', c_uint64),
+                ('left_out_share', c_double)]
 
 
 class _Info(ctypes.Structure):
@@ -271,7 +274,7 @@ class Cloth:
         for _ in range(frames):
             self._call('step', byref(frame))
         values = [getattr(frame, name) for name in Frame._fields]
-        return Frame(*values[:-3], *map(bool, values[-3:]))
+        return Frame(*values[:-5], *map(bool, values[-5:-2]), *values[-2:])
 
     def set(self, key: str, value) -> None:
         """Changes a setting while the cloth moves: set('cloth.fabric', 'silk')."""

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <type_traits>
 
 #include "sim/solvers/bounded/contact/closest_points.hpp"
@@ -10,15 +12,24 @@
 namespace taut::sim::bounded {
 namespace {
 
+/// What single precision takes to be further than this many times a limb's size from it is not near.
+constexpr float far_enough = 1.00001F;
+
+/// How often the nearest points of a triangle and a tapered limb are looked for from each other.
+constexpr int most_turns = 8;
+
 /// All points near a segment, at the times 0 and 1; a sphere's ends are in one place.
 struct Limb {
-  std::array<std::array<glm::vec3, 2>, 2> ends;  ///< by time, from the origin
-  std::array<float, 2> radii;
+  std::array<std::array<Vec3, 2>, 2> ends_m;  ///< by time, from the origin
+  std::array<double, 2> radii_m;
 
-  /// Returns how far the limb reaches along a direction.
-  float reach(int time, const glm::vec3& along) const {
-    const auto& [start, end] = ends[time];
-    return std::max(glm::dot(along, start) + radii[0], glm::dot(along, end) + radii[1]);
+  /// Returns how far a point is above the limb along a direction, whose length need not be 1 to the last bit.
+  /// In double precision: limbs may be as large as the earth.
+  double height_m(int time, const Vec3& along, const Vec3& point_m) const {
+    const double length = glm::length(along);
+    const auto& [start_m, end_m] = ends_m[time];
+    return std::min(glm::dot(along, point_m - start_m) - length * radii_m[0],
+                    glm::dot(along, point_m - end_m) - length * radii_m[1]);
   }
 };
 
@@ -29,14 +40,30 @@ struct Nearest {
   float distance = INFINITY;
 };
 
+/// Returns which part of the way along its axis a tapered limb is nearest to a point: where the line to the
+/// point is at right angles to its surface.
+float nearest_along(const glm::vec3& start, const glm::vec3& end, const glm::vec2& radii,
+                    const glm::vec3& point) {
+  const float length = glm::distance(start, end);
+  const float taper = (radii.x - radii.y) / length;
+  if (!(std::abs(taper) < 1.0F)) {
+    return radii.x > radii.y ? 0.0F : 1.0F;  // the one ball is within the other
+  }
+  const glm::vec3 axis = (end - start) / length;
+  const float along = glm::dot(point - start, axis);
+  const float off = glm::length(point - start - along * axis);
+  return std::clamp((along - off * taper / std::sqrt(1.0F - taper * taper)) / length, 0.0F, 1.0F);
+}
+
 Nearest nearest_of(const Limb& limb, const std::array<glm::vec3, 3>& corners) {
-  const glm::vec3& start = limb.ends[0][0];
-  const glm::vec3& end = limb.ends[0][1];
+  const glm::vec3 start(limb.ends_m[0][0]);
+  const glm::vec3 end(limb.ends_m[0][1]);
+  const glm::vec2 radii(limb.radii_m[0], limb.radii_m[1]);
   Nearest nearest;
   const auto consider = [&](const glm::vec3& point, float along) {
     const glm::vec3 out = point - glm::mix(start, end, along);
     const float length = glm::length(out);
-    const float distance = length - glm::mix(limb.radii[0], limb.radii[1], along);
+    const float distance = length - glm::mix(radii.x, radii.y, along);
     if (distance < nearest.distance) {
       // On the axis every way out is equally short; up is as good as any.
       nearest = {point, length > 0.0F ? out / length : glm::vec3(0.0F, 1.0F, 0.0F), distance};
@@ -53,6 +80,13 @@ Nearest nearest_of(const Limb& limb, const std::array<glm::vec3, 3>& corners) {
         closest_vertex_triangle({along == 0.0F ? start : end, corners[0], corners[1], corners[2]});
     consider(w[1] * corners[0] + w[2] * corners[1] + w[3] * corners[2], along);
   }
+  // In turns: the distance is convex in both.
+  for (int turn = 0; turn < most_turns && radii.x != radii.y; ++turn) {
+    const float along = nearest_along(start, end, radii, nearest.point);
+    const ClosestWeights w =
+        closest_vertex_triangle({glm::mix(start, end, along), corners[0], corners[1], corners[2]});
+    consider(w[1] * corners[0] + w[2] * corners[1] + w[3] * corners[2], along);
+  }
   return nearest;
 }
 
@@ -61,16 +95,15 @@ glm::vec3 from_origin(const Vec3& point_m, const Vec3& origin_m) {
 }
 
 Limb limb_of(const Sphere& at_begin, const Sphere& at_end, const Vec3& origin_m) {
-  const glm::vec3 begin = from_origin(at_begin.centre_m, origin_m);
-  const glm::vec3 end = from_origin(at_end.centre_m, origin_m);
-  const auto radius = static_cast<float>(at_begin.radius_m);
-  return {{{{begin, begin}, {end, end}}}, {radius, radius}};
+  const Vec3 begin_m = at_begin.centre_m - origin_m;
+  const Vec3 end_m = at_end.centre_m - origin_m;
+  return {{{{begin_m, begin_m}, {end_m, end_m}}}, {at_begin.radius_m, at_begin.radius_m}};
 }
 
 Limb limb_of(const Capsule& at_begin, const Capsule& at_end, const Vec3& origin_m) {
-  return {{{{from_origin(at_begin.start_m, origin_m), from_origin(at_begin.end_m, origin_m)},
-            {from_origin(at_end.start_m, origin_m), from_origin(at_end.end_m, origin_m)}}},
-          {static_cast<float>(at_begin.start_radius_m), static_cast<float>(at_begin.end_radius_m)}};
+  return {{{{at_begin.start_m - origin_m, at_begin.end_m - origin_m},
+            {at_end.start_m - origin_m, at_end.end_m - origin_m}}},
+          {at_begin.start_radius_m, at_begin.end_radius_m}};
 }
 
 /// Appends a row at `position` that moves by `move`, and returns it.
@@ -100,8 +133,10 @@ struct Search {
 
 void add_near_limb(const Search& search, const Limb& limb, std::span<const Triangle> cloth, RowMoves& rows,
                    std::vector<ContactPair>& pairs) {
-  const glm::vec3 middle = 0.5F * (limb.ends[0][0] + limb.ends[0][1]);
-  const float outer = glm::distance(middle, limb.ends[0][0]) + std::max(limb.radii[0], limb.radii[1]);
+  const glm::vec3 start(limb.ends_m[0][0]);
+  const glm::vec3 middle = 0.5F * (start + glm::vec3(limb.ends_m[0][1]));
+  const float outer = far_enough * (glm::distance(middle, start) +
+                                    static_cast<float>(std::max(limb.radii_m[0], limb.radii_m[1])));
   for (const Triangle& t : cloth) {
     std::array<glm::vec3, 3> corners{};
     float reach = search.thickness_m;
@@ -110,7 +145,7 @@ void add_near_limb(const Search& search, const Limb& limb, std::span<const Trian
       corners[k] = vec(rows.positions[t[k]]);
       reach = std::max(reach, search.thickness_m + rows.radii[t[k]]);
       for (std::size_t end = 0; end < 2; ++end) {
-        const glm::vec3 moved = limb.ends[1][end] - limb.ends[0][end];
+        const glm::vec3 moved(limb.ends_m[1][end] - limb.ends_m[0][end]);
         approach = std::max(approach, glm::distance(vec(rows.moves[t[k]]), moved));
       }
     }
@@ -119,11 +154,12 @@ void add_near_limb(const Search& search, const Limb& limb, std::span<const Trian
       continue;
     }
     const Nearest nearest = nearest_of(limb, corners);
-    const float begin = limb.reach(0, nearest.normal);
-    if (glm::dot(nearest.normal, nearest.point) - begin < reach + approach) {
-      const glm::vec3 below =
-          nearest.point + nearest.normal * (begin - glm::dot(nearest.normal, nearest.point));
-      const glm::vec3 move = nearest.normal * (limb.reach(1, nearest.normal) - begin);
+    const Vec3 along(nearest.normal);
+    const Vec3 point_m(nearest.point);
+    const double height_m = limb.height_m(0, along, point_m);
+    if (height_m < reach + approach) {
+      const glm::vec3 below(point_m - height_m * along);
+      const glm::vec3 move((height_m - limb.height_m(1, along, point_m)) * along);
       const Index row = add_row(below, move, rows);
       pairs.push_back({{{t[0], t[1], t[2], row}, 3},
                        search.thickness_m,
@@ -138,9 +174,9 @@ void add_near_limb(const Search& search, const Limb& limb, std::span<const Trian
 void add_near_plane(const Search& search, const Plane& at_begin, const Plane& at_end,
                     std::span<const Triangle> cloth, RowMoves& rows, std::vector<ContactPair>& pairs) {
   const glm::vec3 normal(at_begin.normal);
-  const glm::vec3 end_normal(at_end.normal);
-  const glm::vec3 point = from_origin(at_begin.point_m, search.origin_m);
-  const glm::vec3 end_point = from_origin(at_end.point_m, search.origin_m);
+  const Vec3 point_m = at_begin.point_m - search.origin_m;
+  const Vec3 end_point_m = at_end.point_m - search.origin_m;
+  const double tilt = glm::distance(at_begin.normal, at_end.normal);
   std::vector<bool> is_done(rows.radii.size(), false);
   for (const Triangle& t : cloth) {
     for (const Index v : t) {
@@ -148,14 +184,16 @@ void add_near_plane(const Search& search, const Plane& at_begin, const Plane& at
         continue;
       }
       is_done[v] = true;
-      const glm::vec3 at = vec(rows.positions[v]);
-      const float height = glm::dot(normal, at - point);
-      const float end_height = glm::dot(end_normal, at - end_point);
-      const float reach = search.thickness_m + rows.radii[v] + glm::length(vec(rows.moves[v])) +
-                          std::abs(end_height - height);
-      if (height < reach) {
-        const glm::vec3 below = at - height * normal;
-        const Index row = add_row(below, normal * (height - end_height), rows);
+      // In double precision: the plane's point may be far away.
+      const Vec3 at_m = vector_of(rows.positions[v]);
+      const double most_moved_m = rows.radii[v] + length_of(rows.moves[v]);
+      const double height_m = glm::dot(at_begin.normal, at_m - point_m);
+      // Over a plane that has tilted a vertex loses so much of what it keeps along the first normal.
+      const double end_height_m = glm::dot(at_end.normal, at_m - end_point_m) - tilt * most_moved_m;
+      const double reach_m = search.thickness_m + most_moved_m + std::abs(end_height_m - height_m);
+      if (height_m < reach_m) {
+        const glm::vec3 below(at_m - height_m * at_begin.normal);
+        const Index row = add_row(below, glm::vec3((height_m - end_height_m) * at_begin.normal), rows);
         pairs.push_back({{{v, row, row, row}, 1},
                          search.thickness_m,
                          search.friction,
@@ -193,6 +231,14 @@ std::vector<Vec3> BodyContacts::mesh_positions_m(double time_s) const {
     }
   }
   return positions_m;
+}
+
+double BodyContacts::off_chord_m(const TimeSpan& time) const {
+  double off_m = 0.0;
+  for (const Body& body : bodies_) {
+    off_m = std::max(off_m, sim::off_chord_m(body, time));
+  }
+  return off_m;
 }
 
 void BodyContacts::add_mesh_rows(const TimeSpan& time, const Vec3& origin_m, RowMoves& rows) const {

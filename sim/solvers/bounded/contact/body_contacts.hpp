@@ -20,6 +20,9 @@ class BodyContacts {
   const std::vector<Triangle>& mesh_triangles() const { return mesh_triangles_; }
   std::vector<Vec3> mesh_positions_m(double time_s) const;
 
+  /// Returns a bound on how far any body is off its chord at any time of the span, in m.
+  double off_chord_m(const TimeSpan& time) const;
+
   /// Appends the rows of the meshes, from an origin.
   void add_mesh_rows(const TimeSpan& time, const Vec3& origin_m, RowMoves& rows) const;
 

@@ -1,128 +1,231 @@
 #include "sim/solvers/bounded/contact/crossings.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <numeric>
 
-#include "sim/mesh/extent.hpp"
+#include "sim/contact/triangle_pair.hpp"
+#include "sim/contact/triangle_tree.hpp"
+#include "sim/mesh/groups.hpp"
 
 namespace taut::sim::bounded {
 namespace {
+
+/// Of triangles around a contour.
+constexpr int rings = 2;
+/// What is nearer than this, in m, is not told apart in single precision; and what is nearer at rest is not kept apart.
+constexpr double least_apart_m = 1e-6;
+constexpr double least_at_rest_m = 2e-6;
+
+CompressedRows triangles_of_rows(std::span<const Triangle> triangles) {
+  Index rows = 0;
+  for (const Triangle& t : triangles) {
+    rows = std::max({rows, t[0] + 1, t[1] + 1, t[2] + 1});
+  }
+  CompressedRows of;
+  of.offsets.assign(rows + 1, 0);
+  for (const Triangle& t : triangles) {
+    for (const Index row : t) {
+      ++of.offsets[row + 1];
+    }
+  }
+  std::partial_sum(of.offsets.begin(), of.offsets.end(), of.offsets.begin());
+  of.items.resize(of.offsets.back());
+  std::vector<Index> next = of.offsets;
+  for (Index t = 0; t < triangles.size(); ++t) {
+    for (const Index row : triangles[t]) {
+      of.items[next[row]++] = t;
+    }
+  }
+  return of;
+}
 
 bool has_row(const Triangle& t, Index row) {
   return t[0] == row || t[1] == row || t[2] == row;
 }
 
-/// Whether `d` is above the plane of the triangle a, b, c.
-bool is_above(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return glm::dot(glm::cross(b - a, c - a), d - a) > 0.0;
+}  // namespace
+
+Crossings::Crossings(std::span<const Triangle> cloth, std::span<const Triangle> bodies, bool within_cloth,
+                     std::vector<Vec3> rest_m)
+    : within_cloth_(within_cloth),
+      cloth_count_(cloth.size()),
+      triangles_(cloth.begin(), cloth.end()),
+      rest_m_(std::move(rest_m)) {
+  triangles_.insert(triangles_.end(), bodies.begin(), bodies.end());
+  triangles_of_ = triangles_of_rows(triangles_);
+  group_of_.assign(triangles_.size(), 0);
 }
 
-/// Whether an edge of the one triangle goes through the other.
-bool pierces(const Triangle& edges_of, const Triangle& t, std::span<const Vec3> p) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Index i = edges_of[k];
-    const Index j = edges_of[(k + 1) % 3];
-    if (has_row(t, i) || has_row(t, j) ||
-        is_above(p[t[0]], p[t[1]], p[t[2]], p[i]) == is_above(p[t[0]], p[t[1]], p[t[2]], p[j])) {
-      continue;
-    }
-    const bool side = is_above(p[i], p[j], p[t[0]], p[t[1]]);
-    if (side == is_above(p[i], p[j], p[t[1]], p[t[2]]) && side == is_above(p[i], p[j], p[t[2]], p[t[0]])) {
-      return true;
-    }
+// What is near at rest, as in the finest meshes, is not kept apart; nor is what touches there, so that its group stays.
+bool Crossings::is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
+  const auto measure = [&](std::span<const Vec3> at_m) {
+    return are_neighbours ? measure_neighbours(triangles_[s], triangles_[t], at_m)
+                          : measure_pair(triangles_[s], triangles_[t], at_m, at_m);
+  };
+  if (are_neighbours && neighbours_cross(triangles_[s], triangles_[t], positions_m)) {
+    return false;
   }
-  return false;
+  const TrianglePairMeasure now = measure(positions_m);
+  if (now.is_pierced || (!are_neighbours && now.is_crossing())) {
+    return false;
+  }
+  return now.parts_m > least_apart_m || (std::max(s, t) < cloth_count_ && measure(rest_m_).parts_m < least_at_rest_m);
 }
 
-bool cross(const Triangle& s, const Triangle& t, std::span<const Vec3> positions) {
-  return pierces(s, t, positions) || pierces(t, s, positions);
-}
-
-/// Calls each(s, t) for every two triangles whose extents overlap.
+/// Calls each(s, t, are_neighbours) for all pairs among these triangles that may touch; they are ascending.
 template <typename Each>
-void for_overlapping(std::span<const Triangle> triangles, std::span<const Vec3> positions, const Each& each) {
-  std::vector<Extent> extents;
-  Extent all;
-  for (const Triangle& t : triangles) {
-    const std::array<Vec3, 3> corners = {positions[t[0]], positions[t[1]], positions[t[2]]};
-    extents.push_back(extent_of(corners));
-    all.add(extents.back().lower);
-    all.add(extents.back().upper);
+void Crossings::for_pairs(std::span<const Index> among, std::span<const Vec3> positions_m, const Each& each) const {
+  std::vector<Triangle> triangles;
+  std::vector<bool> is_among(triangles_.size(), false);
+  for (const Index t : among) {
+    triangles.push_back(triangles_[t]);
+    is_among[t] = true;
   }
-  const int axis = longest_axis(all);
-  std::vector<Index> order(triangles.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](Index s, Index t) { return extents[s].lower[axis] < extents[t].lower[axis]; });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Extent& one = extents[order[i]];
-    for (std::size_t j = i + 1; j < order.size() && extents[order[j]].lower[axis] <= one.upper[axis]; ++j) {
-      if (overlap(one, extents[order[j]])) {
-        each(order[i], order[j]);
+  const auto is_wanted = [&](Index s, Index t) {
+    return std::min(s, t) < cloth_count_ && (within_cloth_ || std::max(s, t) >= cloth_count_);
+  };
+  TriangleTree tree(triangles, positions_m);
+  tree.fit(positions_m, positions_m.front(), least_apart_m);
+  std::vector<TriangleCouple> near;
+  tree.find_near(near);
+  for (const auto& [i, j] : near) {
+    if (is_wanted(among[i], among[j])) {
+      each(among[i], among[j], false);
+    }
+  }
+  for (const Index s : among) {
+    for (std::size_t k = 0; k < 3 && within_cloth_ && s < cloth_count_; ++k) {
+      for (const Index t : triangles_of_[triangles_[s][k]]) {
+        // Those that share more come once, with the first that they share.
+        const bool has_come = (k > 0 && has_row(triangles_[t], triangles_[s][0])) ||
+                              (k > 1 && has_row(triangles_[t], triangles_[s][1]));
+        if (t > s && is_among[t] && !has_come) {
+          each(s, t, true);
+        }
       }
     }
   }
 }
 
-Edge ordered(Index a, Index b) {
-  return {std::min(a, b), std::max(a, b)};
-}
-
-}  // namespace
-
-Crossings::Crossings(std::span<const Triangle> cloth, std::span<const Triangle> bodies, bool within_cloth,
-                     std::span<const Vec3> positions_m) {
-  if (!within_cloth && bodies.empty()) {
+void Crossings::add(std::span<const Vec3> positions_m) {
+  if (!within_cloth_ && cloth_count_ == triangles_.size()) {
     return;
   }
-  std::vector<Triangle> triangles(cloth.begin(), cloth.end());
-  triangles.insert(triangles.end(), bodies.begin(), bodies.end());
-  for_overlapping(triangles, positions_m, [&](Index s, Index t) {
-    const auto& [low, high] = std::minmax(s, t);
-    const bool is_wanted = low < cloth.size() && (within_cloth || high >= cloth.size());
-    if (is_wanted && cross(triangles[s], triangles[t], positions_m)) {
-      pairs_.push_back({triangles[s], triangles[t]});
+  std::vector<Index> all(triangles_.size());
+  std::iota(all.begin(), all.end(), 0U);
+  Groups groups(triangles_.size());
+  std::vector<Index> seeds;
+  for_pairs(all, positions_m, [&](Index s, Index t, bool are_neighbours) {
+    if (!is_apart(s, t, are_neighbours, positions_m)) {
+      groups.join(s, t);
+      seeds.insert(seeds.end(), {s, t});
     }
   });
+  for (Index t = 0; t < group_of_.size(); ++t) {
+    if (group_of_[t] > 0) {
+      groups.join(t, group_of_[t] - 1);
+    }
+  }
+  std::vector<bool> is_in(triangles_.size(), false);
+  for (const Index t : seeds) {
+    is_in[t] = true;
+  }
+  std::vector<Index> patch = seeds;
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<Index> before = patch;
+    for (const Index s : before) {
+      for (const Index row : triangles_[s]) {
+        for (const Index t : triangles_of_[row]) {
+          groups.join(s, t);
+          if (!is_in[t]) {
+            is_in[t] = true;
+            patch.push_back(t);
+          }
+        }
+      }
+    }
+  }
+  for (Index t = 0; t < group_of_.size(); ++t) {
+    group_of_[t] = is_in[t] || group_of_[t] > 0 ? groups.find(t) + 1 : 0;
+  }
   find_keys();
 }
 
-void Crossings::update(std::span<const Vec3> positions_m) {
-  if (std::erase_if(pairs_, [&](const auto& pair) { return !cross(pair[0], pair[1], positions_m); }) > 0) {
+void Crossings::free(std::span<const Vec3> positions_m) {
+  std::vector<Index> patches;
+  std::vector<bool> stays(triangles_.size() + 1, false);
+  for (Index t = 0; t < group_of_.size(); ++t) {
+    if (group_of_[t] > 0) {
+      patches.push_back(t);
+    }
+  }
+  if (patches.empty()) {
+    return;
+  }
+  for_pairs(patches, positions_m, [&](Index s, Index t, bool are_neighbours) {
+    const Index group = group_of_[s];
+    if (group == group_of_[t] && !stays[group] && !is_apart(s, t, are_neighbours, positions_m)) {
+      stays[group] = true;
+    }
+  });
+  const auto is_free = [&](Index group) { return group > 0 && !stays[group]; };
+  if (std::any_of(group_of_.begin(), group_of_.end(), is_free)) {
+    std::replace_if(group_of_.begin(), group_of_.end(), is_free, 0U);
     find_keys();
   }
 }
 
-Crossings::Key Crossings::key_of(const NearPair& near) {
-  const auto& r = near.rows;
-  if (near.first_count == 1) {
-    Triangle t = {r[1], r[2], r[3]};
-    std::sort(t.begin(), t.end());
-    return {1, r[0], t[0], t[1], t[2]};
-  }
-  const Edge first = ordered(r[0], r[1]);
-  const Edge second = ordered(r[2], r[3]);
-  const auto& [low, high] = std::minmax(first, second);
-  return {2, low[0], low[1], high[0], high[1]};
-}
-
+// A thing lies in a group if every triangle that it is of does.
 void Crossings::find_keys() {
   keys_.clear();
-  for (const auto& [s, t] : pairs_) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      keys_.push_back(key_of({{s[k], t[0], t[1], t[2]}, 1}));
-      keys_.push_back(key_of({{t[k], s[0], s[1], s[2]}, 1}));
-      for (std::size_t l = 0; l < 3; ++l) {
-        keys_.push_back(key_of({{s[k], s[(k + 1) % 3], t[l], t[(l + 1) % 3]}, 2}));
+  const auto lies_in = [&](std::span<const Index> rows, Index group) {
+    const std::span<const Index> of = triangles_of_[rows.front()];
+    return std::all_of(of.begin(), of.end(), [&](Index t) {
+      const bool is_of = std::all_of(rows.begin(), rows.end(), [&](Index row) { return has_row(triangles_[t], row); });
+      return !is_of || group_of_[t] == group;
+    });
+  };
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    if (group_of_[t] == 0) {
+      continue;
+    }
+    Triangle rows = triangles_[t];
+    std::sort(rows.begin(), rows.end());
+    const auto [a, b, c] = rows;
+    for (const Triangle& thing : {Triangle{a, a, a}, {b, b, b}, {c, c, c}, {a, b, b}, {a, c, c}, {b, c, c}, {a, b, c}}) {
+      if (lies_in(thing, group_of_[t])) {
+        keys_.push_back({thing, group_of_[t]});
       }
     }
   }
   std::sort(keys_.begin(), keys_.end());
+  keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+}
+
+Index Crossings::group_of(std::span<const Index> rows) const {
+  Triangle sorted = {rows.front(), rows.back(), rows[rows.size() / 2]};
+  if (rows.size() == 2) {
+    sorted = {std::min(rows[0], rows[1]), std::max(rows[0], rows[1]), std::max(rows[0], rows[1])};
+  } else {
+    std::sort(sorted.begin(), sorted.end());
+  }
+  const auto key = std::lower_bound(keys_.begin(), keys_.end(), Key{sorted, 0});
+  return key != keys_.end() && key->rows == sorted ? key->group : 0;
 }
 
 bool Crossings::has(const NearPair& near) const {
-  return !keys_.empty() && std::binary_search(keys_.begin(), keys_.end(), key_of(near));
+  if (keys_.empty()) {
+    return false;
+  }
+  const Index first = group_of(std::span(near.rows).first(near.first_count));
+  return first > 0 && first == group_of(std::span(near.rows).subspan(near.first_count));
+}
+
+void Crossings::set_groups(std::vector<Index> group_of) {
+  if (group_of != group_of_) {
+    group_of_ = std::move(group_of);
+    find_keys();
+  }
 }
 
 }  // namespace taut::sim::bounded

@@ -3,37 +3,60 @@
 #include <span>
 #include <vector>
 
+#include "sim/mesh/adjacency.hpp"
 #include "sim/solvers/bounded/contact/near_pair.hpp"
 
 namespace taut::sim::bounded {
 
-/// Pairs of triangles that cross each other when the cloth begins. They are not kept apart as long as they
-/// cross, and from then on like all others.
+/// What crosses when the cloth begins, and what is around it: patches of the triangles on both sides of each contour and
+/// two rings of triangles around them. Patches that pierce each other or overlap are one group. Two things, each a
+/// vertex, an edge or a triangle, are left out of contact where both lie in one group: all triangles that they are of
+/// belong to it. So nothing begins to cross but two triangles of one group: of two others some part that meets first is
+/// of a triangle outside, and is kept apart. When nothing in a group crosses or touches any more, it is no group.
 class Crossings {
  public:
   Crossings() = default;
-
-  /// Finds the pairs that cross where the rows are, in m: of the cloth and bodies and, if asked for, within
-  /// the cloth.
+  /// `cloth` and `bodies` are triangles of rows. Distances of the cloth at rest are those at `rest_m`, in m, one entry
+  /// per row of the cloth.
   Crossings(std::span<const Triangle> cloth, std::span<const Triangle> bodies, bool within_cloth,
-            std::span<const Vec3> positions_m);
+            std::vector<Vec3> rest_m);
 
-  /// Forgets the pairs that are apart.
-  void update(std::span<const Vec3> positions_m);
+  /// Makes patches around all that crosses or touches, of the cloth with bodies and, if asked for, with itself. In m, one
+  /// entry per row.
+  void add(std::span<const Vec3> positions_m);
+  /// Frees the groups that are apart.
+  void free(std::span<const Vec3> positions_m);
 
-  bool empty() const { return pairs_.empty(); }
-  std::size_t size() const { return pairs_.size(); }
+  bool empty() const { return keys_.empty(); }
 
-  /// Returns whether both things are of triangles that cross each other.
+  /// Returns whether both things lie in one group.
   bool has(const NearPair& near) const;
 
- private:
-  using Key = std::array<Index, 5>;
-  static Key key_of(const NearPair& near);
-  void find_keys();
+  /// The group of each triangle, first of the cloth, then of bodies: 0 where it is of none.
+  std::span<const Index> groups() const { return group_of_; }
+  void set_groups(std::vector<Index> group_of);
 
-  std::vector<std::array<Triangle, 2>> pairs_;
-  std::vector<Key> keys_;  ///< of their vertices and edges, sorted
+ private:
+  /// The rows of a vertex, an edge or a triangle, sorted, the last one repeated, and its group.
+  struct Key {
+    Triangle rows;
+    Index group;
+    friend auto operator<=>(const Key&, const Key&) = default;
+  };
+
+  bool is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const;
+  template <typename Each>
+  void for_pairs(std::span<const Index> among, std::span<const Vec3> positions_m, const Each& each) const;
+  void find_keys();
+  Index group_of(std::span<const Index> rows) const;
+
+  bool within_cloth_ = false;
+  std::size_t cloth_count_ = 0;
+  std::vector<Triangle> triangles_;  ///< of the cloth, then of bodies
+  CompressedRows triangles_of_;      ///< by row
+  std::vector<Vec3> rest_m_;
+  std::vector<Index> group_of_;  ///< by triangle
+  std::vector<Key> keys_;        ///< of what lies in groups, sorted
 };
 
 }  // namespace taut::sim::bounded

@@ -27,8 +27,11 @@ class LastingPairs {
   LastingPairs(const ContactMesh& mesh, bool within_cloth, std::span<const Vec3> positions_m)
       : near_(mesh, within_cloth, positions_m) {}
 
-  /// Forgets the list, so that what is found next depends on nothing from before.
-  void forget() { begin_.clear(); }
+  /// Forgets the list, so that what is found next depends on nothing from before, and the count of searches.
+  void forget() {
+    begin_.clear();
+    searches_ = {};
+  }
 
   /// How often it has looked.
   struct Searches {

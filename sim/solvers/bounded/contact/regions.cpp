@@ -1,26 +1,23 @@
 #include "sim/solvers/bounded/contact/regions.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 
 #include "sim/solvers/bounded/contact/closest_points.hpp"
+#include "sim/solvers/bounded/contact/plane_gap.hpp"
 
 namespace taut::sim::bounded {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Things nearer than this part of the thickness may not come nearer still. Less leaves less room for
-/// rounding.
-constexpr float least_part = 0.1F;
 /// Moves need not part things to the last bit: planes go by what they leave.
 constexpr float enough_part = 0.01F;
 constexpr int most_passes = 12;
-/// Nearer than this, in m, rounding decides which side a thing is on.
-constexpr float smallest_told_apart_m = 1e-7F;
 /// Where what the normal tells apart is less than this part of the smallest distance, it is uncertain.
 constexpr float told_apart_part = 0.9F;
 /// Of its ball, a row's move as contact lets it may be so far from the centre, so that there is room to
@@ -30,15 +27,20 @@ constexpr float more_radius = 1.5F;
 /// A thread takes at least so many pairs.
 constexpr std::size_t least_pairs = 256;
 
-}  // namespace
-
-float Regions::smallest_distance() const {
-  float smallest = infinity;
-  for (const Pair& pair : pairs_) {
-    smallest = std::min(smallest, pair.distance);
+/// `p` are the corners of the pair.
+PairExtent extent_of(const NearPair& near, const std::array<glm::vec3, 4>& p, const RowMoves& rows) {
+  PairExtent extent;
+  extent.displaced = rows.displaced_m;
+  for (Index k = 0; k < 4; ++k) {
+    const Index row = near.rows[k];
+    extent.from_origin = std::max(extent.from_origin, glm::length(p[k]));
+    extent.across = std::max(extent.across, glm::length(p[k] - p[0]));
+    extent.moved = std::max(extent.moved, glm::length(vec(rows.moves[row])) + rows.radii[row]);
   }
-  return smallest;
+  return extent;
 }
+
+}  // namespace
 
 Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows) {
   const NearPair& near = contact.near;
@@ -61,13 +63,15 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
   }
   // Not so where the distance is not a number, as things touch. What begins within a body that knows its way
   // out is let out.
-  pair.is_told_apart = contact.normal || pair.distance > smallest_told_apart_m;
+  pair.error = distance_error_m(extent_of(near, p, rows));
+  pair.is_told_apart = contact.normal || pair.distance > pair.error;
   // What touches as near as it may would be left a little nearer, and held fast in the way of what comes at
   // it: so it is to be parted somewhat.
-  const float least = least_part * contact.thickness_m;
+  const float least = least_gap_m(contact.thickness_m, pair.error);
   const float more = pair.distance > 0.0F ? std::clamp(2.0F * least - pair.distance, 0.0F, least) : 0.0F;
   pair.needed = std::min(pair.distance, least);
-  pair.wanted = std::min(pair.distance + more, contact.thickness_m);
+  pair.wanted = std::max(pair.needed, std::min(pair.distance + more, contact.thickness_m));
+  assert(!pair.is_told_apart || contact.normal || pair.needed > pair.error);
   return pair;
 }
 
@@ -85,6 +89,19 @@ void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& row
     }
     return !pair.is_told_apart;
   });
+  note_kinematic_gap(rows.inverse_masses_per_kg);
+}
+
+// What begins within a body has nothing to lose.
+void Regions::note_kinematic_gap(std::span<const float> inverse_masses) {
+  kinematic_gap_m_ = infinity;
+  for (const Pair& pair : pairs_) {
+    const auto& r = pair.contact.near.rows;
+    const auto is_kinematic = [&](Index row) { return !(inverse_masses[row] > 0.0F); };
+    if (pair.distance > pair.error && std::any_of(r.begin(), r.end(), is_kinematic)) {
+      kinematic_gap_m_ = std::min(kinematic_gap_m_, pair.needed - pair.error);
+    }
+  }
 }
 
 void Regions::set_heights(const std::array<glm::vec3, 4>& p, Pair& pair) {
@@ -289,12 +306,29 @@ void Regions::make_half_spaces(std::span<const float> inverse_masses, ParallelKe
   }
 }
 
+void Regions::stand_still(const RowMoves& rows) {
+  moves_ = rows.moves;
+  for (std::size_t row = 0; row < moves_.size(); ++row) {
+    if (rows.inverse_masses_per_kg[row] > 0.0F) {
+      moves_[row] = Float4{};
+    } else {
+      moves_[row].unused = infinity;
+    }
+  }
+  expected_ = moves_;
+  radii_.assign(moves_.size(), 0.0F);
+  half_space_begin_.assign(moves_.size() + 1, 0);
+  half_spaces_.clear();
+  touches_.clear();
+}
+
 bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels) {
   make_pairs(pairs, rows, kernels);
   moves_ = rows.moves;
   resolve_moves(rows.inverse_masses_per_kg);
   hold_where_needed(rows);
   if (!fit_radii(rows)) {
+    stand_still(rows);
     return false;
   }
   expected_ = rows.moves;

@@ -32,6 +32,7 @@ struct RowMoves {
   std::vector<float> inverse_masses_per_kg;
   /// Where rows go whose pairs leave them no way of their own: with what leads the cloth.
   Float4 carried = {};
+  float displaced_m = 0.0F;     ///< how far a row has gone since the frame began, at most
   std::size_t cloth_count = 0;  ///< rows from here on are of bodies, and have no displacements
 };
 
@@ -60,7 +61,7 @@ class Regions {
  public:
   /// Makes the regions for the time 0 to 1. Every pair that could meet has to be among `pairs`. Returns false
   /// where contact moves rows further from where they are expected than their radii; then `rows` has larger
-  /// radii, for pairs to be found anew.
+  /// radii, for pairs to be found anew, and the regions are those in which nothing moves but what must.
   bool make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels);
 
   /// Returns the first pair that cannot be kept apart, as rows that move by exactly their moves close in on
@@ -82,10 +83,14 @@ class Regions {
   /// The same at the time 1, where no time passes. Returns how many rows had gone out of their balls.
   std::size_t bring_back(const Float4Array& since, Float4Array& current, ParallelKernels& kernels);
 
+  /// Returns whether a vertex may be moved by so much since the time 0, in m, at a time from 0 to 1.
+  [[nodiscard]] bool contains(Index row, float time, const Vec3& moved_m) const;
+
   std::size_t pair_count() const { return pairs_.size(); }
 
-  /// Returns the smallest distance of a pair at the time 0, in m, infinite without pairs.
-  float smallest_distance() const;
+  /// Returns how far kinematic vertices, together with those of the other thing, may be off their chords at
+  /// any time without a crossing, in m: infinite where none is near.
+  float kinematic_gap_m() const { return kinematic_gap_m_; }
 
   /// Returns the radius of a row's ball, in m.
   float radius(std::size_t row) const { return radii_[row]; }
@@ -101,6 +106,7 @@ class Regions {
     std::array<float, 4> heights;      ///< of the corners along it
     std::array<float, 4> weights;      ///< of the corners, where the two things are nearest
     float distance;                    ///< of the two things along it, in m
+    float error;                       ///< how far rounding may put the true distance below it
     float needed;                      ///< the least distance that has to be left
     float wanted;                      ///< the distance that expected moves leave
     bool is_told_apart;                ///< it is certain which side each thing is on
@@ -138,6 +144,8 @@ class Regions {
   static Pair pair_of(const ContactPair& contact, const RowMoves& rows);
   void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, ParallelKernels& kernels);
   void note_blocked(const NearPair& near, float distance);
+  void note_kinematic_gap(std::span<const float> inverse_masses);
+  void stand_still(const RowMoves& rows);
   static void set_heights(const std::array<glm::vec3, 4>& positions, Pair& pair);
   static Span span_of(const NearPair& near, const std::array<float, 4>& heights);
   Span span_at_end(const Pair& pair) const;
@@ -170,6 +178,7 @@ class Regions {
 
   std::vector<Pair> pairs_;
   std::optional<BlockedPair> blocked_;
+  float kinematic_gap_m_ = 0.0F;
   Float4Array expected_;  ///< the centres of balls at the time 1
   /// As contact lets them, within the balls; `unused` is how far from there a row is certainly within its
   /// region, and infinite where it moves by exactly its moves.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/solvers/bounded/contact/plane_gap.hpp"
 #include "sim/solvers/bounded/contact/regions.hpp"
 
 namespace taut::sim::bounded {
@@ -12,8 +13,6 @@ namespace {
 /// of them, the row is moved less.
 constexpr int most_projections = 12;
 constexpr float over_projected = 1.4F;
-/// Rows further out than this, in m, are not within a half-space.
-constexpr float tolerance_m = 2e-8F;
 /// A thread takes at least so many blocks of rows.
 constexpr std::size_t least_blocks = 64;
 
@@ -21,6 +20,17 @@ constexpr std::size_t least_blocks = 64;
 
 std::span<const Regions::HalfSpace> Regions::half_spaces_of(Index row) const {
   return {half_spaces_.data() + half_space_begin_[row], half_spaces_.data() + half_space_begin_[row + 1]};
+}
+
+bool Regions::contains(Index row, float time, const Vec3& moved_m) const {
+  const Vec3 off_m = moved_m - Vec3(time * vec(expected_[row]));
+  const double radius_m = radii_[row];
+  const std::span<const HalfSpace> half_spaces = half_spaces_of(row);
+  return glm::dot(off_m, off_m) <= radius_m * radius_m &&
+         std::all_of(half_spaces.begin(), half_spaces.end(), [&](const HalfSpace& half_space) {
+           return glm::dot(Vec3(half_space.normal), moved_m) >=
+                  half_space.start + time * half_space.rate - tolerance_m;
+         });
 }
 
 template <typename Met>

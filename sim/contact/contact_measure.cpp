@@ -1,0 +1,189 @@
+#include "sim/contact/contact_measure.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "sim/contact/shape_distance.hpp"
+#include "sim/contact/triangle_pair.hpp"
+#include "sim/mesh/extent.hpp"
+
+namespace taut::sim {
+namespace {
+
+/// What is less deep in a plane, sphere or capsule, in m, does not enter it.
+constexpr double least_depth_m = 5e-10;
+/// Of the squared area vector of all triangles around a vertex: by so much each faces the same way, at least.
+constexpr double least_facing = 1e-4;
+
+/// The other corners in turn.
+Edge opposite(const Triangle& t, Index vertex) {
+  const std::size_t k = t[0] == vertex ? 0 : (t[1] == vertex ? 1 : 2);
+  return {t[(k + 1) % 3], t[(k + 2) % 3]};
+}
+
+/// Orders triangles around a vertex so that each begins where the one before it ends, if they are one fan. Returns the
+/// vertices around it, empty if they are not.
+std::vector<Index> order_as_fan(Index vertex, std::span<const Triangle> triangles, std::span<Index> fan) {
+  const auto begins = [&](Index t) { return opposite(triangles[t], vertex)[0]; };
+  const auto ends = [&](Index t) { return opposite(triangles[t], vertex)[1]; };
+  for (std::size_t k = 0; k < fan.size(); ++k) {
+    if (std::none_of(fan.begin(), fan.end(), [&](Index t) { return ends(t) == begins(fan[k]); })) {
+      std::swap(fan[0], fan[k]);
+      break;
+    }
+  }
+  std::vector<Index> around;
+  for (std::size_t k = 0; k < fan.size(); ++k) {
+    const auto next = std::find_if(fan.begin() + static_cast<std::ptrdiff_t>(k), fan.end(),
+                                   [&](Index t) { return k == 0 || begins(t) == around.back(); });
+    if (next == fan.end()) {
+      return {};
+    }
+    std::swap(fan[k], *next);
+    if (k == 0) {
+      around.push_back(begins(fan[0]));
+    }
+    around.push_back(ends(fan[k]));
+  }
+  return around;
+}
+
+void note(double distance_m, bool is_crossing, double reach_m, MeasuredContact& measured) {
+  measured.crossing_pairs += is_crossing ? 1 : 0;
+  if (distance_m <= reach_m) {
+    measured.nearest_m = std::min(measured.nearest_m, distance_m);
+  }
+}
+
+}  // namespace
+
+ContactMeasure::ContactMeasure(std::span<const Triangle> triangles, std::span<const Vec3> positions_m,
+                               std::vector<Body> bodies)
+    : triangles_(triangles.begin(), triangles.end()),
+      bodies_(std::move(bodies)),
+      tree_(triangles, positions_m),
+      areas_m2_(triangles.size()) {
+  for (const Body& body : bodies_) {
+    if (const auto* mesh = std::get_if<BodyMesh>(&body.shape)) {
+      body_trees_.emplace_back(mesh->data->triangles, mesh->data->positions_m);
+    }
+  }
+  make_fans(positions_m.size());
+}
+
+void ContactMeasure::make_fans(std::size_t vertices) {
+  std::vector<std::vector<Index>> triangles_of(vertices);
+  for (Index t = 0; t < triangles_.size(); ++t) {
+    for (const Index v : triangles_[t]) {
+      triangles_of[v].push_back(t);
+    }
+  }
+  triangles_of_.offsets = around_.offsets = {0};
+  for (Index v = 0; v < vertices; ++v) {
+    const std::vector<Index> around = order_as_fan(v, triangles_, triangles_of[v]);
+    triangles_of_.items.insert(triangles_of_.items.end(), triangles_of[v].begin(), triangles_of[v].end());
+    triangles_of_.offsets.push_back(static_cast<Index>(triangles_of_.items.size()));
+    around_.items.insert(around_.items.end(), around.begin(), around.end());
+    around_.offsets.push_back(static_cast<Index>(around_.items.size()));
+  }
+}
+
+// Seen along the sum of their area vectors all triangles face the same way, and they go around the vertex once: so they
+// lie beside each other, and cross nowhere.
+bool ContactMeasure::lies_open(Index vertex, std::span<const Vec3> positions_m) const {
+  const std::span<const Index> around = around_[vertex];
+  if (around.empty()) {
+    return triangles_of_[vertex].empty();
+  }
+  Vec3 sum(0.0);
+  for (const Index t : triangles_of_[vertex]) {
+    sum += areas_m2_[t];
+  }
+  const double least = least_facing * glm::dot(sum, sum);
+  for (const Index t : triangles_of_[vertex]) {
+    if (!(glm::dot(areas_m2_[t], sum) > least)) {
+      return false;
+    }
+  }
+  const Vec3& here = positions_m[vertex];
+  const Vec3 ahead = glm::cross(sum, positions_m[around[0]] - here);
+  bool is_past_half = false;
+  const std::size_t closes = around.front() == around.back() ? 1 : 0;
+  for (const Index v : around.subspan(1, around.size() - 1 - closes)) {
+    const bool is_ahead = glm::dot(ahead, positions_m[v] - here) > 0.0;
+    if (is_past_half && is_ahead) {
+      return false;
+    }
+    is_past_half = !is_ahead;
+  }
+  return true;
+}
+
+// Two triangles that share more vertices belong to the first of these.
+std::size_t ContactMeasure::crossings_around(Index vertex, std::span<const Vec3> positions_m) const {
+  const std::span<const Index> around = triangles_of_[vertex];
+  std::size_t crossings = 0;
+  for (std::size_t k = 0; k < around.size(); ++k) {
+    for (std::size_t l = k + 1; l < around.size(); ++l) {
+      const Triangle& s = triangles_[around[k]];
+      const Triangle& t = triangles_[around[l]];
+      const bool is_of_lower = std::any_of(s.begin(), s.end(), [&](Index v) {
+        return v < vertex && std::find(t.begin(), t.end(), v) != t.end();
+      });
+      if (!is_of_lower && neighbours_cross(s, t, positions_m)) {
+        ++crossings;
+      }
+    }
+  }
+  return crossings;
+}
+
+void ContactMeasure::measure_mesh(const Body& body, TriangleTree& tree, std::span<const Vec3> positions_m,
+                                  double time_s, double reach_m, MeasuredContact& measured) {
+  const BodyMeshData& mesh = *std::get<BodyMesh>(body.shape).data;
+  std::vector<Vec3> body_m(mesh.positions_m.size());
+  positions_at(body, time_s, body_m);
+  tree.fit(body_m, positions_m.front(), reach_m);
+  near_.clear();
+  tree_.find_near(tree, near_);
+  for (const auto& [s, t] : near_) {
+    const TrianglePairMeasure pair = measure_pair(triangles_[s], mesh.triangles[t], positions_m, body_m, reach_m);
+    note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
+  }
+}
+
+MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, double time_s, double reach_m) {
+  MeasuredContact measured;
+  if (triangles_.empty()) {
+    return measured;
+  }
+  tree_.fit(positions_m, positions_m.front(), reach_m);
+  near_.clear();
+  tree_.find_near(near_);
+  for (const auto& [s, t] : near_) {
+    const TrianglePairMeasure pair = measure_pair(triangles_[s], triangles_[t], positions_m, positions_m, reach_m);
+    note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
+  }
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const auto& [i, j, k] = triangles_[t];
+    areas_m2_[t] = glm::cross(positions_m[j] - positions_m[i], positions_m[k] - positions_m[i]);
+  }
+  for (Index v = 0; v < positions_m.size(); ++v) {
+    measured.crossing_pairs += lies_open(v, positions_m) ? 0 : crossings_around(v, positions_m);
+  }
+  auto tree = body_trees_.begin();
+  for (const Body& body : bodies_) {
+    if (std::holds_alternative<BodyMesh>(body.shape)) {
+      measure_mesh(body, *tree++, positions_m, time_s, reach_m, measured);
+      continue;
+    }
+    const Shape shape = shape_at(body, time_s);
+    for (const auto& [i, j, k] : triangles_) {
+      const double distance_m = shape_distance_m({positions_m[i], positions_m[j], positions_m[k]}, shape, reach_m);
+      note(distance_m, distance_m < -least_depth_m, reach_m, measured);
+    }
+  }
+  return measured;
+}
+
+}  // namespace taut::sim

@@ -1,0 +1,32 @@
+#include "sim/solvers/bounded/apart_while_corrected.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+/// Rounds of a correction that go on within the same regions.
+constexpr int most_rounds = 8;
+
+}  // namespace
+
+void ApartWhileCorrected::begin(const Float4Array& raw, const Float4Array& expected) {
+  cloth_.contacts.make_regions(frame_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
+  last_ = raw;
+}
+
+// Where vertices are held back by their balls there is more room from where they have come; and so there is
+// beside planes from which one of the two has moved away.
+void ApartWhileCorrected::bring_back(Float4Array& displacements) {
+  frame_.ask();
+  ++rounds_;
+  if (is_held_back_ || rounds_ % most_rounds == 0) {
+    moved_.resize(last_.size());
+    for (std::size_t row = 0; row < last_.size(); ++row) {
+      moved_[row] = scaled_sum(displacements[row], last_[row], -1.0F);
+    }
+    cloth_.contacts.renew_regions(frame_, cloth_.layout, cloth_.motion, last_, moved_, time_s_, kernels_);
+  }
+  is_held_back_ = cloth_.contacts.keep_apart(kernels_, displacements);
+  last_ = displacements;
+}
+
+}  // namespace taut::sim::bounded

@@ -1,0 +1,154 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <random>
+
+#include "app/verify/crossing_pairs.hpp"
+#include "app/verify/solid_bodies.hpp"
+#include "sim/contact/contact_measure.hpp"
+#include "sim/contact/shape_distance.hpp"
+#include "sim/contact/triangle_pair.hpp"
+#include "sim/mesh/grid.hpp"
+
+namespace taut::sim {
+namespace {
+
+struct Shape3 {
+  std::vector<Vec3> positions_m;
+  std::vector<Triangle> triangles;
+
+  app::Surface surface() const { return {positions_m, triangles}; }
+  MeasuredContact measured(double reach_m, std::vector<Body> bodies = {}) const {
+    return ContactMeasure(triangles, positions_m, std::move(bodies)).measure(positions_m, 0.0, reach_m);
+  }
+};
+
+Vec3 random_in(double size_m, std::mt19937& random) {
+  std::uniform_real_distribution<double> of(-size_m, size_m);
+  return {of(random), of(random), of(random)};
+}
+
+/// A sheet that is crumpled at random: neighbours fold through each other, and so does what is further off.
+Shape3 crumpled_sheet(double by_m, unsigned seed) {
+  std::mt19937 random(seed);
+  Mesh mesh = make_grid({.columns = 15, .rows = 15});
+  for (Vec3& p : mesh.positions) {
+    p = Vec3(p.x, 0.3 * p.y, 0.2 * std::sin(9.0 * p.y)) + random_in(by_m, random);
+  }
+  return {mesh.positions, mesh.triangles};
+}
+
+/// Triangles without common vertices.
+Shape3 soup(std::size_t triangles, double size_m, unsigned seed) {
+  std::mt19937 random(seed);
+  Shape3 shape;
+  for (Index t = 0; t < triangles; ++t) {
+    const Vec3 at = random_in(0.3, random);
+    for (int k = 0; k < 3; ++k) {
+      shape.positions_m.push_back(at + random_in(size_m, random));
+    }
+    shape.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  return shape;
+}
+
+TEST(ContactMeasure, CountsWhatExactPredicatesCount) {
+  std::size_t all = 0;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    for (const double by_m : {0.0, 0.01, 0.03, 0.1}) {
+      const Shape3 sheet = crumpled_sheet(by_m, seed);
+      const std::size_t expected = app::crossing_pairs(sheet.surface()).size();
+      EXPECT_EQ(sheet.measured(0.001).crossing_pairs, expected) << seed << ' ' << by_m;
+      all += expected;
+    }
+    const Shape3 triangles = soup(300, 0.06, seed);
+    const std::size_t expected = app::crossing_pairs(triangles.surface()).size();
+    EXPECT_EQ(triangles.measured(0.001).crossing_pairs, expected) << seed;
+    EXPECT_EQ(triangles.measured(0.001).nearest_m == 0.0, expected > 0) << seed;
+  }
+  EXPECT_GT(all, 1000U);
+}
+
+// A fan that goes around its vertex twice faces the same way everywhere and still crosses itself.
+TEST(ContactMeasure, CountsAFanThatGoesAroundTwice) {
+  Shape3 fan = {{Vec3(0.0)}, {}};
+  constexpr Index spokes = 13;
+  for (Index k = 0; k < spokes; ++k) {
+    const double angle = 4.0 * std::numbers::pi * k / spokes;
+    fan.positions_m.push_back({std::cos(angle), 0.2 * std::sin(0.5 * angle + 0.3), std::sin(angle)});
+    fan.triangles.push_back({0, 1 + (k + 1) % spokes, 1 + k});
+  }
+  const std::size_t expected = app::crossing_pairs(fan.surface()).size();
+  EXPECT_GT(expected, 0U);
+  EXPECT_EQ(fan.measured(0.001).crossing_pairs, expected);
+}
+
+/// The least distance of points all over both triangles.
+double sampled_distance_m(const Corners& a, const Corners& b) {
+  double least = INFINITY;
+  constexpr int cuts = 40;
+  for (int i = 0; i <= cuts; ++i) {
+    for (int j = 0; i + j <= cuts; ++j) {
+      const Vec3 p = a[0] + (a[1] - a[0]) * (double(i) / cuts) + (a[2] - a[0]) * (double(j) / cuts);
+      least = std::min(least, point_triangle_distance_m(p, b));
+    }
+  }
+  return least;
+}
+
+TEST(ContactMeasure, FindsTheNearestPair) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Shape3 triangles = soup(12, 0.05, 100 + seed);
+    double expected = INFINITY;
+    for (Index s = 0; s < 12; ++s) {
+      for (Index t = s + 1; t < 12; ++t) {
+        const auto corners = [&](Index n) {
+          return Corners{triangles.positions_m[3 * n], triangles.positions_m[3 * n + 1],
+                         triangles.positions_m[3 * n + 2]};
+        };
+        expected = std::min({expected, sampled_distance_m(corners(s), corners(t)),
+                             sampled_distance_m(corners(t), corners(s))});
+      }
+    }
+    const double found = triangles.measured(1.0).nearest_m;
+    if (app::crossing_pairs(triangles.surface()).empty()) {
+      EXPECT_LE(found, expected + 1e-12) << seed;
+      EXPECT_GT(found, expected - 2e-3) << seed;
+      EXPECT_EQ(triangles.measured(0.99 * found).nearest_m, INFINITY) << seed;
+      EXPECT_EQ(triangles.measured(1.01 * found).nearest_m, found) << seed;
+    }
+  }
+}
+
+TEST(ContactMeasure, MeasuresBodies) {
+  const Shape3 sheet = crumpled_sheet(0.03, 3);
+  const Vec3 far_m = {0.0, 0.0, 2.0};
+  const Shape3 lower = soup(200, 0.1, 5);
+  const Body mesh = {.shape = BodyMesh{std::make_shared<const BodyMeshData>(
+                         BodyMeshData{lower.positions_m, lower.triangles})}};
+  const Shape3 alone = {sheet.positions_m, sheet.triangles};
+  const std::size_t own = alone.measured(0.001).crossing_pairs;
+  EXPECT_EQ(alone.measured(0.001, {mesh}).crossing_pairs - own,
+            app::crossing_pairs(sheet.surface(), lower.surface()).size());
+
+  const Capsule limb = {{-0.3, -0.1, 0.0}, {0.3, 0.1, 0.05}, 0.05, 0.12};
+  std::size_t entering = 0;
+  for (const auto& [i, j, k] : sheet.triangles) {
+    const app::Corners corners = {sheet.positions_m[i], sheet.positions_m[j], sheet.positions_m[k]};
+    entering += app::enters_limb(corners, {limb.start_m, limb.end_m, limb.start_radius_m, limb.end_radius_m}) ? 1 : 0;
+  }
+  EXPECT_GT(entering, 10U);
+  EXPECT_EQ(alone.measured(0.001, {{.shape = limb}}).crossing_pairs - own, entering);
+  EXPECT_EQ(alone.measured(0.001, {{.shape = Sphere{far_m, 0.1}}}).crossing_pairs, own);
+
+  const Shape3 triangle = {{{0.0, 0.5, 0.0}, {1.0, 0.5, 0.0}, {0.0, 0.5, 1.0}}, {{0, 1, 2}}};
+  EXPECT_NEAR(triangle.measured(1.0, {{.shape = Sphere{{0.2, 0.8, 0.2}, 0.1}}}).nearest_m, 0.2, 1e-12);
+  EXPECT_NEAR(triangle.measured(1.0, {{.shape = Plane{{0.0, 0.6, 0.0}, {0.0, 1.0, 0.0}}}}).nearest_m, -0.1, 1e-12);
+  EXPECT_NEAR(triangle.measured(1.0, {{.shape = Capsule{{0.2, 0.9, 0.2}, {0.2, 1.4, 0.2}, 0.1, 0.3}}}).nearest_m, 0.3,
+              1e-9);
+}
+
+}  // namespace
+}  // namespace taut::sim

@@ -1,0 +1,223 @@
+// Lemmas 1 to 3 of sim/solvers/bounded/bounded.md.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "check.hpp"
+#include "sim/solvers/bounded/contact/plane_gap.hpp"
+#include "soups.hpp"
+
+namespace taut::sim::bounded {
+namespace {
+
+SoupSettings some_soup() {
+  SoupSettings settings;
+  settings.seed = *rc::gen::arbitrary<unsigned>();
+  settings.cloth_triangles = *rc::gen::inRange(1, 9);
+  settings.body_triangles = *rc::gen::inRange(0, 4);
+  settings.thickness_m = *rc::gen::element(1.8e-5F, 1e-4F, 1e-3F, 5e-3F);
+  settings.move_m = *rc::gen::element(0.0F, 1e-4F, 1e-3F, 1e-2F);
+  settings.radius_m = *rc::gen::element(1e-4F, 1e-3F, 4e-3F);
+  settings.from_origin_m = *rc::gen::element(0.0F, 0.5F, 2.0F);
+  return settings;
+}
+
+/// A soup and the regions of its rows, if all can be kept apart.
+struct Kept {
+  explicit Kept(const SoupSettings& settings) : soup(make_soup(settings)) {
+    constexpr int most_searches = 8;
+    for (int search = 0; search < most_searches && !fits; ++search) {
+      pairs = pairs_within_reach(soup);
+      fits = regions.make(pairs, soup.rows, kernels);
+    }
+    is_certain = fits && !regions.blocked();
+  }
+
+  /// Brings rows of the cloth back that go as expected and further.
+  template <typename GoFurther>
+  Float4Array bring_back(float time, const GoFurther& go_further) {
+    Float4Array current(soup.rows.cloth_count);
+    for (std::size_t row = 0; row < current.size(); ++row) {
+      current[row] = times(soup.rows.moves[row], time);
+    }
+    go_further(current);
+    Float4Array previous(current.size());
+    const Float4Array since(current.size());
+    held_back += regions.bring_back(time, 0.1F, since, previous, current, kernels).size();
+    return current;
+  }
+
+  /// By up to so much, in any direction.
+  Float4Array bring_back(float time, float further_m, std::mt19937& random) {
+    std::uniform_real_distribution<float> number(-further_m, further_m);
+    return bring_back(time, [&](Float4Array& current) {
+      for (std::size_t row = 0; row < current.size(); ++row) {
+        if (soup.rows.inverse_masses_per_kg[row] > 0.0F) {
+          add(current[row], {number(random), number(random), number(random)});
+        }
+      }
+    });
+  }
+
+  ParallelKernels kernels{kernels_for(VectorUnit::best), 1};
+  Soup soup;
+  std::vector<ContactPair> pairs;
+  Regions regions;
+  bool fits = false;
+  bool is_certain = false;
+  std::size_t held_back = 0;
+};
+
+/// Returns what planes leave the pair at least, less what is rounded: its least distance in true numbers.
+double left_m(const ContactPair& pair, const Kept& kept, const std::vector<Vec3>& begin_m) {
+  const RowMoves& rows = kept.soup.rows;
+  PairExtent extent;
+  for (const Index row : pair.near.rows) {
+    extent.from_origin = std::max(extent.from_origin, length_of(rows.positions[row]));
+    extent.across = std::max(
+        extent.across, length_of(scaled_sum(rows.positions[row], rows.positions[pair.near.rows[0]], -1.0F)));
+    extent.moved = std::max(extent.moved, length_of(rows.moves[row]) + rows.radii[row]);
+  }
+  const double error_m = distance_error_m(extent);
+  // Normals may tell a tenth less apart than the distance is.
+  return std::min<double>(0.9 * distance_m(pair.near, begin_m), least_part * pair.thickness_m) - error_m;
+}
+
+// Lemma 1. The way from one time to the next is looked at in parts, exactly.
+TEST(Lemma, WhatStaysWithinItsRegionsCrossesNothingAtAnyTime) {
+  std::size_t tried = 0;
+  std::size_t held_back = 0;
+  ASSERT_TRUE(holds("regions", [&] {
+    Kept kept(some_soup());
+    if (!kept.is_certain) {
+      return;
+    }
+    ++tried;
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    const float further_m = *rc::gen::element(1e-4F, 3e-3F, 0.1F);
+    const std::vector<Vec3> begin_m = positions_of(kept.soup, 0.0, {});
+    std::vector<Vec3> before_m = begin_m;
+    for (const float time : {0.15F, 0.4F, 0.41F, 0.8F, 1.0F}) {
+      const std::vector<Vec3> now_m = positions_of(kept.soup, time, kept.bring_back(time, further_m, random));
+      constexpr int parts = 8;
+      for (int part = 1; part <= parts; ++part) {
+        std::vector<Vec3> between_m = now_m;
+        for (std::size_t row = 0; row < now_m.size(); ++row) {
+          between_m[row] = glm::mix(before_m[row], now_m[row], static_cast<double>(part) / parts);
+        }
+        RC_ASSERT(crossings(kept.soup, between_m) == 0U);
+        for (const ContactPair& pair : kept.pairs) {
+          RC_ASSERT(distance_m(pair.near, between_m) >= left_m(pair, kept, begin_m));
+        }
+      }
+      before_m = now_m;
+    }
+    held_back += kept.held_back;
+  }));
+  EXPECT_GT(tried, 50U);
+  EXPECT_GT(held_back, 200U);
+}
+
+// Lemma 2.
+TEST(Lemma, BringingBackEndsWithinTheRegionFromAnywhere) {
+  std::size_t tried = 0;
+  ASSERT_TRUE(holds("bringing back", [&] {
+    Kept kept(some_soup());
+    if (!kept.fits) {
+      return;
+    }
+    ++tried;
+    const RowMoves& rows = kept.soup.rows;
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    const float time = 0.01F * static_cast<float>(*rc::gen::inRange(0, 101));
+    const float further_m = *rc::gen::element(0.0F, 1e-6F, 1e-3F, 1.0F, 1e4F);
+    const Float4Array since(rows.cloth_count);
+    Float4Array previous(rows.cloth_count);
+    const Float4Array once = kept.bring_back(time, further_m, random);
+    Float4Array twice = once;
+    kept.regions.bring_back(time, 0.1F, since, previous, twice, kept.kernels);
+    for (std::size_t row = 0; row < rows.cloth_count; ++row) {
+      if (rows.inverse_masses_per_kg[row] > 0.0F) {
+        const float off_m = length_of(scaled_sum(once[row], rows.moves[row], -time));
+        RC_ASSERT(off_m <= rows.radii[row] * 1.0001F + tolerance_m);
+      }
+      // Where it is already, it stays, but for what a half-space may be out by.
+      RC_ASSERT(length_of(scaled_sum(twice[row], once[row], -1.0F)) <= 20.0F * tolerance_m);
+    }
+  }));
+  EXPECT_GT(tried, 80U);
+}
+
+// Lemma 3, for what is kinematic: beside its chord by as much as regions say, while cloth is pressed against
+// it.
+TEST(Lemma, KinematicVerticesNearToTheirChordsAreCrossedByNothing) {
+  std::size_t tried = 0;
+  ASSERT_TRUE(holds("chords", [&] {
+    SoupSettings settings = some_soup();
+    settings.body_triangles = 3;
+    Kept kept(settings);
+    const double off_m = 0.5 * kept.regions.kinematic_gap_m();
+    if (!kept.is_certain || !std::isfinite(off_m)) {
+      return;
+    }
+    RC_ASSERT(off_m > 0.0);
+    const RowMoves& rows = kept.soup.rows;
+    const auto towards_each_other = [&](const ContactPair& pair, bool is_kinematic, const Vec3& way,
+                                        const auto& move) {
+      for (Index k = 0; k < 4; ++k) {
+        const Index row = pair.near.rows[k];
+        if ((rows.inverse_masses_per_kg[row] > 0.0F) != is_kinematic) {
+          move(row, k < pair.near.first_count ? -way : way);
+        }
+      }
+    };
+    const std::vector<Vec3> begin_m = positions_of(kept.soup, 0.0, {});
+    for (const ContactPair& pair : kept.pairs) {
+      const Vec3 between = glm::normalize(between_m(pair.near, begin_m));
+      for (const float time : {0.0F, 0.3F, 0.9F, 1.0F}) {
+        const Float4Array current = kept.bring_back(time, [&](Float4Array& rows_m) {
+          towards_each_other(pair, false, 0.1 * between,
+                             [&](Index row, const Vec3& by_m) { add(rows_m[row], by_m); });
+        });
+        const std::vector<Vec3> chord_m = positions_of(kept.soup, std::max<double>(time, 1e-30), current);
+        std::vector<Vec3> beside_m = chord_m;
+        towards_each_other(pair, true, off_m * between,
+                           [&](Index row, const Vec3& by_m) { beside_m[row] += by_m; });
+        RC_ASSERT(crossings(kept.soup, beside_m) == 0U);
+        RC_ASSERT(glm::dot(between_m(pair.near, beside_m), between_m(pair.near, chord_m)) > 0.0);
+        tried += distance_m(pair.near, chord_m) < 4.0 * off_m ? 1 : 0;
+      }
+    }
+  }));
+  EXPECT_GT(tried, 20U) << "that are pressed together";
+}
+
+// What else there is room for is in plane_gap.hpp.
+TEST(Lemma, RegionsThatDoNotFitLetNothingMoveButWhatMust) {
+  std::size_t tried = 0;
+  ASSERT_TRUE(holds("regions that do not fit", [&] {
+    SoupSettings settings = some_soup();
+    settings.move_m = 0.01F;
+    settings.radius_m = 1e-5F;
+    Kept kept(settings);
+    // The first search alone.
+    kept.soup = make_soup(settings);
+    if (kept.regions.make(pairs_within_reach(kept.soup), kept.soup.rows, kept.kernels)) {
+      return;
+    }
+    ++tried;
+    std::mt19937 random(1);
+    const Float4Array current = kept.bring_back(0.5F, 1.0F, random);
+    for (std::size_t row = 0; row < current.size(); ++row) {
+      if (kept.soup.rows.inverse_masses_per_kg[row] > 0.0F) {
+        RC_ASSERT(length_of(current[row]) == 0.0F);
+      }
+    }
+  }));
+  EXPECT_GT(tried, 20U);
+}
+
+}  // namespace
+}  // namespace taut::sim::bounded

@@ -84,7 +84,9 @@ double off_chord_per_jump(double at_s, const TimeSpan& time) {
 }
 
 double off_chord_m(const RigidMotion& motion, double radius_m, double speed_m_per_s, const TimeSpan& time) {
-  const auto& [shift, spin, path] = motion;
+  const Shift& shift = motion.shift;
+  const Spin& spin = motion.spin;
+  const auto& path = motion.path;
   const auto begins_and_ends = [&](const auto& part) {
     return off_chord_per_jump(part.from_s, time) + off_chord_per_jump(part.until_s, time);
   };

@@ -15,8 +15,8 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr double rounding = 1e-6;
 
 bool share_vertex(const Triangle& s, const Triangle& t) {
-  const auto has = [&](Index v) { return (t[0] == v) | (t[1] == v) | (t[2] == v); };
-  return has(s[0]) | has(s[1]) | has(s[2]);
+  const auto has = [&](Index v) { return t[0] == v || t[1] == v || t[2] == v; };
+  return has(s[0]) || has(s[1]) || has(s[2]);
 }
 
 }  // namespace

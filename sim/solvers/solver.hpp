@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "sim/blocked_contact.hpp"
@@ -36,7 +37,10 @@ struct LeftOutTriangle {
   Index triangle = 0;
   Index group = 0;
 
-  friend auto operator<=>(const LeftOutTriangle&, const LeftOutTriangle&) = default;
+  bool operator==(const LeftOutTriangle&) const = default;
+  bool operator<(const LeftOutTriangle& other) const {
+    return std::tie(body, triangle, group) < std::tie(other.body, other.triangle, other.group);
+  }
 };
 
 /// How a frame went.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "sim/mesh/adjacency.hpp"
@@ -41,7 +42,10 @@ class Crossings {
   struct Key {
     Triangle rows;
     Index group;
-    friend auto operator<=>(const Key&, const Key&) = default;
+    bool operator==(const Key&) const = default;
+    bool operator<(const Key& other) const {
+      return std::tie(rows, group) < std::tie(other.rows, other.group);
+    }
   };
 
   bool is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const;

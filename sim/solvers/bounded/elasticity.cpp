@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numeric>
 
 namespace taut::sim::bounded {
@@ -10,11 +9,11 @@ namespace {
 
 /// How long tension is averaged over, in s. Less follows loads sooner; where they are large cloth then trembles.
 constexpr double remembered_s = 0.15;
-/// Rest shapes follow tension no more often than this; more often costs more and changes nothing.
-constexpr double follows_per_s = 60.0;
+/// How often rest shapes follow tension. Less often heavily loaded cloth trembles; more costs more.
+constexpr double follows_per_s = 120.0;
 /// How fast the drift against sagging fades, in 1/s: a load that is gone is forgotten as fast. With more cloth
 /// on fine meshes sags.
-constexpr double faded_per_s = 1.8;
+constexpr double faded_per_s = 1.0;
 /// All but the last over-relaxed. Fewer leave more of the sagging of fine meshes.
 constexpr int settling_sweeps = 3;
 constexpr float over_relaxation = 1.9F;
@@ -77,18 +76,9 @@ inline void stretch(const SurfaceBlock& rest, std::size_t k, const InPlane& stra
       (length * rest.skew_per_m[k] + rest.along_per_m[k] * mixed * (first + second) / length) / determinant;
 }
 
-/// As upright as it can be; of cloth that lies flat, along z.
-Vec2 upright(const std::array<Vec3, 3>& corners) {
-  const Vec3 first = glm::normalize(corners[1] - corners[0]);
-  const Vec3 normal = glm::normalize(glm::cross(first, corners[2] - corners[0]));
-  const Vec3 second = glm::cross(normal, first);
-  const Vec3 up = std::abs(normal.y) < 0.99 ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
-  return glm::normalize(Vec2(glm::dot(up, first), glm::dot(up, second)));
-}
-
 Vec2 warp_of(const Garment& garment, Index triangle) {
   return garment.warps.empty()
-             ? upright(corners_of(garment.mesh.triangles[triangle], garment.mesh.positions))
+             ? upright_in(corners_of(garment.mesh.triangles[triangle], garment.mesh.positions))
              : garment.warps[triangle];
 }
 
@@ -151,9 +141,11 @@ void Elasticity::stretch_rest_shapes(const Layout& layout, const StartRows& star
   kernels.start(start, lanes_);
 }
 
-void Elasticity::settle(double interval_s, ParallelKernels& kernels, Motion& motion) {
+// Between settlings cloth sags with a velocity that it does not have over all: air does not slow that part.
+void Elasticity::settle(double interval_s, double dragged, ParallelKernels& kernels, Motion& motion) {
   const auto interval = static_cast<float>(interval_s);
   const auto kept = static_cast<float>(std::max(0.0, 1.0 - faded_per_s * interval_s)) * interval;
+  const auto moved_share = static_cast<float>(1.0 + dragged);
   Float4Array& drift_m_per_s = memory_.drift_m_per_s;
   before_ = motion.current;
   for (std::size_t row = 0; row < before_.size(); ++row) {
@@ -167,7 +159,7 @@ void Elasticity::settle(double interval_s, ParallelKernels& kernels, Motion& mot
   }
   for (std::size_t row = 0; row < before_.size(); ++row) {
     const Float4 moved = scaled_sum(motion.current[row], before_[row], -1.0F);
-    motion.previous[row] = scaled_sum(motion.previous[row], moved, 1.0F);
+    motion.previous[row] = scaled_sum(motion.previous[row], moved, moved_share);
     drift_m_per_s[row] = scaled_sum(Float4{}, moved, 1.0F / interval);
   }
 }

@@ -37,8 +37,9 @@ class Elasticity {
   /// Stretches the rest shapes by the tension, low-passed, of the time steps since they last were.
   void follow(const Layout& layout, const StartRows& start, double time_step_s, ParallelKernels& kernels);
   /// Corrects positions, and no velocities, to where triangles are no longer than their rest shapes: by what
-  /// the cloth sagged in the last interval, and then by sweeps.
-  void settle(double interval_s, ParallelKernels& kernels, Motion& motion);
+  /// the cloth sagged in the last interval, and then by sweeps. Air takes the part `dragged` of velocities in
+  /// a time step.
+  void settle(double interval_s, double dragged, ParallelKernels& kernels, Motion& motion);
   const ElasticMemory& memory() const { return memory_; }
   /// Returns how many time steps in a second leave little of the tension to `settle`.
   double steps_needed_per_s() const;

@@ -121,7 +121,8 @@ void step(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, St
   constrain(kernels, cloth);
   cloth.elasticity.count_step();
   if (time.settles) {
-    cloth.elasticity.settle(time.settle_interval_s, kernels, cloth.motion);
+    cloth.elasticity.settle(time.settle_interval_s, surroundings.forces.air_drag_per_s * time.time_step_s, kernels,
+                            cloth.motion);
   }
   if (cloth.contacts.is_on()) {
     cloth.contacts.keep_apart(cloth.layout, time.time_s + time.time_step_s, time.time_step_s, kernels,

@@ -37,18 +37,18 @@ Levels levels_of(const Surface& body, const sim::Extent& box) {
 }
 
 /// The levels that tell one part of a body from the next.
-struct Landmarks {
+struct BodyLandmarks {
   Level fork;     ///< the first of the trunk
   Level armpits;  ///< the first above the trunk
   Level neck;     ///< the smallest below the head; the end if there is none
   Level base;     ///< of the neck
 };
 
-Landmarks landmarks_of(const Levels& levels) {
+BodyLandmarks landmarks_of(const Levels& levels) {
   const auto share = [&](double of_height) {
     return levels.begin() + static_cast<std::ptrdiff_t>(of_height * static_cast<double>(levels.size()));
   };
-  Landmarks found{levels.begin(), levels.end(), levels.end(), levels.end()};
+  BodyLandmarks found{levels.begin(), levels.end(), levels.end(), levels.end()};
   for (auto level = levels.begin(); level != share(highest_fork); ++level) {
     found.fork = level->is_parted ? level + 1 : found.fork;
   }
@@ -95,7 +95,7 @@ std::optional<Girth> upper_arm(const Surface& body, const JointPlaces& joints) {
   return std::nullopt;
 }
 
-void measure_neck(const Surface& body, const JointPlaces& joints, const Landmarks& at, Level end,
+void measure_neck(const Surface& body, const JointPlaces& joints, const BodyLandmarks& at, Level end,
                   BodyMeasures& measures) {
   const auto base = joints.find("neck");
   const auto head = joints.find("head");
@@ -113,7 +113,7 @@ void measure_neck(const Surface& body, const JointPlaces& joints, const Landmark
   }
 }
 
-void measure_trunk(const Landmarks& at, BodyMeasures& measures) {
+void measure_trunk(const BodyLandmarks& at, BodyMeasures& measures) {
   if (at.armpits != at.base) {
     measures.girths.push_back(named("upper chest", *(at.armpits - levels_below)));
     measures.trunk.assign(at.fork, at.armpits);
@@ -132,7 +132,7 @@ void measure_trunk(const Landmarks& at, BodyMeasures& measures) {
   }
 }
 
-void measure_thigh(const Levels& levels, const Landmarks& at, BodyMeasures& measures) {
+void measure_thigh(const Levels& levels, const BodyLandmarks& at, BodyMeasures& measures) {
   if (at.fork - levels.begin() >= levels_below) {
     const LevelTape& thigh = *(at.fork - levels_below);
     measures.girths.push_back({"thigh", thigh.single_m, thigh.height_m});
@@ -200,7 +200,7 @@ BodyMeasures measure_body(const Surface& body, const JointPlaces& joints) {
   if (levels.empty()) {
     return measures;
   }
-  const Landmarks at = landmarks_of(levels);
+  const BodyLandmarks at = landmarks_of(levels);
   const bool is_someone = !joints.empty() || at.base != levels.end();
   if (!is_someone || at.armpits - at.fork < 10) {
     return measures;

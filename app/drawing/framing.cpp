@@ -21,7 +21,7 @@ constexpr float clearly_deeper = 1.5F;
 constexpr std::size_t most_distances = 50'000'000;
 
 // A plain cast of what no float can hold is undefined.
-float to_float(double coordinate) {
+float nearest_float(double coordinate) {
   constexpr double largest = std::numeric_limits<float>::max();
   return static_cast<float>(std::clamp(coordinate, -largest, largest));
 }
@@ -88,7 +88,7 @@ std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   std::vector<glm::vec3> nearest(points.size());
   std::transform(points.begin(), points.end(), nearest.begin(), [](const sim::Vec3& point) {
-    return glm::vec3{to_float(point.x), to_float(point.y), to_float(point.z)};
+    return glm::vec3{nearest_float(point.x), nearest_float(point.y), nearest_float(point.z)};
   });
   return nearest;
 }

@@ -12,7 +12,7 @@
 namespace taut::app {
 namespace {
 
-void require(bool is_so) {
+void require_colours(bool is_so) {
   if (!is_so) {
     throw std::runtime_error("the colours of a model are not as expected");
   }
@@ -23,7 +23,7 @@ TextureImage take_image(ArrayReader& in) {
   image.width_px = in.take<std::uint32_t>();
   image.height_px = in.take<std::uint32_t>();
   image.rgba = std::make_shared<const std::vector<std::uint8_t>>(in.take_list<std::vector<std::uint8_t>>());
-  require(image.width_px > 0 && image.height_px > 0 &&
+  require_colours(image.width_px > 0 && image.height_px > 0 &&
           image.rgba->size() == std::uint64_t{4} * image.width_px * image.height_px);
   return image;
 }
@@ -105,11 +105,11 @@ SurfaceColours decode_colours(ArrayReader& in, std::size_t corners, std::size_t 
   take_all(colours.materials, in, [&](SurfaceMaterial& material) { material = take_material(in); });
   take_all(colours.maps, in, [&](TextureImage& image) { image = take_image(in); });
   take_all(colours.remarks, in, [&](std::string& remark) { remark = in.take_list<std::string>(); });
-  require(colours.corner_uv.empty() || colours.corner_uv.size() == corners);
-  require(colours.material_of_face.empty() || colours.material_of_face.size() == faces);
-  require(are_below(colours.material_of_face, colours.materials.size()));
+  require_colours(colours.corner_uv.empty() || colours.corner_uv.size() == corners);
+  require_colours(colours.material_of_face.empty() || colours.material_of_face.size() == faces);
+  require_colours(are_below(colours.material_of_face, colours.materials.size()));
   for (const SurfaceMaterial& material : colours.materials) {
-    require(material.map == no_map || material.map < colours.maps.size());
+    require_colours(material.map == no_map || material.map < colours.maps.size());
   }
   for (glm::vec2& uv : colours.corner_uv) {
     uv = std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0.0F);

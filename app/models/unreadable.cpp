@@ -15,11 +15,11 @@ namespace taut::app {
 namespace {
 
 // Of the file's bytes; what tells a format stands at its beginning, and a glTF's text is seldom longer.
-constexpr std::size_t head_bytes = std::size_t{1} << 22;
+constexpr std::size_t head_of_model_bytes = std::size_t{1} << 22;
 
 std::string head_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string head(head_bytes, '\0');
+  std::string head(head_of_model_bytes, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));
   return head;

@@ -24,13 +24,13 @@ constexpr std::array<std::pair<const char*, const char*>, 35> named_colours = {{
 }};
 
 /// A unit that a text may end in: a number of it is one of `of` times ten to the exponent, times the factor.
-struct Unit {
+struct UnitOfKey {
   std::string_view name;
   std::string_view of;
   int exponent = 0;
   double factor = 1.0;
 };
-constexpr std::array<Unit, 12> units = {{
+constexpr std::array<UnitOfKey, 12> units_of_keys = {{
     {"mm", "m", -3},
     {"cm", "m", -2},
     {"m", "m"},
@@ -64,7 +64,7 @@ std::optional<double> shifted_number_in(const std::string& text, int exponent) {
 
 std::optional<double> number_with_unit(std::string_view text, std::string_view unit) {
   const std::size_t digits = std::min(text.find_first_not_of("+-0123456789.eE"), text.size());
-  for (const Unit& known : units) {
+  for (const UnitOfKey& known : units_of_keys) {
     const std::string_view name = text.substr(digits + (text.substr(digits).starts_with(' ') ? 1 : 0));
     if (known.of == unit && known.name == name) {
       const std::optional<double> number =
@@ -79,7 +79,7 @@ std::optional<double> number_with_unit(std::string_view text, std::string_view u
 
 std::string units_like(std::string_view unit) {
   std::vector<std::string> names;
-  for (const Unit& known : units) {
+  for (const UnitOfKey& known : units_of_keys) {
     if (known.of == unit) {
       names.emplace_back(known.name);
     }

@@ -101,7 +101,7 @@ double distance_from_plane(const Vec3& p, const Corners& t) {
 }
 
 /// On which sides of a triangle's plane two points are.
-struct Sides {
+struct SidesOfEnds {
   int first, second;
 
   bool are_one() const { return first * second > 0; }
@@ -112,12 +112,12 @@ int side_of(const Corners& plane, const Vec3& p) {
   return orientation(plane[0], plane[1], plane[2], p);
 }
 
-Sides sides_of(const Corners& plane, const Vec3& a, const Vec3& b) {
+SidesOfEnds sides_of(const Corners& plane, const Vec3& a, const Vec3& b) {
   return {side_of(plane, a), side_of(plane, b)};
 }
 
 /// A point that the segment, whose ends are on these sides, has in common with the triangle.
-std::optional<Vec3> common_place(const Segment& s, const Sides& sides, const Corners& t) {
+std::optional<Vec3> common_place(const Segment& s, const SidesOfEnds& sides, const Corners& t) {
   if (sides.are_one()) {
     return std::nullopt;
   }
@@ -164,7 +164,7 @@ std::optional<Vec3> first_place_along_edges(const Corners& a, const SidesOfCorne
 /// Seen from the shared corner 0, what is common ends at the edge opposite of one of the triangles. This is
 /// for that of `a`, whose ends are on these sides of `b`. In a triangle without area the corner may lie on
 /// that edge, and its ends stand for it.
-std::optional<Vec3> place_opposite(const Corners& a, const Sides& sides, const Corners& b) {
+std::optional<Vec3> place_opposite(const Corners& a, const SidesOfEnds& sides, const Corners& b) {
   if (!is_without_area(a)) {
     return common_place({a[1], a[2]}, sides, b);
   }
@@ -233,13 +233,13 @@ std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners
   if (are_far_apart(a[0], axis, std::span(a).subspan(1), std::span(b).subspan(1))) {
     return std::nullopt;
   }
-  const Sides of_b = sides_of(a, b[1], b[2]);
+  const SidesOfEnds of_b = sides_of(a, b[1], b[2]);
   if (of_b.are_one()) {
     return std::nullopt;
   }
   // In one plane nothing is on a side, and to find that out is dear. Without area, `a` has none to be asked
   // for.
-  const Sides of_a = of_b.are_none() ? Sides{0, 0} : sides_of(b, a[1], a[2]);
+  const SidesOfEnds of_a = of_b.are_none() ? SidesOfEnds{0, 0} : sides_of(b, a[1], a[2]);
   if (of_a.are_one()) {
     return std::nullopt;
   }

@@ -10,7 +10,7 @@
 namespace taut::sim {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float no_bound = std::numeric_limits<float>::infinity();
 /// How far rounding to single precision moves anything, at most, in parts of the largest coordinate.
 constexpr double rounding = 1e-6;
 
@@ -63,8 +63,8 @@ void TriangleTree::fit_leaf(std::size_t leaf, std::span<const std::array<float, 
     const std::size_t place = leaf * lanes + lane;
     if (place >= triangles_.size()) {
       for (int k = 0; k < 3; ++k) {
-        boxes.lower[k][lane] = infinity;
-        boxes.upper[k][lane] = -infinity;
+        boxes.lower[k][lane] = no_bound;
+        boxes.upper[k][lane] = -no_bound;
       }
       continue;
     }

@@ -9,7 +9,7 @@ namespace {
 
 /// Vertices nearer to the pins than this many springs have no tether. There, springs do as well, and several
 /// pins may be near. A smaller value makes more tethers.
-constexpr double least_springs = 3.0;
+constexpr double shortest_springs = 3.0;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Tethers make_tethers(const Garment& garment, const Layout& layout, double slack)
   const std::vector<Vec3>& rest = garment.mesh.positions;
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     const double along_m = layout.distance_from_pins_m[row];
-    if (!std::isfinite(along_m) || along_m < least_springs * spring_m) {
+    if (!std::isfinite(along_m) || along_m < shortest_springs * spring_m) {
       continue;
     }
     const Index pin = layout.nearest_pin_row[row];

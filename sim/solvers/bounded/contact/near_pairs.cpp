@@ -8,7 +8,7 @@ namespace {
 /// So many pairs of blocks are gone through at once. More need more room for what they may give.
 constexpr std::size_t most_at_once = 32;
 /// A thread takes at least so many pairs of blocks.
-constexpr std::size_t least_pairs = 256;
+constexpr std::size_t pairs_a_part = 256;
 
 bool is_any_marked(std::span<const Index> rows, std::span<const std::uint8_t> marks) {
   return std::any_of(rows.begin(), rows.end(), [&](Index row) { return marks[row] != 0; });
@@ -98,10 +98,10 @@ void NearPairs::find_between(const Trees& trees, const MovingRows& rows, Paralle
   find_blocks(trees, kernels.contact());
   const auto first_count = static_cast<Index>(trees.a.corner_count());
   const std::size_t count = blocks_[0].size();
-  parts_.resize(std::max(parts_.size(), count / least_pairs + 1));
-  kernels.split(0, count, least_pairs, [&](std::size_t begin, std::size_t end) {
+  parts_.resize(std::max(parts_.size(), count / pairs_a_part + 1));
+  kernels.split(0, count, pairs_a_part, [&](std::size_t begin, std::size_t end) {
     // No other part begins so near.
-    std::vector<NearPair>& part = parts_[begin / least_pairs];
+    std::vector<NearPair>& part = parts_[begin / pairs_a_part];
     for_found(trees, 0, begin, end, kernels.contact(), [&](const PairLists& found, std::size_t candidates) {
       append_near(rows, first_count, candidates, found, kernels.contact(), part);
     });

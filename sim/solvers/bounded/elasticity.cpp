@@ -13,7 +13,7 @@ constexpr double remembered_s = 0.15;
 constexpr double follows_per_s = 120.0;
 /// How fast the drift against sagging fades, in 1/s: a load that is gone is forgotten as fast. With more cloth
 /// on fine meshes sags.
-constexpr double faded_per_s = 1.0;
+constexpr double faded_per_s = 0.8;
 /// All but the last over-relaxed. Fewer leave more of the sagging of fine meshes.
 constexpr int settling_sweeps = 3;
 constexpr float over_relaxation = 1.9F;
@@ -161,6 +161,12 @@ void Elasticity::settle(double interval_s, double dragged, ParallelKernels& kern
     const Float4 moved = scaled_sum(motion.current[row], before_[row], -1.0F);
     motion.previous[row] = scaled_sum(motion.previous[row], moved, moved_share);
     drift_m_per_s[row] = scaled_sum(Float4{}, moved, 1.0F / interval);
+  }
+}
+
+void Elasticity::take_out_sagging(double time_step_s, Float4Array& previous) const {
+  for (std::size_t row = 0; row < memory_.drift_m_per_s.size(); ++row) {
+    previous[row] = scaled_sum(previous[row], memory_.drift_m_per_s[row], static_cast<float>(-time_step_s));
   }
 }
 

@@ -40,6 +40,9 @@ class Elasticity {
   /// the cloth sagged in the last interval, and then by sweeps. Air takes the part `dragged` of velocities in
   /// a time step.
   void settle(double interval_s, double dragged, ParallelKernels& kernels, Motion& motion);
+  /// Changes the positions of a time step ago so that cloth moves as it does over all, without what it sags from
+  /// one settling to the next.
+  void take_out_sagging(double time_step_s, Float4Array& previous) const;
   const ElasticMemory& memory() const { return memory_; }
   /// Returns how many time steps in a second leave little of the tension to `settle`.
   double steps_needed_per_s() const;

@@ -8,14 +8,23 @@
 namespace taut::sim::bounded {
 namespace {
 
+// Air and hands meet cloth at the velocity that it has over all.
 void impose_forces(const Garment& garment, const ExternalForces& external, const TimeStep& time,
                    ParallelKernels& kernels, SteppedCloth& cloth) {
+  Float4Array own;
+  if (cloth.elasticity.has_law()) {
+    own = cloth.motion.previous;
+    cloth.elasticity.take_out_sagging(time.time_step_s, cloth.motion.previous);
+  }
   if (time.updates_wind) {
     cloth.forces.update_wind(garment, external.wind, cloth.motion, time.time_s, time.time_step_s,
                              time.wind_interval_s, kernels);
   }
   cloth.forces.update(garment, external, cloth.motion, time.time_s, time.time_step_s, time.update_interval_s,
                       kernels);
+  if (cloth.elasticity.has_law()) {
+    cloth.motion.previous.swap(own);
+  }
 }
 
 /// From the start of the frame to the end of the step.

@@ -24,6 +24,9 @@ struct Garment {
   /// does not cross itself, or has not. How near parts of the cloth lie to each other is measured there, and
   /// nothing else.
   std::vector<Vec3> parted_m = {};
+  /// Per triangle, the direction of the warp in the plane of TriangleAtRest, of length 1. Empty: as upright as
+  /// it can be.
+  std::vector<Vec2> warps = {};
 };
 
 /// Maps the mesh to springs and gives each vertex its mass. Each triangle spreads its mass evenly over its

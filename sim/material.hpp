@@ -16,6 +16,15 @@ struct Material {
   /// Used by `bounded` only: the stiffness of springs that are shorter than their rest length. A lower value
   /// lets the cloth crumple sooner. For its upper limit see FrameReport::followed_compression_n_per_m.
   double compression_stiffness_n_per_m = 30.0;
+  /// Used by `bounded` where it holds the surface: tension over strain along the warp and the weft, and
+  /// against shear per radian. All are 0 in cloth that has no such law, which gives as far as its bound lets
+  /// it, or all above 0.
+  double tensile_warp_n_per_m = 0.0;
+  double tensile_weft_n_per_m = 0.0;
+  double shear_n_per_m = 0.0;
+  /// The strains at which threads lock.
+  double warp_limit = 10.0;
+  double weft_limit = 10.0;
   /// What a gauge measures of a single layer. It is the distance kept between layers and to bodies. Solvers
   /// other than `bounded` do not keep layers apart.
   double thickness_m = 0.001;
@@ -24,5 +33,11 @@ struct Material {
 
   bool operator==(const Material&) const = default;
 };
+
+/// Whether its tension depends on its strain.
+inline bool has_law(const Material& material) {
+  return material.tensile_warp_n_per_m > 0.0 && material.tensile_weft_n_per_m > 0.0 &&
+         material.shear_n_per_m > 0.0;
+}
 
 }  // namespace taut::sim

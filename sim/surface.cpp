@@ -10,6 +10,9 @@ namespace {
 /// The smallest height of a triangle with a surface, in parts of its longest edge.
 constexpr double thinnest = 1e-3;
 
+/// The upright part of the normal of a triangle that lies flat.
+constexpr double flat = 0.99;
+
 TriangleAtRest at_rest(const std::array<Vec3, 3>& corners) {
   const Vec3 e1 = corners[1] - corners[0];
   const Vec3 e2 = corners[2] - corners[0];
@@ -80,6 +83,33 @@ Vec2 principal_direction(const DeformationGradient& gradient) {
     return {1.0, 0.0};
   }
   return glm::normalize(half >= 0.0 ? Vec2(larger, product) : Vec2(product, larger));
+}
+
+Vec2 upright_in(const std::array<Vec3, 3>& corners) {
+  const Vec3 first = glm::normalize(corners[1] - corners[0]);
+  const Vec3 normal = glm::normalize(glm::cross(first, corners[2] - corners[0]));
+  const Vec3 second = glm::cross(normal, first);
+  const Vec3 up = std::abs(normal.y) < flat ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
+  return glm::normalize(Vec2(glm::dot(up, first), glm::dot(up, second)));
+}
+
+std::vector<Vec2> warps_of(const Mesh& mesh, std::span<const glm::vec2> corner_coordinates) {
+  std::vector<Vec2> warps;
+  warps.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::array<Vec3, 3> corners = corners_of(mesh.triangles[t], mesh.positions);
+    const TriangleAtRest rest = at_rest(corners);
+    if (!rest.has_surface()) {
+      warps.emplace_back(1.0, 0.0);
+      continue;
+    }
+    const double first = corner_coordinates[3 * t + 1].x - corner_coordinates[3 * t].x;
+    const double second = corner_coordinates[3 * t + 2].x - corner_coordinates[3 * t].x;
+    const Vec2 across = {rest.along_per_m * first, rest.across_per_m * second - rest.skew_per_m * first};
+    const double length = glm::length(across);
+    warps.push_back(length > 0.0 ? Vec2(-across.y, across.x) / length : upright_in(corners));
+  }
+  return warps;
 }
 
 }  // namespace taut::sim

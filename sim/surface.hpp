@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/vec2.hpp>
 #include <span>
 #include <vector>
 
@@ -56,5 +57,13 @@ PrincipalStretches principal_stretches(const DeformationGradient& gradient);
 /// Returns the direction v at rest, of length 1, in which lengths are now longest: |F v| is the largest
 /// singular value. Any direction if all are alike.
 Vec2 principal_direction(const DeformationGradient& gradient);
+
+/// Returns the direction in a triangle at rest that is as upright as it can be, of length 1; in one that lies
+/// flat, the one along z.
+Vec2 upright_in(const std::array<Vec3, 3>& corners);
+
+/// Returns, per triangle, the direction at rest in which the second of its corners' texture coordinates alone
+/// changes, of length 1: the warp, where pieces lie as they are cut. Upright where they do not say.
+std::vector<Vec2> warps_of(const Mesh& mesh, std::span<const glm::vec2> corner_coordinates);
 
 }  // namespace taut::sim

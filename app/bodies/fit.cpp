@@ -57,10 +57,10 @@ std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
     const double height_m = girth == nullptr ? tube->lowest_m - 1.0 : girth->height_m + lift_m;
     // What is above the tube lies about the armholes, or is the edge of a waist.
     const bool is_covered = height_m >= tube->lowest_m && height_m <= top_m + edge_m;
-    const std::optional<double> garment_m =
-        is_covered ? girth_at(start, std::min(height_m, tube->highest_m)) : std::nullopt;
+    const double measured_m = std::min(height_m, tube->highest_m);
+    const std::optional<double> garment_m = is_covered ? girth_at(start, measured_m) : std::nullopt;
     if (garment_m) {
-      rows.push_back({name, girth->girth_m, *garment_m});
+      rows.push_back({name, girth->girth_m, *garment_m, measured_m});
     }
   }
   const GarmentMarks marks = marks_of(garment, start_m, {});
@@ -72,6 +72,25 @@ std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
     rows.push_back({"hem", at_hem->girth_m, marks.hem_m});
   }
   return rows;
+}
+
+void measure_worn(const sim::Garment& garment, std::span<const sim::Vec3> worn_m, std::span<FitRow> rows) {
+  for (FitRow& row : rows) {
+    if (row.height_m) {
+      row.worn_m = girth_at({worn_m, garment.mesh.triangles}, *row.height_m);
+    }
+  }
+}
+
+std::string describe_worn(std::span<const FitRow> rows) {
+  std::string text;
+  for (const FitRow& row : rows) {
+    if (row.worn_m) {
+      text += fmt::format("{}{} {:.1f} cm ({:+.1f} %)", text.empty() ? "worn, it measures: " : ", ", row.name,
+                          100.0 * *row.worn_m, 100.0 * (*row.worn_m / row.garment_m - 1.0));
+    }
+  }
+  return text.empty() ? text : text + '\n';
 }
 
 std::string describe_misfit(std::span<const FitRow> rows) {

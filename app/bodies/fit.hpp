@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ struct FitRow {
   std::string name;        ///< "upper chest", "chest", "waist", "seat" or "hem"
   double body_m = 0.0;     ///< a tight tape around the body
   double garment_m = 0.0;  ///< the length of the cloth at rest
+  std::optional<double> height_m = {};  ///< of the girth; empty of a hem
+  std::optional<double> worn_m = {};    ///< the length of the cloth there once it is worn
 
   double ease_m() const { return garment_m - body_m; }
 };
@@ -35,6 +38,13 @@ std::string fit_thresholds();
 /// is dressed.
 std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
                            std::span<const sim::Vec3> start_m);
+
+/// Measures the length of the cloth at the heights of the rows where it is worn at these positions, in m.
+void measure_worn(const sim::Garment& garment, std::span<const sim::Vec3> worn_m, std::span<FitRow> rows);
+
+/// Returns a line, "worn, it measures: chest 104.2 cm (+4.1 %)", of the rows that are measured so; nothing if
+/// none is.
+std::string describe_worn(std::span<const FitRow> rows);
 
 /// Returns "; it does not fit: chest 96.0 cm in a garment of 92.0 cm" of the rows that are too small; nothing
 /// if none is.

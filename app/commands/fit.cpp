@@ -23,6 +23,8 @@ namespace {
 
 /// Frames in which a body grows into its clothes where nobody says how many.
 constexpr const char* usual_dressing = "90";
+/// Of cloth whose fabric says no limit.
+constexpr double widest_wall = 1.0;
 
 DrawnScene scene_of(const FitOptions& options) {
   std::vector<Override> overrides = options.overrides;
@@ -38,6 +40,11 @@ DrawnScene scene_of(const FitOptions& options) {
                      ": found no body that is dressed, expected --body FILE; taut fit --help says more");
   }
   scene.checkpoint.clear();
+  // What is worn may stretch as far as its threads let it.
+  if (sim::has_law(scene.material) && !sets("solver.max_stretch")) {
+    scene.simulation.solver.bounded.max_stretch =
+        std::min(widest_wall, std::max(scene.material.warp_limit, scene.material.weft_limit));
+  }
   return scene;
 }
 
@@ -81,6 +88,7 @@ Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn
                            {"body_m", row.body_m},
                            {"garment_m", row.garment_m},
                            {"ease_m", row.ease_m()},
+                           {"worn_m", row.worn_m ? Json(*row.worn_m) : Json()},
                            {"is", fit_word(row)}});
   }
   return json;
@@ -105,7 +113,7 @@ int run(const FitOptions& asked) {
   progress.hide();
   print_body_remarks(scene, put_on(loaded, scene), remarks);
   print_remarks(scene, loaded, remarks);
-  const std::vector<FitRow> rows = fit_of(scene, *loaded.garment, surface_at_start(loaded).positions_m);
+  std::vector<FitRow> rows = fit_of(scene, *loaded.garment, surface_at_start(loaded).positions_m);
   fmt::print("{}", options.json ? "" : describe(rows));
   std::fflush(stdout);
   progress.begin("being put on");
@@ -114,6 +122,7 @@ int run(const FitOptions& asked) {
   RunSummary summary;
   const Worn worn = let_it_settle(options, scene, simulation, progress, summary);
   progress.begin("drawing it");
+  measure_worn(simulation.garment(), simulation.state().current, rows);
   const std::string measured =
       fmt::format("worn for {:.1f} s{}; largest stretch {:.2f} %, of the surface {:.2f} %", worn.last.time_s,
                   worn.last.asleep ? ", at rest" : "", 100.0 * worn.last.stretch.max,
@@ -128,7 +137,7 @@ int run(const FitOptions& asked) {
   if (options.json) {
     fmt::print("{}\n", json_of(options, rows, worn).dump(2));
   } else {
-    fmt::print("{}\nwrote {}\n", measured, options.output.string());
+    fmt::print("{}\n{}wrote {}\n", measured, describe_worn(rows), options.output.string());
   }
   return judge_bound(scene, summary);
 }

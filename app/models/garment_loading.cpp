@@ -308,7 +308,11 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   for (int i = 0; i < scene.garment.subdivisions; ++i) {
     loaded.colours = subdivided_colours(std::move(loaded.colours));
   }
-  loaded.garment = sim::share(sim::make_garment(std::move(pinned.mesh), scene.mapping, scene.material));
+  sim::Garment garment = sim::make_garment(std::move(pinned.mesh), scene.mapping, scene.material);
+  if (!loaded.colours.corner_uv.empty()) {
+    garment.warps = sim::warps_of(garment.mesh, loaded.colours.corner_uv);
+  }
+  loaded.garment = sim::share(std::move(garment));
   if (const std::optional<std::string> reason = beyond_contact(scene, *loaded.garment)) {
     throw InputError(*reason);
   }

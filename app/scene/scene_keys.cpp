@@ -227,6 +227,17 @@ void add_forces(SceneKeys& keys) {
   keys.push_back(number("cloth.compression_stiffness", "N/m", not_negative,
                         MEMBER(material.compression_stiffness_n_per_m),
                         "bounded: of springs that are too short; less crumples more easily"));
+  keys.push_back(number("cloth.tensile_warp", "N/m", not_negative, MEMBER(material.tensile_warp_n_per_m),
+                        "bounded, surface: tension over strain along the warp; 0 in all three: cloth gives as "
+                        "far as solver.max_stretch lets it"));
+  keys.push_back(number("cloth.tensile_weft", "N/m", not_negative, MEMBER(material.tensile_weft_n_per_m),
+                        "the same along the weft"));
+  keys.push_back(number("cloth.shear", "N/m", not_negative, MEMBER(material.shear_n_per_m),
+                        "the same against shear, per radian"));
+  keys.push_back(number("cloth.warp_limit", "", positive, MEMBER(material.warp_limit),
+                        "the strain at which its threads lock along the warp"));
+  keys.push_back(number("cloth.weft_limit", "", positive, MEMBER(material.weft_limit),
+                        "the same along the weft"));
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ TEST(Fabric, ThoseOfTheProgramSayAllThatAFabricIs) {
   }
 }
 
+// But for its law: without one cloth costs less, and moves as the paper's.
 TEST(Fabric, JerseyIsWhatClothIsWhereNothingIsSaid) {
   DrawnScene scene;
   const nlohmann::ordered_json before = scene_settings(scene);
@@ -48,6 +49,10 @@ TEST(Fabric, JerseyIsWhatClothIsWhereNothingIsSaid) {
   nlohmann::ordered_json after = scene_settings(scene);
   EXPECT_EQ(after["cloth"]["fabric"], "jersey");
   after["cloth"]["fabric"] = "";
+  for (const char* of_law : {"shear", "tensile_warp", "tensile_weft", "warp_limit", "weft_limit"}) {
+    EXPECT_NE(after["cloth"][of_law], before["cloth"][of_law]);
+    after["cloth"][of_law] = before["cloth"][of_law];
+  }
   EXPECT_EQ(after, before);
 }
 

@@ -6,7 +6,7 @@ import sys
 MOST = 45
 
 # Numbers beside their code: laws, geometry, rounding, what a machine takes at once, reports.
-LAWS = {"rest_part", "gravity_m_per_s2", "cylinder_factor", "grid_factor", "rings"}
+LAWS = {"rest_part", "flag_drag", "gravity_m_per_s2", "cylinder_factor", "grid_factor", "rings"}
 GEOMETRY = {"largest_cluster", "flat", "thin", "least_squared_sine", "distance_weight", "most_turns"}
 ROUNDING = {"rounding", "rounding_s", "told_apart_part", "smallest_told_apart_m",
             "smallest_kept_part", "least_apart_m", "least_at_rest_m", "furthest_m", "far_enough", "power_iterations",

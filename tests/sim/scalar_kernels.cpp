@@ -207,13 +207,20 @@ Divisors divisors_of(const SurfaceMobility& mobility, std::size_t k, const Princ
   return {middle + to_first, middle - to_first};
 }
 
-void move_corners(const SurfaceBlock& block, std::size_t k, const Gradient& gradient, const Principal& v,
-                  float first, float second, const SurfaceMobility& mobility, Float4* rows) {
+struct Symmetric {
+  float along, across, mixed;
+};
+
+Symmetric symmetric(const Principal& v, float first, float second) {
   const float mean = ((first + second) * 0.5F) * v.radius;
   const float half_difference = (first - second) * 0.5F;
-  const float s11 = mean + half_difference * v.difference;
-  const float s22 = mean - half_difference * v.difference;
-  const float s12 = half_difference * v.product;
+  return {mean + half_difference * v.difference, mean - half_difference * v.difference,
+          half_difference * v.product};
+}
+
+void move_corners(const SurfaceBlock& block, std::size_t k, const Gradient& gradient, const Principal& v,
+                  float first, float second, const SurfaceMobility& mobility, Float4* rows) {
+  const auto [s11, s22, s12] = symmetric(v, first, second);
   const float along = block.along_per_m[k];
   const float across = block.across_per_m[k];
   const float skew = block.skew_per_m[k];
@@ -244,7 +251,7 @@ void start_surface(const StartRows& start, std::size_t begin, std::size_t end, S
   }
 }
 
-void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows) {
+void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums, Float4* rows) {
   for (std::size_t lane = range.begin * block_size; lane < range.end * block_size; ++lane) {
     const SurfaceBlock& block = triangles.blocks[lane / block_size];
     const std::size_t k = lane % block_size;
@@ -257,8 +264,16 @@ void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, Float
     const float first = ((s.largest - 1.0F) * second_divisor) * per_both;
     const float second = ((s.smallest - 1.0F) * first_divisor) * per_both;
     const float share = range.again ? 0.0F : block.short_share[k];
-    move_corners(block, k, gradient, s, std::max(first, first * share), std::max(second, second * share),
-                 block.mobility, rows);
+    const float shared_first = std::max(first, first * share);
+    const float shared_second = std::max(second, second * share);
+    if (sums != nullptr) {
+      const Symmetric change = symmetric(s, shared_first * (s.largest * 0.5F + 0.5F),
+                                         shared_second * (s.smallest * 0.5F + 0.5F));
+      sums[lane / block_size].along[k] += change.along;
+      sums[lane / block_size].across[k] += change.across;
+      sums[lane / block_size].mixed[k] += change.mixed;
+    }
+    move_corners(block, k, gradient, s, shared_first, shared_second, block.mobility, rows);
   }
 }
 

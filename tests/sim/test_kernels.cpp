@@ -130,6 +130,9 @@ std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inpu
       {"sweep", in.current},
       {"shorten", in.current},
       {"sweep_surface", in.current},
+      {"sweep_surface with sums", in.current},
+      {"sums of sweep_surface",
+       Float4Array(in.surface.block_count() * sizeof(SurfaceSums) / sizeof(Float4))},
       {"shorten_surface", in.current},
       {"predict", in.previous},
       {"predict with tethers", in.previous},
@@ -139,9 +142,13 @@ std::map<std::string, Float4Array> results_of(const Kernels& kernels, const Inpu
       {"largest_surface_ratios", Float4Array(in.surface.block_count())}};
   std::vector<std::uint32_t> surface_blocks(in.surface.block_count());
   std::iota(surface_blocks.begin(), surface_blocks.end(), 0U);
+  std::vector<SurfaceSums> sums(in.surface.block_count());
   for (const BlockRange& range : in.surface.sweep) {
-    kernels.sweep_surface(in.surface, range, results["sweep_surface"].data());
+    kernels.sweep_surface(in.surface, range, nullptr, results["sweep_surface"].data());
+    kernels.sweep_surface(in.surface, range, sums.data(), results["sweep_surface with sums"].data());
   }
+  std::memcpy(floats_of(results["sums of sweep_surface"].data()), sums.data(),
+              sums.size() * sizeof(SurfaceSums));
   for (const auto [begin, end, again] : in.surface.sweep) {
     kernels.shorten_surface(in.surface, std::span(surface_blocks).subspan(begin, end - begin), 1.02F, 1.8F,
                             results["shorten_surface"].data());
@@ -173,6 +180,7 @@ TEST(Kernels, EveryVectorUnitGivesTheBitsOfTheScalarLoops) {
   EXPECT_FALSE(same_bits(expected.at("sweep"), in.current));
   EXPECT_FALSE(same_bits(expected.at("shorten"), in.current));
   EXPECT_FALSE(same_bits(expected.at("sweep_surface"), in.current));
+  EXPECT_TRUE(same_bits(expected.at("sweep_surface"), expected.at("sweep_surface with sums")));
   EXPECT_FALSE(same_bits(expected.at("shorten_surface"), in.current));
   EXPECT_FALSE(same_bits(expected.at("sweep_surface"), expected.at("shorten_surface")));
   for (const auto& [kernel, result] : expected) {

@@ -101,5 +101,17 @@ TEST(Surface, NeedlesHaveNone) {
   EXPECT_EQ(vertex_surface_stretch(garment, torn), std::vector<double>(3, 0.0));
 }
 
+TEST(Surface, TheWarpRunsAlongTheSecondTextureCoordinate) {
+  const Mesh mesh = {{{0.0, 0.0, 0.0}, {2.0, 1.0, 0.0}, {0.5, 2.0, 0.0}}, {{0, 1, 2}}, {}};
+  const auto warp_in_space = [&](const std::vector<glm::vec2>& coordinates) {
+    const Vec2 warp = warps_of(mesh, coordinates)[0];
+    const Vec3 first = glm::normalize(mesh.positions[1]);
+    return warp.x * first + warp.y * glm::cross(Vec3(0.0, 0.0, 1.0), first);
+  };
+  EXPECT_NEAR(std::abs(warp_in_space({{0, 0}, {2, 1}, {0.5, 2}}).y), 1.0, 1e-6);
+  EXPECT_NEAR(std::abs(warp_in_space({{0, 0}, {1, -2}, {2, -0.5}}).x), 1.0, 1e-6);
+  EXPECT_NEAR(warp_in_space({{0, 0}, {0, 0}, {0, 0}}).y, 1.0, 1e-12) << "upright, where they say nothing";
+}
+
 }  // namespace
 }  // namespace taut::sim

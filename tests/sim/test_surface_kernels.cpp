@@ -32,7 +32,7 @@ class OneTriangle {
       rows_[layout_.row_of_vertex[v]] = float4_of(corners[v] - rest[v]);
     }
   }
-  void sweep(bool again = false) { kernels_.sweep_surface(layout_.surface, {0, 1, again}, rows_.data()); }
+  void sweep(bool again = false) { kernels_.sweep_surface(layout_.surface, {0, 1, again}, nullptr, rows_.data()); }
   void shorten(double bound) {
     const std::array<std::uint32_t, 1> block = {0};
     kernels_.shorten_surface(layout_.surface, block, static_cast<float>((1.0 + bound) * (1.0 + bound)), 1.0F,

@@ -24,8 +24,8 @@ using namespace bounded;
 
 namespace {
 
-/// Stretch, in bounds, that even the most more steps leave too much of.
-constexpr double overstretched = tuning::coped_stretch * tuning::most_more_steps * tuning::most_more_steps;
+/// Stretch, in bounds, of which even twice the steps leave too much.
+constexpr double overstretched = 4.0 * tuning::coped_stretch;
 
 /// Returns the work of a frame before there is one to tell, in sweeps: its projection takes as many as its
 /// substeps, and a search of its own.
@@ -35,8 +35,11 @@ double work_for(int substeps, double frame_time_s) {
 }
 
 /// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
-double tether_slack(const BoundedSettings& settings) {
-  return settings.bound == BoundKind::springs ? settings.max_stretch : 0.0;
+double tether_slack(const Material& material, const BoundedSettings& settings) {
+  if (has_law(material) && settings.bound == BoundKind::surface) {
+    return settings.max_stretch;
+  }
+  return settings.bound == BoundKind::springs ? std::min(tuning::most_tether_slack, settings.max_stretch) : 0.0;
 }
 
 }  // namespace
@@ -55,7 +58,7 @@ struct BoundedSolver::Cloth : SteppedCloth {
         projection(layout, frame_time_s),
         mobility_per_kg(mean_mobility_per_kg(layout)) {
     if (settings.tethers && layout.pin_count > 0) {
-      tethers = make_tethers(garment, layout, tether_slack(settings));
+      tethers = make_tethers(garment, layout, tether_slack(garment.material, settings));
     }
   }
 
@@ -143,12 +146,17 @@ Memory BoundedSolver::first_memory(const Frame& frame) const {
   Memory memory;
   memory.pins = frame.pins.vertices;
   memory.corrections.resize(cloth_->layout.row_count());
+  if (cloth_->elasticity.has_law()) {
+    memory.elastic.tension_n_per_m.resize(cloth_->layout.surface.block_count());
+    memory.elastic.drift_m_per_s.resize(cloth_->layout.row_count());
+  }
   if (substeps_) {
     memory.control = SubstepControl(*substeps_, *substeps_, *substeps_, frame.duration_s);
   } else {
     const int least = std::max(static_cast<int>(std::lround(tuning::least_steps_per_s * frame.duration_s)),
                                cloth_->forces.updates_per_frame(frame.duration_s));
-    memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_, frame.duration_s);
+    memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_, frame.duration_s,
+                                    cloth_->elasticity.has_law() ? tuning::settled_steps : 1);
   }
   memory.median_work = work_for(memory.control.substeps(), frame.duration_s);
   return memory;
@@ -183,7 +191,16 @@ void BoundedSolver::begin_substeps(double time_step_s) {
   }
   if (cloth.time_step_s != time_step_s) {
     cloth.time_step_s = time_step_s;
-    set_short_shares(cloth.compression_stiffness_n_per_m, time_step_s, cloth.layout);
+    set_short_shares(cloth.compression_stiffness_n_per_m, time_step_s, cloth.layout, cloth.swept_surface());
+  }
+}
+
+// At the end of equal parts of a frame. Their last steps are the frame's.
+void BoundedSolver::follow_tension(int done, int substeps, double frame_time_s) {
+  Cloth& cloth = *cloth_;
+  const int follows = std::min(follows_in(frame_time_s), substeps);
+  if (cloth.elasticity.has_law() && done * follows / substeps != (done - 1) * follows / substeps) {
+    cloth.elasticity.follow(cloth.layout, cloth.motion.start, frame_time_s / substeps, *kernels_);
   }
 }
 
@@ -195,6 +212,7 @@ void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
   const int wind_updates = SlowForces::wind_updates_per_frame(frame.duration_s);
   const int substeps_per_wind =
       std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
+  const int settles = cloth.elasticity.has_law() ? std::max(1, substeps / tuning::settled_steps) : 0;
   begin_substeps(dt);
   for (int substep = 0; substep < substeps; ++substep) {
     TimeStep time;
@@ -206,7 +224,10 @@ void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
     time.update_interval_s = substeps_per_update * dt;
     time.updates_wind = substep % substeps_per_wind == 0;
     time.wind_interval_s = substeps_per_wind * dt;
+    time.settles = settles > 0 && (substep + 1) % (substeps / settles) == 0;
+    time.settle_interval_s = settles > 0 ? frame.duration_s / settles : 0.0;
     bounded::step(frame, time, *kernels_, cloth);
+    follow_tension(substep + 1, substeps, frame.duration_s);
   }
 }
 
@@ -270,6 +291,10 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   const double end_s = state.time_s + frame.duration_s;
   const int substeps = memory.control.substeps();
   begin_frame(state);
+  if (cloth.elasticity.has_law()) {
+    cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic,
+                                   aimed_stretch(settings_.max_stretch), *kernels_);
+  }
   cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s},
                                earlier_attempts);
   run_substeps(frame, state.time_s, substeps);
@@ -293,6 +318,11 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   attempt.is_far = memory.shift > tuning::costliest && memory.shift > tuning::more_steps * last_shift;
   attempt.blocked = cloth.contacts.blocked();
   memory.contact = cloth.contacts.memory();
+  if (cloth.elasticity.has_law()) {
+    memory.elastic = cloth.elasticity.memory();
+    memory.control.need_at_least(
+        static_cast<int>(std::ceil(cloth.elasticity.steps_needed_per_s() * frame.duration_s)));
+  }
   attempt.memory = std::move(memory);
   return attempt;
 }

@@ -40,6 +40,7 @@ class BoundedSolver : public Solver {
   bounded::Memory first_memory(const Frame& frame) const;
   void begin_frame(const State& state);
   void begin_substeps(double time_step_s);
+  void follow_tension(int done, int substeps, double frame_time_s);
   void run_substeps(const Frame& frame, double time_s, int substeps);
   bounded::ProjectionResult project(const Frame& frame, double end_s, int substeps, bool is_last,
                                     bounded::Float4Array& corrections);

@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/memory.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace taut::sim::bounded {
 
@@ -36,6 +37,45 @@ void restore(const Frame& frame, ByteReader& bytes, ContactMemory& memory) {
   }
 }
 
+void save(const ElasticMemory& memory, ByteWriter& bytes) {
+  bytes.put<std::uint64_t>(memory.tension_n_per_m.size());
+  for (const Float4& drift : memory.drift_m_per_s) {
+    for (const float coordinate : {drift.x, drift.y, drift.z}) {
+      bytes.put(coordinate);
+    }
+  }
+  for (const SurfaceSums& tension : memory.tension_n_per_m) {
+    for (const auto* values : {&tension.along, &tension.across, &tension.mixed}) {
+      for (const float value : *values) {
+        bytes.put(value);
+      }
+    }
+  }
+}
+
+// Cloth that had another law, or none, when it was saved begins without tension.
+void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, ElasticMemory& memory) {
+  ElasticMemory saved;
+  saved.tension_n_per_m.resize(bytes.get<std::uint64_t>("the number of blocks under tension", 0,
+                                                        frame.garment.mesh.triangles.size()));
+  saved.drift_m_per_s.resize(saved.tension_n_per_m.empty() ? 0 : row_count);
+  for (Float4& drift : saved.drift_m_per_s) {
+    for (float* coordinate : {&drift.x, &drift.y, &drift.z}) {
+      *coordinate = bytes.get<float>("the drift of a vertex");
+    }
+  }
+  for (SurfaceSums& tension : saved.tension_n_per_m) {
+    for (auto* values : {&tension.along, &tension.across, &tension.mixed}) {
+      for (float& value : *values) {
+        value = bytes.get<float>("the tension of a triangle");
+      }
+    }
+  }
+  if (saved.tension_n_per_m.size() == memory.tension_n_per_m.size()) {
+    memory = std::move(saved);
+  }
+}
+
 }  // namespace
 
 void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
@@ -48,6 +88,7 @@ void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes) {
       bytes.put(coordinate_m);
     }
   }
+  save(memory.elastic, bytes);
   const RowMemory& rows = memory.contact.rows;
   bytes.put<std::uint8_t>(rows.is_empty() ? 0 : 1);
   if (!rows.is_empty()) {
@@ -68,6 +109,7 @@ void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, Memor
       *coordinate_m = bytes.get<float>("the last frame's correction");
     }
   }
+  restore(frame, row_count, bytes, memory.elastic);
   if (bytes.get_bool("whether anything could touch")) {
     memory.contact.rows.resize(row_count);
     memory.contact.rows.restore(vertex_count, bytes);

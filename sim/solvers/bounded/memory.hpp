@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/bytes.hpp"
-#include "sim/solvers/bounded/kernels/float4.hpp"
+#include "sim/solvers/bounded/kernels/lanes.hpp"
 #include "sim/solvers/bounded/row_memory.hpp"
 #include "sim/solvers/bounded/substep_control.hpp"
 #include "sim/solvers/solver.hpp"
@@ -21,6 +21,14 @@ struct ContactMemory {
   std::vector<LeftOutTriangle> left_out = {};
 };
 
+/// What the law of cloth in its plane keeps from frame to frame; empty where it has none.
+struct ElasticMemory {
+  /// By block of the surface's lanes, low-passed, along warp and weft and in shear.
+  std::vector<SurfaceSums> tension_n_per_m;
+  /// How fast positions have to be corrected against sagging; by row.
+  Float4Array drift_m_per_s;
+};
+
 /// Everything that `bounded` keeps from frame to frame besides the State. An attempt at a frame makes a new
 /// Memory of the old one; a frame that ends well is an assignment.
 struct Memory {
@@ -28,6 +36,7 @@ struct Memory {
   SubstepControl control;
   Float4Array corrections;  ///< of the last frame's projection; by row, in m
   ContactMemory contact;
+  ElasticMemory elastic;
   double shift = 0.0;  ///< the largest correction of the last frame, as a fraction of the largest allowed
   double median_work = 0.0;  ///< of frames, in sweeps
 };

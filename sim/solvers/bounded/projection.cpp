@@ -13,15 +13,8 @@ namespace {
 /// more, so that it also holds when the positions are read back in double precision.
 constexpr double rounding = 2e-6;
 
-/// Below 2 the distance to every shape within the bound can only fall, whatever the weights (Agmon 1954).
-/// What is best for a chain of n springs is 2 / (1 + sin(pi / n)) (Young 1954); the weights make chains
-/// shorter.
-float relaxation_of(const Layout& layout) {
-  return static_cast<float>(2.0 / (1.0 + 2.0 / std::max(layout.reach_springs, tuning::shortest_chain)));
-}
-
 float squared_aim_of(double max_stretch) {
-  const double length = (1.0 + tuning::aimed_part * max_stretch) * (1.0 - 2.0 * rounding);
+  const double length = (1.0 + aimed_stretch(max_stretch)) * (1.0 - 2.0 * rounding);
   return static_cast<float>(length * length);
 }
 
@@ -51,6 +44,14 @@ void for_triangles(const SurfaceLanes& surface, const Each& each) {
 }
 
 }  // namespace
+
+float relaxation_of(const Layout& layout) {
+  return static_cast<float>(2.0 / (1.0 + 2.0 / std::max(layout.reach_springs, tuning::shortest_chain)));
+}
+
+double aimed_stretch(double max_stretch) {
+  return tuning::aimed_part * max_stretch;
+}
 
 BoundProjection::BoundProjection(const Layout& layout, double frame_time_s)
     : relaxation_(relaxation_of(layout)),
@@ -191,7 +192,7 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   double earlier_ratio = ratio;
   for (int round = 1; !(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio); ++round) {
     if (evens_out && round % tuning::most_rounds == 0) {
-      if (ratio - squared_bound > tuning::slow_progress * (earlier_ratio - squared_bound)) {
+      if (ratio - squared_bound > 0.5 * (earlier_ratio - squared_bound)) {
         even_out(layout, static_cast<float>(squared_bound));
         confinement->bring_back(corrected_);
         largest_ratio(layout, kernels);

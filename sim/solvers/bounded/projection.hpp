@@ -29,6 +29,14 @@ class Confinement {
   virtual void bring_back(Float4Array& displacements) = 0;
 };
 
+/// Returns the factor of over-relaxed sweeps. Below 2 the distance to every shape within the bound can only fall,
+/// whatever the weights (Agmon 1954).
+/// What is best for a chain of n springs is 2 / (1 + sin(pi / n)) (Young 1954); the weights make chains
+/// shorter.
+float relaxation_of(const Layout& layout);
+/// Returns the stretch that the last correction of a frame aims at, a little within the bound.
+double aimed_stretch(double max_stretch);
+
 /// The last correction of a frame: moves the cloth to where no spring, or no triangle in any direction, is
 /// longer than the bound.
 ///

@@ -8,14 +8,23 @@
 namespace taut::sim::bounded {
 namespace {
 
+// Air and hands meet cloth at the velocity that it has over all.
 void impose_forces(const Garment& garment, const ExternalForces& external, const TimeStep& time,
                    ParallelKernels& kernels, SteppedCloth& cloth) {
+  Float4Array own;
+  if (cloth.elasticity.has_law()) {
+    own = cloth.motion.previous;
+    cloth.elasticity.take_out_sagging(time.time_step_s, cloth.motion.previous);
+  }
   if (time.updates_wind) {
     cloth.forces.update_wind(garment, external.wind, cloth.motion, time.time_s, time.time_step_s,
                              time.wind_interval_s, kernels);
   }
   cloth.forces.update(garment, external, cloth.motion, time.time_s, time.time_step_s, time.update_interval_s,
                       kernels);
+  if (cloth.elasticity.has_law()) {
+    cloth.motion.previous.swap(own);
+  }
 }
 
 /// From the start of the frame to the end of the step.
@@ -42,16 +51,15 @@ void move_pins(const Surroundings& surroundings, const TimeStep& time, SteppedCl
   std::transform(moved_m.begin(), moved_m.end(), cloth.motion.current.begin(), float4_of);
 }
 
-template <typename AnyLanes>
-void sweep(const AnyLanes& lanes, ParallelKernels& kernels, SteppedCloth& cloth) {
-  for (const BlockRange& range : lanes.sweep) {
-    kernels.sweep(lanes, range, cloth.motion.current.data());
-  }
-}
-
 void constrain(ParallelKernels& kernels, SteppedCloth& cloth) {
-  sweep(cloth.layout.springs, kernels, cloth);
-  sweep(cloth.layout.surface, kernels, cloth);
+  Float4* rows = cloth.motion.current.data();
+  for (const BlockRange& range : cloth.layout.springs.sweep) {
+    kernels.sweep(cloth.layout.springs, range, rows);
+  }
+  const SurfaceLanes& surface = cloth.swept_surface();
+  for (const BlockRange& range : surface.sweep) {
+    kernels.sweep(surface, range, cloth.elasticity.sums(), rows);
+  }
 }
 
 /// A time for regions, and a bound on how far pins and bodies are off their chords in it, in m.
@@ -120,6 +128,11 @@ void step(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, St
 
   // Step 3: compensate the predicted displacements, eqs. (2)-(3).
   constrain(kernels, cloth);
+  cloth.elasticity.count_step();
+  if (time.settles) {
+    cloth.elasticity.settle(time.settle_interval_s, surroundings.forces.air_drag_per_s * time.time_step_s, kernels,
+                            cloth.motion);
+  }
   if (cloth.contacts.is_on()) {
     cloth.contacts.keep_apart(cloth.layout, time.time_s + time.time_step_s, time.time_step_s, kernels,
                               cloth.motion);

@@ -2,6 +2,7 @@
 
 #include "sim/garment.hpp"
 #include "sim/solvers/bounded/contacts.hpp"
+#include "sim/solvers/bounded/elasticity.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 #include "sim/solvers/bounded/layout.hpp"
 #include "sim/solvers/bounded/motion.hpp"
@@ -17,13 +18,18 @@ struct SteppedCloth {
   SteppedCloth(const Garment& garment, const Pins& pins, const BoundedSettings& settings)
       : layout(make_layout(garment, pins, settings.bound)),
         forces(garment, pins, layout, garment.material.bending_rigidity_n_m),
-        contacts(settings.contact) {}
+        contacts(settings.contact),
+        elasticity(garment, layout) {}
   SteppedCloth(const SteppedCloth&) = delete;
   SteppedCloth& operator=(const SteppedCloth&) = delete;
+
+  /// The triangles with the rest shapes that time steps hold them to.
+  SurfaceLanes& swept_surface() { return elasticity.has_law() ? elasticity.lanes() : layout.surface; }
 
   Layout layout;
   SlowForces forces;
   Contacts contacts;
+  Elasticity elasticity;
   Tethers tethers;  ///< empty where there are none
   Motion motion;
 };
@@ -40,6 +46,8 @@ struct TimeStep {
   double update_interval_s = 0.0;
   bool updates_wind = false;  ///< only where forces are updated
   double wind_interval_s = 0.0;
+  bool settles = false;
+  double settle_interval_s = 0.0;
 };
 
 /// Returns how far each pin moves within the time, which begins with the frame, in m, by row.

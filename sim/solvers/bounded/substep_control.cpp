@@ -11,13 +11,16 @@
 namespace taut::sim::bounded {
 namespace {
 
+/// The drag of a flag on its area, as most cloth turns out of the wind (Hoerner 1965: 0.1 to 0.2).
+constexpr double flag_drag = 0.15;
+
 double acceleration(const Garment& garment, const Surroundings& surroundings) {
   const PinMotion& motion = surroundings.pin_motion;
   const double rate = 6.283185307179586 * motion.frequency_hz;
   const double speed = surroundings.forces.wind.speed_m_per_s;
   const double pressure = 0.5 * air_density_kg_per_m3 * speed * speed;
   return largest_gravity_m_per_s2(surroundings.forces) + rate * rate * glm::length(motion.amplitude_m) +
-         tuning::caught_wind * pressure / garment.material.areal_density_kg_per_m2;
+         flag_drag * pressure / garment.material.areal_density_kg_per_m2;
 }
 
 int frames_in(double time_s, double frame_time_s) {
@@ -26,10 +29,11 @@ int frames_in(double time_s, double frame_time_s) {
 
 }  // namespace
 
-SubstepControl::SubstepControl(int first, int least, int most, double frame_time_s)
+SubstepControl::SubstepControl(int first, int least, int most, double frame_time_s, int multiple)
     : least_(std::clamp(least, 1, most)),
       most_(most),
       fewest_calm_frames_(frames_in(tuning::calm_s, frame_time_s)),
+      multiple_(multiple),
       substeps_(std::clamp(first, least_, most)),
       calm_frames_needed_(fewest_calm_frames_) {}
 
@@ -52,7 +56,7 @@ void SubstepControl::frame_kept(double projection_cost, double shift) {
     wanted = std::floor(wanted / tuning::more_steps);
     calm_frames_ = 0;
   }
-  substeps_ = std::clamp(static_cast<int>(wanted), least_, most_);
+  substeps_ = std::clamp(static_cast<int>(wanted), std::max(least_, needed_), most_);
 }
 
 void SubstepControl::need_more() {
@@ -65,13 +69,21 @@ void SubstepControl::need_more() {
   }
 }
 
+void SubstepControl::need_at_least(int substeps) {
+  needed_ = std::clamp(substeps, least_, most_);
+  if (needed_ > substeps_) {
+    substeps_ = needed_;
+    need_more();
+  }
+}
+
 bool SubstepControl::try_more(double raw) {
   if (is_spent()) {
     return false;
   }
   // Stretch falls with the square of the time step. Cloth that is lost has no stretch: NaN asks for most.
   constexpr double least_more = tuning::more_steps * tuning::more_steps * tuning::more_steps;
-  const double wanted = std::max(least_more, std::min(tuning::most_more_steps, std::sqrt(raw / tuning::coped_stretch)));
+  const double wanted = std::max(least_more, std::min(2.0, std::sqrt(raw / tuning::coped_stretch)));
   substeps_ = std::clamp(static_cast<int>(std::ceil(substeps_ * wanted)), least_, most_);
   need_more();
   return true;

@@ -14,14 +14,18 @@ class SubstepControl {
  public:
   SubstepControl() = default;
   /// `most` is the budget. `least` is what the forces need. `first` is for the first frame.
-  SubstepControl(int first, int least, int most, double frame_time_s);
+  /// A frame takes a multiple of `multiple`.
+  SubstepControl(int first, int least, int most, double frame_time_s, int multiple = 1);
 
-  int substeps() const { return substeps_; }
+  int substeps() const { return (substeps_ + multiple_ - 1) / multiple_ * multiple_; }
   bool is_spent() const { return substeps_ >= most_; }
 
   /// After a frame whose projection took work worth `projection_cost` sweeps over all springs and moved no
   /// vertex further than `shift`, in parts of the largest that is allowed.
   void frame_kept(double projection_cost, double shift);
+
+  /// Takes at least so many, within the budget, in the frames to come until it is told otherwise.
+  void need_at_least(int substeps);
 
   /// Takes more steps to repeat a frame that broke its bound, whose steps stretched something by `raw` times
   /// the bound. Returns false if the budget is spent.
@@ -38,6 +42,8 @@ class SubstepControl {
   int least_ = 1;
   int most_ = 1;
   int fewest_calm_frames_ = 1;
+  int multiple_ = 1;
+  int needed_ = 1;  ///< set in every frame that sets it at all
   int substeps_ = 1;
   int calm_frames_ = 0;
   int frames_since_more_ = 0;

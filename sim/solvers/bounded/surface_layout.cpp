@@ -145,6 +145,7 @@ class SurfaceMaker {
     const std::size_t end = begin + (colour.size() + block_size - 1) / block_size * block_size;
     lanes_.blocks.resize(end / block_size);
     lanes_.mobility_per_kg.resize(end, 0.0F);
+    lanes_.triangle.resize(end, SurfaceLanes::no_triangle);
     lanes_.projection_mobility.resize(lanes_.block_count());
     for (std::size_t lane = begin; lane < end; ++lane) {
       if (lane - begin < colour.size()) {
@@ -178,6 +179,7 @@ class SurfaceMaker {
     const std::array<double, 3> weights = weighted(inverse_masses, t.corners, rows_);
     set_mobility(squared_gradients(rest, weights), weights, k, lanes_.projection_mobility[lane / block_size]);
     const double area_m2 = 0.5 / (rest.along_per_m * rest.across_per_m);
+    lanes_.triangle[lane] = t.triangle;
     lanes_.mobility_per_kg[lane] = static_cast<float>(0.5 * sums.trace() * area_m2);
   }
 

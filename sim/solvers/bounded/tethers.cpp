@@ -12,7 +12,7 @@ Tethers make_tethers(const Garment& garment, const Layout& layout, double slack)
   Tethers tethers;
   tethers.pin.resize(layout.row_count(), 0);
   tethers.lanes.resize(layout.row_count());
-  const double stretched = 1.0 + std::min(tuning::most_tether_slack, slack);
+  const double stretched = 1.0 + slack;
   const std::vector<Vec3>& rest = garment.mesh.positions;
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     const double along_m = layout.distance_from_pins_m[row];

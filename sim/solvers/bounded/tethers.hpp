@@ -14,7 +14,7 @@ struct Tethers {
 
 /// Makes the tethers of a cloth: long-range attachments (Kim, Chentanez and Mueller-Fischer 2012). A vertex
 /// cannot be farther from its nearest pin than the way along the cloth, made longer by the part `slack` of
-/// it, at most a hundredth. A sweep hands a correction on by one spring per step; a tether corrects every
+/// it. A sweep hands a correction on by one spring per step; a tether corrects every
 /// vertex at once.
 Tethers make_tethers(const Garment& garment, const Layout& layout, double slack);
 

@@ -19,9 +19,6 @@ inline constexpr double least_steps_per_s = 480.0;
 /// round where it was cheap, and at least to the third power where a frame is repeated: further from 1 they
 /// fit sooner, and change more about what fits.
 inline constexpr double more_steps = 1.12;
-/// The most times the steps of an attempt that the next may take. More ends sooner where cloth is hit, and
-/// takes more steps than it needs.
-inline constexpr double most_more_steps = 2.0;
 /// Stretch before the projection, in bounds, that a repeated frame aims at, and up to which a projection that
 /// contact holds up evens out displacements. More takes fewer steps and longer projections.
 inline constexpr double coped_stretch = 4.0;
@@ -42,9 +39,6 @@ inline constexpr double calm_s = 1.0 / 15.0;
 /// How far the projection may move a vertex, in parts of the cloth's reach from its pins. More takes fewer
 /// steps and moves the cloth further at the end of a frame.
 inline constexpr double shift_per_reach = 0.004;
-/// Wind pulls at the pins with this part of its pressure, as most cloth turns out of it. More begins with
-/// more steps.
-inline constexpr double caught_wind = 0.15;
 
 // Sweeps.
 
@@ -76,12 +70,20 @@ inline constexpr double aimed_part = 0.97;
 /// Weights grow by this power of e per spring towards the pins. More hands corrections down the cloth faster
 /// and leaves smaller ones near the pins.
 inline constexpr double projection_weight_growth = 0.2;
-/// A projection is held up by contact if a number of rounds leave more than this part of the excess. Less
-/// evens out displacements sooner, and more of the cloth.
-inline constexpr double slow_progress = 0.5;
-/// It then evens out displacements on so many rings of vertices around triangles that are too long. More
-/// moves more of the cloth.
+/// Where contact holds a projection up, it evens out displacements on so many rings of vertices around triangles
+/// that are too long. More moves more of the cloth.
 inline constexpr std::uint8_t evened_rings = 5;
+
+// The law of cloth in its plane.
+
+/// How long tension is averaged over, in s. Less follows loads sooner; where they are large cloth then trembles.
+inline constexpr double remembered_s = 0.15;
+/// Time steps from one settling to the next, times that tension is averaged around vertices, and one more than
+/// the sweeps of a settling. More costs more; with less, fine meshes sag and give unevenly.
+inline constexpr int settled_steps = 4;
+/// What the sweeps of a step have to correct, on average by load, as a strain. More leaves cloth under load
+/// uneven; less takes more steps.
+inline constexpr double largest_strain_per_step = 0.03;
 
 // Slow forces.
 

@@ -74,7 +74,9 @@ struct Kernels {
   /// moves by
   ///   -error w_k (g_k v) / (sum of w (g v)^2) F v,
   /// the projection onto the half-space that touches s <= 1 there (Polyak 1969). See SurfaceMobility.
-  void (*sweep_surface)(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows);
+  /// Adds them to `sums`, by block of the lanes, unless it is null.
+  void (*sweep_surface)(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums,
+                        Float4* rows);
 
   /// Shortens the triangles that exceed the bound in either direction, in the listed blocks, which must be of
   /// one colour, with `relaxation` times the correction they need.

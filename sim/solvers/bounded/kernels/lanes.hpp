@@ -97,12 +97,23 @@ struct SurfaceLanes {
   /// Per lane half the sum of w |g|^2 times the area, in 1/kg: the mobility of a triangle against
   /// compression; 0 in padding.
   std::vector<float> mobility_per_kg;
+  std::vector<Index> triangle;  ///< per lane the garment's; no_triangle in padding
+  static constexpr Index no_triangle = ~Index{0};
   bool has_thin = false;  ///< some triangles' F is wrong by more than lengths are in single precision
   /// In the order of one sweep: the colours, and then again the part of each that is nearest to the pins.
   std::vector<BlockRange> sweep;
 
   std::size_t lane_count() const { return mobility_per_kg.size(); }
   std::size_t block_count() const { return blocks.size(); }
+};
+
+/// Sums over sweeps of the corrections of `block_size` triangles: each changed F by F times a symmetric matrix,
+/// here times the length of the triangle in units of its rest. In the frame of the first edge; scaled by time
+/// and mobility it is tension.
+struct alignas(64) SurfaceSums {
+  std::array<float, block_size> along = {};
+  std::array<float, block_size> across = {};
+  std::array<float, block_size> mixed = {};
 };
 
 /// All triangles of the garment, for the wind. They are padded to whole blocks with triangles without area.

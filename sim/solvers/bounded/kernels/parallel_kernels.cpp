@@ -27,10 +27,11 @@ void ParallelKernels::sweep(const SpringLanes& springs, const BlockRange& range,
               [&](std::size_t b, std::size_t e) { kernels_.sweep(springs, b, e, rows); });
 }
 
-void ParallelKernels::sweep(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows) {
+void ParallelKernels::sweep(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums,
+                            Float4* rows) {
   pool_.split(range.begin, range.end, least_blocks, [&](std::size_t b, std::size_t e) {
-    kernels_.sweep_surface(triangles,
-                           {static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e), range.again}, rows);
+    kernels_.sweep_surface(
+        triangles, {static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e), range.again}, sums, rows);
   });
 }
 

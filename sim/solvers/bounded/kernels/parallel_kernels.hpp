@@ -29,7 +29,7 @@ class ParallelKernels {
   void start(const StartRows& start, SurfaceLanes& triangles);
 
   void sweep(const SpringLanes& springs, const BlockRange& range, Float4* rows);
-  void sweep(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows);
+  void sweep(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums, Float4* rows);
 
   /// All blocks must be of one colour.
   void shorten(const SpringLanes& springs, std::span<const std::uint32_t> blocks, float squared_bound,

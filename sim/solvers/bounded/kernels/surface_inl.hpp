@@ -125,18 +125,24 @@ HWY_INLINE void load_triangles(const Place& at, const float* rows, Found& found)
   found.mobility = load_mobility(*at.mobility, at.k);
 }
 
+/// The symmetric matrix with the values `first` and `second` in the principal directions.
+struct Symmetric {
+  V along, across, mixed;
+};
+
+HWY_INLINE Symmetric symmetric(const Principal& p, V first, V second) {
+  const V half = hn::Set(Floats(), 0.5F);
+  const V mean = hn::Mul(hn::Mul(hn::Add(first, second), half), p.radius);
+  const V half_difference = hn::Mul(hn::Sub(first, second), half);
+  const V cosine = hn::Mul(half_difference, p.difference);
+  return {hn::Add(mean, cosine), hn::Sub(mean, cosine), hn::Mul(half_difference, p.product)};
+}
+
 HWY_INLINE void move_corners(const Place& at, const Found& found, float* rows) {
   const Floats f;
-  const V half = hn::Set(f, 0.5F);
   const auto& [block, unused, k] = at;
-  const Principal& p = found.principal;
-  const V mean = hn::Mul(hn::Mul(hn::Add(found.first, found.second), half), p.radius);
-  const V half_difference = hn::Mul(hn::Sub(found.first, found.second), half);
-  // The symmetric matrix with these values in these directions. F times it is the change of F.
-  const V cosine = hn::Mul(half_difference, p.difference);
-  const V s11 = hn::Add(mean, cosine);
-  const V s22 = hn::Sub(mean, cosine);
-  const V s12 = hn::Mul(half_difference, p.product);
+  // F times it is the change of F.
+  const auto [s11, s22, s12] = symmetric(found.principal, found.first, found.second);
   const V along = hn::Load(f, &block->along_per_m[k]);
   const V across = hn::Load(f, &block->across_per_m[k]);
   const V skew = hn::Load(f, &block->skew_per_m[k]);
@@ -161,9 +167,11 @@ HWY_INLINE void correct(std::size_t count, const Work& work, float* rows) {
     const bool is_a_long = work.find(a, rows, found_a);
     const bool is_b_long = work.find(b, rows, found_b);
     if (is_a_long) {
+      work.note(a, found_a);
       move_corners(a, found_a, rows);
     }
     if (is_b_long) {
+      work.note(b, found_b);
       move_corners(b, found_b, rows);
     }
   }
@@ -171,6 +179,7 @@ HWY_INLINE void correct(std::size_t count, const Work& work, float* rows) {
     const Place a = work.place(i);
     Found found_a;
     if (work.find(a, rows, found_a)) {
+      work.note(a, found_a);
       move_corners(a, found_a, rows);
     }
   }
@@ -193,8 +202,15 @@ void start_surface(const StartRows& start, std::size_t begin, std::size_t end, S
   }
 }
 
+HWY_INLINE void add_to(V value, std::size_t k, std::array<float, block_size>& sums) {
+  const Floats f;
+  hn::Store(hn::Add(hn::Load(f, &sums[k]), value), f, &sums[k]);
+}
+
+template <bool sums_up>
 struct Sweep {
   const SurfaceBlock* blocks;
+  SurfaceSums* sums;  ///< of the same blocks
   float short_part;  ///< of the correction of what is too short: 1, or 0 for none
 
   HWY_INLINE Place place(std::size_t i) const {
@@ -220,11 +236,34 @@ struct Sweep {
     found.second = hn::Max(second, hn::Mul(second, share));
     return true;
   }
+
+  // A force is the tension times how long the triangle is: (s^2 + 1) / 2 is s to the first order.
+  HWY_INLINE void note(const Place& at, const Found& found) const {
+    if constexpr (sums_up) {
+      const Floats f;
+      const V half = hn::Set(f, 0.5F);
+      const Principal& p = found.principal;
+      const V largest = hn::Add(hn::Mul(p.largest(), half), half);
+      const V smallest = hn::Add(hn::Mul(p.smallest(), half), half);
+      const Symmetric change =
+          symmetric(p, hn::Mul(found.first, largest), hn::Mul(found.second, smallest));
+      SurfaceSums& block = sums[at.block - blocks];
+      add_to(change.along, at.k, block.along);
+      add_to(change.across, at.k, block.across);
+      add_to(change.mixed, at.k, block.mixed);
+    }
+  }
 };
 
-void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, Float4* rows) {
-  const Sweep sweep = {triangles.blocks.data() + range.begin, range.again ? 0.0F : 1.0F};
-  correct((range.end - range.begin) * places_per_block, sweep, floats_of(rows));
+void sweep_surface(const SurfaceLanes& triangles, const BlockRange& range, SurfaceSums* sums, Float4* rows) {
+  const SurfaceBlock* blocks = triangles.blocks.data() + range.begin;
+  const std::size_t places = (range.end - range.begin) * places_per_block;
+  const float short_part = range.again ? 0.0F : 1.0F;
+  if (sums == nullptr) {
+    correct(places, Sweep<false>{blocks, nullptr, short_part}, floats_of(rows));
+  } else {
+    correct(places, Sweep<true>{blocks, sums + range.begin, short_part}, floats_of(rows));
+  }
 }
 
 /// Returns `relaxation` times (s - bound) / s over the divisor for singular values above the bound, 0 for
@@ -265,6 +304,8 @@ struct Shorten {
     }
     return true;
   }
+
+  HWY_INLINE void note(const Place&, const Found&) const {}
 };
 
 void shorten_surface(const SurfaceLanes& triangles, std::span<const std::uint32_t> blocks,

@@ -92,6 +92,11 @@ void apply(const Move& move, LoadedGarment& loaded) {
     go(*loaded.start_m);
   }
   loaded.garment = sim::share(std::move(garment));
+  if (loaded.following) {
+    FollowingModel model = *loaded.following;
+    go(model.mesh.positions);
+    loaded.following = std::make_shared<const FollowingModel>(std::move(model));
+  }
 }
 
 /// Whether the garment crosses the body as it is when it begins to grow.

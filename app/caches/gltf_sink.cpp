@@ -36,7 +36,7 @@ struct SplitVertices {
 
   explicit SplitVertices(const GarmentInScene& loaded) {
     std::map<std::tuple<sim::Index, std::uint32_t, std::uint32_t>, sim::Index> known;
-    for (const sim::Triangle& t : loaded.garment->mesh.triangles) {
+    for (const sim::Triangle& t : loaded.shown_mesh().triangles) {
       for (const sim::Index vertex : t) {
         const glm::vec2 at =
             loaded.colours.corner_uv.empty() ? glm::vec2(0.0F) : loaded.colours.corner_uv[corners.size()];
@@ -178,7 +178,7 @@ GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
                     "is written; expected at most 1 GiB: fewer --frames, or .pc2",
                     settings.name, frames, vertices_.uv.size(), bytes / most_bytes));
   }
-  const sim::Mesh& mesh = loaded.garment->mesh;
+  const sim::Mesh& mesh = loaded.shown_mesh();
   rest_positions_ = flat_numbers(in_single_precision(mesh.positions));
   rest_normals_ = flat_numbers(mesh_normals(mesh, mesh.positions));
   rest_["POSITION"] = buffer_.add_bounded(rest_positions_, "VEC3", 3, vertex_data);
@@ -196,9 +196,9 @@ void GltfSink::write(int frame, const WrittenMoment& moment) {
   if (!settings_.frames.contains(frame)) {
     return;
   }
-  const std::vector<sim::Vec3>& positions_m = moment.state.current;
+  const std::vector<sim::Vec3> positions_m = loaded_.shown_m(moment.state.current);
   std::vector<float> moved = flat_numbers(in_single_precision(positions_m));
-  std::vector<float> turned = flat_numbers(mesh_normals(moment.garment.mesh, positions_m));
+  std::vector<float> turned = flat_numbers(mesh_normals(loaded_.shown_mesh(), positions_m));
   for (std::size_t k = 0; k < moved.size(); ++k) {
     moved[k] -= rest_positions_[k];
     turned[k] -= rest_normals_[k];

@@ -23,9 +23,12 @@ class WrittenCloth {
   /// Returns the garment as an OBJ file, with normals of this shape where the file has some.
   std::string obj(std::span<const sim::Vec3> mesh_m) const;
   /// Returns it at rest.
-  std::string obj_at_rest() const { return obj(loaded_.garment->mesh.positions); }
+  std::string obj_at_rest() const { return text(loaded_.shown_mesh().positions); }
 
  private:
+  std::vector<sim::Vec3> written(std::span<const sim::Vec3> shown_m) const;
+  std::string text(std::span<const sim::Vec3> shown_m) const;
+
   const GarmentInScene& loaded_;
   FileFaces faces_;
   std::vector<sim::Index> mesh_vertex_;  ///< per vertex written; sim::no_vertex: none

@@ -24,6 +24,7 @@
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
+#include "app/models/model_fitting.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
 #include "app/output/frame_verifier.hpp"
@@ -409,9 +410,11 @@ int run(const RenderOptions& options) {
     statistics->finish(summary);
     fmt::print("wrote {}\n", options.statistics.string());
   }
-  const std::string crossings = describe_crossings(summary);
-  fmt::print("{}\n{}{}", written, options.verify ? verifier.summary() + '\n' : "",
-             crossings.empty() ? "" : crossings + '\n');
+  fmt::print("{}\n{}", written, options.verify ? verifier.summary() + '\n' : "");
+  for (const std::string& line :
+       {describe_crossings(summary), describe_following(loaded, simulation.state().current)}) {
+    fmt::print("{}", line.empty() ? "" : line + '\n');
+  }
   return judge_bound(job.scene, summary);
 }
 

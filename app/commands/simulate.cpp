@@ -18,6 +18,7 @@
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
+#include "app/models/model_fitting.hpp"
 #include "app/output/bound_verdict.hpp"
 #include "app/output/frame_range.hpp"
 #include "app/output/frame_verifier.hpp"
@@ -285,7 +286,10 @@ int run(const SimulateOptions& options) {
   progress.hide();
   running.save();
   hand_over(options, running.run.summary, running.shapes, running.statistics);
-  fmt::print("{}", options.verify && is_told(options) ? verifier.summary() + '\n' : "");
+  if (is_told(options)) {
+    const std::string following = describe_following(loaded, simulation.state().current);
+    fmt::print("{}{}", following.empty() ? "" : following + '\n', options.verify ? verifier.summary() + '\n' : "");
+  }
   return judge_bound(scene, running.run.summary);
 }
 

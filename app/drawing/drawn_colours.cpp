@@ -53,10 +53,7 @@ bool has_own(const SurfaceColours& colours) {
                      [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
 }
 
-}  // namespace
-
-DrawnColours drawn_colours(const DrawnScene& scene, const GarmentInScene& loaded) {
-  const PictureStyle& style = scene.picture;
+DrawnColours colours_of(const PictureStyle& style, const GarmentInScene& loaded) {
   if (names_image(style.texture)) {
     return print(style, loaded.colours);
   }
@@ -65,6 +62,14 @@ DrawnColours drawn_colours(const DrawnScene& scene, const GarmentInScene& loaded
     return {loaded.colours.corner_uv, {}, {}};
   }
   return own(style, loaded.colours);
+}
+
+}  // namespace
+
+DrawnColours drawn_colours(const DrawnScene& scene, const GarmentInScene& loaded) {
+  DrawnColours colours = colours_of(scene.picture, loaded);
+  colours.following = loaded.following;
+  return colours;
 }
 
 }  // namespace taut::app

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct DrawnColours {
   std::vector<renderer::BaseColour> base_colours;
   std::vector<std::uint32_t> base_colour_of_triangle;
   std::vector<std::string> remarks = {};  ///< what of it is missing, one line each
+  /// The model whose triangles these are, where it follows the garment; null: they are the garment's own.
+  std::shared_ptr<const FollowingModel> following = {};
 };
 
 /// Returns what picture.texture asks for: an image over the cloth's colours, or the model's own colours if it

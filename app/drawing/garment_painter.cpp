@@ -26,6 +26,9 @@ constexpr float full_line_height_px = 600.0F;
 // the cloth.
 constexpr std::size_t most_pins_with_shadows = 8;
 
+// A model of more triangles that follows is smooth as it is.
+constexpr std::size_t most_smoothed = 20'000;
+
 // Of lines that show springs, in units of line_width_px.
 constexpr float spring_width = 1.2F;
 
@@ -72,6 +75,23 @@ sim::Garment part_measured(const sim::Garment& garment, const PictureStyle& styl
   return part;
 }
 
+/// Looks that show what is simulated, not the model that follows it.
+bool shows_simulated(const PictureStyle& style) {
+  return style.surface != SurfaceLook::shaded || style.wireframe || style.springs.which != WhichSprings::none;
+}
+
+/// Colours of the triangles that are drawn.
+DrawnColours shown_colours(const PictureStyle& style, DrawnColours colours) {
+  return colours.following && shows_simulated(style) ? DrawnColours{} : std::move(colours);
+}
+
+std::optional<sim::Garment> followed_model(const DrawnColours& colours, const sim::Garment& garment) {
+  if (!colours.following) {
+    return std::nullopt;
+  }
+  return sim::make_garment(colours.following->mesh, {.flexural_rule = sim::FlexuralRule::none}, garment.material);
+}
+
 }  // namespace
 
 float pin_radius_m(const renderer::Box& reach) {
@@ -86,9 +106,11 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
       legend_(stretch_legend(scene)),
       measured_(part_measured(garment, scene.picture)),
       pins_(pins.begin(), pins.end()),
-      colours_(std::move(colours)),
-      surface_(garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
-      rooms_(scene, garment, surface_.edge_m()),
+      colours_(shown_colours(style_, std::move(colours))),
+      simulated_(garment.mesh.triangles),
+      model_(followed_model(colours_, garment)),
+      surface_(model_ ? *model_ : garment, colours_.corner_coordinates, colours_.base_colour_of_triangle),
+      rooms_(scene, model_ ? *model_ : garment, surface_.edge_m()),
       structural_edges_(structural_edges(garment.springs)),
       line_width_px_(line_width_px(style_.settings)),
       spring_lines_(garment, style_.springs, spring_width * line_width_px_),
@@ -147,7 +169,8 @@ void GarmentPainter::look_from(const renderer::Camera& camera, float shortest_ed
       2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
   // Springs lie on the simulated triangles.
   const bool is_smooth =
-      style_.smooth && style_.surface != SurfaceLook::wireframe && style_.springs.which == WhichSprings::none;
+      style_.smooth && style_.surface != SurfaceLook::wireframe && style_.springs.which == WhichSprings::none &&
+      !(model_ && model_->mesh.triangles.size() > most_smoothed);
   const float pixels_per_m = static_cast<float>(style_.settings.height_px) / seen_m;
   const std::optional<float> shortest = is_smooth ? std::optional(shortest_edge_px) : std::nullopt;
   surface_.set_detail(pixels_per_m, shortest);
@@ -178,10 +201,12 @@ renderer::SurfaceView GarmentPainter::garment_view() {
 }
 
 const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
-  positions_ = to_float(positions);
+  const std::vector<sim::Vec3> shown_m =
+      model_ ? follow(colours_.following->bonds, positions, simulated_) : positions;
+  positions_ = to_float(shown_m);
   const std::span<const float> rooms_m =
-      surface_.is_refined() ? rooms_.find(positions, time_s) : std::span<const float>();
-  const std::size_t own = std::min(rooms_m.size(), positions.size());
+      surface_.is_refined() ? rooms_.find(shown_m, time_s) : std::span<const float>();
+  const std::size_t own = std::min(rooms_m.size(), shown_m.size());
   surface_.place(positions_, rooms_m.first(own));
   place_bodies(time_s, rooms_m.subspan(own));
   if (style_.surface == SurfaceLook::stretch) {
@@ -203,7 +228,7 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
   if (style_.show_pins && !pins_.empty()) {
     pin_positions_.clear();
     for (const sim::Index pin : pins_) {
-      pin_positions_.push_back(positions_[pin]);
+      pin_positions_.emplace_back(positions[pin]);
     }
     frame_.spheres.push_back({.centres = pin_positions_,
                               .radius_m = pin_radius_m_,

@@ -24,7 +24,8 @@ namespace taut::app {
 float pin_radius_m(const renderer::Box& reach);
 
 /// Draws a scene's garment at any positions, with the scene's camera and style. Spans of positions are in
-/// metres, per vertex of the garment.
+/// metres, per vertex of the garment. A model that follows the garment is drawn in its place, but for looks
+/// that show its springs or its stretch.
 class GarmentPainter {
  public:
   /// `renderer` must outlive the painter. `scene` and `garment` are copied as far as they are needed.
@@ -57,6 +58,8 @@ class GarmentPainter {
   sim::Garment measured_;  ///< what the stretch that is shown is measured from, and nothing else
   std::vector<sim::Index> pins_;
   DrawnColours colours_;
+  std::vector<sim::Triangle> simulated_;  ///< triangles that a model follows
+  std::optional<sim::Garment> model_;     ///< that is drawn in place of the garment
   GarmentSurface surface_;
   SurfaceRooms rooms_;
   std::vector<std::uint32_t> structural_edges_;

@@ -15,6 +15,7 @@
 #include "app/drawing/inspection_views.hpp"
 #include "app/drawing/offscreen_renderer.hpp"
 #include "app/drawing/spring_colours.hpp"
+#include "app/models/model_fitting.hpp"
 
 namespace taut::app {
 namespace {
@@ -178,8 +179,16 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
                                 const DrawnScene& scene, const std::string& backend) {
   OffscreenRenderer offscreen(backend);
   InspectionViews views = inspection_views(scene, *loaded.garment, loaded.pins);
-  const std::vector<InspectionMarks> all =
-      inspection_marks(loaded, inspection.crossings, mark_widths(inspection, views.px_per_m));
+  const MarkWidths widths = mark_widths(inspection, views.px_per_m);
+  std::array<LoadedGarment, 2> shown = {loaded, loaded};
+  if (loaded.following) {
+    shown[0] = as_modelled(loaded, scene.mapping);
+    views.sides[1] = {"the fitted mesh that is simulated", views.sides[0].scene};
+    views.sides[0].name = "the model, which follows";
+  }
+  const std::vector<InspectionMarks> all = inspection_marks(shown[0], inspection.crossings, widths);
+  const std::vector<InspectionMarks> simulated =
+      loaded.following ? inspection_marks(loaded, {}, widths) : all;
   const std::vector<LegendRow> legend = legend_of(all, loaded.pins.size());
   const float caption_px = 1.6F * row_px;
   const float below_px = header_px + static_cast<float>(views.height_px);
@@ -191,7 +200,8 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   caption.horizontal = renderer::HorizontalAlign::centre;
   for (std::size_t k = 0; k < views.sides.size(); ++k) {
     const float x_px = border_px + static_cast<float>(k) * (panel_px + gap_px);
-    canvas.image(x_px, header_px, draw_side(offscreen, views.sides[k].scene, loaded, all));
+    canvas.image(x_px, header_px,
+                 draw_side(offscreen, views.sides[k].scene, shown[k], k == 0 ? all : simulated));
     canvas.text(x_px + 0.5F * panel_px, below_px + row_px, views.sides[k].name, caption);
   }
   draw_bar(canvas, border_px + 12.0F, below_px + row_px, views.px_per_m);

@@ -9,6 +9,7 @@
 
 #include "app/library/arrays.hpp"
 #include "app/library/way_of_body.hpp"
+#include "app/models/model_fitting.hpp"
 #include "app/output/run_start.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/scene/scene_text.hpp"
@@ -44,6 +45,23 @@ std::vector<sim::Index> first_of_each(const std::vector<sim::Index>& mesh_vertex
   return first;
 }
 
+/// Per vertex of the mesh, the caller's for it: of a model that follows, the nearest.
+std::vector<sim::Index> own_vertices(const app::GarmentInScene& loaded,
+                                     const std::vector<sim::Index>& mesh_vertex) {
+  const std::vector<sim::Vec3>& mesh_m = loaded.garment->mesh.positions;
+  if (!loaded.following || mesh_vertex.size() != loaded.file_vertices.mesh_vertex.size()) {
+    return first_of_each(mesh_vertex, mesh_m.size());
+  }
+  const sim::Mesh& model = loaded.following->mesh;
+  const std::vector<sim::Index> of_model =
+      first_of_each(loaded.following->file_vertices.mesh_vertex, model.positions.size());
+  std::vector<sim::Index> own;
+  for (const app::Bond& bond : app::bonds_to(mesh_m, model)) {
+    own.push_back(of_model[app::nearest_corner(bond, model.triangles)]);
+  }
+  return own;
+}
+
 }  // namespace
 
 Session::Session(const TautOptions& options, Start start)
@@ -51,7 +69,7 @@ Session::Session(const TautOptions& options, Start start)
       loaded_(std::move(start.loaded)),
       mesh_vertex_(scene_.garment.given ? loaded_.file_vertices.mesh_vertex
                                         : counted_up(loaded_.garment->mesh.positions.size())),
-      own_vertex_(first_of_each(mesh_vertex_, loaded_.garment->mesh.positions.size())),
+      own_vertex_(own_vertices(loaded_, mesh_vertex_)),
       simulation_(app::make_simulation(scene_, loaded_)),
       frame_(app::go_to_start(scene_, simulation_)),
       lent_(std::move(start.lent)),
@@ -236,6 +254,9 @@ sim::Index Session::mesh_vertex(sim::Index vertex) const {
 }
 
 std::vector<sim::Vec3> Session::in_mesh(const std::vector<sim::Vec3>& positions_m) const {
+  if (scene_.garment.given && loaded_.following) {
+    return app::simulated_m(*loaded_.following, loaded_.garment->mesh, positions_m);
+  }
   std::vector<sim::Vec3> in_mesh_m;
   for (const sim::Index vertex : own_vertex_) {
     in_mesh_m.push_back(positions_m[vertex]);
@@ -247,10 +268,13 @@ std::vector<sim::Vec3> Session::positions_m() const {
   if (!scene_.garment.given) {
     return simulation_.state().current;
   }
+  const std::vector<sim::Index>& shown_vertex =
+      loaded_.following ? loaded_.following->file_vertices.mesh_vertex : mesh_vertex_;
+  const std::vector<sim::Vec3> shown_m = loaded_.shown_m(simulation_.state().current);
   std::vector<sim::Vec3> positions_m = loaded_.file_rest_m;
   for (std::size_t v = 0; v < positions_m.size(); ++v) {
-    if (mesh_vertex_[v] != sim::no_vertex) {
-      positions_m[v] = simulation_.state().current[mesh_vertex_[v]];
+    if (shown_vertex[v] != sim::no_vertex) {
+      positions_m[v] = shown_m[shown_vertex[v]];
     }
   }
   return positions_m;

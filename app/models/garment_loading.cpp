@@ -12,6 +12,7 @@
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/models/hanger.hpp"
+#include "app/models/model_fitting.hpp"
 #include "app/models/outside.hpp"
 #include "app/models/pins.hpp"
 #include "app/models/trims.hpp"
@@ -95,12 +96,14 @@ sim::RepairSettings repair_settings(const GarmentSource& source, double metres_p
           source.weld_m ? 0.0 : sewn_within_m / metres_per_unit};
 }
 
-void join_and_turn(const GarmentSource& source, sim::Mesh& mesh, LoadedGarment& loaded) {
+/// Turns surfaces that face inwards, and sews trims to the cloth below where the model itself is simulated.
+void turn_and_sew(const GarmentSource& source, bool is_fitted, sim::Mesh& mesh, LoadedGarment& loaded) {
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
   const std::vector<GarmentPart> parts = parts_of(mesh, adjacency);
   loaded.turned_outside_out = turn_outside_out(parts, adjacency, mesh);
   // Whoever says what is sewn wants no more of it.
-  loaded.trims_sewn_on = source.weld_m ? 0 : sew_on_trims(parts, loaded.placement->scale, mesh);
+  loaded.trims_sewn_on =
+      source.weld_m || is_fitted ? 0 : sew_on_trims(parts, loaded.placement->scale, mesh);
 }
 
 /// What was given stays where it is.
@@ -111,6 +114,23 @@ Placement place(const GarmentSource& source, const sim::Mesh& soup, const Placem
 double metres_per_uv_of(const GarmentSource& source, const sim::Mesh& mesh, const SurfaceColours& colours) {
   const std::optional<double> known = source.given ? std::nullopt : known_metres_per_uv(source.file);
   return known.value_or(metres_per_uv(mesh, colours.corner_uv));
+}
+
+sim::Mesh scaled(sim::Mesh mesh, double factor) {
+  for (sim::Vec3& position : mesh.positions) {
+    position *= factor;
+  }
+  return mesh;
+}
+
+/// Binds the model to the mesh that was fitted to it. What is named by vertices of the file is the nearest there.
+void let_follow(sim::Mesh model, const FittedModel& fitted, LoadedGarment& loaded) {
+  FollowingModel following = follow_fitted(std::move(model), fitted);
+  following.file_vertices = loaded.file_vertices;
+  for (sim::Index& vertex : loaded.file_vertices.mesh_vertex) {
+    vertex = vertex == sim::no_vertex ? vertex : nearest_corner(following.bonds[vertex], fitted.mesh.triangles);
+  }
+  loaded.following = std::make_shared<const FollowingModel>(std::move(following));
 }
 
 sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const StageReport& begin) {
@@ -133,11 +153,14 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
         sim::weld_and_validate(soup, repair_settings(source, loaded.placement->scale), kept);
     loaded.repairs = valid.report;
     require_one_size(valid.mesh);
-    join_and_turn(source, valid.mesh, loaded);
+    tell(begin, "looking whether it is fit to be simulated");
+    std::optional<FittedModel> fitted = fitted_model(source, scaled(valid.mesh, loaded.placement->scale));
+    turn_and_sew(source, fitted.has_value(), valid.mesh, loaded);
     loaded.colours = kept_colours(std::move(model.colours), imported, kept, valid.mesh.triangles);
     loaded.file_vertices = vertices_of_file(model, kept);
     if (!source.up && !model.up) {
-      hints.up_by_openings = up_by_openings(valid.mesh, sim::make_adjacency(valid.mesh));
+      const sim::Mesh& simulated = fitted ? fitted->mesh : valid.mesh;
+      hints.up_by_openings = up_by_openings(simulated, sim::make_adjacency(simulated));
       loaded.placement = place_model(soup, hints);
     }
     model.positions = std::move(soup.positions);
@@ -152,7 +175,14 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
       position = (*loaded.placement)(position);
     }
     loaded.metres_per_uv = metres_per_uv_of(source, valid.mesh, loaded.colours);
-    return std::move(valid.mesh);
+    if (!fitted) {
+      return std::move(valid.mesh);
+    }
+    for (sim::Vec3& position : fitted->mesh.positions) {
+      position = (*loaded.placement)(position / loaded.placement->scale);
+    }
+    let_follow(std::move(valid.mesh), *fitted, loaded);
+    return std::move(fitted->mesh);
   } catch (const std::invalid_argument& error) {
     throw InputError("cannot use " + name + ": " + error.what());
   }
@@ -263,6 +293,9 @@ std::vector<sim::Vec3> read_start(const GarmentSource& source, const LoadedGarme
                     "--export writes them",
                     found, file.string(), expected));
   }
+  if (loaded.following) {
+    return simulated_m(*loaded.following, loaded.garment->mesh, found_m);
+  }
   std::vector<sim::Vec3> start_m(count);
   for (std::size_t v = mesh_vertex.size(); v-- > 0;) {
     if (mesh_vertex[v] != sim::no_vertex) {
@@ -310,7 +343,8 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   }
   sim::Garment garment = sim::make_garment(std::move(pinned.mesh), scene.mapping, scene.material);
   if (!loaded.colours.corner_uv.empty()) {
-    garment.warps = sim::warps_of(garment.mesh, loaded.colours.corner_uv);
+    garment.warps = loaded.following ? warps_below(garment.mesh, loaded.following->mesh, loaded.colours.corner_uv)
+                                     : sim::warps_of(garment.mesh, loaded.colours.corner_uv);
   }
   loaded.garment = sim::share(std::move(garment));
   if (const std::optional<std::string> reason = beyond_contact(scene, *loaded.garment)) {
@@ -323,7 +357,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   if (scene.garment.has_start()) {
     loaded.start_m = read_start(scene.garment, loaded);
   }
-  if (scene.garment.untangle) {
+  if (scene.garment.untangle || loaded.following) {
     untangle(scene, loaded, begin);
   }
   return loaded;

@@ -3,9 +3,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/fitting/following.hpp"
 #include "app/models/file_vertices.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/hanging.hpp"
@@ -24,14 +26,25 @@ namespace taut::app {
 /// taken for seams.
 inline constexpr double sewn_within_m = 1e-3;
 
+/// A model that follows a simulation mesh which was fitted to it. It is what is drawn and exported.
+struct FollowingModel {
+  sim::Mesh mesh;               ///< at rest, in m
+  FileVertices file_vertices;   ///< vertices of its file, in `mesh`
+  std::vector<Bond> bonds;      ///< per vertex of `mesh`, to the simulation mesh
+  std::string why;              ///< the model itself is not simulated
+  std::size_t carried = 0;      ///< triangles that are no part of the wall which is simulated
+};
+
 /// A scene's garment as it is simulated.
 struct GarmentInScene {
   std::shared_ptr<const sim::Garment> garment;
   std::vector<sim::Index> pins;                   ///< vertices of the mesh, those that are led too
   std::optional<std::vector<sim::Vec3>> start_m;  ///< positions at the start, per vertex; empty: as modelled
-  FileVertices file_vertices;  ///< For the mesh before subdivision. Of a grid: all its vertices.
+  FileVertices file_vertices;  ///< For the mesh before subdivision. Of a grid: all its vertices. Of a model that
+                               ///< follows: the nearest ones of the simulation mesh.
   std::vector<sim::MovingPins> moving_pins = {};  ///< vertices of the mesh
-  SurfaceColours colours = {};                    ///< of the mesh's triangles
+  SurfaceColours colours = {};                    ///< of the triangles of shown_mesh()
+  std::shared_ptr<const FollowingModel> following = {};  ///< null: the model itself is simulated
   /// Of its file, to be written again; empty of a grid and of a mesh that was subdivided.
   FileFaces file_faces = {};
   std::vector<sim::Vec3> file_rest_m = {};  ///< per vertex of the file, where `file_faces` are not empty
@@ -40,6 +53,14 @@ struct GarmentInScene {
   double metres_per_uv = 0.0;
   /// Of what crossed at the start; empty if nothing did, or the scene does not ask for it.
   std::optional<Untangling> untangling = {};
+
+  /// The mesh that is drawn and exported, at rest.
+  const sim::Mesh& shown_mesh() const { return following ? following->mesh : garment->mesh; }
+  /// Its positions, for those of the simulated vertices, in m.
+  std::vector<sim::Vec3> shown_m(std::span<const sim::Vec3> positions_m) const {
+    return following ? follow(following->bonds, positions_m, garment->mesh.triangles)
+                     : std::vector<sim::Vec3>(positions_m.begin(), positions_m.end());
+  }
 };
 
 /// A scene's garment with all that was found out about it.

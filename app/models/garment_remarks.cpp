@@ -9,6 +9,7 @@
 
 #include "app/base/counted.hpp"
 #include "app/models/hanger.hpp"
+#include "app/models/model_fitting.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "app/verify/solid_bodies.hpp"
 #include "sim/mesh/topology.hpp"
@@ -113,6 +114,9 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   }
   if (loaded.repairs) {
     append_repairs(*loaded.repairs, lines);
+  }
+  if (loaded.following) {
+    lines.push_back(describe(*loaded.following, loaded.garment->mesh));
   }
   if (loaded.trims_sewn_on > 0) {
     lines.push_back(counted(loaded.trims_sewn_on, "small part") + " sewn to the cloth below (garment.weld)");

@@ -10,6 +10,7 @@
 
 #include "app/base/counted.hpp"
 #include "app/models/hanger.hpp"
+#include "app/models/model_fitting.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -61,6 +62,22 @@ void measure_surface(const LoadedGarment& loaded, Inspection& result) {
   if (loaded.start_m) {
     result.start = StretchAtStart{sim::measure_stretch(garment.springs, *loaded.start_m),
                                   sim::measure_surface_stretch(garment, *loaded.start_m)};
+  }
+}
+
+void count_springs(const sim::Springs& springs, Inspection& result) {
+  result.structural_springs = springs.count(sim::SpringKind::structural);
+  result.shear_springs = springs.count(sim::SpringKind::shear);
+  result.flexural_springs = springs.count(sim::SpringKind::flexural);
+}
+
+void say_hanging(const LoadedGarment& loaded, Inspection& result) {
+  if (loaded.hanging) {
+    result.parts = loaded.hanging->parts;
+    result.hanging = describe(*loaded.hanging);
+  }
+  if (!loaded.hanger.empty()) {
+    result.hanging.push_back(describe(loaded.hanger));
   }
 }
 
@@ -165,6 +182,14 @@ std::string describe_topology(const sim::Topology& t) {
 }  // namespace
 
 Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
+  if (loaded.following) {
+    Inspection modelled = inspect_garment(scene, as_modelled(loaded, scene.mapping));
+    modelled.simulated = describe(*loaded.following, loaded.garment->mesh);
+    modelled.fitted_triangles = loaded.garment->mesh.triangles.size();
+    count_springs(loaded.garment->springs, modelled);
+    say_hanging(loaded, modelled);
+    return modelled;
+  }
   const sim::Garment& garment = *loaded.garment;
   Inspection result;
   result.file = scene.garment.file.string();
@@ -174,13 +199,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   result.model.colours = {};
   result.repairs = *loaded.repairs;
   result.placement = *loaded.placement;
-  if (loaded.hanging) {
-    result.parts = loaded.hanging->parts;
-    result.hanging = describe(*loaded.hanging);
-  }
-  if (!loaded.hanger.empty()) {
-    result.hanging.push_back(describe(loaded.hanger));
-  }
+  say_hanging(loaded, result);
   result.vertex_numbers = loaded.file_vertices.describe();
   result.vertices = garment.mesh.positions.size();
   result.triangles = garment.mesh.triangles.size();
@@ -191,9 +210,7 @@ Inspection inspect_garment(const Scene& scene, const LoadedGarment& loaded) {
   result.texture = describe_texture(loaded);
   result.remarks = loaded.colours.remarks;
   result.topology = sim::measure_topology(garment.mesh, garment.adjacency);
-  result.structural_springs = garment.springs.count(sim::SpringKind::structural);
-  result.shear_springs = garment.springs.count(sim::SpringKind::shear);
-  result.flexural_springs = garment.springs.count(sim::SpringKind::flexural);
+  count_springs(garment.springs, result);
   for (const auto& [name, vertices] : loaded.landmarks) {
     result.landmarks.push_back({name, vertices.size()});
   }
@@ -207,6 +224,7 @@ std::string describe(const Inspection& i) {
   text +=
       fmt::format("mesh        {}, {}\n", vertices(i.vertices), triangles(i.triangles)) + describe_size(i);
   text += describe_topology(i.topology);
+  text += i.simulated.empty() ? "" : "simulated   " + i.simulated + '\n';
   text += fmt::format("springs     {} structural, {} shear, {} flexural\n", i.structural_springs,
                       i.shear_springs, i.flexural_springs);
   text += fmt::format("texture     {}\n", i.texture);

@@ -23,7 +23,8 @@ struct StretchAtStart {
   sim::SurfaceStretch surface;
 };
 
-/// What is in a model file and how it maps to springs. All numbers are counts unless a unit is given.
+/// What is in a model file and how it maps to springs. Of a model that follows a fitted mesh, parts, springs and
+/// what is hung are those of that mesh. All numbers are counts unless a unit is given.
 struct Inspection {
   std::string file;
   ImportedModel model;  ///< without its arrays
@@ -50,6 +51,8 @@ struct Inspection {
   std::size_t structural_springs = 0;
   std::size_t shear_springs = 0;
   std::size_t flexural_springs = 0;
+  std::string simulated;             ///< the mesh that is simulated in place of the model, for people; empty: none
+  std::size_t fitted_triangles = 0;  ///< of that mesh
   std::vector<LandmarkSize> landmarks;
   std::string vertex_numbers;        ///< what the numbers in the key pins.at count
   std::vector<std::string> remarks;  ///< what the user should check

@@ -318,6 +318,7 @@ std::string inspection_json(const Inspection& i) {
        {"crossings", crossings_json(i.crossings)},
        {"untangling", untangling_json(i.untangling)},
        {"topology", topology},
+       {"fitted", i.simulated.empty() ? Json() : Json({{"triangles", i.fitted_triangles}, {"said", i.simulated}})},
        {"springs", spring_counts(i.structural_springs, i.shear_springs, i.flexural_springs)},
        {"landmarks", landmarks},
        {"vertex_numbers", i.vertex_numbers},

@@ -19,6 +19,13 @@ namespace taut::app {
 struct ImportedModel;
 struct Wearer;
 
+/// Which mesh of a model is simulated.
+enum class MeshChoice {
+  automatic,  ///< the model where it is fit for it, else the fitted one
+  model,      ///< the model's own triangles
+  fitted,     ///< one clean wall that is made of the model, which follows it
+};
+
 /// Where the garment comes from: a model file, or a regular grid if no file is named.
 struct GarmentSource {
   std::filesystem::path file;   ///< empty: the grid
@@ -26,7 +33,9 @@ struct GarmentSource {
   std::optional<ModelAxis> up;  ///< in the file's coordinates; empty: the file's own, or a guess
   /// Vertices of borders that are closer than this become one; empty: where parts meet beyond doubt.
   std::optional<double> weld_m;
-  int subdivisions = 0;  ///< each makes four triangles of one; only for a file
+  MeshChoice mesh = MeshChoice::automatic;
+  int most_triangles = 8000;  ///< of a fitted mesh
+  int subdivisions = 0;       ///< each makes four triangles of one; only for a file
   /// Model file with the positions at the start: the garment's vertices, in metres with y up. Empty: the
   /// garment starts as it was modelled.
   std::filesystem::path start;

@@ -69,6 +69,14 @@ void add_garment(SceneKeys& keys) {
       "garment.up", MEMBER(garment.up),
       "the model's direction that is up; auto: what the file says, or else a guess from its size"));
   keys.push_back(weld_key());
+  keys.push_back(choice_key<Scene, MeshChoice>(
+      "garment.mesh",
+      {{"auto", MeshChoice::automatic}, {"model", MeshChoice::model}, {"fitted", MeshChoice::fitted}},
+      MEMBER(garment.mesh),
+      "the mesh that is simulated: the model's own; or a fitted one of a single clean wall, which the model then "
+      "follows; auto: the model's own where it is fit to be simulated"));
+  keys.push_back(whole("garment.triangles", 200, 200000, MEMBER(garment.most_triangles),
+                       "fitted: the most triangles; more show finer folds and cost more"));
   keys.push_back(whole("garment.subdivisions", 0, 5, MEMBER(garment.subdivisions),
                        "of the model: each makes four of every triangle and keeps the shape"));
   keys.push_back(whole("garment.grid.columns", 2, 2000, MEMBER(garment.grid.columns), "mass points across"));

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/mesh/mesh.hpp"
+
+namespace taut::app {
+
+/// A point bound to a triangle of a mesh: a place in the triangle, and an offset in a frame that turns with it.
+struct Bond {
+  sim::Index triangle = 0;              ///< of the mesh
+  std::array<double, 3> weights{};      ///< of its corners, at the nearest point; their sum is 1
+  sim::Vec3 offset_m = sim::Vec3(0.0);  ///< along the first edge, across it, along the normal
+};
+
+/// Binds each point to the nearest triangle of the mesh. With `normals`, one unit vector per point or 0, a
+/// triangle that faces the same way is preferred to one at up to twice the distance. Requires a mesh with
+/// triangles.
+std::vector<Bond> bonds_to(std::span<const sim::Vec3> points_m, const sim::Mesh& mesh,
+                       std::span<const sim::Vec3> normals = {});
+
+/// Returns the bound points for positions of the mesh's vertices, in m. At the positions it was bound at they
+/// are where they were, up to rounding.
+std::vector<sim::Vec3> follow(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
+                              std::span<const sim::Triangle> triangles);
+
+/// Returns the vertex of the bond's triangle that has the largest weight.
+sim::Index nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles);
+
+/// Returns unit normals per vertex, by area; 0 where a vertex has no triangle with an area.
+std::vector<sim::Vec3> vertex_normals(std::span<const sim::Vec3> positions_m,
+                                      std::span<const sim::Triangle> triangles);
+
+}  // namespace taut::app

@@ -1,0 +1,151 @@
+#include "app/models/model_fitting.hpp"
+
+#include <fmt/core.h>
+
+#include <glm/geometric.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "app/base/counted.hpp"
+#include "app/verify/crossing_pairs.hpp"
+#include "sim/measures.hpp"
+#include "sim/mesh/welding.hpp"
+#include "sim/surface.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Vec2;
+using sim::Vec3;
+
+/// Unit normals of vertices that belong to the simulated wall; 0 at others.
+std::vector<Vec3> wall_normals(const sim::Mesh& model_m, const FittedModel& fitted) {
+  std::vector<sim::Triangle> wall;
+  for (std::size_t t = 0; t < model_m.triangles.size(); ++t) {
+    if (fitted.is_simulated[t]) {
+      wall.push_back(model_m.triangles[t]);
+    }
+  }
+  return vertex_normals(model_m.positions, wall);
+}
+
+/// The axes in which a triangle is laid flat (sim::TriangleAtRest): along its first edge, and across.
+struct FlatAxes {
+  Vec3 along, across;
+
+  explicit FlatAxes(const std::array<Vec3, 3>& corners) {
+    const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    along = glm::normalize(corners[1] - corners[0]);
+    across = glm::cross(glm::normalize(normal), along);
+  }
+};
+
+}  // namespace
+
+std::optional<FittedModel> fitted_model(const GarmentSource& source, const sim::Mesh& model_m) {
+  const bool may_choose = source.mesh == MeshChoice::automatic && source.subdivisions == 0 && !source.given;
+  if (source.mesh == MeshChoice::fitted && source.subdivisions > 0) {
+    throw std::invalid_argument(
+        "garment.subdivisions is of the model itself; garment.triangles says how fine a fitted mesh is");
+  }
+  std::string why = source.mesh == MeshChoice::fitted ? "garment.mesh asks for it" : "";
+  if (may_choose) {
+    why = why_not_fit_for_simulation(model_m, crossing_pairs({model_m.positions, model_m.triangles}).size()).value_or("");
+  }
+  if (why.empty()) {
+    return std::nullopt;
+  }
+  FittingSettings settings;
+  settings.most_triangles = static_cast<std::size_t>(source.most_triangles);
+  return FittedModel{fit_mesh(model_m, settings), std::move(why)};
+}
+
+FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted) {
+  FollowingModel following;
+  following.bonds = bonds_to(model_m.positions, fitted.mesh, wall_normals(model_m, fitted));
+  following.why = fitted.why;
+  for (const std::uint8_t is_simulated : fitted.is_simulated) {
+    following.carried += is_simulated ? 0 : 1;
+  }
+  following.mesh = std::move(model_m);
+  return following;
+}
+
+std::vector<Vec2> warps_below(const sim::Mesh& simulated, const sim::Mesh& model,
+                              std::span<const glm::vec2> corner_uv) {
+  std::vector<Vec3> middles_m;
+  std::vector<Vec3> normals;
+  for (const sim::Triangle& t : simulated.triangles) {
+    const auto [a, b, c] = sim::corners_of(t, simulated.positions);
+    middles_m.push_back((a + b + c) / 3.0);
+    normals.push_back(glm::normalize(glm::cross(b - a, c - a)));
+  }
+  const std::vector<Bond> bonds = bonds_to(middles_m, model, normals);
+  const std::vector<Vec2> of_model = sim::warps_of(model, corner_uv);
+  std::vector<Vec2> warps;
+  for (std::size_t t = 0; t < bonds.size(); ++t) {
+    const Index below = bonds[t].triangle;
+    const FlatAxes from(sim::corners_of(model.triangles[below], model.positions));
+    const FlatAxes to(sim::corners_of(simulated.triangles[t], simulated.positions));
+    const Vec3 warp = of_model[below].x * from.along + of_model[below].y * from.across;
+    const Vec2 laid(glm::dot(warp, to.along), glm::dot(warp, to.across));
+    warps.push_back(glm::length(laid) > 0.5 ? glm::normalize(laid)
+                                            : sim::upright_in(sim::corners_of(simulated.triangles[t], simulated.positions)));
+  }
+  return warps;
+}
+
+std::vector<Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& simulated,
+                              std::span<const Vec3> file_m) {
+  std::vector<Vec3> model_m = following.mesh.positions;
+  const std::vector<Index>& of_file = following.file_vertices.mesh_vertex;
+  for (std::size_t v = of_file.size(); v-- > 0;) {
+    if (of_file[v] != sim::no_vertex) {
+      model_m[of_file[v]] = file_m[v];
+    }
+  }
+  const std::vector<Vec3> normals = vertex_normals(simulated.positions, simulated.triangles);
+  return follow(bonds_to(simulated.positions, following.mesh, normals), model_m, following.mesh.triangles);
+}
+
+std::string describe(const FollowingModel& following, const sim::Mesh& simulated) {
+  const std::size_t all = following.mesh.triangles.size();
+  return fmt::format(
+      "a fitted mesh of {} is simulated, and the model of {} follows it{}: {} (garment.mesh)",
+      counted(simulated.triangles.size(), "triangle"), all,
+      following.carried > 0 ? fmt::format(", {:.0f} % of them carried", 100.0 * static_cast<double>(following.carried) /
+                                                                            static_cast<double>(all))
+                            : "",
+      following.why);
+}
+
+LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSettings& mapping) {
+  LoadedGarment modelled = loaded;
+  modelled.garment = sim::share(sim::make_garment(loaded.following->mesh, mapping, loaded.garment->material));
+  modelled.file_vertices = loaded.following->file_vertices;
+  modelled.following = nullptr;
+  modelled.pins.clear();
+  modelled.moving_pins.clear();
+  modelled.hanger.clear();
+  modelled.start_m.reset();
+  modelled.untangling.reset();
+  modelled.hanging.reset();
+  return modelled;
+}
+
+std::string describe_following(const GarmentInScene& loaded, std::span<const Vec3> positions_m) {
+  if (!loaded.following) {
+    return "";
+  }
+  const std::vector<Vec3> shown_m = loaded.shown_m(positions_m);
+  const sim::Garment model = sim::make_garment(loaded.following->mesh, {.flexural_rule = sim::FlexuralRule::none});
+  const std::size_t crossings = crossing_pairs({shown_m, model.mesh.triangles}).size();
+  const sim::SurfaceStretch stretch = sim::measure_surface_stretch(model, shown_m);
+  return fmt::format(
+      "the promises are those of the fitted mesh; the model that follows it is stretched by up to {:.1f} % (99th "
+      "percentile {:.1f} %), and {} of its triangles cross",
+      100.0 * stretch.max, 100.0 * stretch.p99, counted(crossings, "pair"));
+}
+
+}  // namespace taut::app

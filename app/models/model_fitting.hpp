@@ -1,0 +1,45 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/fitting/fitted_mesh.hpp"
+#include "app/models/garment_loading.hpp"
+
+namespace taut::app {
+
+/// A simulation mesh that was fitted to a model, and why.
+struct FittedModel : FittedMesh {
+  std::string why;
+};
+
+/// Returns a simulation mesh if the scene asks for one, or if the model is not fit to be simulated and the scene
+/// leaves the choice. `model_m` is welded, in metres. Throws std::invalid_argument if no mesh can be made.
+std::optional<FittedModel> fitted_model(const GarmentSource& source, const sim::Mesh& model_m);
+
+/// Binds the model to the mesh that was fitted to it, both in metres.
+FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted);
+
+/// Returns, per triangle of the simulation mesh, the direction of the warp as sim::warps_of has it, from the
+/// texture coordinates of the model's triangle that is nearest.
+std::vector<sim::Vec2> warps_below(const sim::Mesh& simulated, const sim::Mesh& model,
+                                   std::span<const glm::vec2> corner_uv);
+
+/// Returns the simulated positions for positions of the model's file, in m. Requires one per vertex of the file.
+std::vector<sim::Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& simulated,
+                                   std::span<const sim::Vec3> file_m);
+
+/// One line for people: the mesh that is simulated instead of the model, and why.
+std::string describe(const FollowingModel& following, const sim::Mesh& simulated);
+
+/// The garment as if the model that follows were simulated itself: without pins, as it was modelled.
+LoadedGarment as_modelled(const LoadedGarment& loaded, const sim::MappingSettings& mapping);
+
+/// One line for people: how far a model that follows is stretched, and how many pairs of its triangles cross, for
+/// these positions of the simulated vertices, in m. No promise is made of it. Empty where the model is simulated.
+std::string describe_following(const GarmentInScene& loaded, std::span<const sim::Vec3> positions_m);
+
+}  // namespace taut::app

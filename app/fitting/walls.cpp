@@ -105,14 +105,14 @@ double area_of(const View& view, std::span<const sim::Index> piece) {
 /// Pieces that are kept or carried as a whole: sheets, and walls of those that have two.
 class Pieces {
  public:
-  Pieces(const View& view, const OtherWall& other) : view_(view), other_(other), piece_of_(view.areas.size(), sim::no_vertex) {
+  Pieces(const View& view, const OtherWalls& other) : view_(view), other_(other), piece_of_(view.areas.size(), sim::no_vertex) {
     const auto all = gathered(view.sheets.sheet_of, view.sheets.count);
     const sim::Vec3 size = sim::extent_of(view.sheets.mesh.positions).size();
     const bool is_flat = std::min({size.x, size.y, size.z}) < flat_m;
     for (const auto& sheet : all) {
       double doubled = 0.0;
       for (const sim::Index t : sheet) {
-        doubled += other.triangle[t] != sim::no_vertex ? view.areas[t] : 0.0;
+        doubled += other[t] != sim::no_vertex ? view.areas[t] : 0.0;
       }
       const bool is_shell = doubled > shell_share * area_of(view, sheet) && (!is_flat || is_closed(view.sheets, sheet));
       if (is_shell) {
@@ -141,7 +141,7 @@ class Pieces {
       for (int side = 0; side < 3; ++side) {
         const sim::Index next = view_.sheets.beyond[3 * t + side];
         if (goes_on_to(t, side) && piece_of_[next] == sim::no_vertex &&
-            (all_kinds || other_.triangle[next] != sim::no_vertex)) {
+            (all_kinds || other_[next] != sim::no_vertex)) {
           piece_of_[next] = piece_of_[t];
           front.push_back(next);
         }
@@ -153,7 +153,7 @@ class Pieces {
   void cut_into_walls(std::span<const sim::Index> sheet) {
     const sim::Index first = count_;
     for (const sim::Index t : sheet) {
-      if (piece_of_[t] == sim::no_vertex && other_.triangle[t] != sim::no_vertex) {
+      if (piece_of_[t] == sim::no_vertex && other_[t] != sim::no_vertex) {
         piece_of_[t] = count_++;
         flood({t}, false);
       }
@@ -216,14 +216,14 @@ class Pieces {
   static constexpr double smallest_wall = 0.02;  ///< share of its sheet's area
 
   const View& view_;
-  const OtherWall& other_;
+  const OtherWalls& other_;
   std::vector<sim::Index> piece_of_;
   std::vector<char> seen_ = std::vector<char>(piece_of_.size(), 0);
   sim::Index count_ = 0;
 };
 
-bool is_covered(const View& view, const OtherWall& other, const std::vector<char>& kept, sim::Index t) {
-  if (other.triangle[t] != sim::no_vertex && kept[other.triangle[t]] != 0) {
+bool is_covered(const View& view, const OtherWalls& other, const std::vector<char>& kept, sim::Index t) {
+  if (other[t] != sim::no_vertex && kept[other[t]] != 0) {
     return true;
   }
   const sim::Vec3 middle = middle_of(view.sheets.mesh, t);
@@ -254,11 +254,11 @@ void turn_outwards(Sheets& sheets) {
   }
 }
 
-OtherWall find_other_walls(const Sheets& sheets) {
+OtherWalls find_other_walls(const Sheets& sheets) {
   const View view(sheets);
   const double reach_m = std::min(thickest_m, thickest_share * view.size_m);
-  OtherWall other{std::vector<sim::Index>(sheets.mesh.triangles.size(), sim::no_vertex)};
-  for (sim::Index t = 0; t < other.triangle.size(); ++t) {
+  OtherWalls other(sheets.mesh.triangles.size(), sim::no_vertex);
+  for (sim::Index t = 0; t < other.size(); ++t) {
     if (view.normals[t] == sim::Vec3(0.0)) {
       continue;
     }
@@ -267,22 +267,22 @@ OtherWall find_other_walls(const Sheets& sheets) {
           return glm::dot(view.normals[t], view.normals[p.triangle]) < against &&
                  !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
         });
-    other.triangle[t] = hit ? hit->triangle : sim::no_vertex;
+    other[t] = hit ? hit->triangle : sim::no_vertex;
   }
   return other;
 }
 
-double share_of_two_walls(const Sheets& sheets, const OtherWall& other) {
+double share_of_two_walls(const Sheets& sheets, const OtherWalls& other) {
   double doubled = 0.0, all = 0.0;
-  for (std::size_t t = 0; t < other.triangle.size(); ++t) {
+  for (std::size_t t = 0; t < other.size(); ++t) {
     const double area = glm::length(sim::doubled_area_vector(sheets.mesh.positions, sheets.mesh.triangles[t]));
     all += area;
-    doubled += other.triangle[t] != sim::no_vertex ? area : 0.0;
+    doubled += other[t] != sim::no_vertex ? area : 0.0;
   }
   return all > 0.0 ? doubled / all : 0.0;
 }
 
-std::vector<char> choose_walls(const Sheets& sheets, const OtherWall& other) {
+std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other) {
   const View view(sheets);
   const Pieces pieces(view, other);
   const auto triangles_of = gathered(pieces.piece_of(), pieces.count());

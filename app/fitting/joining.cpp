@@ -17,13 +17,12 @@ namespace {
 
 constexpr double layered = 0.95;     ///< cosine between the ways into the cloth above which one border lies on the other
 constexpr double facing = -0.3;      ///< and below which borders of one sheet can be a seam
-constexpr double alongside = 0.7;    ///< cosine between the ways of two borders
 constexpr double not_across = 0.3;   ///< cosine between the way into the cloth and to the other border of the same sheet
 
 /// A border edge in the way of its triangle.
 struct BorderEdge {
   sim::Index from, to, triangle;
-  sim::Vec3 along, inwards;
+  sim::Vec3 inwards;
 };
 
 std::vector<BorderEdge> border_edges(const sim::Mesh& mesh) {
@@ -40,8 +39,7 @@ std::vector<BorderEdge> border_edges(const sim::Mesh& mesh) {
     }
     const sim::Vec3 way = mesh.positions[to] - mesh.positions[from];
     const sim::Vec3 in = glm::cross(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]), way);
-    const auto unit = [](const sim::Vec3& v) { return glm::dot(v, v) > 0.0 ? glm::normalize(v) : v; };
-    edges.push_back({from, to, t, unit(way), unit(in)});
+    edges.push_back({from, to, t, glm::dot(in, in) > 0.0 ? glm::normalize(in) : in});
   }
   return edges;
 }
@@ -65,7 +63,6 @@ class Seams {
     for (const BorderEdge& edge : edges_) {
       for (const sim::Index v : {edge.from, edge.to}) {
         Border& border = borders_[v];
-        border.along += edge.along;
         border.inwards += edge.inwards;
         border.near.insert({edge.from, edge.to});
       }
@@ -90,14 +87,13 @@ class Seams {
 
  private:
   struct Border {
-    sim::Vec3 along = sim::Vec3(0.0), inwards = sim::Vec3(0.0);
+    sim::Vec3 inwards = sim::Vec3(0.0);
     std::set<sim::Index> near;  ///< the vertex and those before and after it
   };
 
   bool may_join(sim::Index v, const Border& border, const BorderEdge& edge, const SurfacePoint& place) {
     const double between = glm::dot(border.inwards, edge.inwards);
-    if (border.near.contains(edge.from) || border.near.contains(edge.to) ||
-        std::abs(glm::dot(border.along, edge.along)) < alongside * glm::length(border.along)) {
+    if (border.near.contains(edge.from) || border.near.contains(edge.to)) {
       return false;
     }
     if (part_of_.find(v) != part_of_.find(edge.from)) {

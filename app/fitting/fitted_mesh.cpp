@@ -1,0 +1,86 @@
+#include "app/fitting/fitted_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "app/fitting/joining.hpp"
+#include "app/fitting/remeshing.hpp"
+#include "app/fitting/sheets.hpp"
+#include "app/fitting/walls.hpp"
+#include "app/verify/crossing_pairs.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double smallest_sheet = 0.02;        ///< share of the area; what is smaller is carried
+constexpr double smallest_beside_largest = 0.05;  ///< where all are small, of the largest
+constexpr double filled = 0.9;                 ///< of the triangles that may be there
+constexpr double closed_hole_edges = 3.0;      ///< round a hole that is closed
+
+std::vector<double> areas_of_sheets(const Sheets& sheets) {
+  std::vector<double> areas(sheets.count, 0.0);
+  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
+    const auto& [a, b, c] = sheets.mesh.triangles[t];
+    const auto& at = sheets.mesh.positions;
+    areas[sheets.sheet_of[t]] += 0.5 * glm::length(glm::cross(at[b] - at[a], at[c] - at[a]));
+  }
+  return areas;
+}
+
+std::vector<char> large_sheets(const Sheets& sheets) {
+  const std::vector<double> areas = areas_of_sheets(sheets);
+  double all = 0.0, largest = 0.0;
+  for (const double area : areas) {
+    all += area;
+    largest = std::max(largest, area);
+  }
+  std::vector<char> large;
+  for (const double area : areas) {
+    large.push_back(static_cast<char>(area >= std::min(smallest_sheet * all, smallest_beside_largest * largest)));
+  }
+  return large;
+}
+
+double edge_for(double area_m2, std::size_t triangles) {
+  return std::sqrt(4.0 * area_m2 / (std::numbers::sqrt3 * static_cast<double>(triangles)));
+}
+
+}  // namespace
+
+FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
+  FittedMesh fitted;
+  Sheets sheets = cut_into_sheets(model_m);
+  turn_outwards(sheets);
+  const std::vector<char> kept = choose_walls(sheets, find_other_walls(sheets));
+  sim::Mesh wall{sheets.mesh.positions, {}, {}};
+  for (std::size_t t = 0; t < kept.size(); ++t) {
+    if (kept[t] != 0) {
+      wall.triangles.push_back(sheets.mesh.triangles[t]);
+    }
+  }
+  wall = cut_into_sheets(wall).mesh;
+  fitted.joined_vertices = join_borders(settings.join_distance_m, wall);
+  Sheets joined = cut_into_sheets(wall);
+  turn_outwards(joined);
+  const std::vector<char> large = large_sheets(joined);
+  sim::Mesh surface{joined.mesh.positions, {}, {}};
+  double area = 0.0;
+  for (std::size_t t = 0; t < joined.sheet_of.size(); ++t) {
+    if (large[joined.sheet_of[t]] != 0) {
+      surface.triangles.push_back(joined.mesh.triangles[t]);
+    }
+  }
+  area = sim::surface_area(surface);
+  fitted.edge_m = edge_for(area, static_cast<std::size_t>(filled * static_cast<double>(settings.most_triangles)));
+  fitted.closed_holes = close_small_holes(closed_hole_edges * fitted.edge_m, surface);
+  fitted.mesh = remesh(surface, fitted.edge_m);
+  fitted.sheets = cut_into_sheets(fitted.mesh).count;
+  fitted.is_simulated.assign(kept.begin(), kept.end());
+  fitted.carried_triangles = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 0));
+  fitted.crossings = crossing_pairs({fitted.mesh.positions, fitted.mesh.triangles}).size();
+  return fitted;
+}
+
+}  // namespace taut::app

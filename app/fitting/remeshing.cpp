@@ -1,0 +1,387 @@
+#include "app/fitting/remeshing.hpp"
+
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/fitting/joining.hpp"
+#include "app/fitting/sheets.hpp"
+#include "app/fitting/surface_tree.hpp"
+#include "sim/mesh/groups.hpp"
+#include "sim/mesh/welding.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Vec3;
+using Vertex = OpenMesh::VertexHandle;
+using Edge = OpenMesh::EdgeHandle;
+using Halfedge = OpenMesh::HalfedgeHandle;
+
+constexpr int rounds = 8;
+constexpr int most_sweeps = 6;       ///< of collapses in a round
+constexpr double longest = 4.0 / 3.0;
+constexpr double shortest = 4.0 / 5.0;
+constexpr double corner = 0.6;       ///< cosine of the turn of a border that stays
+constexpr double corner_reach = 0.7; ///< of an edge, to both sides of it
+constexpr double same_side = 0.3;    ///< cosine between normals before and after
+constexpr double thin = 0.02;        ///< doubled area over the square of the longest side: its normal says nothing
+
+std::vector<sim::Triangle> segments_of(const std::vector<std::vector<sim::Index>>& loops) {
+  std::vector<sim::Triangle> segments;
+  for (const auto& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      segments.push_back({loop[i], loop[(i + 1) % loop.size()], loop[i]});
+    }
+  }
+  return segments;
+}
+
+/// The surface that is approached.
+struct Model {
+  explicit Model(const sim::Mesh& mesh)
+      : tree(mesh.positions, mesh.triangles),
+        normals(unit_normals(mesh)),
+        loops(border_loops(mesh)),
+        segments(segments_of(loops)),
+        borders(mesh.positions, segments) {
+    sim::Groups parts(mesh.positions.size());
+    for (const sim::Triangle& t : mesh.triangles) {
+      parts.join(t[0], t[1]);
+      parts.join(t[0], t[2]);
+    }
+    for (sim::Index v = 0; v < mesh.positions.size(); ++v) {
+      part_of_vertex.push_back(parts.find(v));
+    }
+    for (const sim::Triangle& t : mesh.triangles) {
+      part_of.push_back(parts.find(t[0]));
+    }
+  }
+
+  SurfaceTree tree;
+  std::vector<Vec3> normals;
+  std::vector<sim::Index> part_of, part_of_vertex;
+  std::vector<std::vector<sim::Index>> loops;
+  std::vector<sim::Triangle> segments;
+  SurfaceTree borders;
+};
+
+class Remesher {
+ public:
+  Remesher(const sim::Mesh& surface, double edge_m)
+      : model_(surface), length_(edge_m), at_(surface.positions), part_(model_.part_of_vertex),
+        is_corner_(surface.positions.size(), 0) {
+    net_.request_vertex_status();
+    net_.request_halfedge_status();
+    net_.request_edge_status();
+    net_.request_face_status();
+    for (std::size_t v = 0; v < at_.size(); ++v) {
+      net_.new_vertex();
+    }
+    for (const sim::Triangle& t : surface.triangles) {
+      net_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
+    }
+    for (const auto& loop : model_.loops) {
+      mark_corners(loop);
+    }
+  }
+
+  sim::Mesh run() {
+    for (int round = 0; round < rounds; ++round) {
+      split_long();
+      collapse_short();
+      flip([this](Edge e) { return evens_valences(e); });
+      smooth();
+      smooth();
+    }
+    for (int round = 0; round < 3; ++round) {
+      flip([this](Edge e) { return widens_angles(e); });
+      smooth();
+    }
+    flip([this](Edge e) { return widens_angles(e); });
+    return result();
+  }
+
+ private:
+  static Vertex vertex(sim::Index v) { return Vertex(static_cast<int>(v)); }
+  const Vec3& at(Vertex v) const { return at_[static_cast<std::size_t>(v.idx())]; }
+  Vec3& at(Vertex v) { return at_[static_cast<std::size_t>(v.idx())]; }
+  bool is_gone(Edge e) const { return net_.status(e).deleted(); }
+  double length(Edge e) const {
+    const Halfedge h = net_.halfedge_handle(e, 0);
+    return glm::distance(at(net_.from_vertex_handle(h)), at(net_.to_vertex_handle(h)));
+  }
+  static Vec3 doubled_area(const Vec3& a, const Vec3& b, const Vec3& c) { return glm::cross(b - a, c - a); }
+
+  void mark_corners(const std::vector<sim::Index>& loop) {
+    const std::size_t n = loop.size();
+    const auto place_at = [&](std::size_t i, std::size_t step) {
+      Vec3 place = at_[loop[i]];
+      double way = 0.0;
+      for (std::size_t k = 0, j = i; k < n && way < corner_reach * length_; ++k) {
+        j = (j + step) % n;
+        const double edge = glm::distance(place, at_[loop[j]]);
+        const double part = edge > 0.0 ? std::min(1.0, (corner_reach * length_ - way) / edge) : 1.0;
+        place += part * (at_[loop[j]] - place);
+        way += std::max(edge, 1e-12);
+      }
+      return place;
+    };
+    std::vector<double> straight(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3 before = at_[loop[i]] - place_at(i, n - 1), after = place_at(i, 1) - at_[loop[i]];
+      const double lengths = glm::length(before) * glm::length(after);
+      straight[i] = lengths > 0.0 ? glm::dot(before, after) / lengths : 1.0;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      bool is_sharpest = straight[i] < corner;
+      for (const std::size_t step : {std::size_t{1}, n - 1}) {
+        double way = 0.0;
+        for (std::size_t j = (i + step) % n; j != i && is_sharpest; j = (j + step) % n) {
+          way += glm::distance(at_[loop[j]], at_[loop[(j + n - step) % n]]);
+          if (way > corner_reach * length_) {
+            break;
+          }
+          is_sharpest = straight[i] < straight[j] || (straight[i] == straight[j] && i < j);
+        }
+      }
+      is_corner_[loop[i]] = static_cast<char>(is_sharpest);
+    }
+  }
+
+  void split_long() {
+    const std::size_t count = net_.n_edges();
+    for (std::size_t i = 0; i < net_.n_edges() && i < 64 * count; ++i) {
+      const Edge e(static_cast<int>(i));
+      if (is_gone(e) || !(length(e) > longest * length_)) {
+        continue;
+      }
+      const Halfedge h = net_.halfedge_handle(e, 0);
+      const Vertex a = net_.from_vertex_handle(h), b = net_.to_vertex_handle(h);
+      const bool is_border = net_.is_boundary(e);
+      at_.push_back(0.5 * (at(a) + at(b)));
+      part_.push_back(part_[static_cast<std::size_t>(a.idx())]);
+      is_corner_.push_back(0);
+      const Vertex added = net_.new_vertex();
+      net_.split(e, added);
+      at(added) = on_model(added, at(added), is_border);
+      if (length(e) > longest * length_) {
+        --i;
+      }
+    }
+  }
+
+  void collapse_short() {
+    bool changed = true;
+    for (int sweep = 0; changed && sweep < most_sweeps; ++sweep) {
+      changed = false;
+      for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+        const Edge e(static_cast<int>(i));
+        if (is_gone(e) || !(length(e) < shortest * length_)) {
+          continue;
+        }
+        for (const int side : {0, 1}) {
+          const Halfedge h = net_.halfedge_handle(e, static_cast<unsigned>(side));
+          if (may_collapse(h)) {
+            net_.collapse(h);
+            changed = true;
+            break;
+          }
+        }
+      }
+    }
+  }
+
+  bool may_collapse(Halfedge h) {
+    const Vertex from = net_.from_vertex_handle(h), to = net_.to_vertex_handle(h);
+    const bool border = net_.is_boundary(from);
+    if (is_corner_[static_cast<std::size_t>(from.idx())] != 0 || (border && !net_.is_boundary(net_.edge_handle(h))) ||
+        !net_.is_collapse_ok(h)) {
+      return false;
+    }
+    for (auto out = net_.voh_iter(from); out.is_valid(); ++out) {
+      const Vertex a = net_.to_vertex_handle(*out);
+      if (a != to && glm::distance(at(a), at(to)) > longest * length_) {
+        return false;
+      }
+      if (net_.is_boundary(*out)) {
+        continue;
+      }
+      const Vertex b = net_.to_vertex_handle(net_.next_halfedge_handle(*out));
+      if (a != to && b != to && !stays(doubled_area(at(from), at(a), at(b)), at(to), at(a), at(b))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Whether this triangle, which had this normal, still faces the same side and has an area.
+  bool stays(const Vec3& normal_before, const Vec3& a, const Vec3& b, const Vec3& c) const {
+    const Vec3 now = doubled_area(a, b, c);
+    const double side = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+    const double before = glm::length(normal_before), after = glm::length(now);
+    if (before < thin * side * side) {
+      return true;
+    }
+    return after >= thin * side * side && glm::dot(now, normal_before) > same_side * before * after;
+  }
+
+  struct Diamond {
+    Vertex a, b, left, right;  ///< the edge's ends and the corners beside it
+  };
+  Diamond diamond(Edge e) const {
+    const Halfedge h = net_.halfedge_handle(e, 0), o = net_.halfedge_handle(e, 1);
+    return {net_.from_vertex_handle(h), net_.to_vertex_handle(h), net_.to_vertex_handle(net_.next_halfedge_handle(h)),
+            net_.to_vertex_handle(net_.next_halfedge_handle(o))};
+  }
+
+  template <class Wanted>
+  void flip(const Wanted& wanted) {
+    bool changed = true;
+    for (int sweep = 0; changed && sweep < most_sweeps; ++sweep) {
+      changed = false;
+      for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+        const Edge e(static_cast<int>(i));
+        if (!is_gone(e) && !net_.is_boundary(e) && net_.is_flip_ok(e) && wanted(e) && may_flip(e)) {
+          net_.flip(e);
+          changed = true;
+        }
+      }
+    }
+  }
+
+  bool may_flip(Edge e) const {
+    const Diamond d = diamond(e);
+    const Vec3 before = doubled_area(at(d.a), at(d.b), at(d.left)) + doubled_area(at(d.b), at(d.a), at(d.right));
+    return stays(before, at(d.left), at(d.right), at(d.b)) && stays(before, at(d.right), at(d.left), at(d.a));
+  }
+
+  int excess(Vertex v, int change) const {
+    const int valence = static_cast<int>(net_.valence(v)) + change;
+    const int off = valence - (net_.is_boundary(v) ? 4 : 6);
+    return off * off;
+  }
+  bool evens_valences(Edge e) const {
+    const Diamond d = diamond(e);
+    const int before = excess(d.a, 0) + excess(d.b, 0) + excess(d.left, 0) + excess(d.right, 0);
+    const int after = excess(d.a, -1) + excess(d.b, -1) + excess(d.left, 1) + excess(d.right, 1);
+    return after < before && narrowest(d, true) < 0.94;
+  }
+  /// The cosine of the smallest angle of the two triangles.
+  double narrowest(const Diamond& d, bool flipped) const {
+    return flipped ? std::max(largest_cosine(at(d.left), at(d.right), at(d.b)), largest_cosine(at(d.right), at(d.left), at(d.a)))
+                   : std::max(largest_cosine(at(d.a), at(d.b), at(d.left)), largest_cosine(at(d.b), at(d.a), at(d.right)));
+  }
+  bool widens_angles(Edge e) const {
+    const Diamond d = diamond(e);
+    return narrowest(d, true) < narrowest(d, false) - 1e-9;
+  }
+  static double largest_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double x = glm::dot(b - a, b - a), y = glm::dot(c - b, c - b), z = glm::dot(a - c, a - c);
+    const auto cosine = [](double opposite, double p, double q) {
+      return p * q > 0.0 ? (p + q - opposite) / (2.0 * std::sqrt(p * q)) : 1.0;
+    };
+    return std::max({cosine(x, y, z), cosine(y, z, x), cosine(z, x, y)});
+  }
+
+  Vec3 normal_at(Vertex v) const {
+    Vec3 sum(0.0);
+    for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
+      if (!net_.is_boundary(*h)) {
+        sum += doubled_area(at(v), at(net_.to_vertex_handle(*h)), at(net_.to_vertex_handle(net_.next_halfedge_handle(*h))));
+      }
+    }
+    const double size = glm::length(sum);
+    return size > 0.0 ? sum / size : sum;
+  }
+
+  /// The nearest place of the model that is of the same part and faces the same way, or of its border.
+  Vec3 on_model(Vertex v, const Vec3& place, bool is_border) const {
+    const sim::Index part = part_[static_cast<std::size_t>(v.idx())];
+    const Vec3 normal = normal_at(v);
+    const auto found =
+        is_border ? model_.borders.nearest(place, length_, [&](const SurfacePoint& p) {
+          return model_.part_of_vertex[model_.segments[p.triangle][0]] == part;
+        })
+                  : model_.tree.nearest(place, length_, [&](const SurfacePoint& p) {
+                      return model_.part_of[p.triangle] == part && glm::dot(model_.normals[p.triangle], normal) > same_side;
+                    });
+    return found ? found->place_m : place;
+  }
+
+  void smooth() {
+    for (std::size_t i = 0; i < net_.n_vertices(); ++i) {
+      const Vertex v(static_cast<int>(i));
+      if (net_.status(v).deleted() || net_.is_isolated(v) || is_corner_[i] != 0) {
+        continue;
+      }
+      const bool is_border = net_.is_boundary(v);
+      Vec3 sum(0.0);
+      double count = 0.0;
+      for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
+        if (!is_border || net_.is_boundary(net_.edge_handle(*h))) {
+          sum += at(net_.to_vertex_handle(*h));
+          count += 1.0;
+        }
+      }
+      const Vec3 way = sum / count - at(v), normal = normal_at(v);
+      const Vec3 along = is_border ? way : way - glm::dot(way, normal) * normal;
+      for (double step = 1.0; step > 0.2; step *= 0.5) {
+        const Vec3 place = on_model(v, at(v) + step * along, is_border);
+        if (may_move(v, place)) {
+          at(v) = place;
+          break;
+        }
+      }
+    }
+  }
+
+  bool may_move(Vertex v, const Vec3& place) const {
+    for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
+      if (!net_.is_boundary(*h)) {
+        const Vec3& a = at(net_.to_vertex_handle(*h));
+        const Vec3& b = at(net_.to_vertex_handle(net_.next_halfedge_handle(*h)));
+        if (!stays(doubled_area(at(v), a, b), place, a, b)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  sim::Mesh result() const {
+    sim::Mesh mesh;
+    std::vector<sim::Index> number(net_.n_vertices(), sim::no_vertex);
+    for (std::size_t f = 0; f < net_.n_faces(); ++f) {
+      const OpenMesh::FaceHandle face(static_cast<int>(f));
+      if (net_.status(face).deleted()) {
+        continue;
+      }
+      sim::Triangle& t = mesh.triangles.emplace_back();
+      std::size_t k = 0;
+      for (auto v = net_.cfv_iter(face); v.is_valid(); ++v, ++k) {
+        sim::Index& n = number[static_cast<std::size_t>((*v).idx())];
+        if (n == sim::no_vertex) {
+          n = static_cast<sim::Index>(mesh.positions.size());
+          mesh.positions.push_back(at(*v));
+        }
+        t[k] = n;
+      }
+    }
+    return mesh;
+  }
+
+  Model model_;
+  double length_;
+  OpenMesh::TriConnectivity net_;
+  std::vector<Vec3> at_;            ///< by vertex
+  std::vector<sim::Index> part_;    ///< by vertex: of the model
+  std::vector<char> is_corner_;     ///< by vertex
+};
+
+}  // namespace
+
+sim::Mesh remesh(const sim::Mesh& surface, double edge_m) { return Remesher(surface, edge_m).run(); }
+
+}  // namespace taut::app

@@ -74,7 +74,7 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
   }
   area = sim::surface_area(surface);
   fitted.edge_m = edge_for(area, static_cast<std::size_t>(filled * static_cast<double>(settings.most_triangles)));
-  fitted.closed_holes = close_small_holes(closed_hole_edges * fitted.edge_m, surface);
+  fitted.closed_holes = fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
   fitted.mesh = remesh(surface, fitted.edge_m);
   fitted.sheets = cut_into_sheets(fitted.mesh).count;
   fitted.is_simulated.assign(kept.begin(), kept.end());

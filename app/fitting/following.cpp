@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <queue>
 
 #include "app/fitting/surface_tree.hpp"
+#include "sim/mesh/adjacency.hpp"
 
 namespace taut::app {
 namespace {
@@ -57,6 +61,163 @@ std::optional<SurfacePoint> nearest(const SurfaceTree& tree, const sim::Mesh& me
   });
 }
 
+struct Neighbours {
+  explicit Neighbours(const sim::Mesh& mesh) : adjacency(sim::make_adjacency(mesh)) {
+    triangles_at.offsets.assign(mesh.positions.size() + 1, 0);
+    for (const sim::Triangle& t : mesh.triangles) {
+      for (const Index v : t) {
+        ++triangles_at.offsets[v + 1];
+      }
+    }
+    std::partial_sum(triangles_at.offsets.begin(), triangles_at.offsets.end(), triangles_at.offsets.begin());
+    triangles_at.items.resize(3 * mesh.triangles.size());
+    std::vector<Index> next = triangles_at.offsets;
+    for (Index t = 0; t < mesh.triangles.size(); ++t) {
+      for (const Index v : mesh.triangles[t]) {
+        triangles_at.items[next[v]++] = t;
+      }
+    }
+  }
+
+  sim::Adjacency adjacency;
+  sim::CompressedRows triangles_at;  ///< by vertex
+};
+
+/// A vertex of the model, bound or to be bound next: nearer ones first.
+struct Candidate {
+  double distance_m;
+  Index vertex;
+  SurfacePoint found;
+  bool operator>(const Candidate& other) const {
+    return std::pair(distance_m, vertex) > std::pair(other.distance_m, other.vertex);
+  }
+};
+
+/// Binds vertex after vertex of a model, from where the nearest surface is certain on along its edges.
+class Binder {
+ public:
+  Binder(const sim::Mesh& model, std::span<const std::uint8_t> is_wall, const sim::Mesh& mesh)
+      : model_(model),
+        mesh_(mesh),
+        tree_(mesh.positions, mesh.triangles),
+        of_model_(model),
+        of_mesh_(mesh),
+        normals_(wall_normals(model, is_wall)),
+        found_(model.positions.size()) {
+    for (const sim::Edge& edge : of_mesh_.adjacency.edges) {
+      edge_m_ += glm::distance(mesh.positions[edge[0]], mesh.positions[edge[1]]);
+    }
+    edge_m_ /= static_cast<double>(of_mesh_.adjacency.edges.size());
+  }
+
+  std::vector<SurfacePoint> all() {
+    // Parts of the wall first, then what is carried, each from its most certain vertex on.
+    for (const bool is_carried : {false, true}) {
+      for (const Candidate& seed : seeds(is_carried)) {
+        if (!found_[seed.vertex]) {
+          spread(seed);
+        }
+      }
+    }
+    std::vector<SurfacePoint> points;
+    for (Index v = 0; v < found_.size(); ++v) {
+      points.push_back(found_[v] ? *found_[v] : *nearest(tree_, mesh_, model_.positions[v], Vec3(0.0), infinite));
+    }
+    return points;
+  }
+
+ private:
+  static std::vector<Vec3> wall_normals(const sim::Mesh& model, std::span<const std::uint8_t> is_wall) {
+    std::vector<sim::Triangle> wall;
+    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+      if (is_wall[t] != 0) {
+        wall.push_back(model.triangles[t]);
+      }
+    }
+    return vertex_normals(model.positions, wall);
+  }
+
+  SurfacePoint nearest_facing(Index v) const {
+    const SurfacePoint any = *nearest(tree_, mesh_, model_.positions[v], Vec3(0.0), infinite);
+    return nearest(tree_, mesh_, model_.positions[v], normals_[v], any.distance_m + edge_m_).value_or(any);
+  }
+
+  /// The vertices of the wall or the others, those first that are furthest from layers which face the other way.
+  std::vector<Candidate> seeds(bool is_carried) const {
+    std::vector<Candidate> seeds;
+    for (Index v = 0; v < found_.size(); ++v) {
+      if (found_[v] || (normals_[v] == Vec3(0.0)) != is_carried) {
+        continue;
+      }
+      const SurfacePoint own = nearest_facing(v);
+      const auto other = is_carried ? std::nullopt
+                                    : nearest(tree_, mesh_, model_.positions[v], -normals_[v], 4.0 * edge_m_);
+      const double clear_m = other ? other->distance_m : 4.0 * edge_m_;
+      seeds.push_back({own.distance_m - clear_m, v, own});
+    }
+    std::sort(seeds.begin(), seeds.end(), [](const Candidate& a, const Candidate& b) { return b > a; });
+    return seeds;
+  }
+
+  void spread(const Candidate& seed) {
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue;
+    queue.push(seed);
+    while (!queue.empty()) {
+      const Candidate next = queue.top();
+      queue.pop();
+      if (found_[next.vertex]) {
+        continue;
+      }
+      found_[next.vertex] = next.found;
+      for (const Index e : of_model_.adjacency.vertex_edges[next.vertex]) {
+        const Index other = sim::other_end(of_model_.adjacency.edges[e], next.vertex);
+        if (!found_[other]) {
+          const SurfacePoint found = near_to(next.found.triangle, other);
+          queue.push({found.distance_m, other, found});
+        }
+      }
+    }
+  }
+
+  /// The nearest point that is reached from a triangle without going away, unless the mesh ends there.
+  SurfacePoint near_to(Index triangle, Index vertex) const {
+    SurfacePoint best{infinite, triangle, Vec3(0.0)};
+    for (bool is_nearer = true; is_nearer;) {
+      is_nearer = false;
+      const sim::Triangle from = mesh_.triangles[best.triangle];
+      for (const Index corner : from) {
+        for (const Index t : of_mesh_.triangles_at[corner]) {
+          is_nearer = try_nearer(t, vertex, best) || is_nearer;
+        }
+      }
+    }
+    const SurfacePoint anywhere = nearest_facing(vertex);
+    return best.distance_m > 2.0 * anywhere.distance_m + edge_m_ ? anywhere : best;
+  }
+
+  bool try_nearer(Index t, Index vertex, SurfacePoint& best) const {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    const auto& at = mesh_.positions;
+    const auto [u, v, w] = nearest_weights(model_.positions[vertex], at[a], at[b], at[c]);
+    const Vec3 place_m = u * at[a] + v * at[b] + w * at[c];
+    const double distance_m = glm::distance(place_m, model_.positions[vertex]);
+    if (distance_m < best.distance_m) {
+      best = {distance_m, t, place_m};
+      return true;
+    }
+    return false;
+  }
+
+  const sim::Mesh& model_;
+  const sim::Mesh& mesh_;
+  SurfaceTree tree_;
+  Neighbours of_model_;
+  Neighbours of_mesh_;
+  std::vector<Vec3> normals_;  ///< of vertices of the wall; 0 at others
+  std::vector<std::optional<SurfacePoint>> found_;
+  double edge_m_ = 0.0;
+};
+
 /// The place of a bond, and axes that turn with the triangle: along its first edge, across, along the normal.
 struct Frame {
   Vec3 place_m, along, across, normal;
@@ -75,6 +236,24 @@ Frame frame_of(const Bond& bond, std::span<const Vec3> positions_m, std::span<co
   return frame;
 }
 
+std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const SurfacePoint> found,
+                           const sim::Mesh& mesh) {
+  const std::vector<Vec3> normals = vertex_normals(mesh.positions, mesh.triangles);
+  std::vector<Bond> bonds;
+  bonds.reserve(points_m.size());
+  for (std::size_t k = 0; k < points_m.size(); ++k) {
+    const auto& [a, b, c] = mesh.triangles[found[k].triangle];
+    Bond bond{found[k].triangle,
+              nearest_weights(found[k].place_m, mesh.positions[a], mesh.positions[b], mesh.positions[c])};
+    const Frame frame = frame_of(bond, mesh.positions, normals, mesh.triangles);
+    const Vec3 offset_m = points_m[k] - frame.place_m;
+    bond.offset_m = {glm::dot(offset_m, frame.along), glm::dot(offset_m, frame.across),
+                     glm::dot(offset_m, frame.normal)};
+    bonds.push_back(bond);
+  }
+  return bonds;
+}
+
 }  // namespace
 
 std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m, std::span<const sim::Triangle> triangles) {
@@ -91,22 +270,20 @@ std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m, std::span<co
 
 std::vector<Bond> bonds_to(std::span<const Vec3> points_m, const sim::Mesh& mesh, std::span<const Vec3> normals) {
   const SurfaceTree tree(mesh.positions, mesh.triangles);
-  const std::vector<Vec3> of_mesh = vertex_normals(mesh.positions, mesh.triangles);
-  std::vector<Bond> bonds;
-  bonds.reserve(points_m.size());
+  std::vector<SurfacePoint> found;
+  found.reserve(points_m.size());
   for (std::size_t k = 0; k < points_m.size(); ++k) {
-    SurfacePoint found = nearest(tree, mesh, points_m[k], Vec3(0.0), infinite).value();
+    found.push_back(nearest(tree, mesh, points_m[k], Vec3(0.0), infinite).value());
     if (!normals.empty()) {
-      found = nearest(tree, mesh, points_m[k], normals[k], preferred * found.distance_m).value_or(found);
+      found[k] = nearest(tree, mesh, points_m[k], normals[k], preferred * found[k].distance_m).value_or(found[k]);
     }
-    const auto& [a, b, c] = mesh.triangles[found.triangle];
-    Bond bond{found.triangle, nearest_weights(found.place_m, mesh.positions[a], mesh.positions[b], mesh.positions[c])};
-    const Frame frame = frame_of(bond, mesh.positions, of_mesh, mesh.triangles);
-    const Vec3 offset_m = points_m[k] - frame.place_m;
-    bond.offset_m = {glm::dot(offset_m, frame.along), glm::dot(offset_m, frame.across), glm::dot(offset_m, frame.normal)};
-    bonds.push_back(bond);
   }
-  return bonds;
+  return bonds_at(points_m, found, mesh);
+}
+
+std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall,
+                                 const sim::Mesh& mesh) {
+  return bonds_at(model.positions, Binder(model, is_wall, mesh).all(), mesh);
 }
 
 std::vector<Vec3> follow(std::span<const Bond> bonds, std::span<const Vec3> positions_m,

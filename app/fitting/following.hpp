@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct Bond {
 /// triangles.
 std::vector<Bond> bonds_to(std::span<const sim::Vec3> points_m, const sim::Mesh& mesh,
                        std::span<const sim::Vec3> normals = {});
+
+/// Binds the vertices of a model to the mesh that was fitted to it, each near where its neighbours are bound: of
+/// layers that touch or cross it follows its own. `is_wall` says which triangles of the model the mesh was made
+/// of; others are carried. Requires triangles in both.
+std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall,
+                                 const sim::Mesh& mesh);
 
 /// Returns the bound points for positions of the mesh's vertices, in m. At the positions it was bound at they
 /// are where they were, up to rounding.

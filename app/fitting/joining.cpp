@@ -217,7 +217,7 @@ std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {
   return loops;
 }
 
-std::size_t close_small_holes(double longest_m, sim::Mesh& mesh) {
+std::size_t fill_small_holes(double longest_m, sim::Mesh& mesh) {
   std::size_t closed = 0;
   for (const std::vector<sim::Index>& loop : border_loops(mesh)) {
     double length = 0.0;

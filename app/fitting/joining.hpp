@@ -12,7 +12,7 @@ namespace taut::app {
 std::size_t join_borders(double distance_m, sim::Mesh& mesh);
 
 /// Closes holes whose border is shorter than this. Returns how many.
-std::size_t close_small_holes(double longest_m, sim::Mesh& mesh);
+std::size_t fill_small_holes(double longest_m, sim::Mesh& mesh);
 
 /// Closed border lines: vertices in order, the cloth on the left of the way as seen from outside.
 std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh);

@@ -19,17 +19,6 @@ using sim::Index;
 using sim::Vec2;
 using sim::Vec3;
 
-/// Unit normals of vertices that belong to the simulated wall; 0 at others.
-std::vector<Vec3> wall_normals(const sim::Mesh& model_m, const FittedModel& fitted) {
-  std::vector<sim::Triangle> wall;
-  for (std::size_t t = 0; t < model_m.triangles.size(); ++t) {
-    if (fitted.is_simulated[t]) {
-      wall.push_back(model_m.triangles[t]);
-    }
-  }
-  return vertex_normals(model_m.positions, wall);
-}
-
 /// The axes in which a triangle is laid flat (sim::TriangleAtRest): along its first edge, and across.
 struct FlatAxes {
   Vec3 along, across;
@@ -63,11 +52,9 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, const sim::
 
 FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted) {
   FollowingModel following;
-  following.bonds = bonds_to(model_m.positions, fitted.mesh, wall_normals(model_m, fitted));
+  following.bonds = bonds_of_model(model_m, fitted.is_simulated, fitted.mesh);
   following.why = fitted.why;
-  for (const std::uint8_t is_simulated : fitted.is_simulated) {
-    following.carried += is_simulated ? 0 : 1;
-  }
+  following.carried = fitted.carried_triangles;
   following.mesh = std::move(model_m);
   return following;
 }

@@ -1,0 +1,111 @@
+// Points that follow a mesh they are bound to.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/fitting/following.hpp"
+#include "sim/mesh/grid.hpp"
+#include "sim/mesh/mesh.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Vec3;
+
+/// A level sheet of 1 m with this height, which faces up.
+sim::Mesh sheet(int columns, double height_m = 0.0) {
+  sim::Mesh mesh;
+  for (int z = 0; z <= columns; ++z) {
+    for (int x = 0; x <= columns; ++x) {
+      mesh.positions.emplace_back(double(x) / columns, height_m, double(z) / columns);
+    }
+  }
+  const auto at = [&](int x, int z) { return static_cast<sim::Index>(z * (columns + 1) + x); };
+  for (int z = 0; z < columns; ++z) {
+    for (int x = 0; x < columns; ++x) {
+      mesh.triangles.push_back({at(x, z), at(x, z + 1), at(x + 1, z)});
+      mesh.triangles.push_back({at(x + 1, z), at(x, z + 1), at(x + 1, z + 1)});
+    }
+  }
+  return mesh;
+}
+
+Vec3 wave(const Vec3& p) { return {p.x, p.y + 0.1 * std::sin(5.0 * p.x) * std::cos(4.0 * p.z), p.z}; }
+
+template <class Move>
+std::vector<Vec3> moved(const std::vector<Vec3>& points, Move move) {
+  std::vector<Vec3> result;
+  for (const Vec3& p : points) {
+    result.push_back(move(p));
+  }
+  return result;
+}
+
+double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double largest = a.size() == b.size() ? 0.0 : INFINITY;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+    largest = std::max(largest, glm::distance(a[k], b[k]));
+  }
+  return largest;
+}
+
+/// Points at, above and below the sheet, and beyond its border.
+std::vector<Vec3> points_about() {
+  std::vector<Vec3> points;
+  for (int k = 0; k < 200; ++k) {
+    points.emplace_back(1.1 * std::fmod(0.618 * k, 1.0) - 0.05, 0.01 * (k % 5 - 2), 1.1 * std::fmod(0.414 * k, 1.0) - 0.05);
+  }
+  return points;
+}
+
+TEST(Following, AMeshThatFollowsItselfMovesWithIt) {
+  const sim::Mesh mesh = sheet(12);
+  const std::vector<Bond> bonds = bonds_to(mesh.positions, mesh);
+  const std::vector<Vec3> waves = moved(mesh.positions, wave);
+  EXPECT_LT(largest_distance(follow(bonds, waves, mesh.triangles), waves), 1e-9);
+}
+
+TEST(Following, PointsStayWhereTheMeshWasWhenTheyWereBound) {
+  sim::Mesh mesh = sheet(12);
+  mesh.positions = moved(mesh.positions, wave);
+  const std::vector<Vec3> points = points_about();
+  EXPECT_LT(largest_distance(follow(bonds_to(points, mesh), mesh.positions, mesh.triangles), points), 1e-9);
+}
+
+TEST(Following, PointsTurnWithTheMesh) {
+  sim::Mesh mesh = sheet(12);
+  mesh.positions = moved(mesh.positions, wave);
+  const auto turn = [](const Vec3& p) { return Vec3(0.6 * p.x - 0.8 * p.y, 0.8 * p.x + 0.6 * p.y, p.z) + Vec3(3.0, 1.0, -2.0); };
+  const std::vector<Vec3> points = points_about();
+  EXPECT_LT(largest_distance(follow(bonds_to(points, mesh), moved(mesh.positions, turn), mesh.triangles), moved(points, turn)),
+            1e-9);
+}
+
+TEST(Following, OfTwoWallsTheOneThatFacesAlikeIsFollowed) {
+  sim::Mesh walls = sheet(4, 0.001);
+  const sim::Mesh lower = sheet(4, 0.0);
+  for (const sim::Triangle& t : lower.triangles) {
+    const auto first = static_cast<sim::Index>(25);
+    walls.triangles.push_back({t[0] + first, t[2] + first, t[1] + first});
+  }
+  walls.positions.insert(walls.positions.end(), lower.positions.begin(), lower.positions.end());
+  const std::vector<Vec3> points = {{0.3, 0.0004, 0.3}, {0.3, 0.0006, 0.3}};
+  const std::vector<Vec3> normals = {{0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}};
+  const std::vector<Bond> bonds = bonds_to(points, walls, normals);
+  EXPECT_LT(bonds[0].triangle, lower.triangles.size());
+  EXPECT_GE(bonds[1].triangle, lower.triangles.size());
+  const std::vector<Bond> nearest = bonds_to(points, walls);
+  EXPECT_GE(nearest[0].triangle, lower.triangles.size());
+  EXPECT_LT(nearest[1].triangle, lower.triangles.size());
+}
+
+TEST(Following, TheNearestCornerIsThatOfTheLargestWeight) {
+  const sim::Mesh mesh = sheet(2);
+  const std::vector<Bond> bonds = bonds_to(std::vector<Vec3>{{0.48, 0.01, 0.03}}, mesh);
+  EXPECT_EQ(nearest_corner(bonds[0], mesh.triangles), 1U);
+}
+
+}  // namespace
+}  // namespace taut::app

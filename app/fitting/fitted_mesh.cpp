@@ -18,7 +18,8 @@ namespace {
 constexpr double smallest_sheet = 0.02;        ///< share of the area; what is smaller is carried
 constexpr double smallest_beside_largest = 0.05;  ///< where all are small, of the largest
 constexpr double joined_share = 0.003;         ///< of the size, at most between borders that are joined
-constexpr double longer = 1.05;                ///< edges, until there are few enough
+constexpr double first_longer = 1.08;          ///< edges than those of so many equilateral triangles
+constexpr double longer = 1.04;                ///< and again, until there are few enough
 constexpr double closed_hole_edges = 3.0;      ///< round a hole that is closed
 
 std::vector<double> areas_of_sheets(const Sheets& sheets) {
@@ -75,12 +76,13 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
     }
   }
   const double area = sim::surface_area(surface);
-  fitted.edge_m = edge_for(area, settings.most_triangles);
+  fitted.edge_m = first_longer * edge_for(area, settings.most_triangles);
   fitted.closed_holes = close_small_holes(closed_hole_edges * fitted.edge_m, surface);
-  do {
+  fitted.mesh = remesh(surface, fitted.edge_m);
+  while (fitted.mesh.triangles.size() > settings.most_triangles) {
     fitted.edge_m *= longer;
     fitted.mesh = remesh(surface, fitted.edge_m);
-  } while (fitted.mesh.triangles.size() > settings.most_triangles);
+  }
   fitted.sheets = cut_into_sheets(fitted.mesh).count;
   fitted.is_simulated.assign(kept.begin(), kept.end());
   fitted.carried_triangles = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 0));

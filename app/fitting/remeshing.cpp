@@ -196,8 +196,7 @@ class Remesher {
   bool may_collapse(Halfedge h) {
     const Vertex from = net_.from_vertex_handle(h), to = net_.to_vertex_handle(h);
     const bool border = net_.is_boundary(from);
-    if (is_corner_[static_cast<std::size_t>(from.idx())] != 0 || (border && !net_.is_boundary(net_.edge_handle(h))) ||
-        !net_.is_collapse_ok(h)) {
+    if (is_corner_[static_cast<std::size_t>(from.idx())] != 0 || (border && !net_.is_boundary(net_.edge_handle(h)))) {
       return false;
     }
     for (auto out = net_.voh_iter(from); out.is_valid(); ++out) {
@@ -213,7 +212,7 @@ class Remesher {
         return false;
       }
     }
-    return true;
+    return net_.is_collapse_ok(h);
   }
 
   /// Whether this triangle, which had this normal, still faces the same side and has an area.

@@ -19,7 +19,8 @@ constexpr double smallest_sheet = 0.02;        ///< share of the area; what is s
 constexpr double smallest_beside_largest = 0.05;  ///< where all are small, of the largest
 constexpr double joined_share = 0.003;         ///< of the size, at most between borders that are joined
 constexpr double first_longer = 1.08;          ///< edges than those of so many equilateral triangles
-constexpr double longer = 1.04;                ///< and again, until there are few enough
+constexpr double longer = 1.02;                ///< than they would have to be, where there were too many triangles
+constexpr int most_trials = 4;
 constexpr double closed_hole_edges = 3.0;      ///< round a hole that is closed
 
 std::vector<double> areas_of_sheets(const Sheets& sheets) {
@@ -79,8 +80,9 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
   fitted.edge_m = first_longer * edge_for(area, settings.most_triangles);
   fitted.closed_holes = close_small_holes(closed_hole_edges * fitted.edge_m, surface);
   fitted.mesh = remesh(surface, fitted.edge_m);
-  while (fitted.mesh.triangles.size() > settings.most_triangles) {
-    fitted.edge_m *= longer;
+  for (int i = 0; i < most_trials && fitted.mesh.triangles.size() > settings.most_triangles; ++i) {
+    const auto found = static_cast<double>(fitted.mesh.triangles.size());
+    fitted.edge_m *= longer * std::sqrt(found / static_cast<double>(settings.most_triangles));
     fitted.mesh = remesh(surface, fitted.edge_m);
   }
   fitted.sheets = cut_into_sheets(fitted.mesh).count;

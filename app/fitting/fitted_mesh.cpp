@@ -10,13 +10,17 @@
 #include "app/fitting/sheets.hpp"
 #include "app/fitting/walls.hpp"
 #include "app/verify/crossing_pairs.hpp"
+#include "sim/mesh/extent.hpp"
 
 namespace taut::app {
 namespace {
 
 constexpr double smallest_sheet = 0.02;        ///< share of the area; what is smaller is carried
 constexpr double smallest_beside_largest = 0.05;  ///< where all are small, of the largest
-constexpr double filled = 0.9;                 ///< of the triangles that may be there
+constexpr double joined_share = 0.003;         ///< of the size, at most between borders that are joined
+constexpr double first_longer = 1.08;          ///< edges than those of so many equilateral triangles
+constexpr double longer = 1.02;                ///< than they would have to be, where there were too many triangles
+constexpr int most_trials = 4;
 constexpr double closed_hole_edges = 3.0;      ///< round a hole that is closed
 
 std::vector<double> areas_of_sheets(const Sheets& sheets) {
@@ -61,21 +65,26 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
     }
   }
   wall = cut_into_sheets(wall).mesh;
-  fitted.joined_vertices = join_borders(settings.join_distance_m, wall);
+  const double size_m = glm::length(sim::extent_of(wall.positions).size());
+  fitted.joined_vertices = join_borders(std::min(settings.join_distance_m, joined_share * size_m), wall);
   Sheets joined = cut_into_sheets(wall);
   turn_outwards(joined);
   const std::vector<char> large = large_sheets(joined);
   sim::Mesh surface{joined.mesh.positions, {}, {}};
-  double area = 0.0;
   for (std::size_t t = 0; t < joined.sheet_of.size(); ++t) {
     if (large[joined.sheet_of[t]] != 0) {
       surface.triangles.push_back(joined.mesh.triangles[t]);
     }
   }
-  area = sim::surface_area(surface);
-  fitted.edge_m = edge_for(area, static_cast<std::size_t>(filled * static_cast<double>(settings.most_triangles)));
+  const double area = sim::surface_area(surface);
+  fitted.edge_m = first_longer * edge_for(area, settings.most_triangles);
   fitted.closed_holes = fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
   fitted.mesh = remesh(surface, fitted.edge_m);
+  for (int i = 0; i < most_trials && fitted.mesh.triangles.size() > settings.most_triangles; ++i) {
+    const auto found = static_cast<double>(fitted.mesh.triangles.size());
+    fitted.edge_m *= longer * std::sqrt(found / static_cast<double>(settings.most_triangles));
+    fitted.mesh = remesh(surface, fitted.edge_m);
+  }
   fitted.sheets = cut_into_sheets(fitted.mesh).count;
   fitted.is_simulated.assign(kept.begin(), kept.end());
   fitted.carried_triangles = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 0));

@@ -192,7 +192,7 @@ class Binder {
       }
     }
     const SurfacePoint anywhere = nearest_facing(vertex);
-    return best.distance_m > 2.0 * anywhere.distance_m + edge_m_ ? anywhere : best;
+    return best.distance_m > 2.0 * anywhere.distance_m + 3.0 * edge_m_ ? anywhere : best;
   }
 
   bool try_nearer(Index t, Index vertex, SurfacePoint& best) const {

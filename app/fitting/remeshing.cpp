@@ -23,6 +23,7 @@ constexpr int rounds = 8;
 constexpr int most_sweeps = 6;       ///< of collapses in a round
 constexpr double longest = 4.0 / 3.0;
 constexpr double shortest = 4.0 / 5.0;
+constexpr double most_of_halved = 0.75;  ///< of an edge, for each of its halves
 constexpr double corner = 0.6;       ///< cosine of the turn of a border that stays
 constexpr double corner_reach = 0.7; ///< of an edge, to both sides of it
 constexpr double same_side = 0.3;    ///< cosine between normals before and after
@@ -151,24 +152,28 @@ class Remesher {
   }
 
   void split_long() {
-    const std::size_t count = net_.n_edges();
-    for (std::size_t i = 0; i < net_.n_edges() && i < 64 * count; ++i) {
+    for (std::size_t i = 0; i < net_.n_edges(); ++i) {
       const Edge e(static_cast<int>(i));
-      if (is_gone(e) || !(length(e) > longest * length_)) {
-        continue;
+      while (!is_gone(e) && length(e) > longest * length_) {
+        split(e);
       }
-      const Halfedge h = net_.halfedge_handle(e, 0);
-      const Vertex a = net_.from_vertex_handle(h), b = net_.to_vertex_handle(h);
-      const bool is_border = net_.is_boundary(e);
-      at_.push_back(0.5 * (at(a) + at(b)));
-      part_.push_back(part_[static_cast<std::size_t>(a.idx())]);
-      is_corner_.push_back(0);
-      const Vertex added = net_.new_vertex();
-      net_.split(e, added);
-      at(added) = on_model(added, at(added), is_border);
-      if (length(e) > longest * length_) {
-        --i;
-      }
+    }
+  }
+
+  /// Halves an edge; on the model where that makes both halves clearly shorter, so that this comes to an end.
+  void split(Edge e) {
+    const Halfedge h = net_.halfedge_handle(e, 0);
+    const Vertex a = net_.from_vertex_handle(h), b = net_.to_vertex_handle(h);
+    const bool is_border = net_.is_boundary(e);
+    const double most = most_of_halved * length(e);
+    at_.push_back(0.5 * (at(a) + at(b)));
+    part_.push_back(part_[static_cast<std::size_t>(a.idx())]);
+    is_corner_.push_back(0);
+    const Vertex added = net_.new_vertex();
+    net_.split(e, added);
+    const Vec3 place = on_model(added, at(added), is_border);
+    if (glm::distance(place, at(a)) < most && glm::distance(place, at(b)) < most) {
+      at(added) = place;
     }
   }
 
@@ -196,8 +201,7 @@ class Remesher {
   bool may_collapse(Halfedge h) {
     const Vertex from = net_.from_vertex_handle(h), to = net_.to_vertex_handle(h);
     const bool border = net_.is_boundary(from);
-    if (is_corner_[static_cast<std::size_t>(from.idx())] != 0 || (border && !net_.is_boundary(net_.edge_handle(h))) ||
-        !net_.is_collapse_ok(h)) {
+    if (is_corner_[static_cast<std::size_t>(from.idx())] != 0 || (border && !net_.is_boundary(net_.edge_handle(h)))) {
       return false;
     }
     for (auto out = net_.voh_iter(from); out.is_valid(); ++out) {
@@ -213,7 +217,7 @@ class Remesher {
         return false;
       }
     }
-    return true;
+    return net_.is_collapse_ok(h);
   }
 
   /// Whether this triangle, which had this normal, still faces the same side and has an area.

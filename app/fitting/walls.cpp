@@ -15,10 +15,11 @@ namespace taut::app {
 namespace {
 
 constexpr double thickest_m = 0.012;       ///< from wall to wall
-constexpr double thickest_share = 0.015;   ///< of the size of the garment
+constexpr double usual_size_m = 0.8;       ///< of the diagonal; of smaller garments all lengths here are smaller
 constexpr double entering_m = 0.0005;      ///< walls that cross each other a little still are two
 constexpr double against = -0.7;           ///< cosine between the normals of two walls
 constexpr double goes_on = 0.7;            ///< and of neighbours in one wall
+constexpr double bends = 0.6;              ///< and where it is creased, but not yet a rim between two walls
 constexpr double shell_share = 0.3;        ///< of a sheet's area that has another wall, to be cut into walls
 constexpr double flat_m = 0.04;            ///< a garment laid flat has two sides, not two walls
 constexpr double lies_on_m = 0.006;        ///< from a sheet to what it lies on
@@ -40,6 +41,7 @@ struct View {
   explicit View(const Sheets& source)
       : sheets(source), normals(unit_normals(source.mesh)), tree(source.mesh.positions, source.mesh.triangles) {
     size_m = glm::length(sim::extent_of(source.mesh.positions).size());
+    unit = std::min(1.0, size_m / usual_size_m);
     for (const sim::Triangle& t : source.mesh.triangles) {
       areas.push_back(0.5 * glm::length(sim::doubled_area_vector(source.mesh.positions, t)));
     }
@@ -52,7 +54,7 @@ struct View {
     for (std::size_t i = 0; i < piece.size(); i += stride) {
       const sim::Index t = piece[i];
       const auto seen = tree.first_hit(middle_of(sheets.mesh, t), side * normals[t], 0.0, size_m, [&](const SurfacePoint& p) {
-        return p.distance_m > 1e-5 && !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
+        return p.distance_m > 1e-5 * size_m && !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
       });
       all += areas[t];
       open += seen ? 0.0 : areas[t];
@@ -65,6 +67,7 @@ struct View {
   std::vector<double> areas;
   SurfaceTree tree;
   double size_m;
+  double unit;  ///< below 1 for a doll's clothes, which are thinner
 };
 
 /// Rows of triangles by the number that each has; those of `sim::no_vertex` are left out.
@@ -108,7 +111,7 @@ class Pieces {
   Pieces(const View& view, const OtherWalls& other) : view_(view), other_(other), piece_of_(view.areas.size(), sim::no_vertex) {
     const auto all = gathered(view.sheets.sheet_of, view.sheets.count);
     const sim::Vec3 size = sim::extent_of(view.sheets.mesh.positions).size();
-    const bool is_flat = std::min({size.x, size.y, size.z}) < flat_m;
+    const bool is_flat = std::min({size.x, size.y, size.z}) < view.unit * flat_m;
     for (const auto& sheet : all) {
       double doubled = 0.0;
       for (const sim::Index t : sheet) {
@@ -130,17 +133,17 @@ class Pieces {
   const std::vector<sim::Index>& piece_of() const { return piece_of_; }
 
  private:
-  bool goes_on_to(sim::Index t, int side) const {
+  bool goes_on_to(sim::Index t, int side, double least_cosine) const {
     const sim::Index next = view_.sheets.beyond[3 * t + side];
-    return next != sim::no_vertex && glm::dot(view_.normals[t], view_.normals[next]) > goes_on;
+    return next != sim::no_vertex && glm::dot(view_.normals[t], view_.normals[next]) > least_cosine;
   }
 
-  void flood(std::vector<sim::Index> front, bool all_kinds) {
+  void flood(std::vector<sim::Index> front, bool all_kinds, double least_cosine) {
     for (std::size_t i = 0; i < front.size(); ++i) {
       const sim::Index t = front[i];
       for (int side = 0; side < 3; ++side) {
         const sim::Index next = view_.sheets.beyond[3 * t + side];
-        if (goes_on_to(t, side) && piece_of_[next] == sim::no_vertex &&
+        if (goes_on_to(t, side, least_cosine) && piece_of_[next] == sim::no_vertex &&
             (all_kinds || other_[next] != sim::no_vertex)) {
           piece_of_[next] = piece_of_[t];
           front.push_back(next);
@@ -155,7 +158,7 @@ class Pieces {
     for (const sim::Index t : sheet) {
       if (piece_of_[t] == sim::no_vertex && other_[t] != sim::no_vertex) {
         piece_of_[t] = count_++;
-        flood({t}, false);
+        flood({t}, false, goes_on);
       }
     }
     std::vector<double> areas(count_ - first, 0.0);
@@ -174,11 +177,12 @@ class Pieces {
       if (piece_of_[t] != sim::no_vertex) {
         piece_of_[t] = number[piece_of_[t] - first];
       }
-      if (piece_of_[t] != sim::no_vertex) {
-        front.push_back(t);
-      }
     }
-    flood(std::move(front), true);
+    for (const double least_cosine : {goes_on, bends}) {
+      front.clear();
+      std::copy_if(sheet.begin(), sheet.end(), std::back_inserter(front), [&](sim::Index t) { return piece_of_[t] != sim::no_vertex; });
+      flood(front, true, least_cosine);
+    }
     fill_gaps(sheet);
   }
 
@@ -228,7 +232,7 @@ bool is_covered(const View& view, const OtherWalls& other, const std::vector<cha
   }
   const sim::Vec3 middle = middle_of(view.sheets.mesh, t);
   return view.tree
-      .nearest(middle, lies_on_m,
+      .nearest(middle, view.unit * lies_on_m,
                [&](const SurfacePoint& p) {
                  const double height = std::abs(glm::dot(p.place_m - middle, view.normals[p.triangle]));
                  return kept[p.triangle] != 0 && height >= over * p.distance_m;
@@ -256,14 +260,14 @@ void turn_outwards(Sheets& sheets) {
 
 OtherWalls find_other_walls(const Sheets& sheets) {
   const View view(sheets);
-  const double reach_m = std::min(thickest_m, thickest_share * view.size_m);
+  const double reach_m = view.unit * thickest_m;
   OtherWalls other(sheets.mesh.triangles.size(), sim::no_vertex);
   for (sim::Index t = 0; t < other.size(); ++t) {
     if (view.normals[t] == sim::Vec3(0.0)) {
       continue;
     }
     const auto hit = view.tree.first_hit(
-        middle_of(sheets.mesh, t), -view.normals[t], -entering_m, reach_m, [&](const SurfacePoint& p) {
+        middle_of(sheets.mesh, t), -view.normals[t], -view.unit * entering_m, reach_m, [&](const SurfacePoint& p) {
           return glm::dot(view.normals[t], view.normals[p.triangle]) < against &&
                  !share_vertex(sheets.mesh.triangles[t], sheets.mesh.triangles[p.triangle]);
         });

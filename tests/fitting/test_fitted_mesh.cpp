@@ -1,0 +1,261 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/fitting/fitted_mesh.hpp"
+#include "app/verify/crossing_pairs.hpp"
+#include "sim/mesh/topology.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Vec3;
+
+/// A grid of quads cut in two; `place` takes its columns and rows from 0 to 1.
+template <class Place>
+sim::Mesh patch(Index columns, Index rows, const Place& place) {
+  sim::Mesh mesh;
+  for (Index r = 0; r <= rows; ++r) {
+    for (Index c = 0; c <= columns; ++c) {
+      mesh.positions.push_back(place(static_cast<double>(c) / columns, static_cast<double>(r) / rows));
+    }
+  }
+  for (Index r = 0; r < rows; ++r) {
+    for (Index c = 0; c < columns; ++c) {
+      const Index a = r * (columns + 1) + c, b = a + columns + 1;
+      mesh.triangles.push_back({a, a + 1, b + 1});
+      mesh.triangles.push_back({a, b + 1, b});
+    }
+  }
+  return mesh;
+}
+
+void add(const sim::Mesh& part, sim::Mesh& all) {
+  const auto first = static_cast<Index>(all.positions.size());
+  all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
+  for (const sim::Triangle& t : part.triangles) {
+    all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+}
+
+/// A way once around the y axis and back, to be welded at its end.
+Vec3 around(double turn, double radius, double y) {
+  const double angle = turn == 1.0 ? 0.0 : -2.0 * std::numbers::pi * turn;
+  return {radius * std::cos(angle), y, radius * std::sin(angle)};
+}
+sim::Mesh tube(Index columns, Index rows, double radius, double top = 0.8) {
+  return patch(columns, rows, [&](double u, double v) { return around(u, radius, v * top); });
+}
+sim::Mesh sheet(Index columns, Index rows, double width, double height, Vec3 corner = Vec3(0.0)) {
+  return patch(columns, rows, [&](double u, double v) { return corner + Vec3(u * width, v * height, 0.0); });
+}
+
+struct Judged {
+  FittedMesh fitted;
+  sim::Topology topology;
+  double angle_deg = 0.0;  ///< the smallest of a triangle, 1st percentile
+  double shortest_m = 0.0, longest_m = 0.0;  ///< edges, 1st and 99th percentile
+  double area_m2 = 0.0;
+};
+
+double smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
+  double smallest = 180.0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 x = mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]];
+    const Vec3 y = mesh.positions[t[(k + 2) % 3]] - mesh.positions[t[k]];
+    smallest = std::min(smallest, std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y)) * 180.0 / std::numbers::pi);
+  }
+  return smallest;
+}
+
+/// Fits a model and requires of the result what is promised for every model.
+Judged fit(const sim::Mesh& soup, const FittingSettings& settings = {}) {
+  Judged judged;
+  judged.fitted = fit_mesh(sim::weld_and_validate(soup).mesh, settings);
+  const sim::Mesh& mesh = judged.fitted.mesh;
+  judged.topology = sim::measure_topology(mesh, sim::make_adjacency(mesh));
+  std::vector<double> angles, lengths;
+  for (const sim::Triangle& t : mesh.triangles) {
+    angles.push_back(smallest_angle(mesh, t));
+    lengths.push_back(glm::distance(mesh.positions[t[0]], mesh.positions[t[1]]));
+  }
+  std::sort(angles.begin(), angles.end());
+  std::sort(lengths.begin(), lengths.end());
+  judged.angle_deg = angles.at(angles.size() / 100);
+  judged.shortest_m = lengths.at(lengths.size() / 100);
+  judged.longest_m = lengths.at(lengths.size() * 99 / 100);
+  judged.area_m2 = sim::surface_area(mesh);
+  EXPECT_EQ(judged.topology.non_manifold_edges, 0U);
+  EXPECT_EQ(judged.topology.non_manifold_vertices, 0U);
+  EXPECT_EQ(judged.topology.misoriented_edges, 0U);
+  EXPECT_GT(judged.angle_deg, 20.0);
+  EXPECT_LE(mesh.triangles.size(), settings.most_triangles);
+  EXPECT_TRUE(crossing_pairs({mesh.positions, mesh.triangles}).empty());
+  EXPECT_EQ(judged.fitted.crossings, 0U);
+  return judged;
+}
+
+constexpr double tube_area_m2 = 2.0 * std::numbers::pi * 0.2 * 0.8;
+
+/// A tube of two walls that are joined at its hems.
+sim::Mesh thick_tube(double thickness) {
+  return patch(60, 44, [&](double u, double v) {
+    const double row = std::round(v * 44.0);
+    // Up outside in rows 0 to 21, down inside in rows 22 to 43, then back to the first.
+    const bool is_outer = row < 22.0 || row == 44.0;
+    const double y = row == 44.0 ? 0.0 : (is_outer ? row : 43.0 - row) / 21.0 * 0.8;
+    return around(u, is_outer ? 0.2 : 0.2 - thickness, y);
+  });
+}
+
+TEST(FittedMesh, IsTheOuterWallOfAClosedShell) {
+  const Judged judged = fit(thick_tube(0.002));
+  EXPECT_EQ(judged.topology.boundary_loops, 2U);
+  EXPECT_EQ(judged.topology.euler_characteristic, 0);
+  EXPECT_NEAR(judged.area_m2, tube_area_m2, 0.01 * tube_area_m2);
+  EXPECT_GT(judged.fitted.carried_triangles, 2500U);
+  for (const Vec3& p : judged.fitted.mesh.positions) {
+    EXPECT_GT(std::hypot(p.x, p.z), 0.199);
+  }
+}
+
+TEST(FittedMesh, FacesOutwards) {
+  sim::Mesh inside_out = tube(40, 30, 0.2);
+  for (sim::Triangle& t : inside_out.triangles) {
+    std::swap(t[1], t[2]);
+  }
+  for (const sim::Mesh& model : {tube(40, 30, 0.2), inside_out}) {
+    const sim::Mesh& mesh = fit(model).fitted.mesh;
+    for (const sim::Triangle& t : mesh.triangles) {
+      const Vec3 p = mesh.positions[t[0]];
+      EXPECT_GT(glm::dot(sim::doubled_area_vector(mesh.positions, t), Vec3(p.x, 0.0, p.z)), 0.0);
+    }
+  }
+}
+
+TEST(FittedMesh, IsTheLargerOfTwoWallsThatAreSeparateParts) {
+  sim::Mesh walls = tube(50, 40, 0.198);
+  add(tube(60, 40, 0.2), walls);
+  const Judged judged = fit(walls);
+  EXPECT_EQ(judged.fitted.sheets, 1U);
+  EXPECT_NEAR(judged.area_m2, tube_area_m2, 0.01 * tube_area_m2);
+  EXPECT_EQ(judged.fitted.carried_triangles, 4000U);
+  EXPECT_EQ(judged.fitted.is_simulated.front(), 0);
+  EXPECT_EQ(judged.fitted.is_simulated.back(), 1);
+}
+
+TEST(FittedMesh, KeepsLayersThatAreFarApart) {
+  sim::Mesh layers = tube(60, 40, 0.2);
+  add(tube(60, 40, 0.22), layers);
+  const Judged judged = fit(layers);
+  EXPECT_EQ(judged.fitted.sheets, 2U);
+  EXPECT_EQ(judged.fitted.carried_triangles, 0U);
+}
+
+TEST(FittedMesh, GoesOnSmoothlyWhereThreeTrianglesMeet) {
+  sim::Mesh fin = tube(60, 40, 0.2);
+  add(patch(4, 40, [&](double u, double v) { return around(0.25, 0.2 + 0.03 * u, v * 0.8); }), fin);
+  const Judged judged = fit(fin);
+  EXPECT_EQ(judged.fitted.is_simulated.front(), 1);
+  EXPECT_GT(judged.area_m2, 0.99 * tube_area_m2);
+}
+
+TEST(FittedMesh, CarriesAButtonAndAPocket) {
+  sim::Mesh trimmed = tube(60, 40, 0.2);
+  // A flat ball that enters the cloth a little.
+  add(patch(12, 8,
+            [](double u, double v) {
+              const double tilt = std::numbers::pi * (v - 0.5);
+              return Vec3(0.202, 0.4, 0.0) + Vec3(0.1, 1.0, 1.0) * around(u, 0.01 * std::cos(tilt), 0.01 * std::sin(tilt));
+            }),
+      trimmed);
+  add(patch(10, 10, [](double u, double v) { return around(0.2 + 0.1 * u, 0.203, 0.1 + 0.12 * v); }), trimmed);
+  const Judged judged = fit(trimmed);
+  EXPECT_EQ(judged.fitted.sheets, 1U);
+  EXPECT_NEAR(judged.area_m2, tube_area_m2, 0.01 * tube_area_m2);
+  EXPECT_EQ(std::count(judged.fitted.is_simulated.begin(), judged.fitted.is_simulated.begin() + 4800, 1), 4800);
+  EXPECT_EQ(std::count(judged.fitted.is_simulated.begin() + 4800, judged.fitted.is_simulated.end(), 1), 0);
+}
+
+TEST(FittedMesh, JoinsPanelsWhoseVerticesDoNotMatch) {
+  for (const double gap : {0.0, 0.002}) {
+    sim::Mesh panels = sheet(20, 33, 0.3, 0.5);
+    add(sheet(20, 24, 0.3, 0.5, {0.3 + gap, 0.0, 0.0}), panels);
+    const Judged judged = fit(panels);
+    EXPECT_EQ(judged.fitted.sheets, 1U);
+    EXPECT_EQ(judged.topology.boundary_loops, 1U);
+    EXPECT_NEAR(judged.area_m2, 0.3, 0.003);
+    EXPECT_GT(judged.fitted.joined_vertices, 20U);
+  }
+}
+
+TEST(FittedMesh, LeavesPanelsApartThatDoNotMeet) {
+  sim::Mesh panels = sheet(20, 33, 0.3, 0.5);
+  add(sheet(20, 24, 0.3, 0.5, {0.31, 0.0, 0.0}), panels);
+  EXPECT_EQ(fit(panels).fitted.sheets, 2U);
+}
+
+TEST(FittedMesh, KeepsBordersAndTheirCornersInPlace) {
+  // Needles: columns 50 times as narrow as they are high.
+  const Judged judged = fit(sheet(500, 10, 0.5, 0.5));
+  EXPECT_NEAR(judged.area_m2, 0.25, 0.0002);
+  EXPECT_EQ(judged.topology.boundary_loops, 1U);
+  for (const Vec3& corner : {Vec3(0.0), Vec3(0.5, 0.0, 0.0), Vec3(0.0, 0.5, 0.0), Vec3(0.5, 0.5, 0.0)}) {
+    double nearest_m = 1.0;
+    for (const Vec3& p : judged.fitted.mesh.positions) {
+      nearest_m = std::min(nearest_m, glm::distance(p, corner));
+    }
+    EXPECT_LT(nearest_m, 1e-9);
+  }
+}
+
+TEST(FittedMesh, HasEdgesOfOneLengthAndFewerTriangles) {
+  const sim::Mesh model = patch(200, 100, [](double u, double v) {
+    return around(u, 0.2 + 0.01 * std::sin(50.0 * u) * v, v * 0.8);
+  });
+  for (const std::size_t most : {2000U, 8000U}) {
+    const Judged judged = fit(model, {.most_triangles = most});
+    EXPECT_GT(judged.fitted.mesh.triangles.size(), most * 7 / 10);
+    EXPECT_GT(judged.shortest_m, 0.6 * judged.fitted.edge_m);
+    EXPECT_LT(judged.longest_m, 1.4 * judged.fitted.edge_m);
+  }
+}
+
+TEST(FittedMesh, KeepsNarrowStraps) {
+  sim::Mesh top = tube(60, 20, 0.15, 0.4);
+  for (const double side : {0.03, 0.53}) {
+    add(patch(2, 40,
+              [&](double u, double v) {
+                const Vec3 foot = around(side + u / 30.0, 0.15, 0.4);
+                const double turn = std::numbers::pi * v;
+                return Vec3(foot.x * std::cos(turn), 0.4 + 0.15 * std::sin(turn), foot.z);
+              }),
+        top);
+  }
+  const Judged judged = fit(top);
+  EXPECT_GT(judged.fitted.mesh.positions.size(), 100U);
+}
+
+TEST(FittedMesh, HasTheSameBitsEachTime) {
+  const sim::Mesh model = thick_tube(0.003);
+  EXPECT_EQ(fit(model).fitted.mesh.positions, fit(model).fitted.mesh.positions);
+}
+
+TEST(WhyNotFit, SaysWhatIsWrong) {
+  const auto reason = [](const sim::Mesh& model, std::size_t crossings = 0) {
+    return why_not_fit_for_simulation(sim::weld_and_validate(model).mesh, crossings).value_or("");
+  };
+  EXPECT_EQ(reason(tube(60, 40, 0.2)), "");
+  EXPECT_EQ(reason(tube(60, 40, 0.2), 7), "it crosses itself in 7 places");
+  EXPECT_EQ(reason(tube(120, 80, 0.2)), "it has 19200 triangles");
+  EXPECT_EQ(reason(sheet(500, 10, 0.5, 0.5)), "10000 of its 10000 triangles are needles");
+  EXPECT_EQ(reason(thick_tube(0.002)), "it has two walls over 100 % of its area");
+  sim::Mesh walls = tube(50, 40, 0.198);
+  add(tube(60, 40, 0.2), walls);
+  EXPECT_EQ(reason(walls), "parts of 4000 triangles lie on others");
+}
+
+}  // namespace
+}  // namespace taut::app

@@ -1,0 +1,160 @@
+// Models that follow a simulation mesh which was fitted to them.
+
+#include "app/models/model_fitting.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <sstream>
+
+#include "app/base/errors.hpp"
+#include "app/caches/written_cloth.hpp"
+#include "app/models/obj_writing.hpp"
+#include "app/scene/scene_file.hpp"
+#include "garment_shapes.hpp"
+#include "loading_shapes.hpp"
+#include "sim/mesh/extent.hpp"
+#include "sim/surface.hpp"
+#include "temporary_folder.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Vec3;
+
+/// A shirt with a lining that faces inwards, this far below.
+sim::Mesh lined_shirt(double apart_m) {
+  sim::Mesh both = test::shirt();
+  const sim::Mesh outer = both;
+  const std::vector<Vec3> normals = vertex_normals(outer.positions, outer.triangles);
+  const auto first = static_cast<sim::Index>(outer.positions.size());
+  for (std::size_t v = 0; v < outer.positions.size(); ++v) {
+    both.positions.push_back(outer.positions[v] - apart_m * normals[v]);
+  }
+  for (const sim::Triangle& t : outer.triangles) {
+    both.triangles.push_back({t[0] + first, t[2] + first, t[1] + first});
+  }
+  return both;
+}
+
+double farthest(std::span<const Vec3> a, std::span<const Vec3> b) {
+  double farthest_m = a.size() == b.size() ? 0.0 : INFINITY;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+    farthest_m = std::max(farthest_m, glm::distance(a[k], b[k]));
+  }
+  return farthest_m;
+}
+
+struct ModelFitting : testing::Test {
+  Scene lined() {
+    Scene scene;
+    const sim::Mesh model = lined_shirt(0.002);
+    vertices = model.positions.size();
+    scene.garment.file = folder.write("lined.obj", obj_text(model, model.positions));
+    scene.garment.most_triangles = 1500;
+    return scene;
+  }
+
+  test::TemporaryFolder folder;
+  std::size_t vertices = 0;
+};
+
+TEST_F(ModelFitting, OfTwoWallsOneIsSimulatedAndBothFollow) {
+  const LoadedGarment loaded = load_garment(lined());
+  ASSERT_TRUE(loaded.following);
+  EXPECT_EQ(loaded.following->mesh.positions.size(), vertices);
+  EXPECT_LE(loaded.garment->mesh.triangles.size(), 1500U);
+  EXPECT_GE(loaded.garment->mesh.triangles.size(), 1000U);
+  EXPECT_NEAR(sim::surface_area(loaded.garment->mesh), 0.5 * sim::surface_area(loaded.following->mesh),
+              0.05 * sim::surface_area(loaded.garment->mesh));
+  EXPECT_LT(farthest(loaded.shown_m(loaded.garment->mesh.positions), loaded.following->mesh.positions), 1e-9);
+  EXPECT_CONTAINS(test::remarks(loaded), "is simulated, and the model of");
+}
+
+TEST_F(ModelFitting, AModelThatIsFitIsSimulatedAndOneIsWhereThatIsAskedFor) {
+  Scene scene = lined();
+  scene.garment.mesh = MeshChoice::model;
+  EXPECT_FALSE(load_garment(scene).following);
+  const sim::Mesh shirt = test::shirt();
+  scene.garment.mesh = MeshChoice::automatic;
+  scene.garment.file = folder.write("shirt.obj", obj_text(shirt, shirt.positions));
+  EXPECT_FALSE(load_garment(scene).following);
+  scene.garment.mesh = MeshChoice::fitted;
+  EXPECT_TRUE(load_garment(scene).following);
+  scene.garment.subdivisions = 1;
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }), "garment.triangles says how fine");
+}
+
+TEST_F(ModelFitting, TheFileIsWrittenWhereTheMeshWent) {
+  const LoadedGarment loaded = load_garment(lined());
+  const WrittenCloth cloth(loaded);
+  EXPECT_EQ(cloth.vertices(), vertices);
+  std::vector<Vec3> moved_m = loaded.garment->mesh.positions;
+  std::vector<Vec3> expected_m = loaded.following->mesh.positions;
+  const auto move = [](const Vec3& p) { return Vec3(p.z, p.y + 2.0, -p.x); };
+  std::transform(moved_m.begin(), moved_m.end(), moved_m.begin(), move);
+  std::transform(expected_m.begin(), expected_m.end(), expected_m.begin(), move);
+  EXPECT_LT(farthest(cloth.positions(moved_m), expected_m), 1e-9);
+}
+
+TEST_F(ModelFitting, AStartThatWasExportedIsTheSameShape) {
+  Scene scene = lined();
+  const LoadedGarment loaded = load_garment(scene);
+  sim::Simulation simulation = make_simulation(scene, loaded);
+  for (int frame = 0; frame < 10; ++frame) {
+    simulation.advance_frame();
+  }
+  scene.garment.start = folder.write("end.obj", WrittenCloth(loaded).obj(simulation.state().current));
+  const LoadedGarment again = load_garment(scene);
+  ASSERT_TRUE(again.start_m);
+  EXPECT_GT(farthest(loaded.garment->mesh.positions, *again.start_m), 0.01);
+  EXPECT_LT(farthest(simulation.state().current, *again.start_m), 0.004);
+}
+
+TEST_F(ModelFitting, ANumberOfTheFileIsTheNearestVertexOfTheMesh) {
+  Scene scene = lined();
+  scene.pins = std::vector<PinSelector>{sim::Index{7}};
+  const LoadedGarment loaded = load_garment(scene);
+  ASSERT_EQ(loaded.pins.size(), 1U);
+  const Vec3& in_file = loaded.following->mesh.positions[loaded.following->file_vertices.mesh_vertex[7]];
+  EXPECT_LT(glm::distance(loaded.garment->mesh.positions[loaded.pins[0]], in_file), 0.03);
+}
+
+TEST_F(ModelFitting, ThreadsRunAlongTheModelsTextureCoordinates) {
+  std::ostringstream obj;
+  constexpr int columns = 10;
+  constexpr double cosine = 0.8, sine = 0.6;
+  for (int y = 0; y <= columns; ++y) {
+    for (int x = 0; x <= columns; ++x) {
+      const double at_x = 0.05 * x, at_y = 0.05 * y;
+      obj << "v " << at_x << ' ' << at_y << " 0\nvt " << cosine * at_x + sine * at_y << ' '
+          << cosine * at_y - sine * at_x << '\n';
+    }
+  }
+  for (int y = 0; y < columns; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      const int a = y * (columns + 1) + x + 1, b = a + columns + 1;
+      obj << "f " << a << '/' << a << ' ' << a + 1 << '/' << a + 1 << ' ' << b + 1 << '/' << b + 1 << ' ' << b << '/' << b
+          << '\n';
+    }
+  }
+  Scene scene;
+  scene.garment.file = folder.write("sheet.obj", obj.str());
+  scene.garment.up = ModelAxis::y;
+  scene.garment.mesh = MeshChoice::fitted;
+  scene.garment.most_triangles = 400;
+  const LoadedGarment loaded = load_garment(scene);
+  const sim::Mesh& mesh = loaded.garment->mesh;
+  ASSERT_EQ(loaded.garment->warps.size(), mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = sim::corners_of(mesh.triangles[t], mesh.positions);
+    const Vec3 along = glm::normalize(b - a);
+    const Vec3 across = glm::cross(glm::normalize(glm::cross(b - a, c - a)), along);
+    const Vec3 warp = loaded.garment->warps[t].x * along + loaded.garment->warps[t].y * across;
+    EXPECT_NEAR(std::abs(glm::dot(warp, Vec3(-sine, cosine, 0.0))), 1.0, 1e-6) << t;
+  }
+}
+
+}  // namespace
+}  // namespace taut::app

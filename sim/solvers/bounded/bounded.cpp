@@ -270,14 +270,22 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
   if (!cloth.contacts.is_on()) {
     return project_within(nullptr, corrections);
   }
-  Float4Array before = corrections;
+  const Float4Array before = corrections;
   ApartWhileCorrected apart(frame, end_s, *kernels_, cloth);
-  const ProjectionResult projected = project_within(&apart, corrections);
-  if (projected.kept || !settings_.allow_crossing || !cloth.contacts.blocked() || !is_last) {
-    return projected;
+  const ProjectionResult confined = project_within(&apart, corrections);
+  if (confined.kept || !settings_.allow_crossing || !is_last) {
+    return confined;
   }
-  corrections = std::move(before);
-  return project_within(nullptr, corrections);
+  const BoundProjection within_regions = cloth.projection;
+  Float4Array free_corrections = before;
+  const ProjectionResult free = project_within(nullptr, free_corrections);
+  if (!free.kept) {
+    cloth.projection = within_regions;
+    return confined;
+  }
+  corrections = std::move(free_corrections);
+  cloth.contacts.give_up(cloth.layout, cloth.motion);
+  return free;
 }
 
 // The time steps, and the projection of where they end onto the bound.

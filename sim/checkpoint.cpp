@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view magic = "TAUTSAVE";
 /// Raised whenever something is written otherwise, or a solver remembers otherwise.
-constexpr std::uint32_t version = 5;
+constexpr std::uint32_t version = 6;
 
 constexpr double largest = std::numeric_limits<double>::max();
 /// No run lasts for thirty years. Gusts count their periods.

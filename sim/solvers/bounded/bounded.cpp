@@ -148,15 +148,14 @@ Memory BoundedSolver::first_memory(const Frame& frame) const {
   memory.corrections.resize(cloth_->layout.row_count());
   if (cloth_->elasticity.has_law()) {
     memory.elastic.tension_n_per_m.resize(cloth_->layout.surface.block_count());
-    memory.elastic.drift_m_per_s.resize(cloth_->layout.row_count());
+    memory.elastic.held_n_per_m.resize(cloth_->layout.surface.block_count());
   }
   if (substeps_) {
     memory.control = SubstepControl(*substeps_, *substeps_, *substeps_, frame.duration_s);
   } else {
     const int least = std::max(static_cast<int>(std::lround(tuning::least_steps_per_s * frame.duration_s)),
                                cloth_->forces.updates_per_frame(frame.duration_s));
-    memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_, frame.duration_s,
-                                    cloth_->elasticity.has_law() ? tuning::settled_steps : 1);
+    memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_, frame.duration_s);
   }
   memory.median_work = work_for(memory.control.substeps(), frame.duration_s);
   return memory;
@@ -200,7 +199,7 @@ void BoundedSolver::follow_tension(int done, int substeps, double frame_time_s) 
   Cloth& cloth = *cloth_;
   const int follows = std::min(follows_in(frame_time_s), substeps);
   if (cloth.elasticity.has_law() && done * follows / substeps != (done - 1) * follows / substeps) {
-    cloth.elasticity.follow(cloth.layout, cloth.motion.start, frame_time_s / substeps, *kernels_);
+    cloth.elasticity.follow(cloth.layout, cloth.motion, frame_time_s / substeps, *kernels_);
   }
 }
 
@@ -212,7 +211,6 @@ void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
   const int wind_updates = SlowForces::wind_updates_per_frame(frame.duration_s);
   const int substeps_per_wind =
       std::max(1, substeps / wind_updates / substeps_per_update) * substeps_per_update;
-  const int settles = cloth.elasticity.has_law() ? std::max(1, substeps / tuning::settled_steps) : 0;
   begin_substeps(dt);
   for (int substep = 0; substep < substeps; ++substep) {
     TimeStep time;
@@ -224,8 +222,6 @@ void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
     time.update_interval_s = substeps_per_update * dt;
     time.updates_wind = substep % substeps_per_wind == 0;
     time.wind_interval_s = substeps_per_wind * dt;
-    time.settles = settles > 0 && (substep + 1) % (substeps / settles) == 0;
-    time.settle_interval_s = settles > 0 ? frame.duration_s / settles : 0.0;
     bounded::step(frame, time, *kernels_, cloth);
     follow_tension(substep + 1, substeps, frame.duration_s);
   }
@@ -274,14 +270,22 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
   if (!cloth.contacts.is_on()) {
     return project_within(nullptr, corrections);
   }
-  Float4Array before = corrections;
+  const Float4Array before = corrections;
   ApartWhileCorrected apart(frame, end_s, *kernels_, cloth);
-  const ProjectionResult projected = project_within(&apart, corrections);
-  if (projected.kept || !settings_.allow_crossing || !cloth.contacts.blocked() || !is_last) {
-    return projected;
+  const ProjectionResult confined = project_within(&apart, corrections);
+  if (confined.kept || !settings_.allow_crossing || !is_last) {
+    return confined;
   }
-  corrections = std::move(before);
-  return project_within(nullptr, corrections);
+  const BoundProjection within_regions = cloth.projection;
+  Float4Array free_corrections = before;
+  const ProjectionResult free = project_within(nullptr, free_corrections);
+  if (!free.kept) {
+    cloth.projection = within_regions;
+    return confined;
+  }
+  corrections = std::move(free_corrections);
+  cloth.contacts.give_up(cloth.layout, cloth.motion);
+  return free;
 }
 
 // The time steps, and the projection of where they end onto the bound.
@@ -293,7 +297,7 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   begin_frame(state);
   if (cloth.elasticity.has_law()) {
     cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic,
-                                   aimed_stretch(settings_.max_stretch), *kernels_);
+                                   aimed_stretch(settings_.max_stretch), frame.duration_s / substeps, *kernels_);
   }
   cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s},
                                earlier_attempts);

@@ -368,6 +368,10 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   }
 }
 
+void Contacts::give_up(const Layout& layout, const Motion& motion) {
+  note_blocked(layout, motion.start_m.front(), false);
+}
+
 void Contacts::note_blocked(const Layout& layout, const Vec3& origin_m, bool fits) {
   if (!blocked_ && (!fits || regions_.blocked())) {
     blocked_ = blocked_contact({layout, bodies_, rows_, pairs_, origin_m}, regions_);

@@ -79,6 +79,8 @@ class Contacts {
 
   /// Returns the first pair that could not be kept apart in the attempt, if there is one.
   const std::optional<BlockedContact>& blocked() const { return blocked_; }
+  /// Something may cross, as the frame ends outside of its regions.
+  void give_up(const Layout& layout, const Motion& motion);
 
  private:
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "sim/solvers/bounded/projection.hpp"
 #include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
 namespace {
 
-/// With fewer time steps, in 1/s, light cloth does not come to rest.
-constexpr double least_steps_per_s = 2.0 * tuning::least_steps_per_s;
-/// How often rest shapes follow tension, in 1/s. Less often heavily loaded cloth trembles; more costs more.
-constexpr double follows_per_s = tuning::least_steps_per_s / tuning::settled_steps;
+/// How often rest shapes follow tension, in 1/s. More costs more and gives the same.
+constexpr double follows_per_s = 60.0;
+/// Rest shapes are shorter by no more than this: sweeps move corners by what they are worth at rest, and would
+/// correct twice the error of shapes that are a third shorter.
+constexpr float most_held = 0.2F;
 
 struct Law {
   float give_warp, give_weft, half_give_shear;  ///< m/N
@@ -25,11 +24,6 @@ Law law_of(const Material& m, double most) {
           static_cast<float>(0.5 / m.shear_n_per_m),        static_cast<float>(m.warp_limit),
           static_cast<float>(m.weft_limit),                 static_cast<float>(most)};
 }
-
-/// A symmetric matrix in the plane of a triangle.
-struct InPlane {
-  float first, second, mixed;
-};
 
 /// In axes turned by the angle with this cosine and sine.
 inline InPlane turned(const InPlane& m, float c, float s) {
@@ -51,6 +45,58 @@ inline InPlane limited(const InPlane& m, float most) {
   const float middle = 0.5F * (largest + smallest);
   const float turn = 0.5F * (largest - smallest) / radius;
   return {middle + turn * half, middle - turn * half, turn * m.mixed};
+}
+
+InPlane in_plane(const SurfaceSums& sums, std::size_t k) {
+  return {sums.along[k], sums.across[k], sums.mixed[k]};
+}
+
+void set(SurfaceSums& sums, std::size_t k, const InPlane& value) {
+  sums.along[k] = value.first;
+  sums.across[k] = value.second;
+  sums.mixed[k] = value.mixed;
+}
+
+/// a + factor b.
+InPlane sum(const InPlane& a, const InPlane& b, float factor) {
+  return {a.first + factor * b.first, a.second + factor * b.second, a.mixed + factor * b.mixed};
+}
+
+/// U - 1, where F = R U is of corners that moved since the frame began.
+InPlane strain_of(const SurfaceBlock& rest, std::size_t k, const Float4Array& moved) {
+  const Float4& corner = moved[rest.at[0][k] / 4];
+  const Float4 e1 = scaled_sum(moved[rest.at[1][k] / 4], corner, -1.0F);
+  const Float4 e2 = scaled_sum(moved[rest.at[2][k] / 4], corner, -1.0F);
+  Float4 along = {rest.start_along[0][k], rest.start_along[1][k], rest.start_along[2][k]};
+  Float4 across = {rest.start_across[0][k], rest.start_across[1][k], rest.start_across[2][k]};
+  add_scaled(along, e1, rest.along_per_m[k]);
+  add_scaled(across, e2, rest.across_per_m[k]);
+  add_scaled(across, e1, -rest.skew_per_m[k]);
+  const float a = dot(along, along);
+  const float b = dot(along, across);
+  const float c = dot(across, across);
+  const float area = std::sqrt(std::max(0.0F, a * c - b * b));
+  const float per_trace = 1.0F / std::sqrt(std::max(1e-12F, a + c + 2.0F * area));
+  return {(a + area) * per_trace - 1.0F, (c + area) * per_trace - 1.0F, b * per_trace};
+}
+
+/// Cosine and sine of the angle to the axis of the larger eigenvalue.
+std::pair<float, float> principal_axes(const InPlane& m) {
+  const float half = 0.5F * (m.first - m.second);
+  const float radius = std::sqrt(half * half + m.mixed * m.mixed);
+  if (radius < 1e-12F) {
+    return {1.0F, 0.0F};
+  }
+  const float doubled = std::clamp(half / radius, -1.0F, 1.0F);
+  const float sine = std::sqrt(0.5F * (1.0F - doubled));
+  return {std::sqrt(0.5F * (1.0F + doubled)), m.mixed < 0.0F ? -sine : sine};
+}
+
+/// By tension along warp and weft and in shear.
+inline InPlane strain_by(const Law& law, const InPlane& tension) {
+  return limited({std::min(law.warp_limit, law.give_warp * tension.first),
+                  std::min(law.weft_limit, law.give_weft * tension.second), law.half_give_shear * tension.mixed},
+                 law.most);
 }
 
 /// Sets the rest shape that has these strains, laid flat again with its first edge on the first axis.
@@ -78,18 +124,15 @@ int follows_in(double frame_time_s) {
   return std::max(1, static_cast<int>(std::lround(follows_per_s * frame_time_s)));
 }
 
-Elasticity::Elasticity(const Garment& garment, const Layout& layout) : material_(garment.material), relaxation_(relaxation_of(layout)) {
+Elasticity::Elasticity(const Garment& garment, const Layout& layout) : material_(garment.material) {
   if (!sim::has_law(material_) || layout.surface.block_count() == 0) {
     return;
   }
   lanes_ = layout.surface;
-  all_blocks_.resize(lanes_.block_count());
-  std::iota(all_blocks_.begin(), all_blocks_.end(), 0U);
   sums_.resize(lanes_.block_count());
   warps_.resize(lanes_.block_count());
   areas_m2_.resize(lanes_.lane_count());
   areas_at_rows_m2_.resize(layout.row_count());
-  before_.resize(layout.row_count());
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     const SurfaceBlock& block = lanes_.blocks[lane / block_size];
     const std::size_t k = lane % block_size;
@@ -107,63 +150,56 @@ Elasticity::Elasticity(const Garment& garment, const Layout& layout) : material_
 }
 
 void Elasticity::begin_attempt(const Layout& layout, const StartRows& start, const ElasticMemory& memory,
-                               double most, ParallelKernels& kernels) {
+                               double most, double time_step_s, ParallelKernels& kernels) {
   std::fill(sums_.begin(), sums_.end(), SurfaceSums{});
   steps_ = 0;
   memory_ = memory;
   most_ = most;
+  squared_step_s2_ = static_cast<float>(time_step_s * time_step_s);
   stretch_rest_shapes(layout, start, kernels);
 }
 
 void Elasticity::stretch_rest_shapes(const Layout& layout, const StartRows& start, ParallelKernels& kernels) {
   const Law law = law_of(material_, most_);
-  for (std::size_t b = 0; b < lanes_.block_count(); ++b) {
-    const SurfaceSums& tension = memory_.tension_n_per_m[b];
-    const Warps& warps = warps_[b];
-    for (std::size_t k = 0; k < block_size; ++k) {
-      const InPlane strain = {std::min(law.warp_limit, law.give_warp * tension.along[k]),
-                              std::min(law.weft_limit, law.give_weft * tension.across[k]),
-                              law.half_give_shear * tension.mixed[k]};
-      stretch(layout.surface.blocks[b], k,
-              turned(limited(strain, law.most), warps.cosine[k], -warps.sine[k]), lanes_.blocks[b]);
-    }
+  for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
+    const std::size_t b = lane / block_size;
+    const std::size_t k = lane % block_size;
+    const InPlane due = strain_by(law, in_plane(memory_.tension_n_per_m[b], k));
+    const InPlane rest = sum(due, in_plane(memory_.held_n_per_m[b], k), -sag_m_per_n(lane));
+    stretch(layout.surface.blocks[b], k, turned(rest, warps_[b].cosine[k], -warps_[b].sine[k]), lanes_.blocks[b]);
   }
   kernels.start(start, lanes_);
 }
 
-// Between settlings cloth sags with a velocity that it does not have over all: air does not slow that part.
-void Elasticity::settle(double interval_s, double dragged, ParallelKernels& kernels, Motion& motion) {
-  const auto interval = static_cast<float>(interval_s);
-  const auto kept = static_cast<float>(std::max(0.0, 1.0 - 0.5 * tuning::faded_per_s * interval_s)) * interval;
-  const auto moved_share = static_cast<float>(1.0 + dragged);
-  Float4Array& drift_m_per_s = memory_.drift_m_per_s;
-  before_ = motion.current;
-  for (std::size_t row = 0; row < before_.size(); ++row) {
-    motion.current[row] = scaled_sum(before_[row], drift_m_per_s[row], kept);
-  }
-  constexpr int sweeps = tuning::settled_steps - 1;
-  for (int sweep = 1; sweep <= sweeps; ++sweep) {
-    for (const BlockRange& range : lanes_.sweep) {
-      kernels.shorten(lanes_, std::span(all_blocks_).subspan(range.begin, range.end - range.begin), 1.0F,
-                      sweep < sweeps ? relaxation_ : 1.0F, motion.current.data());
+// A multiplier of each principal tension, as that of an augmented Lagrangian: it grows while the cloth is longer
+// than tension over stiffness, and is not below 0. Along axes of its own it would let triangles that carry all
+// and slack ones lie side by side.
+void Elasticity::hold_back(const Layout& layout, const Float4Array& moved, double time_s) {
+  const Law law = law_of(material_, most_);
+  const auto taken = static_cast<float>(time_s / tuning::held_s);
+  for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
+    const std::size_t b = lane / block_size;
+    const std::size_t k = lane % block_size;
+    if (areas_m2_[lane] == 0.0F) {
+      continue;
     }
-  }
-  for (std::size_t row = 0; row < before_.size(); ++row) {
-    const Float4 moved = scaled_sum(motion.current[row], before_[row], -1.0F);
-    motion.previous[row] = scaled_sum(motion.previous[row], moved, moved_share);
-    drift_m_per_s[row] = scaled_sum(Float4{}, moved, 1.0F / interval);
+    const InPlane tension = in_plane(memory_.tension_n_per_m[b], k);
+    const InPlane strain = turned(strain_of(layout.surface.blocks[b], k, moved), warps_[b].cosine[k], warps_[b].sine[k]);
+    const auto [cosine, sine] = principal_axes(tension);
+    const InPlane error = turned(sum(strain, strain_by(law, tension), -1.0F), cosine, sine);
+    const InPlane held = turned(in_plane(memory_.held_n_per_m[b], k), cosine, sine);
+    const float sag = sag_m_per_n(lane);
+    const auto next = [&](float before, float too_long) {
+      return std::clamp(before + taken * too_long / sag, 0.0F, most_held / sag);
+    };
+    set(memory_.held_n_per_m[b], k,
+        turned({next(held.first, error.first), next(held.second, error.second), 0.0F}, cosine, -sine));
   }
 }
 
-void Elasticity::take_out_sagging(double time_step_s, Float4Array& previous) const {
-  for (std::size_t row = 0; row < memory_.drift_m_per_s.size(); ++row) {
-    previous[row] = scaled_sum(previous[row], memory_.drift_m_per_s[row], static_cast<float>(-time_step_s));
-  }
-}
-
-// Sums by triangle are one of many that carry the same load; neighbours share it. By row, over the area at it.
-Float4Array Elasticity::smoothed(double time_step_s, double frame_time_s) const {
-  const auto times = static_cast<float>(0.5 / (time_step_s * frame_time_s));
+// By lane, in the frame of warp and weft.
+std::vector<InPlane> Elasticity::mean_tension(double time_step_s, double time_s) const {
+  const auto times = static_cast<float>(0.5 / (time_step_s * time_s));
   std::vector<InPlane> tension(lanes_.lane_count());
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     const std::size_t b = lane / block_size;
@@ -172,75 +208,64 @@ Float4Array Elasticity::smoothed(double time_step_s, double frame_time_s) const 
       const SurfaceBlock& block = lanes_.blocks[b];
       const float stretched_m2 = 0.5F / (block.along_per_m[k] * block.across_per_m[k]);
       const float factor = times / lanes_.mobility_per_kg[lane] * areas_m2_[lane] / stretched_m2;
-      const SurfaceSums& sums = sums_[b];
-      tension[lane] = turned({factor * sums.along[k], factor * sums.across[k], factor * sums.mixed[k]},
-                             warps_[b].cosine[k], warps_[b].sine[k]);
+      tension[lane] = turned(sum({}, in_plane(sums_[b], k), factor), warps_[b].cosine[k], warps_[b].sine[k]);
     }
   }
-  Float4Array rows;
-  for (int pass = 0; pass < tuning::settled_steps; ++pass) {
-    rows.assign(areas_at_rows_m2_.size(), Float4{});
-    for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
-      const InPlane& t = tension[lane];
-      const float area = areas_m2_[lane];
-      for (const auto& at : lanes_.blocks[lane / block_size].at) {
-        Float4& row = rows[at[lane % block_size] / 4];
-        row = {row.x + area * t.first, row.y + area * t.second, row.z + area * t.mixed, 0.0F};
-      }
-    }
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-      const float area = areas_at_rows_m2_[row].x;
-      const float per_area = area > 0.0F ? 1.0F / (3.0F * area) : 0.0F;
-      rows[row] = scaled_sum(Float4{}, rows[row], per_area);
-    }
-    if (pass + 1 < tuning::settled_steps) {
-      for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
-        const auto& at = lanes_.blocks[lane / block_size].at;
-        const std::size_t k = lane % block_size;
-        const Float4 sum = scaled_sum(scaled_sum(rows[at[0][k] / 4], rows[at[1][k] / 4], 1.0F),
-                                      rows[at[2][k] / 4], 1.0F);
-        tension[lane] = {sum.x, sum.y, sum.z};
-      }
-    }
-  }
-  return rows;
+  return tension;
 }
 
-// What sweeps of one step have to correct is strain = 2 mobility tension dt^2.
+// Triangles are one of many that carry the same load; neighbours share it.
+void Elasticity::share_with_neighbours(std::vector<InPlane>& values) const {
+  Float4Array rows(areas_at_rows_m2_.size());
+  for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
+    const Float4 value = {values[lane].first, values[lane].second, values[lane].mixed};
+    for (const auto& at : lanes_.blocks[lane / block_size].at) {
+      add_scaled(rows[at[lane % block_size] / 4], value, areas_m2_[lane]);
+    }
+  }
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const float area = areas_at_rows_m2_[row].x;
+    rows[row] = times(rows[row], area > 0.0F ? 1.0F / (3.0F * area) : 0.0F);
+  }
+  for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
+    Float4 value;
+    for (const auto& at : lanes_.blocks[lane / block_size].at) {
+      add_scaled(value, rows[at[lane % block_size] / 4], 1.0F);
+    }
+    values[lane] = {value.x, value.y, value.z};
+  }
+}
+
+// What a sweep leaves is strain = tension times sag, at most.
 double Elasticity::steps_needed_per_s() const {
   double load = 0.0;
   double strain_per_s2 = 0.0;
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
-    const SurfaceSums& t = memory_.tension_n_per_m[lane / block_size];
-    const std::size_t k = lane % block_size;
-    const double tension = std::max({0.0F, t.along[k], t.across[k]});
+    const InPlane t = in_plane(memory_.tension_n_per_m[lane / block_size], lane % block_size);
+    const double tension = std::max({0.0F, t.first, t.second});
     load += areas_m2_[lane] * tension;
     strain_per_s2 += areas_m2_[lane] * tension * 2.0 * lanes_.mobility_per_kg[lane] * tension;
   }
-  return load > 0.0
-             ? std::max(least_steps_per_s, std::sqrt(strain_per_s2 / load / tuning::largest_strain_per_step))
-             : least_steps_per_s;
+  return load > 0.0 ? std::sqrt(strain_per_s2 / load / tuning::largest_strain_per_step) : 0.0;
 }
 
-void Elasticity::follow(const Layout& layout, const StartRows& start, double time_step_s,
+void Elasticity::follow(const Layout& layout, const Motion& motion, double time_step_s,
                         ParallelKernels& kernels) {
   const double time_s = time_step_s * steps_;
   const auto taken = static_cast<float>(time_s / (time_s + tuning::remembered_s));
-  const Float4Array rows = smoothed(time_step_s, time_s);
-  for (std::size_t b = 0; b < lanes_.block_count(); ++b) {
-    SurfaceSums& tension = memory_.tension_n_per_m[b];
-    const auto& at = lanes_.blocks[b].at;
-    for (std::size_t k = 0; k < block_size; ++k) {
-      const Float4 sum = scaled_sum(scaled_sum(rows[at[0][k] / 4], rows[at[1][k] / 4], 1.0F),
-                                    rows[at[2][k] / 4], 1.0F);
-      tension.along[k] += taken * (sum.x - tension.along[k]);
-      tension.across[k] += taken * (sum.y - tension.across[k]);
-      tension.mixed[k] += taken * (sum.z - tension.mixed[k]);
-    }
+  std::vector<InPlane> found = mean_tension(time_step_s, time_s);
+  for (int time = 0; time < tuning::shared_times; ++time) {
+    share_with_neighbours(found);
+  }
+  for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
+    SurfaceSums& tension = memory_.tension_n_per_m[lane / block_size];
+    const InPlane before = in_plane(tension, lane % block_size);
+    set(tension, lane % block_size, sum(before, sum(found[lane], before, -1.0F), taken));
   }
   std::fill(sums_.begin(), sums_.end(), SurfaceSums{});
   steps_ = 0;
-  stretch_rest_shapes(layout, start, kernels);
+  hold_back(layout, motion.current, time_s);
+  stretch_rest_shapes(layout, motion.start, kernels);
 }
 
 }  // namespace taut::sim::bounded

@@ -10,14 +10,19 @@
 
 namespace taut::sim::bounded {
 
+/// A symmetric matrix in the plane of a triangle.
+struct InPlane {
+  float first = 0.0F, second = 0.0F, mixed = 0.0F;
+};
+
 /// The law of cloth in its plane: strain = tension / stiffness along warp, weft and in shear, at any length of
 /// a time step.
 ///
-/// A sweep answers tension by how long a step is. But no correction of positions alone adds velocity; so what
-/// sweeps have pulled in a frame, over its time, is the tension that the load asks for. The rest shapes of
-/// triangles follow it, low-passed, by the law: strain lags behind tension, as with a damper beside each
-/// thread, and takes energy out of motion. Sweeps hold cloth to these shapes as they hold it to those at rest
-/// without a law, and `settle` takes out by which it sags all the same.
+/// What sweeps have pulled in some time steps, over their time, is the tension that the load asks for. The rest
+/// shapes of triangles are longer by the strain that it has by the law, low-passed: strain lags behind tension,
+/// as with a damper beside each thread, and takes energy out of motion. They are shorter by what sweeps leave:
+/// a tension that sweeps give to cloth of the right length, found little by little. All corrections are those
+/// of sweeps, and the cloth at rest moves in no time step.
 class Elasticity {
  public:
   /// Has no law where the material has none, or where triangles are not held.
@@ -27,20 +32,13 @@ class Elasticity {
 
   /// Goes on from a memory, which requires a law.
   void begin_attempt(const Layout& layout, const StartRows& start, const ElasticMemory& memory, double most,
-                     ParallelKernels& kernels);
+                     double time_step_s, ParallelKernels& kernels);
   /// After a time step.
   void count_step() { ++steps_; }
-  /// Stretches the rest shapes by the tension, low-passed, of the time steps since they last were.
-  void follow(const Layout& layout, const StartRows& start, double time_step_s, ParallelKernels& kernels);
-  /// Corrects positions, and no velocities, to where triangles are no longer than their rest shapes: by what
-  /// the cloth sagged in the last interval, and then by sweeps. Air takes the part `dragged` of velocities in
-  /// a time step.
-  void settle(double interval_s, double dragged, ParallelKernels& kernels, Motion& motion);
-  /// Changes the positions of a time step ago so that cloth moves as it does over all, without what it sags from
-  /// one settling to the next.
-  void take_out_sagging(double time_step_s, Float4Array& previous) const;
+  /// Makes the rest shapes anew, by the tension and the shape of the time steps since they last were.
+  void follow(const Layout& layout, const Motion& motion, double time_step_s, ParallelKernels& kernels);
   const ElasticMemory& memory() const { return memory_; }
-  /// Returns how many time steps in a second leave little of the tension to `settle`.
+  /// Returns how many time steps in a second leave little to hold back.
   double steps_needed_per_s() const;
 
   /// The triangles with their rest shapes stretched.
@@ -57,12 +55,15 @@ class Elasticity {
   };
 
   void stretch_rest_shapes(const Layout& layout, const StartRows& start, ParallelKernels& kernels);
-  Float4Array smoothed(double time_step_s, double time_s) const;
+  void hold_back(const Layout& layout, const Float4Array& moved, double time_s);
+  std::vector<InPlane> mean_tension(double time_step_s, double time_s) const;
+  void share_with_neighbours(std::vector<InPlane>& values) const;
+  /// About what a sweep of one time step leaves of a tension, as a strain.
+  float sag_m_per_n(std::size_t lane) const { return 2.0F * squared_step_s2_ * lanes_.mobility_per_kg[lane]; }
 
   Material material_;
-  float relaxation_ = 1.0F;  ///< of settling
+  float squared_step_s2_ = 0.0F;
   SurfaceLanes lanes_;
-  std::vector<std::uint32_t> all_blocks_;
   std::vector<Warps> warps_;           ///< by block
   std::vector<float> areas_m2_;        ///< per lane, at rest; 0 in padding
   std::vector<SurfaceSums> sums_;      ///< by block
@@ -70,7 +71,6 @@ class Elasticity {
   int steps_ = 0;                      ///< that sums_ are of
   ElasticMemory memory_;
   double most_ = 0.0;                  ///< strain of a rest shape
-  Float4Array before_;                 ///< by row
 };
 
 /// Returns how often rest shapes follow tension in a frame.

@@ -39,39 +39,33 @@ void restore(const Frame& frame, ByteReader& bytes, ContactMemory& memory) {
 
 void save(const ElasticMemory& memory, ByteWriter& bytes) {
   bytes.put<std::uint64_t>(memory.tension_n_per_m.size());
-  for (const Float4& drift : memory.drift_m_per_s) {
-    for (const float coordinate : {drift.x, drift.y, drift.z}) {
-      bytes.put(coordinate);
-    }
-  }
-  for (const SurfaceSums& tension : memory.tension_n_per_m) {
-    for (const auto* values : {&tension.along, &tension.across, &tension.mixed}) {
-      for (const float value : *values) {
-        bytes.put(value);
+  for (const auto* blocks : {&memory.tension_n_per_m, &memory.held_n_per_m}) {
+    for (const SurfaceSums& block : *blocks) {
+      for (const auto* values : {&block.along, &block.across, &block.mixed}) {
+        for (const float value : *values) {
+          bytes.put(value);
+        }
       }
     }
   }
 }
 
 // Cloth that had another law, or none, when it was saved begins without tension.
-void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, ElasticMemory& memory) {
+void restore(const Frame& frame, ByteReader& bytes, ElasticMemory& memory) {
   ElasticMemory saved;
-  saved.tension_n_per_m.resize(bytes.get<std::uint64_t>("the number of blocks under tension", 0,
-                                                        frame.garment.mesh.triangles.size()));
-  saved.drift_m_per_s.resize(saved.tension_n_per_m.empty() ? 0 : row_count);
-  for (Float4& drift : saved.drift_m_per_s) {
-    for (float* coordinate : {&drift.x, &drift.y, &drift.z}) {
-      *coordinate = bytes.get<float>("the drift of a vertex");
-    }
-  }
-  for (SurfaceSums& tension : saved.tension_n_per_m) {
-    for (auto* values : {&tension.along, &tension.across, &tension.mixed}) {
-      for (float& value : *values) {
-        value = bytes.get<float>("the tension of a triangle");
+  const auto count = bytes.get<std::uint64_t>("the number of blocks under tension", 0,
+                                              frame.garment.mesh.triangles.size());
+  for (auto* blocks : {&saved.tension_n_per_m, &saved.held_n_per_m}) {
+    blocks->resize(count);
+    for (SurfaceSums& block : *blocks) {
+      for (auto* values : {&block.along, &block.across, &block.mixed}) {
+        for (float& value : *values) {
+          value = bytes.get<float>("the tension of a triangle");
+        }
       }
     }
   }
-  if (saved.tension_n_per_m.size() == memory.tension_n_per_m.size()) {
+  if (count == memory.tension_n_per_m.size()) {
     memory = std::move(saved);
   }
 }
@@ -109,7 +103,7 @@ void restore(const Frame& frame, std::size_t row_count, ByteReader& bytes, Memor
       *coordinate_m = bytes.get<float>("the last frame's correction");
     }
   }
-  restore(frame, row_count, bytes, memory.elastic);
+  restore(frame, bytes, memory.elastic);
   if (bytes.get_bool("whether anything could touch")) {
     memory.contact.rows.resize(row_count);
     memory.contact.rows.restore(vertex_count, bytes);

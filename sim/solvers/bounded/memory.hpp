@@ -25,8 +25,9 @@ struct ContactMemory {
 struct ElasticMemory {
   /// By block of the surface's lanes, low-passed, along warp and weft and in shear.
   std::vector<SurfaceSums> tension_n_per_m;
-  /// How fast positions have to be corrected against sagging; by row.
-  Float4Array drift_m_per_s;
+  /// The tension of triangles that have the length that the law gives them, by which their rest shapes are
+  /// shorter.
+  std::vector<SurfaceSums> held_n_per_m;
 };
 
 /// Everything that `bounded` keeps from frame to frame besides the State. An attempt at a frame makes a new

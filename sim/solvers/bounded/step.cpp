@@ -8,23 +8,14 @@
 namespace taut::sim::bounded {
 namespace {
 
-// Air and hands meet cloth at the velocity that it has over all.
 void impose_forces(const Garment& garment, const ExternalForces& external, const TimeStep& time,
                    ParallelKernels& kernels, SteppedCloth& cloth) {
-  Float4Array own;
-  if (cloth.elasticity.has_law()) {
-    own = cloth.motion.previous;
-    cloth.elasticity.take_out_sagging(time.time_step_s, cloth.motion.previous);
-  }
   if (time.updates_wind) {
     cloth.forces.update_wind(garment, external.wind, cloth.motion, time.time_s, time.time_step_s,
                              time.wind_interval_s, kernels);
   }
   cloth.forces.update(garment, external, cloth.motion, time.time_s, time.time_step_s, time.update_interval_s,
                       kernels);
-  if (cloth.elasticity.has_law()) {
-    cloth.motion.previous.swap(own);
-  }
 }
 
 /// From the start of the frame to the end of the step.
@@ -129,10 +120,6 @@ void step(const Frame& frame, const TimeStep& time, ParallelKernels& kernels, St
   // Step 3: compensate the predicted displacements, eqs. (2)-(3).
   constrain(kernels, cloth);
   cloth.elasticity.count_step();
-  if (time.settles) {
-    cloth.elasticity.settle(time.settle_interval_s, surroundings.forces.air_drag_per_s * time.time_step_s, kernels,
-                            cloth.motion);
-  }
   if (cloth.contacts.is_on()) {
     cloth.contacts.keep_apart(cloth.layout, time.time_s + time.time_step_s, time.time_step_s, kernels,
                               cloth.motion);

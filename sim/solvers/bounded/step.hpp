@@ -46,8 +46,6 @@ struct TimeStep {
   double update_interval_s = 0.0;
   bool updates_wind = false;  ///< only where forces are updated
   double wind_interval_s = 0.0;
-  bool settles = false;
-  double settle_interval_s = 0.0;
 };
 
 /// Returns how far each pin moves within the time, which begins with the frame, in m, by row.

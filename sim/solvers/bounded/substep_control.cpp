@@ -29,11 +29,10 @@ int frames_in(double time_s, double frame_time_s) {
 
 }  // namespace
 
-SubstepControl::SubstepControl(int first, int least, int most, double frame_time_s, int multiple)
+SubstepControl::SubstepControl(int first, int least, int most, double frame_time_s)
     : least_(std::clamp(least, 1, most)),
       most_(most),
       fewest_calm_frames_(frames_in(tuning::calm_s, frame_time_s)),
-      multiple_(multiple),
       substeps_(std::clamp(first, least_, most)),
       calm_frames_needed_(fewest_calm_frames_) {}
 

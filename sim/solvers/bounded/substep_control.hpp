@@ -14,10 +14,9 @@ class SubstepControl {
  public:
   SubstepControl() = default;
   /// `most` is the budget. `least` is what the forces need. `first` is for the first frame.
-  /// A frame takes a multiple of `multiple`.
-  SubstepControl(int first, int least, int most, double frame_time_s, int multiple = 1);
+  SubstepControl(int first, int least, int most, double frame_time_s);
 
-  int substeps() const { return (substeps_ + multiple_ - 1) / multiple_ * multiple_; }
+  int substeps() const { return substeps_; }
   bool is_spent() const { return substeps_ >= most_; }
 
   /// After a frame whose projection took work worth `projection_cost` sweeps over all springs and moved no
@@ -42,7 +41,6 @@ class SubstepControl {
   int least_ = 1;
   int most_ = 1;
   int fewest_calm_frames_ = 1;
-  int multiple_ = 1;
   int needed_ = 1;  ///< set in every frame that sets it at all
   int substeps_ = 1;
   int calm_frames_ = 0;

@@ -78,12 +78,15 @@ inline constexpr std::uint8_t evened_rings = 5;
 
 /// How long tension is averaged over, in s. Less follows loads sooner; where they are large cloth then trembles.
 inline constexpr double remembered_s = 0.15;
-/// Time steps from one settling to the next, times that tension is averaged around vertices, and one more than
-/// the sweeps of a settling. More costs more; with less, fine meshes sag and give unevenly.
-inline constexpr int settled_steps = 4;
+/// How long it takes to hold back what sweeps leave, in s. Less than the drag of the air and of sweeps damps in
+/// lets light cloth swing for ever.
+inline constexpr double held_s = 0.3;
+/// How often tension is averaged around vertices. More costs more; with less, strain goes by what each triangle
+/// happens to carry.
+inline constexpr int shared_times = 2;
 /// What the sweeps of a step have to correct, on average by load, as a strain. More leaves cloth under load
 /// uneven; less takes more steps.
-inline constexpr double largest_strain_per_step = 0.03;
+inline constexpr double largest_strain_per_step = 0.025;
 
 // Slow forces.
 

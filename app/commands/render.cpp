@@ -48,8 +48,11 @@ struct RenderJob {
 std::vector<int> frames_to_draw(const RenderOptions& options, const RenderJob& job) {
   const int last = job.again ? job.again->frame : job.scene.frames;
   const int first = is_video(job.output) && !job.again ? 0 : last;
-  const FrameRange range =
-      options.frames.empty() ? FrameRange{first, last} : frame_range(options.frames, job.scene.frames);
+  const bool is_played = is_video(job.output) || is_clip(options.shapes);
+  const FrameRange range = options.frames.empty()
+                               ? FrameRange{first, last}
+                               : frame_range(options.frames, job.scene.frames,
+                                             is_played ? NumberMeans::count : NumberMeans::frame);
   std::vector<int> frames(static_cast<std::size_t>(range.count()));
   std::iota(frames.begin(), frames.end(), range.first);
   return frames;

@@ -226,7 +226,9 @@ int run(const SimulateOptions& options) {
   std::FILE* const remarks = options.quiet ? nullptr : options.json ? stderr : stdout;
   print_body_remarks(scene, load_bodies(scene), remarks);
   const FrameRange range =
-      options.frames.empty() ? FrameRange{1, scene.frames} : frame_range(options.frames, scene.frames);
+      options.frames.empty() ? FrameRange{1, scene.frames}
+                             : frame_range(options.frames, scene.frames,
+                                           is_clip(options.shapes) ? NumberMeans::count : NumberMeans::frame);
   const ExportSettings exported = {options.shapes, range, scene.simulation.frame_rate_hz,
                                    !options.saved_to().empty()};
   FrameOutputs outputs;

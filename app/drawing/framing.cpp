@@ -85,6 +85,16 @@ std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_
   return std::nullopt;
 }
 
+std::optional<float> standing_height(std::span<const sim::Body> bodies, float lowest_m) {
+  std::optional<float> height_m;
+  for (const sim::Body& body : bodies) {
+    if (std::holds_alternative<sim::BodyMesh>(body.shape)) {
+      height_m = std::min(height_m.value_or(INFINITY), box_of(body, 0.0)->lower.y);
+    }
+  }
+  return height_m && *height_m <= lowest_m ? height_m : std::nullopt;
+}
+
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   std::vector<glm::vec3> nearest(points.size());
   std::transform(points.begin(), points.end(), nearest.begin(), [](const sim::Vec3& point) {
@@ -160,7 +170,10 @@ std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box&
       break;
   }
   const renderer::Box box = scene.camera.box.value_or(reach);
-  return level_plane(scene.surroundings.bodies, 0.0).value_or(ground_below(box.lower.y, box.upper.y));
+  const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
+  const std::optional<float> plane_m = level_plane(bodies, 0.0);
+  return plane_m ? plane_m
+                 : standing_height(bodies, reach.lower.y).value_or(ground_below(box.lower.y, box.upper.y));
 }
 
 }  // namespace taut::app

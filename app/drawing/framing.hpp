@@ -30,6 +30,10 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
 /// Height in metres of the first level plane among the bodies at this time. Empty if there is none.
 std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_s);
 
+/// Height in metres of the lowest point of the bodies that are meshes, when the run begins; empty if there
+/// are none or they float above lowest_m, which is that of everything.
+std::optional<float> standing_height(std::span<const sim::Body> bodies, float lowest_m);
+
 /// Returns by how much, in radians, a camera goes around what has this size to see its broad side: 0 from +z,
 /// a quarter turn where it is far deeper than wide.
 float azimuth_of_broad_side(const glm::vec3& size);

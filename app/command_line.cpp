@@ -301,17 +301,17 @@ std::function<Command()> add_inspect(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a 3D model and how it maps to springs");
   command->add_option("GARMENT", options->garment,
-                      "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, 3MF, ...; without one, the "
-                      "body is inspected");
+                      "a 3D model: OBJ, PLY, STL, glTF, FBX, Collada, 3MF, ..., or a built-in scene, for its "
+                      "garment; without one, the body is inspected");
   add_garment_arguments(*command, options->overrides);
   add_set(*command, options->overrides);
   command->add_flag("--json", options->json, "for programs");
   command->add_option(
-      "--picture", options->picture,
+      "--output,--picture", options->picture,
       "PNG file: the garment with its springs by kind, what holds it, its borders and defects");
   add_backend(*command, options->backend);
   command->footer(
-      "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --picture shirt.png\n"
+      "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --output shirt.png\n"
       "  taut inspect my-jacket.obj --untangle\n  taut inspect "
       "shirt.stl --units mm --up z --json\n  taut inspect --body mannequin.glb --body-motion walk.bvh\n");
   return [options] { return Command(*options); };
@@ -360,19 +360,20 @@ std::function<Command()> add_import_model(CLI::App& app) {
 std::function<Command()> add_scenes(CLI::App& app) {
   auto options = std::make_shared<ScenesOptions>();
   CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes, or print one to start from");
-  command->add_option("--show", options->show, "print this scene's file, each key with what it means");
-  command->footer("Examples:\n  taut scenes\n  taut scenes --show tshirt > my.toml\n");
+  command->add_option("SCENE,--show", options->show, "print this scene's file, each key with what it means");
+  command->footer("Examples:\n  taut scenes\n  taut scenes tshirt > my.toml\n");
   return [options] { return Command(*options); };
 }
 
 std::function<Command()> add_fabrics(CLI::App& app) {
   auto options = std::make_shared<FabricsOptions>();
   CLI::App* command = app.add_subcommand("fabrics", "List the fabrics that --fabric names");
-  command->add_option("--picture", options->picture,
+  command->add_option("FABRIC", options->fabric, "print this fabric's file");
+  command->add_option("--output,--picture", options->picture,
                       "PNG file: the T-shirt in six of them, instead of the list");
   add_backend(*command, options->backend);
   command->footer(
-      "Examples:\n  taut fabrics\n  taut fabrics --picture fabrics.png\n"
+      "Examples:\n  taut fabrics\n  taut fabrics denim > my.toml\n  taut fabrics --output fabrics.png\n"
       "  taut render tshirt-wind-1 --fabric denim\n");
   return [options] { return Command(*options); };
 }
@@ -383,7 +384,7 @@ std::function<Command()> add_drape(CLI::App& app) {
   command
       ->add_option("--fabric", options->fabrics, "some of taut fabrics, or files like theirs (default: all)")
       ->delimiter(',');
-  command->add_option("--output", options->output, "PNG file: the discs from above")->capture_default_str();
+  command->add_option("--output,--picture", options->output, "PNG file: the discs from above")->capture_default_str();
   command->add_flag("--json", options->json, "for programs");
   add_backend(*command, options->backend);
   command->footer(
@@ -394,6 +395,36 @@ std::function<Command()> add_drape(CLI::App& app) {
       "are hung, irregular ones with triangles of three sizes.\n\n"
       "Examples:\n  taut drape\n  taut drape --fabric silk,denim,my.toml --output discs.png\n");
   return [options] { return Command(*options); };
+}
+
+/// Of a command line that cannot be understood.
+std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error,
+                          std::span<const char* const> arguments) {
+  const std::vector<CLI::App*> asked = app.get_subcommands();
+  const CLI::App& command = asked.empty() ? app : *asked.front();
+  const std::string help = asked.empty() ? "taut --help" : "taut " + command.get_name() + " --help";
+  // A misspelt option comes before what is missing, which may be all that it stands for.
+  const std::vector<std::string> unknown = app.remaining(true);
+  const bool is_value = dynamic_cast<const CLI::RequiredError*>(&error) == nullptr &&
+                        dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr;
+  if (is_value || unknown.empty()) {
+    return std::string(error.what()) + "; see " + help;
+  }
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      options.push_back("--" + name);
+    }
+  }
+  // In the order of the command line; the first option is wrong, or else what follows it.
+  const auto is_unknown = [&](const char* argument) {
+    return std::find(unknown.begin(), unknown.end(), argument) != unknown.end();
+  };
+  const auto is_option = [&](const char* argument) { return *argument == '-' && is_unknown(argument); };
+  auto wrong = std::find_if(arguments.begin() + 1, arguments.end(), is_option);
+  wrong = wrong != arguments.end() ? wrong : std::find_if(arguments.begin() + 1, arguments.end(), is_unknown);
+  const std::string name = wrong != arguments.end() ? *wrong : unknown.back();
+  return "not expected: " + name + did_you_mean(name.substr(0, name.find('=')), options) + "; see " + help;
 }
 
 // At once where it is asked for, before values are read: what is wrong with them may be why help is needed.
@@ -428,13 +459,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
     if (error.get_exit_code() == 0) {
       return Answered{app.exit(error)};
     }
-    // A misspelt option comes before what is missing, which may be all that it stands for.
-    const std::vector<std::string> unknown = app.remaining(true);
-    const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-    throw UsageError((is_missing && !unknown.empty()
-                          ? "the following was not expected: " + joined(unknown, " ")
-                          : std::string(error.what())) +
-                     "; taut --help says what there is");
+    throw UsageError(what_is_wrong(app, error, {arguments, static_cast<std::size_t>(argument_count)}));
   }
   const std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -40,6 +40,10 @@ const char* const export_help =
     "and add a Mesh Cache modifier: Forward +Y, Up +Z); clip.glb, which plays in any viewer; clip.pvd for "
     "ParaView, with the simulated triangles' stretch; bodies are not written";
 
+bool is_clip(const std::string& name) {
+  return !name.empty() && fs::path(name).extension() != ".obj";
+}
+
 void require_export(const ExportSettings& settings, const fs::path& garment) {
   const fs::path name = settings.name;
   const std::string ending = name.extension();

@@ -52,6 +52,9 @@ class FrameSink {
   virtual std::string finish() = 0;
 };
 
+/// Whether one file of this name holds all frames, to be played.
+bool is_clip(const std::string& name);
+
 /// Throws UsageError if a name has another ending than .obj, .pc2, .mdd, .glb or .pvd, if its format cannot
 /// be resumed and shall be, or if files of this name would replace `garment`, the file that is simulated.
 /// Makes the folder; throws InputError if that cannot be written to. Call it before a long run.

@@ -54,12 +54,16 @@ int run(const FabricsOptions& options) {
   if (names.empty()) {
     throw InputError("no fabrics were found; set TAUT_ASSETS to the folder that holds fabrics/");
   }
+  if (!options.fabric.empty()) {
+    fmt::print("{}", read_text_file(find_fabric(options.fabric).file));
+    return 0;
+  }
   if (options.picture.empty()) {
     print_table(names);
     return 0;
   }
   if (options.picture.extension() != ".png") {
-    throw UsageError("--picture " + options.picture.string() + ": expected a name that ends in .png");
+    throw UsageError("--output " + options.picture.string() + ": expected a name that ends in .png");
   }
   prepare_folder_of(options.picture);
   write_picture(options);

@@ -23,7 +23,7 @@ int inspect_bodies(const InspectOptions& options, const Scene& scene) {
     throw UsageError("GARMENT is required, or --body FILE; taut inspect --help says what there is");
   }
   if (!options.picture.empty()) {
-    throw UsageError("--picture " + options.picture.string() + ": expected a GARMENT to draw");
+    throw UsageError("--output " + options.picture.string() + ": expected a GARMENT to draw");
   }
   Json bodies = Json::array();
   for (const BodySource& source : scene.body_sources) {
@@ -35,20 +35,36 @@ int inspect_bodies(const InspectOptions& options, const Scene& scene) {
   return 0;
 }
 
-}  // namespace
-
-int run(const InspectOptions& options) {
+/// A built-in scene or garment is meant where there is no such file.
+DrawnScene scene_of(const InspectOptions& options) {
+  std::error_code error;
+  if (!options.garment.empty() && !options.garment.has_extension() &&
+      !std::filesystem::exists(options.garment, error)) {
+    DrawnScene scene = find_scene(options.garment.string(), options.overrides);
+    if (scene.garment.is_grid()) {
+      throw UsageError(options.garment.string() + ": expected a garment, found a grid of cloth");
+    }
+    scene.picture.show_pins = true;
+    return scene;
+  }
   DrawnScene scene;
   scene.name = options.garment.filename().string();
   scene.garment.file = options.garment;
   apply_overrides(options.overrides, scene);
+  return scene;
+}
+
+}  // namespace
+
+int run(const InspectOptions& options) {
+  DrawnScene scene = scene_of(options);
   if (options.garment.empty()) {
     return inspect_bodies(options, scene);
   }
   print_body_remarks(scene, load_bodies(scene), options.json ? stderr : stdout);
   if (!options.picture.empty()) {
     if (options.picture.extension() != ".png") {
-      throw UsageError("--picture " + options.picture.string() + ": expected a name that ends in .png");
+      throw UsageError("--output " + options.picture.string() + ": expected a name that ends in .png");
     }
     prepare_folder_of(options.picture);
   }

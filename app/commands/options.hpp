@@ -127,6 +127,7 @@ struct ScenesOptions {
 
 /// Options of `taut fabrics`.
 struct FabricsOptions {
+  std::string fabric;             ///< one whose file is to be printed; empty: list them
   std::filesystem::path picture;  ///< PNG file to draw instead of the list; empty: none
   std::string backend = "auto";
 };

@@ -48,7 +48,7 @@ std::string commented(const std::string& text) {
 int show(const std::string& name) {
   const FoundScene found = locate_scene(name);
   if (found.is_garment) {
-    throw UsageError("--show " + name + ": expected a scene, found a garment file");
+    throw UsageError(name + ": expected a scene, found a garment file");
   }
   fmt::print(
       "# A scene of taut to start from: taut render FILE.toml draws it, taut help scene lists all keys.\n{}",

@@ -1,5 +1,7 @@
 #include "app/drawing/drawn_scene_file.hpp"
 
+#include <algorithm>
+
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {
@@ -14,11 +16,24 @@ DrawnScene read_scene_text(const std::string& text, const std::string& name,
 }
 
 DrawnScene find_scene(const std::string& name, std::span<const Override> overrides) {
-  return find_scene(drawn_scene_format(), name, overrides);
+  DrawnScene scene = find_scene(drawn_scene_format(), name, overrides);
+  const auto gives = [&](const char* key) {
+    return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
+  };
+  // The scene's floor may not be where another body stands.
+  if (gives("body.file") && !gives("picture.ground")) {
+    scene.picture.ground = {};
+  }
+  return scene;
 }
 
 void apply_overrides(std::span<const Override> overrides, DrawnScene& scene) {
   apply_overrides(drawn_scene_format(), overrides, scene);
+}
+
+void set_garment(const std::filesystem::path& file, DrawnScene& scene) {
+  set_garment(file, static_cast<Scene&>(scene));
+  scene.picture.show_pins = false;
 }
 
 Json scene_settings(const DrawnScene& scene) {

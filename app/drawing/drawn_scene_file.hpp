@@ -24,6 +24,8 @@ DrawnScene read_scene_text(const std::string& text, const std::string& name,
                            std::span<const Override> overrides = {});
 DrawnScene find_scene(const std::string& name, std::span<const Override> overrides);
 void apply_overrides(std::span<const Override> overrides, DrawnScene& scene);
+/// As that of a Scene, but drawn without balls at its pins.
+void set_garment(const std::filesystem::path& file, DrawnScene& scene);
 nlohmann::ordered_json scene_settings(const DrawnScene& scene);
 std::string scene_text(const DrawnScene& scene, GarmentNaming naming = GarmentNaming::in_assets);
 

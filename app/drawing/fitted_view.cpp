@@ -72,8 +72,11 @@ void FittedView::place_camera(DrawnScene& scene) const {
   scene.camera.eye = camera.eye;
   scene.camera.target = camera.target;
   Ground& ground = scene.picture.ground;
-  if (ground.kind == GroundKind::automatic && !level_plane(scene.surroundings.bodies, 0.0)) {
-    ground = {GroundKind::fixed, static_cast<double>(ground_below(lowest_m_, highest_m_))};
+  const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
+  if (ground.kind == GroundKind::automatic && !level_plane(bodies, 0.0)) {
+    const float below_m = ground_below(lowest_m_, highest_m_);
+    const float gap = lowest_m_ - below_m;  // feet rise and sink a little as they walk
+    ground = {GroundKind::fixed, static_cast<double>(standing_height(bodies, lowest_m_ + gap).value_or(below_m))};
   }
 }
 

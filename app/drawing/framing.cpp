@@ -1,11 +1,14 @@
 #include "app/drawing/framing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 #include <numeric>
+
+#include "app/models/garment_measures.hpp"
 
 namespace taut::app {
 namespace {
@@ -15,6 +18,9 @@ constexpr float ground_gap = 0.06F;
 
 // A garment is drawn from the side, where it is this many times as deep as wide: its broad side is there.
 constexpr float clearly_deeper = 1.5F;
+
+// Of the direction of a front: from here on it is seen from before as it is.
+constexpr double facing_us = 0.7;
 
 // Limit on pairs of a vertex and a pin that are compared. Above it some pins are skipped, which can enlarge
 // the reach of a fine mesh by about the length of an edge. A lower limit saves time.
@@ -85,6 +91,16 @@ std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_
   return std::nullopt;
 }
 
+std::optional<float> standing_height(std::span<const sim::Body> bodies, float lowest_m) {
+  std::optional<float> height_m;
+  for (const sim::Body& body : bodies) {
+    if (std::holds_alternative<sim::BodyMesh>(body.shape)) {
+      height_m = std::min(height_m.value_or(INFINITY), box_of(body, 0.0)->lower.y);
+    }
+  }
+  return height_m && *height_m <= lowest_m ? height_m : std::nullopt;
+}
+
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   std::vector<glm::vec3> nearest(points.size());
   std::transform(points.begin(), points.end(), nearest.begin(), [](const sim::Vec3& point) {
@@ -132,6 +148,19 @@ renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach
   return framing;
 }
 
+void face_front(const LoadedGarment& loaded, DrawnScene& scene) {
+  float& azimuth_rad = scene.camera.framing.azimuth_rad;
+  if (scene.garment.file.empty() || scene.camera.box || scene.camera.eye ||
+      azimuth_rad != CameraSettings{}.framing.azimuth_rad) {
+    return;
+  }
+  const GarmentMarks marks =
+      marks_of(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
+  if (marks.is_front_known && !marks.is_worn_at_waist && marks.front.z < facing_us) {
+    azimuth_rad += static_cast<float>(std::atan2(marks.front.x, marks.front.z));
+  }
+}
+
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect) {
   renderer::Camera camera =
       renderer::fit_camera_to_box(scene.camera.box.value_or(reach), framing_of(scene, reach), aspect);
@@ -160,7 +189,10 @@ std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box&
       break;
   }
   const renderer::Box box = scene.camera.box.value_or(reach);
-  return level_plane(scene.surroundings.bodies, 0.0).value_or(ground_below(box.lower.y, box.upper.y));
+  const std::vector<sim::Body>& bodies = scene.surroundings.bodies;
+  const std::optional<float> plane_m = level_plane(bodies, 0.0);
+  return plane_m ? plane_m
+                 : standing_height(bodies, reach.lower.y).value_or(ground_below(box.lower.y, box.upper.y));
 }
 
 }  // namespace taut::app

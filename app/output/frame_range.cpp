@@ -29,11 +29,17 @@ int frame_of(const std::string& word, int last_frame, const std::string& text) {
 
 }  // namespace
 
-FrameRange frame_range(const std::string& text, int last_frame) {
+FrameRange frame_range(const std::string& text, int last_frame, NumberMeans number) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) {
     const int frame = frame_of(text, last_frame, text);
-    return {frame, frame};
+    if (number == NumberMeans::frame || text == "last") {
+      return {frame, frame};
+    }
+    if (frame == 0) {
+      throw UsageError("--frames 0: expected at least one frame of a video or a clip");
+    }
+    return {0, frame - 1};
   }
   const std::string first_word = text.substr(0, colon);
   const std::string last_word = text.substr(colon + 1);

@@ -18,6 +18,11 @@ namespace fs = std::filesystem;
 // How many bytes there are up to the end of that frame's line.
 std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const RunDescription& run,
                             int frame) {
+  if (!fs::exists(path)) {
+    throw InputError("cannot go on with '" + path.string() +
+                     "': there is no such file; the run goes on in the statistics of its first part, so name "
+                     "that file, or none");
+  }
   const std::string text = read_text_file(path);
   const std::string names = statistics_header(StatisticsFormat::csv, run);
   if (format == StatisticsFormat::csv && !text.starts_with(names)) {

@@ -214,6 +214,14 @@ TEST(FrameRange, HasOpenEndsAndALast) {
   EXPECT_EQ(range_of(":10"), std::pair(0, 10));
   EXPECT_EQ(range_of(":"), std::pair(0, 90));
   EXPECT_EQ(range_of("last"), std::pair(90, 90));
+  const auto count_of = [](const std::string& text) {
+    const FrameRange range = frame_range(text, 90, NumberMeans::count);
+    return std::pair(range.first, range.last);
+  };
+  EXPECT_EQ(count_of("30"), std::pair(0, 29)) << "30 frames";
+  EXPECT_EQ(count_of("last"), std::pair(90, 90));
+  EXPECT_EQ(count_of("3:7"), std::pair(3, 7));
+  EXPECT_CONTAINS(test::message_of<UsageError>([&] { count_of("0"); }), "at least one frame");
   EXPECT_EQ(range_of("80:last"), std::pair(80, 90));
   EXPECT_EQ(range_of("100:200"), std::pair(100, 200)) << "a run may be longer than its scene says";
 }

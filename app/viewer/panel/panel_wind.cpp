@@ -140,7 +140,7 @@ void gust_and_gravity(ViewerState& state) {
   ImGui::PushItemWidth(-0.38F * ImGui::GetContentRegionAvail().x);
   number_slider(state, "gusts", "wind.gust_amplitude", wind.gust_amplitude, 0.0, 1.0, "%.2f");
   number_slider(state, "period", "wind.gust_period", wind.gust_period_s, 0.1, 10.0, "%.1f s", true);
-  double down = -forces.gravity_m_per_s2.y;
+  double down = 0.0 - forces.gravity_m_per_s2.y;  // and not -0
   if (number_slider(state, "gravity", "gravity", down, 0.0, 20.0, "%.2f m/s²")) {
     forces.gravity_m_per_s2.y = -down;
   }

@@ -19,6 +19,8 @@ constexpr double layered = 0.95;     ///< cosine between the ways into the cloth
 constexpr double facing = -0.3;      ///< and below which borders of one sheet can be a seam
 constexpr double not_across = 0.3;   ///< cosine between the way into the cloth and to the other border of the same sheet
 
+constexpr double narrow_hole = 0.07;  ///< width over the length round a hole that is closed; then twice that length
+
 /// A border edge in the way of its triangle.
 struct BorderEdge {
   sim::Index from, to, triangle;
@@ -221,12 +223,15 @@ std::size_t fill_small_holes(double longest_m, sim::Mesh& mesh) {
   std::size_t closed = 0;
   for (const std::vector<sim::Index>& loop : border_loops(mesh)) {
     double length = 0.0;
-    sim::Vec3 sum(0.0);
+    sim::Vec3 sum(0.0), doubled_area(0.0);
     for (std::size_t i = 0; i < loop.size(); ++i) {
+      doubled_area += glm::cross(mesh.positions[loop[i]] - mesh.positions[loop[0]],
+                                 mesh.positions[loop[(i + 1) % loop.size()]] - mesh.positions[loop[0]]);
       length += glm::distance(mesh.positions[loop[i]], mesh.positions[loop[(i + 1) % loop.size()]]);
       sum += mesh.positions[loop[i]];
     }
-    if (length >= longest_m) {
+    const bool is_slit = glm::length(doubled_area) < narrow_hole * longest_m * length;
+    if (length >= (is_slit ? 2.0 : 1.0) * longest_m) {
       continue;
     }
     ++closed;

@@ -21,6 +21,7 @@ using Halfedge = OpenMesh::HalfedgeHandle;
 
 constexpr int rounds = 8;
 constexpr int most_sweeps = 6;       ///< of collapses in a round
+constexpr std::size_t most_vertices = 1000000;  ///< of all that ever are; more would be a model of needles alone
 constexpr double longest = 4.0 / 3.0;
 constexpr double shortest = 4.0 / 5.0;
 constexpr double most_of_halved = 0.75;  ///< of an edge, for each of its halves
@@ -29,24 +30,45 @@ constexpr double corner_reach = 0.7; ///< of an edge, to both sides of it
 constexpr double same_side = 0.3;    ///< cosine between normals before and after
 constexpr double thin = 0.02;        ///< doubled area over the square of the longest side: its normal says nothing
 
-std::vector<sim::Triangle> segments_of(const std::vector<std::vector<sim::Index>>& loops) {
-  std::vector<sim::Triangle> segments;
-  for (const auto& loop : loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      segments.push_back({loop[i], loop[(i + 1) % loop.size()], loop[i]});
+/// A closed border of the model.
+struct Line {
+  Line(const sim::Mesh& mesh, const std::vector<sim::Index>& loop) {
+    for (const sim::Index v : loop) {
+      length_m += places.empty() ? 0.0 : glm::distance(places.back(), mesh.positions[v]);
+      places.push_back(mesh.positions[v]);
+      ways_m.push_back(length_m);
     }
+    length_m += glm::distance(places.back(), places.front());
+    places.push_back(places.front());
+    ways_m.push_back(length_m);
   }
-  return segments;
-}
+
+  /// The way on from one place to the next, which is never back.
+  double between(double from_m, double to_m) const { return to_m >= from_m ? to_m - from_m : to_m - from_m + length_m; }
+  Vec3 place(double way_m) const {
+    const auto after = std::upper_bound(ways_m.begin() + 1, ways_m.end() - 1, way_m) - ways_m.begin();
+    const auto k = static_cast<std::size_t>(after);
+    const double edge = ways_m[k] - ways_m[k - 1];
+    return places[k - 1] + (edge > 0.0 ? (way_m - ways_m[k - 1]) / edge : 0.0) * (places[k] - places[k - 1]);
+  }
+
+  std::vector<Vec3> places;
+  std::vector<double> ways_m;
+  double length_m = 0.0;
+};
+
+/// Where a vertex is on a border of the model.
+struct OnLine {
+  std::size_t line;
+  double way_m;
+};
 
 /// The surface that is approached.
 struct Model {
   explicit Model(const sim::Mesh& mesh)
       : tree(mesh.positions, mesh.triangles),
         normals(unit_normals(mesh)),
-        loops(border_loops(mesh)),
-        segments(segments_of(loops)),
-        borders(mesh.positions, segments) {
+        loops(border_loops(mesh)) {
     sim::Groups parts(mesh.positions.size());
     for (const sim::Triangle& t : mesh.triangles) {
       parts.join(t[0], t[1]);
@@ -58,20 +80,23 @@ struct Model {
     for (const sim::Triangle& t : mesh.triangles) {
       part_of.push_back(parts.find(t[0]));
     }
+    for (const auto& loop : loops) {
+      lines.emplace_back(mesh, loop);
+    }
   }
 
   SurfaceTree tree;
   std::vector<Vec3> normals;
   std::vector<sim::Index> part_of, part_of_vertex;
   std::vector<std::vector<sim::Index>> loops;
-  std::vector<sim::Triangle> segments;
-  SurfaceTree borders;
+  std::vector<Line> lines;
 };
 
 class Remesher {
  public:
   Remesher(const sim::Mesh& surface, double edge_m)
       : model_(surface), length_(edge_m), at_(surface.positions), part_(model_.part_of_vertex),
+        on_line_(surface.positions.size()),
         is_corner_(surface.positions.size(), 0) {
     net_.request_vertex_status();
     net_.request_halfedge_status();
@@ -83,7 +108,11 @@ class Remesher {
     for (const sim::Triangle& t : surface.triangles) {
       net_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
     }
-    for (const auto& loop : model_.loops) {
+    for (std::size_t l = 0; l < model_.loops.size(); ++l) {
+      const std::vector<sim::Index>& loop = model_.loops[l];
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        on_line_[loop[i]] = {l, model_.lines[l].ways_m[i]};
+      }
       mark_corners(loop);
     }
   }
@@ -106,8 +135,9 @@ class Remesher {
 
  private:
   static Vertex vertex(sim::Index v) { return Vertex(static_cast<int>(v)); }
-  const Vec3& at(Vertex v) const { return at_[static_cast<std::size_t>(v.idx())]; }
-  Vec3& at(Vertex v) { return at_[static_cast<std::size_t>(v.idx())]; }
+  static std::size_t number(Vertex v) { return static_cast<std::size_t>(v.idx()); }
+  const Vec3& at(Vertex v) const { return at_[number(v)]; }
+  Vec3& at(Vertex v) { return at_[number(v)]; }
   bool is_gone(Edge e) const { return net_.status(e).deleted(); }
   double length(Edge e) const {
     const Halfedge h = net_.halfedge_handle(e, 0);
@@ -154,7 +184,7 @@ class Remesher {
   void split_long() {
     for (std::size_t i = 0; i < net_.n_edges(); ++i) {
       const Edge e(static_cast<int>(i));
-      while (!is_gone(e) && length(e) > longest * length_) {
+      while (!is_gone(e) && length(e) > longest * length_ && at_.size() < most_vertices) {
         split(e);
       }
     }
@@ -162,19 +192,32 @@ class Remesher {
 
   /// Halves an edge; on the model where that makes both halves clearly shorter, so that this comes to an end.
   void split(Edge e) {
-    const Halfedge h = net_.halfedge_handle(e, 0);
-    const Vertex a = net_.from_vertex_handle(h), b = net_.to_vertex_handle(h);
     const bool is_border = net_.is_boundary(e);
+    const Halfedge h = net_.halfedge_handle(e, is_border && net_.is_boundary(net_.halfedge_handle(e, 0)) ? 1 : 0);
+    const Vertex a = net_.from_vertex_handle(h), b = net_.to_vertex_handle(h);
     const double most = most_of_halved * length(e);
     at_.push_back(0.5 * (at(a) + at(b)));
-    part_.push_back(part_[static_cast<std::size_t>(a.idx())]);
+    part_.push_back(part_[number(a)]);
+    on_line_.push_back(is_border ? halfway(on_line_[number(a)], on_line_[number(b)]) : OnLine{});
     is_corner_.push_back(0);
     const Vertex added = net_.new_vertex();
     net_.split(e, added);
-    const Vec3 place = on_model(added, at(added), is_border);
-    if (glm::distance(place, at(a)) < most && glm::distance(place, at(b)) < most) {
+    const Vec3 place = is_border ? on_border(added) : on_model(added, at(added));
+    if (is_border || (glm::distance(place, at(a)) < most && glm::distance(place, at(b)) < most)) {
       at(added) = place;
     }
+  }
+
+  OnLine halfway(const OnLine& from, const OnLine& to) const {
+    return on(from, 0.5 * model_.lines[from.line].between(from.way_m, to.way_m));
+  }
+  OnLine on(const OnLine& from, double way_m) const {
+    const double length_m = model_.lines[from.line].length_m, way = from.way_m + way_m;
+    return {from.line, way >= length_m ? way - length_m : way};
+  }
+  Vec3 on_border(Vertex v) const {
+    const OnLine& on_line = on_line_[number(v)];
+    return model_.lines[on_line.line].place(on_line.way_m);
   }
 
   void collapse_short() {
@@ -201,7 +244,7 @@ class Remesher {
   bool may_collapse(Halfedge h) {
     const Vertex from = net_.from_vertex_handle(h), to = net_.to_vertex_handle(h);
     const bool border = net_.is_boundary(from);
-    if (is_corner_[static_cast<std::size_t>(from.idx())] != 0 || (border && !net_.is_boundary(net_.edge_handle(h)))) {
+    if (is_corner_[number(from)] != 0 || (border && !net_.is_boundary(net_.edge_handle(h)))) {
       return false;
     }
     for (auto out = net_.voh_iter(from); out.is_valid(); ++out) {
@@ -300,17 +343,13 @@ class Remesher {
     return size > 0.0 ? sum / size : sum;
   }
 
-  /// The nearest place of the model that is of the same part and faces the same way, or of its border.
-  Vec3 on_model(Vertex v, const Vec3& place, bool is_border) const {
-    const sim::Index part = part_[static_cast<std::size_t>(v.idx())];
+  /// The nearest place of the model that is of the same part and faces the same way.
+  Vec3 on_model(Vertex v, const Vec3& place) const {
+    const sim::Index part = part_[number(v)];
     const Vec3 normal = normal_at(v);
-    const auto found =
-        is_border ? model_.borders.nearest(place, length_, [&](const SurfacePoint& p) {
-          return model_.part_of_vertex[model_.segments[p.triangle][0]] == part;
-        })
-                  : model_.tree.nearest(place, length_, [&](const SurfacePoint& p) {
-                      return model_.part_of[p.triangle] == part && glm::dot(model_.normals[p.triangle], normal) > same_side;
-                    });
+    const auto found = model_.tree.nearest(place, length_, [&](const SurfacePoint& p) {
+      return model_.part_of[p.triangle] == part && glm::dot(model_.normals[p.triangle], normal) > same_side;
+    });
     return found ? found->place_m : place;
   }
 
@@ -320,24 +359,40 @@ class Remesher {
       if (net_.status(v).deleted() || net_.is_isolated(v) || is_corner_[i] != 0) {
         continue;
       }
-      const bool is_border = net_.is_boundary(v);
-      Vec3 sum(0.0);
-      double count = 0.0;
-      for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
-        if (!is_border || net_.is_boundary(net_.edge_handle(*h))) {
-          sum += at(net_.to_vertex_handle(*h));
-          count += 1.0;
-        }
+      net_.is_boundary(v) ? smooth_border(v) : smooth_within(v);
+    }
+  }
+
+  void smooth_within(Vertex v) {
+    Vec3 sum(0.0);
+    double count = 0.0;
+    for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
+      sum += at(net_.to_vertex_handle(*h));
+      count += 1.0;
+    }
+    const Vec3 way = sum / count - at(v), normal = normal_at(v);
+    for (double step = 1.0; step > 0.2; step *= 0.5) {
+      const Vec3 place = on_model(v, at(v) + step * (way - glm::dot(way, normal) * normal));
+      if (may_move(v, place)) {
+        at(v) = place;
+        return;
       }
-      const Vec3 way = sum / count - at(v), normal = normal_at(v);
-      const Vec3 along = is_border ? way : way - glm::dot(way, normal) * normal;
-      for (double step = 1.0; step > 0.2; step *= 0.5) {
-        const Vec3 place = on_model(v, at(v) + step * along, is_border);
-        if (may_move(v, place)) {
-          at(v) = place;
-          break;
-        }
-      }
+    }
+  }
+
+  /// To the middle of the way between the vertices before and after it.
+  void smooth_border(Vertex v) {
+    const Halfedge back = net_.halfedge_handle(v);  // the one along the border, which has the cloth on its right
+    const OnLine here = on_line_[number(v)], before = on_line_[number(net_.to_vertex_handle(back))],
+                 after = on_line_[number(net_.from_vertex_handle(net_.prev_halfedge_handle(back)))];
+    const Line& line = model_.lines[here.line];
+    const double way_m = line.between(before.way_m, here.way_m) + line.between(here.way_m, after.way_m);
+    on_line_[number(v)] = on(before, 0.5 * way_m);
+    const Vec3 place = on_border(v);
+    if (may_move(v, place)) {
+      at(v) = place;
+    } else {
+      on_line_[number(v)] = here;
     }
   }
 
@@ -381,6 +436,7 @@ class Remesher {
   OpenMesh::TriConnectivity net_;
   std::vector<Vec3> at_;            ///< by vertex
   std::vector<sim::Index> part_;    ///< by vertex: of the model
+  std::vector<OnLine> on_line_;     ///< by vertex, where it is at a border
   std::vector<char> is_corner_;     ///< by vertex
 };
 

@@ -144,10 +144,10 @@ sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
   return turned_mesh;
 }
 
-using Section = std::vector<std::array<sim::Vec3, 2>>;
+using LevelCut = std::vector<std::array<sim::Vec3, 2>>;
 
-Section section_at(const sim::Mesh& mesh, double height) {
-  Section section;
+LevelCut section_at(const sim::Mesh& mesh, double height) {
+  LevelCut section;
   for (const sim::Triangle& t : mesh.triangles) {
     std::array<sim::Vec3, 2> ends{};
     std::size_t count = 0;
@@ -164,7 +164,7 @@ Section section_at(const sim::Mesh& mesh, double height) {
   return section;
 }
 
-sim::Extent range_of(const Section& section) {
+sim::Extent range_of(const LevelCut& section) {
   sim::Extent box;
   for (const auto& [a, b] : section) {
     box.add(a);
@@ -175,7 +175,7 @@ sim::Extent range_of(const Section& section) {
 
 /// Returns whether the section goes all around its middle. It is made as wide as it is deep, so that this
 /// holds of one that is pressed flat too.
-bool goes_around(const Section& section) {
+bool goes_around(const LevelCut& section) {
   constexpr int directions = 64, widest_slit = 6;
   std::array<bool, directions> is_met{};
   const sim::Extent box = range_of(section);
@@ -196,13 +196,13 @@ bool goes_around(const Section& section) {
 }
 
 /// As goes_around, or of both legs.
-bool goes_around_all(const Section& section) {
+bool goes_around_all(const LevelCut& section) {
   if (goes_around(section)) {
     return true;
   }
   const sim::Extent box = range_of(section);
   const int across = box.size().z > box.size().x ? 2 : 0;
-  std::array<Section, 2> halves;
+  std::array<LevelCut, 2> halves;
   for (const auto& ends : section) {
     halves[ends[0][across] > box.middle()[across] ? 1 : 0].push_back(ends);
   }

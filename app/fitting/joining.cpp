@@ -114,9 +114,10 @@ class Seams {
     const SurfaceTree tree(mesh_.positions, segments);
     std::vector<Weld> welds;
     for (const auto& [v, border] : borders_) {
-      const auto found = tree.nearest(mesh_.positions[v], distance_m_, [&](const SurfacePoint& place) {
-        return may_join(v, border, edges_[place.triangle], place);
-      });
+      const auto found =
+          tree.nearest(mesh_.positions[v], distance_m_, [&, vertex = v, &own = border](const SurfacePoint& place) {
+            return may_join(vertex, own, edges_[place.triangle], place);
+          });
       if (found) {
         const sim::Vec3& from = mesh_.positions[edges_[found->triangle].from];
         welds.push_back({found->triangle, glm::distance(from, found->place_m), v});

@@ -11,9 +11,9 @@
 namespace taut::app {
 namespace {
 
-constexpr double two_walled = 0.3;            ///< share of the area from which cloth is modelled with two walls
-constexpr std::size_t too_many = 16000;       ///< triangles
-constexpr double needle_share = 0.01;         ///< of the triangles
+constexpr double two_walled = 0.3;       ///< share of the area from which cloth is modelled with two walls
+constexpr std::size_t too_many = 16000;  ///< triangles
+constexpr double needle_share = 0.01;    ///< of the triangles
 constexpr double needle_sine = 0.0871557427;  ///< of 5 degrees
 
 /// The sine of the smallest angle, which lies between the two longest sides.
@@ -28,9 +28,9 @@ double sine_of_smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
 }
 
 std::size_t needles_of(const sim::Mesh& mesh) {
-  return static_cast<std::size_t>(std::count_if(
-      mesh.triangles.begin(), mesh.triangles.end(),
-      [&](const sim::Triangle& t) { return sine_of_smallest_angle(mesh, t) < needle_sine; }));
+  return static_cast<std::size_t>(
+      std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                    [&](const sim::Triangle& t) { return sine_of_smallest_angle(mesh, t) < needle_sine; }));
 }
 
 }  // namespace

@@ -15,13 +15,13 @@
 namespace taut::app {
 namespace {
 
-constexpr double smallest_sheet = 0.02;        ///< share of the area; what is smaller is carried
+constexpr double smallest_sheet = 0.02;           ///< share of the area; what is smaller is carried
 constexpr double smallest_beside_largest = 0.05;  ///< where all are small, of the largest
-constexpr double joined_share = 0.003;         ///< of the size, at most between borders that are joined
-constexpr double first_longer = 1.08;          ///< edges than those of so many equilateral triangles
-constexpr double longer = 1.02;                ///< than they would have to be, where there were too many triangles
+constexpr double joined_share = 0.003;            ///< of the size, at most between borders that are joined
+constexpr double first_longer = 1.08;             ///< edges than those of so many equilateral triangles
+constexpr double longer = 1.02;  ///< than they would have to be, where there were too many triangles
 constexpr int most_trials = 4;
-constexpr double closed_hole_edges = 3.0;      ///< round a hole that is closed
+constexpr double closed_hole_edges = 3.0;  ///< round a hole that is closed
 
 std::vector<double> areas_of_sheets(const Sheets& sheets) {
   std::vector<double> areas(sheets.count, 0.0);
@@ -42,7 +42,8 @@ std::vector<char> large_sheets(const Sheets& sheets) {
   }
   std::vector<char> large;
   for (const double area : areas) {
-    large.push_back(static_cast<char>(area >= std::min(smallest_sheet * all, smallest_beside_largest * largest)));
+    large.push_back(
+        static_cast<char>(area >= std::min(smallest_sheet * all, smallest_beside_largest * largest)));
   }
   return large;
 }

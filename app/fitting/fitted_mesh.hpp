@@ -20,21 +20,23 @@ struct FittingSettings {
 struct FittedMesh {
   /// In metres: one wall of cloth, two triangles at most at an edge, one fan at a vertex, facing outwards.
   sim::Mesh mesh;
-  /// By triangle of the model: its surface is part of the mesh. Others are carried: inner walls, trims, buttons, labels.
+  /// By triangle of the model: its surface is part of the mesh. Others are carried: inner walls, trims,
+  /// buttons, labels.
   std::vector<std::uint8_t> is_simulated;
-  double edge_m = 0.0;                 ///< the length edges were made for
-  std::size_t sheets = 0;              ///< connected parts of the mesh
-  std::size_t carried_triangles = 0;   ///< of the model
-  std::size_t joined_vertices = 0;     ///< of borders that nearly met
-  std::size_t closed_holes = 0;        ///< smaller than a few triangles
-  std::size_t crossings = 0;           ///< pairs of triangles of the mesh that cross
+  double edge_m = 0.0;                ///< the length edges were made for
+  std::size_t sheets = 0;             ///< connected parts of the mesh
+  std::size_t carried_triangles = 0;  ///< of the model
+  std::size_t joined_vertices = 0;    ///< of borders that nearly met
+  std::size_t closed_holes = 0;       ///< smaller than a few triangles
+  std::size_t crossings = 0;          ///< pairs of triangles of the mesh that cross
 };
 
-/// Makes a mesh of near-equilateral triangles of one size of any model. Requires a mesh that was welded, in metres.
+/// Makes a mesh of near-equilateral triangles of one size of any model. Requires a mesh that was welded, in
+/// metres.
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = {});
 
-/// Says for people why the model itself is not fit for simulation; empty if it is. `crossings` is the number of pairs
-/// of its triangles that cross at the start.
+/// Says for people why the model itself is not fit for simulation; empty if it is. `crossings` is the number
+/// of pairs of its triangles that cross at the start.
 std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings);
 
 }  // namespace taut::app

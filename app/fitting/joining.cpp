@@ -15,11 +15,14 @@
 namespace taut::app {
 namespace {
 
-constexpr double layered = 0.95;     ///< cosine between the ways into the cloth above which one border lies on the other
-constexpr double facing = -0.3;      ///< and below which borders of one sheet can be a seam
-constexpr double not_across = 0.3;   ///< cosine between the way into the cloth and to the other border of the same sheet
+constexpr double layered =
+    0.95;  ///< cosine between the ways into the cloth above which one border lies on the other
+constexpr double facing = -0.3;  ///< and below which borders of one sheet can be a seam
+constexpr double not_across =
+    0.3;  ///< cosine between the way into the cloth and to the other border of the same sheet
 
-constexpr double narrow_hole = 0.07;  ///< width over the length round a hole that is closed; then twice that length
+constexpr double narrow_hole =
+    0.07;  ///< width over the length round a hole that is closed; then twice that length
 
 /// A border edge in the way of its triangle.
 struct BorderEdge {
@@ -114,9 +117,10 @@ class Seams {
     const SurfaceTree tree(mesh_.positions, segments);
     std::vector<Weld> welds;
     for (const auto& [v, border] : borders_) {
-      const auto found = tree.nearest(mesh_.positions[v], distance_m_, [&](const SurfacePoint& place) {
-        return may_join(v, border, edges_[place.triangle], place);
-      });
+      const auto found = tree.nearest(mesh_.positions[v], distance_m_,
+                                      [&, vertex = v, &own = border](const SurfacePoint& place) {
+                                        return may_join(vertex, own, edges_[place.triangle], place);
+                                      });
       if (found) {
         const sim::Vec3& from = mesh_.positions[edges_[found->triangle].from];
         welds.push_back({found->triangle, glm::distance(from, found->place_m), v});
@@ -199,7 +203,9 @@ class Seams {
 
 }  // namespace
 
-std::size_t join_borders(double distance_m, sim::Mesh& mesh) { return Seams(distance_m, mesh).join(); }
+std::size_t join_borders(double distance_m, sim::Mesh& mesh) {
+  return Seams(distance_m, mesh).join();
+}
 
 std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {
   std::map<sim::Index, sim::Index> next;

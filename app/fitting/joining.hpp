@@ -6,9 +6,10 @@
 
 namespace taut::app {
 
-/// Joins borders that run along each other within a distance while the cloth goes different ways from them, whether or
-/// not their vertices match: each vertex is welded to the nearest place of the other border. Returns how many vertices
-/// were. Where more than two triangles meet after that, it is for `cut_into_sheets` to choose. Requires edges with two triangles at most.
+/// Joins borders that run along each other within a distance while the cloth goes different ways from them,
+/// whether or not their vertices match: each vertex is welded to the nearest place of the other border.
+/// Returns how many vertices were. Where more than two triangles meet after that, it is for `cut_into_sheets`
+/// to choose. Requires edges with two triangles at most.
 std::size_t join_borders(double distance_m, sim::Mesh& mesh);
 
 /// Closes holes whose border is shorter than this. Returns how many.

@@ -20,15 +20,16 @@ using Edge = OpenMesh::EdgeHandle;
 using Halfedge = OpenMesh::HalfedgeHandle;
 
 constexpr int rounds = 8;
-constexpr int most_sweeps = 6;       ///< of collapses in a round
-constexpr std::size_t most_vertices = 1000000;  ///< of all that ever are; more would be a model of needles alone
+constexpr int most_sweeps = 6;  ///< of collapses in a round
+constexpr std::size_t most_vertices =
+    1000000;  ///< of all that ever are; more would be a model of needles alone
 constexpr double longest = 4.0 / 3.0;
 constexpr double shortest = 4.0 / 5.0;
 constexpr double most_of_halved = 0.75;  ///< of an edge, for each of its halves
-constexpr double corner = 0.6;       ///< cosine of the turn of a border that stays
-constexpr double corner_reach = 0.7; ///< of an edge, to both sides of it
-constexpr double same_side = 0.3;    ///< cosine between normals before and after
-constexpr double thin = 0.02;        ///< doubled area over the square of the longest side: its normal says nothing
+constexpr double corner = 0.6;           ///< cosine of the turn of a border that stays
+constexpr double corner_reach = 0.7;     ///< of an edge, to both sides of it
+constexpr double same_side = 0.3;        ///< cosine between normals before and after
+constexpr double thin = 0.02;  ///< doubled area over the square of the longest side: its normal says nothing
 
 /// A closed border of the model.
 struct Line {
@@ -44,7 +45,9 @@ struct Line {
   }
 
   /// The way on from one place to the next, which is never back.
-  double between(double from_m, double to_m) const { return to_m >= from_m ? to_m - from_m : to_m - from_m + length_m; }
+  double between(double from_m, double to_m) const {
+    return to_m >= from_m ? to_m - from_m : to_m - from_m + length_m;
+  }
   Vec3 place(double way_m) const {
     const auto after = std::upper_bound(ways_m.begin() + 1, ways_m.end() - 1, way_m) - ways_m.begin();
     const auto k = static_cast<std::size_t>(after);
@@ -66,9 +69,7 @@ struct OnLine {
 /// The surface that is approached.
 struct Model {
   explicit Model(const sim::Mesh& mesh)
-      : tree(mesh.positions, mesh.triangles),
-        normals(unit_normals(mesh)),
-        loops(border_loops(mesh)) {
+      : tree(mesh.positions, mesh.triangles), normals(unit_normals(mesh)), loops(border_loops(mesh)) {
     sim::Groups parts(mesh.positions.size());
     for (const sim::Triangle& t : mesh.triangles) {
       parts.join(t[0], t[1]);
@@ -95,7 +96,10 @@ struct Model {
 class Remesher {
  public:
   Remesher(const sim::Mesh& surface, double edge_m)
-      : model_(surface), length_(edge_m), at_(surface.positions), part_(model_.part_of_vertex),
+      : model_(surface),
+        length_(edge_m),
+        at_(surface.positions),
+        part_(model_.part_of_vertex),
         on_line_(surface.positions.size()),
         is_corner_(surface.positions.size(), 0) {
     net_.request_vertex_status();
@@ -193,7 +197,8 @@ class Remesher {
   /// Halves an edge; on the model where that makes both halves clearly shorter, so that this comes to an end.
   void split(Edge e) {
     const bool is_border = net_.is_boundary(e);
-    const Halfedge h = net_.halfedge_handle(e, is_border && net_.is_boundary(net_.halfedge_handle(e, 0)) ? 1 : 0);
+    const Halfedge h =
+        net_.halfedge_handle(e, is_border && net_.is_boundary(net_.halfedge_handle(e, 0)) ? 1 : 0);
     const Vertex a = net_.from_vertex_handle(h), b = net_.to_vertex_handle(h);
     const double most = most_of_halved * length(e);
     at_.push_back(0.5 * (at(a) + at(b)));
@@ -279,7 +284,8 @@ class Remesher {
   };
   Diamond diamond(Edge e) const {
     const Halfedge h = net_.halfedge_handle(e, 0), o = net_.halfedge_handle(e, 1);
-    return {net_.from_vertex_handle(h), net_.to_vertex_handle(h), net_.to_vertex_handle(net_.next_halfedge_handle(h)),
+    return {net_.from_vertex_handle(h), net_.to_vertex_handle(h),
+            net_.to_vertex_handle(net_.next_halfedge_handle(h)),
             net_.to_vertex_handle(net_.next_halfedge_handle(o))};
   }
 
@@ -300,7 +306,8 @@ class Remesher {
 
   bool may_flip(Edge e) const {
     const Diamond d = diamond(e);
-    const Vec3 before = doubled_area(at(d.a), at(d.b), at(d.left)) + doubled_area(at(d.b), at(d.a), at(d.right));
+    const Vec3 before =
+        doubled_area(at(d.a), at(d.b), at(d.left)) + doubled_area(at(d.b), at(d.a), at(d.right));
     return stays(before, at(d.left), at(d.right), at(d.b)) && stays(before, at(d.right), at(d.left), at(d.a));
   }
 
@@ -317,8 +324,10 @@ class Remesher {
   }
   /// The cosine of the smallest angle of the two triangles.
   double narrowest(const Diamond& d, bool flipped) const {
-    return flipped ? std::max(largest_cosine(at(d.left), at(d.right), at(d.b)), largest_cosine(at(d.right), at(d.left), at(d.a)))
-                   : std::max(largest_cosine(at(d.a), at(d.b), at(d.left)), largest_cosine(at(d.b), at(d.a), at(d.right)));
+    return flipped ? std::max(largest_cosine(at(d.left), at(d.right), at(d.b)),
+                              largest_cosine(at(d.right), at(d.left), at(d.a)))
+                   : std::max(largest_cosine(at(d.a), at(d.b), at(d.left)),
+                              largest_cosine(at(d.b), at(d.a), at(d.right)));
   }
   bool widens_angles(Edge e) const {
     const Diamond d = diamond(e);
@@ -336,7 +345,8 @@ class Remesher {
     Vec3 sum(0.0);
     for (auto h = net_.cvoh_iter(v); h.is_valid(); ++h) {
       if (!net_.is_boundary(*h)) {
-        sum += doubled_area(at(v), at(net_.to_vertex_handle(*h)), at(net_.to_vertex_handle(net_.next_halfedge_handle(*h))));
+        sum += doubled_area(at(v), at(net_.to_vertex_handle(*h)),
+                            at(net_.to_vertex_handle(net_.next_halfedge_handle(*h))));
       }
     }
     const double size = glm::length(sum);
@@ -382,7 +392,8 @@ class Remesher {
 
   /// To the middle of the way between the vertices before and after it.
   void smooth_border(Vertex v) {
-    const Halfedge back = net_.halfedge_handle(v);  // the one along the border, which has the cloth on its right
+    const Halfedge back =
+        net_.halfedge_handle(v);  // the one along the border, which has the cloth on its right
     const OnLine here = on_line_[number(v)], before = on_line_[number(net_.to_vertex_handle(back))],
                  after = on_line_[number(net_.from_vertex_handle(net_.prev_halfedge_handle(back)))];
     const Line& line = model_.lines[here.line];
@@ -434,14 +445,16 @@ class Remesher {
   Model model_;
   double length_;
   OpenMesh::TriConnectivity net_;
-  std::vector<Vec3> at_;            ///< by vertex
-  std::vector<sim::Index> part_;    ///< by vertex: of the model
-  std::vector<OnLine> on_line_;     ///< by vertex, where it is at a border
-  std::vector<char> is_corner_;     ///< by vertex
+  std::vector<Vec3> at_;          ///< by vertex
+  std::vector<sim::Index> part_;  ///< by vertex: of the model
+  std::vector<OnLine> on_line_;   ///< by vertex, where it is at a border
+  std::vector<char> is_corner_;   ///< by vertex
 };
 
 }  // namespace
 
-sim::Mesh remesh(const sim::Mesh& surface, double edge_m) { return Remesher(surface, edge_m).run(); }
+sim::Mesh remesh(const sim::Mesh& surface, double edge_m) {
+  return Remesher(surface, edge_m).run();
+}
 
 }  // namespace taut::app

@@ -20,8 +20,10 @@ struct Joint {
   bool run_alike;  ///< both run along the edge the same way: they face different sides
 };
 
-/// How smoothly the surface goes on from one triangle to another: the negative cosine between the ways from the edge into both.
-double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Triangle& a, const sim::Triangle& b) {
+/// How smoothly the surface goes on from one triangle to another: the negative cosine between the ways from
+/// the edge into both.
+double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Triangle& a,
+                  const sim::Triangle& b) {
   const sim::Vec3 along = mesh.positions[edge[1]] - mesh.positions[edge[0]];
   const auto inwards = [&](const sim::Triangle& t) {
     for (const sim::Index v : t) {
@@ -48,7 +50,8 @@ std::vector<Joint> choose_joints(const sim::Mesh& mesh) {
     for (std::size_t i = 0; i < around.size(); ++i) {
       for (std::size_t k = i + 1; k < around.size(); ++k) {
         const double found =
-            around.size() == 2 ? 0.0 : smoothness(mesh, edge, mesh.triangles[around[i]], mesh.triangles[around[k]]);
+            around.size() == 2 ? 0.0
+                               : smoothness(mesh, edge, mesh.triangles[around[i]], mesh.triangles[around[k]]);
         if (found > best) {
           best = found;
           a = around[i];
@@ -57,14 +60,15 @@ std::vector<Joint> choose_joints(const sim::Mesh& mesh) {
       }
     }
     if (best > -3.0) {
-      joints.push_back({edge, a, b,
-                        sim::runs_along(mesh.triangles[a], edge) == sim::runs_along(mesh.triangles[b], edge)});
+      joints.push_back(
+          {edge, a, b, sim::runs_along(mesh.triangles[a], edge) == sim::runs_along(mesh.triangles[b], edge)});
     }
   }
   return joints;
 }
 
-/// Turns triangles so that neighbours face the same side, as most of their sheet did; drops joints where that cannot be.
+/// Turns triangles so that neighbours face the same side, as most of their sheet did; drops joints where that
+/// cannot be.
 void orient(sim::Mesh& mesh, std::vector<Joint>& joints) {
   std::vector<std::vector<std::size_t>> joints_of(mesh.triangles.size());
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -93,7 +97,8 @@ void orient(sim::Mesh& mesh, std::vector<Joint>& joints) {
       turned[t] = static_cast<char>(turned[t] ^ static_cast<int>(2 * turned_count > sheet.size()));
     }
   }
-  std::erase_if(joints, [&](const Joint& joint) { return (turned[joint.a] != turned[joint.b]) != joint.run_alike; });
+  std::erase_if(joints,
+                [&](const Joint& joint) { return (turned[joint.a] != turned[joint.b]) != joint.run_alike; });
   for (std::size_t t = 0; t < turned.size(); ++t) {
     if (turned[t] == 1) {
       std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
@@ -121,7 +126,8 @@ Sheets cut_between(const sim::Mesh& mesh, const std::vector<Joint>& joints) {
     sheets.beyond[side_at(triangles, joint.a, joint.edge)] = joint.b;
     sheets.beyond[side_at(triangles, joint.b, joint.edge)] = joint.a;
     for (const sim::Index v : joint.edge) {
-      fans.join(3 * joint.a + corner_at(triangles[joint.a], v), 3 * joint.b + corner_at(triangles[joint.b], v));
+      fans.join(3 * joint.a + corner_at(triangles[joint.a], v),
+                3 * joint.b + corner_at(triangles[joint.b], v));
     }
   }
   std::vector<sim::Index> vertex_of_fan(3 * triangles.size(), sim::no_vertex);
@@ -140,7 +146,8 @@ Sheets cut_between(const sim::Mesh& mesh, const std::vector<Joint>& joints) {
   return sheets;
 }
 
-/// Marks triangles at edges that have more than two, those that go on across them apart; empty if there are none.
+/// Marks triangles at edges that have more than two, those that go on across them apart; empty if there are
+/// none.
 std::vector<char> too_many_at_edges(const Sheets& sheets) {
   const sim::Adjacency adjacency = sim::make_adjacency(sheets.mesh);
   std::vector<char> marked;
@@ -163,7 +170,8 @@ Sheets cut_into_sheets(const sim::Mesh& mesh) {
   orient(oriented, joints);
   Sheets sheets = cut_between(oriented, joints);
   // A sheet can come back to an edge on a long way around.
-  for (std::vector<char> apart = too_many_at_edges(sheets); !apart.empty(); apart = too_many_at_edges(sheets)) {
+  for (std::vector<char> apart = too_many_at_edges(sheets); !apart.empty();
+       apart = too_many_at_edges(sheets)) {
     std::erase_if(joints, [&](const Joint& joint) { return apart[joint.a] != 0 || apart[joint.b] != 0; });
     sheets = cut_between(oriented, joints);
   }

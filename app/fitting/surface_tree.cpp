@@ -139,7 +139,8 @@ std::optional<SurfacePoint> SurfaceTree::nearest(const sim::Vec3& from_m, double
       const sim::Vec3 place = nearest_of_triangle(from_m, corners_[order_[i]]);
       const double square = glm::dot(place - from_m, place - from_m);
       const SurfacePoint found{std::sqrt(square), order_[i], place};
-      const bool is_nearer = square < best_square || (best && square == best_square && order_[i] < best->triangle);
+      const bool is_nearer =
+          square < best_square || (best && square == best_square && order_[i] < best->triangle);
       if (is_nearer && accept(found)) {
         best = found;
         best_square = square;
@@ -170,8 +171,7 @@ std::optional<SurfacePoint> SurfaceTree::first_hit(const sim::Vec3& from_m, cons
     for (sim::Index i = node.begin; i < node.end; ++i) {
       const double distance = hit(from_m, direction, corners_[order_[i]]);
       const SurfacePoint found{distance, order_[i], from_m + distance * direction};
-      const bool is_nearer =
-          distance < end_m || (best && distance == end_m && order_[i] < best->triangle);
+      const bool is_nearer = distance < end_m || (best && distance == end_m && order_[i] < best->triangle);
       if (distance >= begin_m && is_nearer && accept(found)) {
         best = found;
         end_m = distance;

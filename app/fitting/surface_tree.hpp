@@ -21,9 +21,9 @@ struct SurfacePoint {
 /// Says which triangles may be found, and where.
 using AcceptPoint = std::function<bool(const SurfacePoint&)>;
 
-/// Finds what of a surface is near a point or hit by a ray: boxes around boxes, in double precision. Of places
-/// equally far away it finds the one of the first triangle, so that every machine finds the same. A triangle
-/// with two equal corners stands for a segment.
+/// Finds what of a surface is near a point or hit by a ray: boxes around boxes, in double precision. Of
+/// places equally far away it finds the one of the first triangle, so that every machine finds the same. A
+/// triangle with two equal corners stands for a segment.
 class SurfaceTree {
  public:
   SurfaceTree(std::span<const sim::Vec3> positions_m, std::span<const sim::Triangle> triangles);
@@ -45,8 +45,8 @@ class SurfaceTree {
 
   void build(sim::Index begin, sim::Index end, std::span<const sim::Vec3> middles_m);
 
-  std::vector<Corners> corners_;     ///< of triangles, in their order
-  std::vector<sim::Index> order_;    ///< of triangles, by nodes
+  std::vector<Corners> corners_;   ///< of triangles, in their order
+  std::vector<sim::Index> order_;  ///< of triangles, by nodes
   std::vector<Node> nodes_;
 };
 

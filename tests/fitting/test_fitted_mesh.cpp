@@ -55,7 +55,7 @@ sim::Mesh sheet(Index columns, Index rows, double width, double height, Vec3 cor
 struct Judged {
   FittedMesh fitted;
   sim::Topology topology;
-  double angle_deg = 0.0;  ///< the smallest of a triangle, 1st percentile
+  double angle_deg = 0.0;                    ///< the smallest of a triangle, 1st percentile
   double shortest_m = 0.0, longest_m = 0.0;  ///< edges, 1st and 99th percentile
   double area_m2 = 0.0;
 };
@@ -65,13 +65,14 @@ double smallest_angle(const sim::Mesh& mesh, const sim::Triangle& t) {
   for (int k = 0; k < 3; ++k) {
     const Vec3 x = mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]];
     const Vec3 y = mesh.positions[t[(k + 2) % 3]] - mesh.positions[t[k]];
-    smallest = std::min(smallest, std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y)) * 180.0 / std::numbers::pi);
+    smallest = std::min(smallest,
+                        std::atan2(glm::length(glm::cross(x, y)), glm::dot(x, y)) * 180.0 / std::numbers::pi);
   }
   return smallest;
 }
 
 /// Fits a model and requires of the result what is promised for every model.
-Judged fit(const sim::Mesh& soup, const FittingSettings& settings = {}) {
+Judged fit(const sim::Mesh& soup, const FittingSettings& settings = {.most_triangles = 3000}) {
   Judged judged;
   judged.fitted = fit_mesh(sim::weld_and_validate(soup).mesh, settings);
   const sim::Mesh& mesh = judged.fitted.mesh;
@@ -156,10 +157,11 @@ TEST(FittedMesh, KeepsLayersThatAreFarApart) {
 
 TEST(FittedMesh, GoesOnSmoothlyWhereThreeTrianglesMeet) {
   sim::Mesh fin = tube(60, 40, 0.2);
-  add(patch(4, 40, [&](double u, double v) { return around(0.25, 0.2 + 0.03 * u, v * 0.8); }), fin);
+  add(patch(4, 40, [&](double u, double v) { return around(0.25, 0.2 + 0.02 * u, v * 0.8); }), fin);
   const Judged judged = fit(fin);
-  EXPECT_EQ(judged.fitted.is_simulated.front(), 1);
-  EXPECT_GT(judged.area_m2, 0.99 * tube_area_m2);
+  EXPECT_EQ(judged.fitted.sheets, 1U);
+  EXPECT_EQ(judged.topology.boundary_loops, 2U);
+  EXPECT_NEAR(judged.area_m2, tube_area_m2, 0.01 * tube_area_m2);
 }
 
 TEST(FittedMesh, CarriesAButtonAndAPocket) {
@@ -168,14 +170,17 @@ TEST(FittedMesh, CarriesAButtonAndAPocket) {
   add(patch(12, 8,
             [](double u, double v) {
               const double tilt = std::numbers::pi * (v - 0.5);
-              return Vec3(0.202, 0.4, 0.0) + Vec3(0.1, 1.0, 1.0) * around(u, 0.01 * std::cos(tilt), 0.01 * std::sin(tilt));
+              return Vec3(0.202, 0.4, 0.0) +
+                     Vec3(0.1, 1.0, 1.0) * around(u, 0.01 * std::cos(tilt), 0.01 * std::sin(tilt));
             }),
       trimmed);
-  add(patch(10, 10, [](double u, double v) { return around(0.2 + 0.1 * u, 0.203, 0.1 + 0.12 * v); }), trimmed);
+  add(patch(10, 10, [](double u, double v) { return around(0.2 + 0.1 * u, 0.203, 0.1 + 0.12 * v); }),
+      trimmed);
   const Judged judged = fit(trimmed);
   EXPECT_EQ(judged.fitted.sheets, 1U);
   EXPECT_NEAR(judged.area_m2, tube_area_m2, 0.01 * tube_area_m2);
-  EXPECT_EQ(std::count(judged.fitted.is_simulated.begin(), judged.fitted.is_simulated.begin() + 4800, 1), 4800);
+  EXPECT_EQ(std::count(judged.fitted.is_simulated.begin(), judged.fitted.is_simulated.begin() + 4800, 1),
+            4800);
   EXPECT_EQ(std::count(judged.fitted.is_simulated.begin() + 4800, judged.fitted.is_simulated.end(), 1), 0);
 }
 
@@ -212,9 +217,8 @@ TEST(FittedMesh, KeepsBordersAndTheirCornersInPlace) {
 }
 
 TEST(FittedMesh, HasEdgesOfOneLengthAndFewerTriangles) {
-  const sim::Mesh model = patch(200, 100, [](double u, double v) {
-    return around(u, 0.2 + 0.01 * std::sin(50.0 * u) * v, v * 0.8);
-  });
+  const sim::Mesh model = patch(
+      200, 100, [](double u, double v) { return around(u, 0.2 + 0.01 * std::sin(50.0 * u) * v, v * 0.8); });
   for (const std::size_t most : {2000U, 8000U}) {
     const Judged judged = fit(model, {.most_triangles = most});
     EXPECT_GT(judged.fitted.mesh.triangles.size(), most * 7 / 10);
@@ -235,7 +239,13 @@ TEST(FittedMesh, KeepsNarrowStraps) {
         top);
   }
   const Judged judged = fit(top);
-  EXPECT_GT(judged.fitted.mesh.positions.size(), 100U);
+  EXPECT_EQ(judged.fitted.sheets, 1U);
+  EXPECT_EQ(judged.topology.boundary_loops,
+            4U);  // the hem, the neck between the straps and an armhole beside each
+  const auto highest =
+      std::max_element(judged.fitted.mesh.positions.begin(), judged.fitted.mesh.positions.end(),
+                       [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
+  EXPECT_GT(highest->y, 0.54);
 }
 
 TEST(FittedMesh, HasTheSameBitsEachTime) {

@@ -78,7 +78,7 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
     }
   }
   const double area = sim::surface_area(surface);
-  fitted.edge_m = first_longer * edge_for(area, settings.most_triangles);
+  fitted.edge_m = std::max(settings.least_edge_m, first_longer * edge_for(area, settings.most_triangles));
   fitted.closed_holes = fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
   fitted.mesh = remesh(surface, fitted.edge_m);
   for (int i = 0; i < most_trials && fitted.mesh.triangles.size() > settings.most_triangles; ++i) {

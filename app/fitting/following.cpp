@@ -229,8 +229,10 @@ Frame frame_of(const Bond& bond, std::span<const Vec3> positions_m, std::span<co
   const auto& [u, v, w] = bond.weights;
   Frame frame;
   frame.place_m = u * positions_m[a] + v * positions_m[b] + w * positions_m[c];
-  frame.normal = unit(u * normals[a] + v * normals[b] + w * normals[c]);
   const Vec3 edge = positions_m[b] - positions_m[a];
+  // Normals of vertices may cancel out where the cloth is folded over.
+  const Vec3 own = unit(glm::cross(edge, positions_m[c] - positions_m[a]));
+  frame.normal = unit(own + u * normals[a] + v * normals[b] + w * normals[c]);
   frame.along = unit(edge - glm::dot(edge, frame.normal) * frame.normal);
   frame.across = glm::cross(frame.normal, frame.along);
   return frame;

@@ -133,7 +133,8 @@ void let_follow(sim::Mesh model, const FittedModel& fitted, LoadedGarment& loade
   loaded.following = std::make_shared<const FollowingModel>(std::move(following));
 }
 
-sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const StageReport& begin) {
+sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
+  const GarmentSource& source = scene.garment;
   const std::string name =
       source.given ? "the garment that was given" : "the garment '" + source.file.string() + '\'';
   tell(begin, "reading " + source.file.filename().string());
@@ -149,12 +150,17 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
   tell(begin, "joining its vertices");
   try {
     std::vector<sim::Index> kept;
-    sim::ValidatedMesh valid =
-        sim::weld_and_validate(soup, repair_settings(source, loaded.placement->scale), kept);
-    loaded.repairs = valid.report;
+    const double scale = loaded.placement->scale;
+    // Two walls of one cloth are not to be sewn together.
+    sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0}, kept);
     require_one_size(valid.mesh);
     tell(begin, "looking whether it is fit to be simulated");
-    std::optional<FittedModel> fitted = fitted_model(source, scaled(valid.mesh, loaded.placement->scale));
+    std::optional<FittedModel> fitted =
+        fitted_model(source, scene.material.thickness_m, scaled(valid.mesh, scale));
+    if (!fitted) {
+      valid = sim::weld_and_validate(soup, repair_settings(source, scale), kept);
+    }
+    loaded.repairs = valid.report;
     turn_and_sew(source, fitted.has_value(), valid.mesh, loaded);
     loaded.colours = kept_colours(std::move(model.colours), imported, kept, valid.mesh.triangles);
     loaded.file_vertices = vertices_of_file(model, kept);
@@ -190,7 +196,7 @@ sim::Mesh read_mesh(const GarmentSource& source, LoadedGarment& loaded, const St
 
 sim::Mesh make_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   if (!scene.garment.is_grid()) {
-    return read_mesh(scene.garment, loaded, begin);
+    return read_mesh(scene, loaded, begin);
   }
   sim::Mesh mesh = sim::make_grid(scene.garment.grid);
   loaded.file_vertices.mesh_vertex.resize(mesh.positions.size());

@@ -19,6 +19,9 @@ using sim::Index;
 using sim::Vec2;
 using sim::Vec3;
 
+/// Thicker cloth than 0.42 of its edges is refused (sim/solvers/bounded/promise.cpp).
+constexpr double edges_by_thickness = 3.0;
+
 /// The axes in which a triangle is laid flat (sim::TriangleAtRest): along its first edge, and across.
 struct FlatAxes {
   Vec3 along, across;
@@ -32,7 +35,7 @@ struct FlatAxes {
 
 }  // namespace
 
-std::optional<FittedModel> fitted_model(const GarmentSource& source, const sim::Mesh& model_m) {
+std::optional<FittedModel> fitted_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m) {
   const bool may_choose = source.mesh == MeshChoice::automatic && source.subdivisions == 0 && !source.given;
   if (source.mesh == MeshChoice::fitted && source.subdivisions > 0) {
     throw std::invalid_argument(
@@ -47,6 +50,7 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, const sim::
   }
   FittingSettings settings;
   settings.most_triangles = static_cast<std::size_t>(source.most_triangles);
+  settings.least_edge_m = edges_by_thickness * thickness_m;
   return FittedModel{fit_mesh(model_m, settings), std::move(why)};
 }
 

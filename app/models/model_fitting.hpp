@@ -17,8 +17,8 @@ struct FittedModel : FittedMesh {
 };
 
 /// Returns a simulation mesh if the scene asks for one, or if the model is not fit to be simulated and the scene
-/// leaves the choice. `model_m` is welded, in metres. Throws std::invalid_argument if no mesh can be made.
-std::optional<FittedModel> fitted_model(const GarmentSource& source, const sim::Mesh& model_m);
+/// leaves the choice. `model_m` is welded, in metres, and the cloth is so thick. Throws std::invalid_argument if no mesh can be made.
+std::optional<FittedModel> fitted_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m);
 
 /// Binds the model to the mesh that was fitted to it, both in metres.
 FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted);

@@ -193,6 +193,23 @@ std::optional<Attempt> earlier(const Sweep& sweep, std::size_t run) {
              : std::nullopt;
 }
 
+/// Removes what a process left half written that was killed at the run. Requires the run's lock.
+void remove_unfinished(const Sweep& sweep, std::size_t run) {
+  namespace fs = std::filesystem;
+  const fs::path any = sweep.file(run, ".");
+  std::vector<fs::path> unfinished;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(any.parent_path(), ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(any.filename().string()) && name.find(".part-") != std::string::npos) {
+      unfinished.push_back(entry.path());
+    }
+  }
+  for (const fs::path& file : unfinished) {
+    fs::remove(file, ignored);
+  }
+}
+
 }  // namespace
 
 Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback& report) {
@@ -204,6 +221,7 @@ Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback&
   if (!lock.is_held()) {
     return {AttemptEnd::busy, lock.owner() + " works on it"};
   }
+  remove_unfinished(sweep, run);
   // It may have come while this process waited for nothing but a file system.
   const auto there = earlier(sweep, run);
   return there ? *there : SweepRun(sweep, run, lock).go(report);

@@ -84,6 +84,7 @@ struct Untangle : testing::Test {
     scene.garment.scale = 1.0;
     scene.garment.up = ModelAxis::y;
     scene.garment.untangle = untangle;
+    scene.garment.mesh = MeshChoice::model;
     scene.simulation.solver.bounded.max_stretch = 0.01;
     return scene;
   }

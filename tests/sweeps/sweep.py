@@ -78,6 +78,8 @@ def tasks():
         sweep('run', 'tasks', '--chunk', '4', env={**os.environ, 'SLURM_ARRAY_TASK_ID': str(task)})
     expect(sweep('status', 'tasks', '--missing') == '\n', 'tasks left something out')
     os.remove(folder / 'tasks/runs/000/000002.json')
+    # As a process leaves it that is killed while it writes.
+    (folder / 'tasks/runs/000/000002.json.part-elsewhere-1').write_text('{"index": 2')
     expect(sweep('status', 'tasks', '--missing') == '2\n', 'what is missing is not said')
     submitted = sweep('submit', 'tasks', '--slurm', '--missing', '--dry-run', '--chunk', '2', '--sbatch=--time=60')
     expect('--array=1 ' in submitted and '#SBATCH --time=60' in submitted and 'afterany:JOB' in submitted, submitted)

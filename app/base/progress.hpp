@@ -44,4 +44,7 @@ class Progress {
   std::thread ticker_;
 };
 
+/// Returns ", 12 s left", by what was done of all of it in this time; empty if that says too little.
+std::string time_left(double elapsed_s, int done, int all);
+
 }  // namespace taut::app

@@ -10,6 +10,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
+#include "app/base/stopwatch.hpp"
 #include "app/base/version.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
@@ -167,11 +168,13 @@ PictureOrigin origin_of(const RenderOptions& options, const RenderJob& job, Offs
   return {command_text(options.arguments), scene_text(job.scene), offscreen.gl_renderer()};
 }
 
-void show_frame(Progress& progress, const std::string& done, const FrameRecord& record,
-                const RenderJob& job) {
-  progress.show(fmt::format("frame {} of {}{}{}, stretch {:.2f} %, of the surface {:.2f} %", record.frame,
-                            job.frames.back(), done.empty() ? "" : " ", done, 100.0 * record.stretch.max,
-                            100.0 * record.surface_stretch.max));
+void show_frame(Progress& progress, const std::string& done, const FrameRecord& record, const RenderJob& job,
+                const Stopwatch& since_start) {
+  const int last = job.frames.back();
+  progress.show(fmt::format("frame {} of {}{}{}{}, stretch {:.2f} %, of the surface {:.2f} %", record.frame, last,
+                            done.empty() ? "" : " ", done,
+                            time_left(1e-3 * since_start.elapsed_ms(), record.frame, last),
+                            100.0 * record.stretch.max, 100.0 * record.surface_stretch.max));
 }
 
 [[noreturn]] void fail_to_resume(const std::string& obstacle) {
@@ -272,6 +275,7 @@ std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim:
                               std::optional<StatisticsFile>& statistics, FrameVerifier* verifier,
                               Progress& progress) {
   progress.begin("preparing the first frame");
+  const Stopwatch since_start;
   std::optional<GarmentPainter> painter;
   PictureOrigin origin;
   LostGarment lost(frames);
@@ -292,7 +296,13 @@ std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim:
       fitted.place_camera(job.scene);
       begin_drawing();
     };
-    outputs.simulated = [&](const FrameRecord& record) { show_frame(progress, "simulated", record, job); };
+    // Rows come with the frames, which all are simulated before the first is drawn.
+    outputs.simulated = [&](const FrameRecord& record) {
+      if (statistics) {
+        statistics->add(record);
+      }
+      show_frame(progress, "simulated", record, job, since_start);
+    };
   } else {
     begin_drawing();
   }
@@ -312,10 +322,10 @@ std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim:
     output.write(origin, record, picture);
   };
   outputs.report = [&](const FrameRecord& record) {
-    if (statistics) {
+    if (statistics && !outputs.before_drawing) {
       statistics->add(record);
     }
-    show_frame(progress, outputs.before_drawing ? "drawn" : "", record, job);
+    show_frame(progress, outputs.before_drawing ? "drawn" : "", record, job, since_start);
   };
   if (verifier != nullptr) {
     const std::string crossings = verifier->begin(simulation);
@@ -371,6 +381,7 @@ int run(const RenderOptions& options) {
   progress.hide();
   print_body_remarks(job.scene, put_where_it_begins(loaded, job.scene), stdout);
   print_remarks(job.scene, loaded);
+  face_front(loaded, job.scene);
   const DrawnColours colours = drawn_colours(job.scene, loaded);
   for (const std::string& remark : colours.remarks) {
     fmt::print(stderr, "taut: warning: {}: {}\n", job.scene.garment.file.filename().string(), remark);

@@ -9,6 +9,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
+#include "app/base/stopwatch.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/caches/frame_sink.hpp"
@@ -169,6 +170,9 @@ struct Running {
   RunCheckpoint run;
   std::optional<StatisticsFile> statistics;
   std::unique_ptr<FrameSink> shapes;
+  int first_frame = 0;
+  int last_frame = 0;
+  Stopwatch since_start = {};
 
   /// What is counted, written and said of a frame, as it comes.
   void report(const FrameRecord& record) {
@@ -187,7 +191,9 @@ struct Running {
     if (record.frame % options.checkpoint_every == 0) {
       save();
     }
-    progress.begin(fmt::format("frame {}", record.frame + 1));
+    progress.begin(fmt::format("frame {} of {}{}", record.frame + 1, last_frame,
+                               time_left(1e-3 * since_start.elapsed_ms(), record.frame - first_frame,
+                                         last_frame - first_frame)));
   }
 
   void save() {
@@ -259,6 +265,8 @@ int run(const SimulateOptions& options) {
                   {},
                   std::move(statistics),
                   shapes_of(options, exported, scene, loaded, simulation, begun.frame)};
+  running.first_frame = begun.frame;
+  running.last_frame = range.last;
   running.run = std::move(begun);
   if (running.shapes) {
     outputs.write_shape = [&](int frame, const auto& moment) { running.shapes->write(frame, moment); };

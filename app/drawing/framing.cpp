@@ -1,11 +1,14 @@
 #include "app/drawing/framing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 #include <numeric>
+
+#include "app/models/garment_measures.hpp"
 
 namespace taut::app {
 namespace {
@@ -15,6 +18,9 @@ constexpr float ground_gap = 0.06F;
 
 // A garment is drawn from the side, where it is this many times as deep as wide: its broad side is there.
 constexpr float clearly_deeper = 1.5F;
+
+// Of the direction of a front: from here on it is seen from before as it is.
+constexpr double facing_us = 0.7;
 
 // Limit on pairs of a vertex and a pin that are compared. Above it some pins are skipped, which can enlarge
 // the reach of a fine mesh by about the length of an edge. A lower limit saves time.
@@ -140,6 +146,19 @@ renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach
     framing.azimuth_rad += azimuth_of_broad_side(reach.upper - reach.lower);
   }
   return framing;
+}
+
+void face_front(const LoadedGarment& loaded, DrawnScene& scene) {
+  float& azimuth_rad = scene.camera.framing.azimuth_rad;
+  if (scene.garment.file.empty() || scene.camera.box || scene.camera.eye ||
+      azimuth_rad != CameraSettings{}.framing.azimuth_rad) {
+    return;
+  }
+  const GarmentMarks marks =
+      marks_of(*loaded.garment, surface_at_start(loaded).positions_m, loaded.landmarks);
+  if (marks.is_front_known && !marks.is_worn_at_waist && marks.front.z < facing_us) {
+    azimuth_rad += static_cast<float>(std::atan2(marks.front.x, marks.front.z));
+  }
 }
 
 renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reach, float aspect) {

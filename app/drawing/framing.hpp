@@ -12,6 +12,8 @@
 
 namespace taut::app {
 
+struct LoadedGarment;
+
 /// The points in single precision. A coordinate too large for a float becomes the largest float.
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points);
 
@@ -46,6 +48,10 @@ float aspect_of(const renderer::PictureSettings& settings);
 
 /// From where a scene is seen that reaches so far.
 renderer::Framing framing_of(const DrawnScene& scene, const renderer::Box& reach);
+
+/// Has the garment seen from its front, where its neckline says where that is and the scene does not say from
+/// where.
+void face_front(const LoadedGarment& loaded, DrawnScene& scene);
 
 /// Height in metres of a floor a little below what reaches from lowest_m to highest_m.
 float ground_below(float lowest_m, float highest_m);

@@ -187,12 +187,14 @@ sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
   return pinned;
 }
 
-std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, LoadedGarment& loaded) {
+std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, LoadedGarment& loaded,
+                                    const StageReport& begin) {
   const bool is_grid = scene.garment.is_grid();
   if (!is_grid && !scene.pins && (scene.dressing_frames() > 0 || scene.garment.given)) {
     return {};  // it is worn, or held by whoever gave it
   }
   if (!is_grid && !scene.pins) {
+    tell(begin, "hanging it");
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
     // Whoever brings a body has the garment worn.
     loaded.hanging =
@@ -302,7 +304,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
     loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh, loaded.file_vertices);
   }
   // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
-  std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded);
+  std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded, begin);
   loaded.moving_pins = choose_moving_pins(scene, mesh, loaded);
   sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);
   for (int i = 0; i < scene.garment.subdivisions; ++i) {

@@ -2,24 +2,102 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
+#include <numeric>
 
 #include "sim/mesh/groups.hpp"
+#include "sim/mesh/point_cells.hpp"
 
 namespace taut::app {
 namespace {
 
-std::vector<Opening> openings_of(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+// Of the longer of two edges of a border that lie face to face: how far apart they are at most where a seam
+// of the garment was left open.
+constexpr double seam_gap = 0.25;
+
+struct BorderEdge {
+  sim::Edge ends;
+  double length_m;
+  sim::Vec3 middle_m;
+  sim::Vec3 outwards;  ///< in the plane of its triangle, of length 1
+};
+
+std::vector<BorderEdge> border_edges(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  std::vector<BorderEdge> border;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
+    if (adjacency.edge_triangles[e].size() != 1) {
+      continue;
+    }
+    const auto [a, b] = adjacency.edges[e];
+    const sim::Vec3 &p = mesh.positions[a], &q = mesh.positions[b];
+    const sim::Triangle& t = mesh.triangles[adjacency.edge_triangles[e][0]];
+    const sim::Vec3 third = mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]] - p - q;
+    const sim::Vec3 along = glm::normalize(q - p);
+    const sim::Vec3 away = p - third;
+    border.push_back({adjacency.edges[e], glm::distance(p, q), 0.5 * (p + q),
+                      glm::normalize(away - glm::dot(away, along) * along)});
+  }
+  return border;
+}
+
+/// Whether the cloth goes on beyond the gap between them: they face each other.
+bool are_face_to_face(const BorderEdge& a, const BorderEdge& b, double nearest_m) {
+  const sim::Vec3 between = b.middle_m - a.middle_m;
+  constexpr double opposite = -0.5;
+  return glm::length(between) <= nearest_m && glm::dot(a.outwards, b.outwards) < opposite &&
+         glm::dot(a.outwards, between) >= 0.0;
+}
+
+/// For each edge of the border the one of its part across the gap of a seam; itself if there is none.
+std::vector<sim::Index> across_seams(const std::vector<BorderEdge>& border, sim::Groups& parts) {
+  double longest_m = 0.0;
+  for (const BorderEdge& edge : border) {
+    longest_m = std::max(longest_m, edge.length_m);
+  }
+  std::vector<sim::Index> across(border.size());
+  std::iota(across.begin(), across.end(), sim::Index{0});
+  sim::PointCells middles(border.empty() ? 1.0 : seam_gap * longest_m);
+  for (sim::Index k = 0; k < border.size(); ++k) {
+    middles.add(border[k].middle_m, k);
+  }
+  for (sim::Index k = 0; k < border.size(); ++k) {
+    double nearest_m = std::numeric_limits<double>::infinity();
+    middles.visit_near(border[k].middle_m, [&](sim::Index other) {
+      const double reach_m = seam_gap * std::max(border[k].length_m, border[other].length_m);
+      const double distance_m = glm::distance(border[k].middle_m, border[other].middle_m);
+      const bool is_nearer = distance_m < nearest_m || (distance_m == nearest_m && other < across[k]);
+      if (other != k && is_nearer && parts.find(border[k].ends[0]) == parts.find(border[other].ends[0]) &&
+          are_face_to_face(border[k], border[other], reach_m)) {
+        nearest_m = distance_m;
+        across[k] = other;
+      }
+    });
+  }
+  return across;
+}
+
+std::vector<Opening> openings_of(const sim::Mesh& mesh, const sim::Adjacency& adjacency,
+                                 sim::Groups& parts) {
   sim::Groups groups(mesh.positions.size());
   std::vector<double> lengths_m(mesh.positions.size(), 0.0);
   std::vector<sim::Index> at_border;
-  for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
-    if (adjacency.edge_triangles[e].size() == 1) {
-      const auto [a, b] = adjacency.edges[e];
-      groups.join(a, b);
-      at_border.insert(at_border.end(), {a, b});
-      lengths_m[a] += glm::distance(mesh.positions[a], mesh.positions[b]);
+  const std::vector<BorderEdge> border = border_edges(mesh, adjacency);
+  const std::vector<sim::Index> across = across_seams(border, parts);
+  for (sim::Index k = 0; k < border.size(); ++k) {
+    const auto [a, b] = border[k].ends;
+    if (across[k] != k) {
+      // An opening goes on beyond a seam that ends in it.
+      const auto [c, d] = border[across[k]].ends;
+      const bool is_c = glm::distance(mesh.positions[a], mesh.positions[c]) <
+                        glm::distance(mesh.positions[a], mesh.positions[d]);
+      groups.join(a, is_c ? c : d);
+      groups.join(b, is_c ? d : c);
+      continue;
     }
+    groups.join(a, b);
+    at_border.insert(at_border.end(), {a, b});
+    lengths_m[a] += border[k].length_m;
   }
   std::sort(at_border.begin(), at_border.end());
   at_border.erase(std::unique(at_border.begin(), at_border.end()), at_border.end());
@@ -70,7 +148,7 @@ std::vector<GarmentPart> parts_of(const sim::Mesh& mesh, const sim::Adjacency& a
   for (GarmentPart& part : parts) {
     part.centre_m /= part.area_m2;
   }
-  for (Opening& opening : openings_of(mesh, adjacency)) {
+  for (Opening& opening : openings_of(mesh, adjacency, groups)) {
     parts[part_of[opening.vertices.front()]].openings.push_back(std::move(opening));
   }
   return parts;

@@ -8,7 +8,8 @@
 
 namespace taut::app {
 
-/// A connected run of border edges, such as a neckline, a cuff or a hem.
+/// A connected run of border edges, such as a neckline, a cuff or a hem. A seam that was left open, whose
+/// borders lie face to face, is none and ends none.
 struct Opening {
   std::vector<sim::Index> vertices;  ///< ascending
   double length_m = 0.0;

@@ -20,6 +20,11 @@ constexpr double band_height = 0.03;
 constexpr double flat_thickness = 0.02;  ///< of the size; parts thinner than this are flat
 /// to each side of the centre of mass, of the width: where shoulders are
 constexpr double shoulders_reach = 0.25;
+/// of the height, from the highest to the lowest point of a neckline between straps
+constexpr double deep_neckline = 0.1;
+/// the same, and of the width, of a border that goes around the arms too, as that of dungarees
+constexpr double deep_apron = 0.2;
+constexpr double around_arms = 0.5;
 // Parts that `describe` lists one by one.
 constexpr std::size_t most_lines = 12;
 
@@ -44,15 +49,16 @@ sim::Extent range_of(const sim::Mesh& mesh, const std::vector<sim::Index>& verti
   return range;
 }
 
-/// The highest vertices on either side of the centre of mass, as far out as shoulders are. Empty if there are
-/// none on one side.
-std::vector<sim::Index> shoulders(const sim::Mesh& mesh, const GarmentPart& part) {
+/// The highest of the vertices on either side of the centre of mass, no farther out than this. Empty if there
+/// are none on one side.
+std::vector<sim::Index> tops_of(const sim::Mesh& mesh, const GarmentPart& part,
+                                const std::vector<sim::Index>& vertices, double reach_m) {
   std::vector<sim::Index> held;
   for (const double side : {-1.0, 1.0}) {
     GarmentPart half;
-    for (const sim::Index v : part.vertices) {
+    for (const sim::Index v : vertices) {
       const double out_m = side * (mesh.positions[v][part.across()] - part.centre_m[part.across()]);
-      if (out_m > 0.0 && out_m <= shoulders_reach * part.width_m()) {
+      if (out_m > 0.0 && out_m <= reach_m) {
         half.vertices.push_back(v);
         half.range.add(mesh.positions[v]);
       }
@@ -60,17 +66,36 @@ std::vector<sim::Index> shoulders(const sim::Mesh& mesh, const GarmentPart& part
     if (half.vertices.empty()) {
       return {};
     }
-    const std::vector<sim::Index> top = vertices_from(mesh, half, 1, 1.0);
-    held.insert(held.end(), top.begin(), top.end());
+    const double reach_down_m = band_height * part.range.size().y;
+    for (const sim::Index v : half.vertices) {
+      if (half.range.upper.y - mesh.positions[v].y <= reach_down_m) {
+        held.push_back(v);
+      }
+    }
   }
   return held;
+}
+
+/// The highest vertices as far out as shoulders are.
+std::vector<sim::Index> shoulders(const sim::Mesh& mesh, const GarmentPart& part) {
+  return tops_of(mesh, part, part.vertices, shoulders_reach * part.width_m());
+}
+
+/// The tops of straps, where the opening at the top is the border of some; else none.
+std::vector<sim::Index> straps(const sim::Mesh& mesh, const GarmentPart& part, const Opening& top) {
+  const double depth = top.range.size().y / part.range.size().y;
+  const bool is_apron =
+      depth >= deep_apron && top.range.size()[part.across()] >= around_arms * part.width_m();
+  if (!is_apron && (depth < deep_neckline || pair_of_openings(part).empty())) {
+    return {};
+  }
+  return tops_of(mesh, part, part.vertices, part.width_m());
 }
 
 /// What holds a part that lies flat.
 std::vector<sim::Index> held_of_flat(const sim::Mesh& mesh, const GarmentPart& part, HungPart& hung) {
   if (const Opening* opening = inner_opening(part); opening != nullptr) {
     hung.by = HungBy::top_opening;
-    hung.opening_m = opening->range.size()[part.across()];
     return opening->vertices;
   }
   hung.by = HungBy::back_edge;
@@ -87,7 +112,10 @@ std::vector<sim::Index> held_of_upright(const sim::Mesh& mesh, const GarmentPart
   }
   if (const Opening* opening = top_opening(part); opening != nullptr) {
     hung.by = HungBy::top_opening;
-    hung.opening_m = opening->range.size()[part.across()];
+    if (std::vector<sim::Index> tops = straps(mesh, part, *opening); !tops.empty()) {
+      hung.by = HungBy::straps;
+      return tops;
+    }
     return opening->vertices;
   }
   std::vector<sim::Index> band = vertices_from(mesh, part, 1, 1.0);
@@ -96,8 +124,8 @@ std::vector<sim::Index> held_of_upright(const sim::Mesh& mesh, const GarmentPart
     return band;
   }
   if (std::vector<sim::Index> pair = pair_of_openings(part); !pair.empty()) {
-    hung.by = HungBy::two_openings;
-    return pair;
+    hung.by = HungBy::straps;
+    return tops_of(mesh, part, pair, part.width_m());
   }
   if (std::vector<sim::Index> both = shoulders(mesh, part); !both.empty()) {
     hung.by = HungBy::shoulders;
@@ -126,7 +154,7 @@ const char* way_of(HungBy by) {
                                "held at its highest points",
                                "lies flat, held by its back edge",
                                "hung by the neck below its hood",
-                               "hung by two openings",
+                               "hung by its straps",
                                "held on both shoulders",
                                "on a hanger"};
   return ways[static_cast<std::size_t>(by)];

@@ -18,7 +18,7 @@ enum class HungBy {
   highest_band,  ///< the vertices in the upper 3 % of its height
   back_edge,     ///< for a part that lies flat: its edge farthest back
   neck,          ///< the narrowest place between a hood and the shoulders
-  two_openings,  ///< two borders that carry it together, such as the armholes of a dress with straps
+  straps,        ///< the tops of its straps
   shoulders,     ///< the highest vertices on either side of its centre of mass
   hanger,        ///< no vertices, but bars below its shoulders
 };
@@ -29,7 +29,6 @@ struct HungPart {
   std::size_t vertices = 0;
   std::size_t pins = 0;
   double area_m2 = 0.0;
-  double opening_m = 0.0;  ///< width of the border it is hung by; 0: it is hung by none
   bool closed = false;     ///< it has no border
   bool flat = false;       ///< its thickness is at most 2 % of its size
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "app/models/support.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -16,6 +18,8 @@ constexpr double highest_hood = 0.5;  ///< what is higher is no hood but a bodic
 constexpr double neck_band = 0.03;    ///< height of the band that is held
 /// height of the opening for the face, by that of the hood
 constexpr double lowest_face = 0.5;
+/// how far the border of a face reaches from front to back, of the hood at its height
+constexpr double deepest_face = 0.6;
 
 struct Span {
   double lower_m = std::numeric_limits<double>::infinity();
@@ -67,12 +71,50 @@ int neck_level(const std::vector<Span>& spans) {
   return level;
 }
 
-bool has_face(const GarmentPart& part, double neck_m) {
+/// Whether the opening is on one side at this height, as that of a face, and not around the part, as the top
+/// of a bodice with straps.
+bool is_on_one_side(const sim::Mesh& mesh, const GarmentPart& part, const Opening& opening, double height_m,
+                    double band_m) {
+  const int depth = 2 - part.across();
+  const auto span_of = [&](const std::vector<sim::Index>& vertices) {
+    Span span;
+    for (const sim::Index v : vertices) {
+      if (std::abs(mesh.positions[v].y - height_m) <= band_m) {
+        span.lower_m = std::min(span.lower_m, mesh.positions[v][depth]);
+        span.upper_m = std::max(span.upper_m, mesh.positions[v][depth]);
+      }
+    }
+    return span.width_m();
+  };
+  return span_of(opening.vertices) <= deepest_face * span_of(part.vertices);
+}
+
+/// Whether the only wide opening above the neck is that of a face.
+bool has_face(const sim::Mesh& mesh, const GarmentPart& part, double neck_m) {
   const double hood_m = part.range.upper.y - neck_m;
-  return std::any_of(part.openings.begin(), part.openings.end(), [&](const Opening& opening) {
-    const double above_m = opening.range.upper.y - std::max(neck_m, opening.range.lower.y);
-    return opening.mean_height_m > neck_m && above_m >= lowest_face * hood_m;
-  });
+  const Opening* face = nullptr;
+  for (const Opening& opening : part.openings) {
+    if (opening.mean_height_m > neck_m && opening.length_m >= hood_m) {
+      if (face != nullptr) {
+        return false;
+      }
+      face = &opening;
+    }
+  }
+  const double above_m =
+      face == nullptr ? 0.0 : face->range.upper.y - std::max(neck_m, face->range.lower.y);
+  return above_m >= lowest_face * hood_m &&
+         is_on_one_side(mesh, part, *face, neck_m + 0.5 * hood_m, 0.2 * hood_m);
+}
+
+/// The band around the neck has to hold the part on both sides, and more than a vertex or two.
+bool holds(const GarmentPart& part, const std::vector<sim::Index>& neck, const sim::Mesh& mesh) {
+  constexpr std::size_t fewest = 6;
+  sim::Extent range;
+  for (const sim::Index v : neck) {
+    range.add(mesh.positions[v]);
+  }
+  return neck.size() >= fewest && carries(part, range);
 }
 
 }  // namespace
@@ -82,7 +124,7 @@ std::vector<sim::Index> neck_below_hood(const sim::Mesh& mesh, const GarmentPart
   const double height_m = part.range.size().y;
   const double neck_m = part.range.upper.y - (level + 0.5) * height_m / levels;
   std::vector<sim::Index> neck;
-  if (level > highest_hood * levels || !has_face(part, neck_m)) {
+  if (level > highest_hood * levels || !has_face(mesh, part, neck_m)) {
     return neck;
   }
   for (const sim::Index v : part.vertices) {
@@ -91,7 +133,7 @@ std::vector<sim::Index> neck_below_hood(const sim::Mesh& mesh, const GarmentPart
       neck.push_back(v);
     }
   }
-  return neck;
+  return holds(part, neck, mesh) ? neck : std::vector<sim::Index>();
 }
 
 }  // namespace taut::app

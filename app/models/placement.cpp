@@ -3,7 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
 #include <span>
 
 #include "app/models/hanging.hpp"
@@ -23,6 +27,12 @@ constexpr double largest_believed_m = 20.0;
 constexpr double clearly_longer = 2.0;
 // Fractions. The share of the area that has to be carried by openings at the top for an axis to be up.
 constexpr double most_of_area = 0.5;
+// Levels of which the cloth goes all around, more than along another axis.
+constexpr double clearly_around = 0.4;
+// How much deeper one sees into a model from above than from below, of its height, before it is taken to
+// stand on its head; and although y is up, as in most files.
+constexpr double head_below = 0.01;
+constexpr double upside_down = 0.3;
 // Height of a model that lies on its back, of its size.
 constexpr double lying_height = 0.1;
 // Distance from the origin, as a multiple of the model's size. Farther away, single precision is worse than
@@ -125,49 +135,179 @@ sim::Vec3 turned(const sim::Vec3& p, ModelAxis up) {
   return p;
 }
 
-/// The openings at the top of a model, if this axis is up.
-struct TopOpenings {
-  double share = 0.0;  ///< of the area, that they carry
-  double width = 0.0;  ///< of the one that carries most
-};
-
-TopOpenings top_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up) {
-  sim::Mesh upright{{}, mesh.triangles, {}};
+/// The model with this axis up.
+sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
+  sim::Mesh turned_mesh{{}, mesh.triangles, {}};
   for (const sim::Vec3& position : mesh.positions) {
-    upright.positions.push_back(turned(position, up));
+    turned_mesh.positions.push_back(turned(position, up));
   }
-  TopOpenings found;
-  double area = 0.0, largest = 0.0;
-  for (const HungPart& part : hang(upright, adjacency).parts) {
-    area += part.area_m2;
-    if (part.by == HungBy::top_opening || part.by == HungBy::neck) {
-      found.share += part.area_m2;
-      if (part.area_m2 > largest) {
-        largest = part.area_m2;
-        found.width = part.opening_m;
+  return turned_mesh;
+}
+
+using LevelCut = std::vector<std::array<sim::Vec3, 2>>;
+
+LevelCut section_at(const sim::Mesh& mesh, double height) {
+  LevelCut section;
+  for (const sim::Triangle& t : mesh.triangles) {
+    std::array<sim::Vec3, 2> ends{};
+    std::size_t count = 0;
+    for (int k = 0; k < 3; ++k) {
+      const sim::Vec3 &a = mesh.positions[t[k]], &b = mesh.positions[t[(k + 1) % 3]];
+      if ((a.y < height) != (b.y < height) && count < 2) {
+        ends[count++] = a + (height - a.y) / (b.y - a.y) * (b - a);
+      }
+    }
+    if (count == 2) {
+      section.push_back(ends);
+    }
+  }
+  return section;
+}
+
+sim::Extent range_of(const LevelCut& section) {
+  sim::Extent box;
+  for (const auto& [a, b] : section) {
+    box.add(a);
+    box.add(b);
+  }
+  return box;
+}
+
+/// Returns whether the section goes all around its middle. It is made as wide as it is deep, so that this
+/// holds of one that is pressed flat too.
+bool goes_around(const LevelCut& section) {
+  constexpr int directions = 64, widest_slit = 6;
+  std::array<bool, directions> is_met{};
+  const sim::Extent box = range_of(section);
+  const sim::Vec3 middle = box.middle(), size = box.size();
+  if (!(size.x > 0.0 && size.z > 0.0)) {
+    return false;
+  }
+  const auto direction_of = [&](const sim::Vec3& p) {
+    const double angle = std::atan2((p.z - middle.z) / size.z, (p.x - middle.x) / size.x);
+    return angle / (2.0 * std::numbers::pi) * directions;
+  };
+  for (const auto& [a, b] : section) {
+    const double from = direction_of(a);
+    const double turn = std::remainder(direction_of(b) - from, static_cast<double>(directions));
+    for (int k = 0; k <= static_cast<int>(std::ceil(std::abs(turn))); ++k) {
+      const double at = from + std::copysign(std::min<double>(k, std::abs(turn)), turn);
+      is_met[static_cast<std::size_t>(std::floor(at) + directions) % directions] = true;
+    }
+  }
+  return std::count(is_met.begin(), is_met.end(), false) <= widest_slit;
+}
+
+/// As goes_around, or of both legs.
+bool goes_around_all(const LevelCut& section) {
+  if (goes_around(section)) {
+    return true;
+  }
+  const sim::Extent box = range_of(section);
+  const int across = box.size().z > box.size().x ? 2 : 0;
+  std::array<LevelCut, 2> halves;
+  for (const auto& ends : section) {
+    halves[ends[0][across] > box.middle()[across] ? 1 : 0].push_back(ends);
+  }
+  return goes_around(halves[0]) && goes_around(halves[1]);
+}
+
+/// Returns of how many levels the cloth goes all around, a share of those in the middle half of the height. A
+/// thick garment, whose borders are closed, shows by this how it stands, and so does an open one.
+double share_around(const sim::Mesh& mesh) {
+  constexpr int levels = 11;
+  const sim::Extent box = sim::extent_of(mesh.positions);
+  int around = 0;
+  for (int k = 0; k < levels; ++k) {
+    const double height = box.lower.y + (0.25 + 0.5 * (k + 0.5) / levels) * box.size().y;
+    around += goes_around_all(section_at(mesh, height));
+  }
+  return static_cast<double>(around) / levels;
+}
+
+/// Returns how much deeper one sees into the model from below than from above, in the middle of its width and
+/// depth, of its height: shoulders and waists are at the top, hems below.
+double openness_below(const sim::Mesh& mesh) {
+  constexpr int across = 24;
+  const sim::Extent box = sim::extent_of(mesh.positions);
+  std::vector<double> lowest(across * across, box.upper.y), highest(across * across, box.lower.y);
+  sim::Vec3 seen = 0.5 * box.size();
+  seen[box.size().z > box.size().x ? 0 : 2] *= 0.4;
+  const sim::Vec3 step = seen / static_cast<double>(across);
+  const sim::Vec3 corner = box.middle() - 0.5 * seen + 0.5 * step;
+  for (const sim::Triangle& t : mesh.triangles) {
+    const sim::Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const double area = (b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z);
+    const auto first = [&](int axis) {
+      const double at = (std::min({a[axis], b[axis], c[axis]}) - corner[axis]) / step[axis];
+      return static_cast<int>(std::clamp(std::ceil(at), 0.0, across + 0.0));
+    };
+    const auto end = [&](int axis) {
+      const double at = (std::max({a[axis], b[axis], c[axis]}) - corner[axis]) / step[axis];
+      return static_cast<int>(std::clamp(std::floor(at) + 1.0, 0.0, across + 0.0));
+    };
+    for (int i = first(0); area != 0.0 && i < end(0); ++i) {
+      for (int k = first(2); k < end(2); ++k) {
+        const double x = corner.x + i * step.x, z = corner.z + k * step.z;
+        const double of_b = ((x - a.x) * (c.z - a.z) - (c.x - a.x) * (z - a.z)) / area;
+        const double of_c = ((b.x - a.x) * (z - a.z) - (x - a.x) * (b.z - a.z)) / area;
+        if (of_b >= 0.0 && of_c >= 0.0 && of_b + of_c <= 1.0) {
+          const double height = a.y + of_b * (b.y - a.y) + of_c * (c.y - a.y);
+          double &low = lowest[i * across + k], &high = highest[i * across + k];
+          low = std::min(low, height);
+          high = std::max(high, height);
+        }
       }
     }
   }
-  found.share /= area;
-  return found;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < lowest.size(); ++k) {
+    sum += (lowest[k] - box.lower.y) - (box.upper.y - highest[k]);
+  }
+  return sum / (across * across * std::max(box.size().y, std::numeric_limits<double>::min()));
+}
+
+/// This axis or the other way round, whichever has the narrower end at the top.
+ModelAxis better_way_up(const sim::Mesh& mesh, ModelAxis up, ModelAxis down, double clearly) {
+  return openness_below(upright(mesh, up)) < -clearly ? down : up;
+}
+
+/// The share of the model's area that openings at its top can carry.
+double share_carried(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  double area = 0.0, carried = 0.0;
+  for (const HungPart& part : hang(mesh, adjacency).parts) {
+    area += part.area_m2;
+    const bool is_carried =
+        part.by == HungBy::top_opening || part.by == HungBy::neck || part.by == HungBy::straps;
+    carried += is_carried ? part.area_m2 : 0.0;
+  }
+  return carried / area;
 }
 
 }  // namespace
 
 std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
-  const TopOpenings y = top_openings(mesh, adjacency, ModelAxis::y);
-  const TopOpenings z = top_openings(mesh, adjacency, ModelAxis::z);
+  const auto can_hang = [&](ModelAxis up) {
+    return share_carried(upright(mesh, up), adjacency) >= most_of_area;
+  };
   const sim::Vec3 size = sim::extent_of(mesh.positions).size();
-  if (size.y <= lying_height * std::max(size.x, size.z) && !(y.share >= most_of_area)) {
-    const TopOpenings minus_z = top_openings(mesh, adjacency, ModelAxis::minus_z);
-    if (minus_z.share >= most_of_area && (z.share < most_of_area || minus_z.width < z.width)) {
-      return ModelAxis::minus_z;
+  const bool is_lying = size.y <= lying_height * std::max(size.x, size.z);
+  bool is_y = can_hang(ModelAxis::y);
+  bool is_z = can_hang(ModelAxis::z) || (is_lying && !is_y && can_hang(ModelAxis::minus_z));
+  if (is_y == is_z) {
+    const double y = share_around(mesh), z = share_around(upright(mesh, ModelAxis::z));
+    const double x = share_around(upright(mesh, ModelAxis::x));
+    if (!is_y && x >= y + clearly_around && x >= z + clearly_around) {
+      return better_way_up(mesh, ModelAxis::x, ModelAxis::minus_x, head_below);
+    }
+    is_y = y >= z + clearly_around;
+    is_z = z >= y + clearly_around;
+    if (is_y == is_z) {
+      return std::nullopt;
     }
   }
-  if ((y.share >= most_of_area) == (z.share >= most_of_area)) {
-    return std::nullopt;
-  }
-  return y.share >= most_of_area ? ModelAxis::y : ModelAxis::z;
+  return is_z ? better_way_up(mesh, ModelAxis::z, ModelAxis::minus_z, head_below)
+              : better_way_up(mesh, ModelAxis::y, ModelAxis::minus_y, upside_down);
 }
 
 sim::Vec3 Placement::operator()(const sim::Vec3& in_file) const {

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "app/base/counted.hpp"
+#include "app/verify/solid_bodies.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/welding.hpp"
@@ -20,7 +22,13 @@ namespace {
 // Share of the area that may lie beyond the rest on each side of each axis.
 constexpr double outlying_area = 0.005;
 // Distance of strays beyond the rest, as a multiple of its size.
-constexpr double stray_distance = 1.0;
+constexpr double stray_distance = 0.25;
+
+// Of bodies: share of all area from which a piece is large; length of their open borders by the square root of
+// their area; mean thickness by their size.
+constexpr double large_piece = 0.1;
+constexpr double widest_cut = 0.4;
+constexpr double stoutness = 0.025;
 
 struct Patch {
   sim::Vec3 middle;
@@ -76,6 +84,86 @@ sim::Groups pieces_of(const sim::Mesh& mesh) {
   return pieces;
 }
 
+/// What triangles connect.
+struct Piece {
+  std::vector<sim::Triangle> triangles;  ///< of places
+  sim::Extent range;
+  double area = 0.0;
+  double volume = 0.0;  ///< within it, if it is closed
+  double border = 0.0;  ///< length of the edges with one triangle
+  bool is_left_out = false;
+};
+
+double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triangles) {
+  std::vector<sim::Edge> edges;
+  for (const sim::Triangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      edges.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  double length = 0.0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const bool is_alone = (e == 0 || edges[e - 1] != edges[e]) && (e + 1 == edges.size() || edges[e + 1] != edges[e]);
+    length += is_alone ? glm::distance(mesh.positions[edges[e][0]], mesh.positions[edges[e][1]]) : 0.0;
+  }
+  return length;
+}
+
+std::map<sim::Index, Piece> measured_pieces(const sim::Mesh& mesh, sim::Groups& pieces, const sim::Vec3& origin) {
+  const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
+  std::map<sim::Index, Piece> measured;
+  for (const sim::Triangle& t : mesh.triangles) {
+    Piece& piece = measured[pieces.find(t[0])];
+    const sim::Vec3 a = mesh.positions[t[0]] - origin, b = mesh.positions[t[1]] - origin,
+                    c = mesh.positions[t[2]] - origin;
+    piece.triangles.push_back({places[t[0]], places[t[1]], places[t[2]]});
+    piece.area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    piece.volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+    for (const sim::Vec3& p : {a, b, c}) {
+      piece.range.add(p + origin);
+    }
+  }
+  for (auto& [first, piece] : measured) {
+    piece.border = border_of(mesh, piece.triangles);
+  }
+  return measured;
+}
+
+/// A body is closed, but for its neck perhaps, and stout; a thick garment is closed and thin.
+bool is_stout(const Piece& piece) {
+  const double size = glm::length(piece.range.size());
+  return piece.border <= widest_cut * std::sqrt(piece.area) &&
+         2.0 * std::abs(piece.volume) >= stoutness * size * piece.area;
+}
+
+/// Finds the bodies among the pieces, with the small ones within them, such as eyes. There has to be cloth
+/// besides, and it has to be about them.
+void find_bodies(const sim::Mesh& mesh, std::map<sim::Index, Piece>& pieces, double area) {
+  sim::Extent cloth;
+  double cloth_area = 0.0;
+  for (auto& [first, piece] : pieces) {
+    piece.is_left_out = piece.area >= large_piece * area && is_stout(piece);
+    if (!piece.is_left_out && piece.area >= large_piece * area) {
+      cloth_area += piece.area;
+      cloth.add(piece.range.lower);
+      cloth.add(piece.range.upper);
+    }
+  }
+  for (auto& [first, body] : pieces) {
+    body.is_left_out = body.is_left_out && cloth_area > 0.0 && sim::overlap(body.range, cloth);
+  }
+  for (auto& [first, body] : pieces) {
+    for (auto& [other, piece] : pieces) {
+      if (body.is_left_out && body.area >= large_piece * area && piece.area < large_piece * area &&
+          sim::overlap(piece.range, body.range) &&
+          std::abs(winding_number(piece.range.middle(), {mesh.positions, body.triangles})) > 0.5) {
+        piece.is_left_out = true;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Strays remove_strays(sim::Mesh& mesh) {
@@ -112,6 +200,10 @@ Strays remove_strays(sim::Mesh& mesh) {
     strays.distance = std::max(strays.distance, glm::distance(patches[t].middle, bulk.middle()));
   }
   mesh.triangles = std::move(kept);
+  std::map<sim::Index, Piece> measured = measured_pieces(mesh, pieces, bulk.middle());
+  find_bodies(mesh, measured, area);
+  strays.body_triangles = std::erase_if(
+      mesh.triangles, [&](const sim::Triangle& t) { return measured[pieces.find(t[0])].is_left_out; });
   return strays;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -11,9 +12,11 @@
 namespace taut::app {
 namespace {
 
-constexpr double largest_trim = 0.02;  ///< share of the area of all parts
-constexpr double farthest_m = 0.005;   ///< from the cloth; what is farther away does not lie on it
-constexpr std::size_t most_stitches = 3;
+constexpr double largest_trim = 0.1;  ///< share of the area of all parts
+constexpr double farthest_m = 0.02;   ///< from the cloth; what is farther away does not go with it
+constexpr std::size_t fewest_stitches = 3;
+/// of each, share of the area of all parts: a belt needs more of them than a button
+constexpr double area_of_stitch = 0.005;
 
 /// A vertex of a trim, and the triangle of cloth below it.
 struct Place {
@@ -22,22 +25,28 @@ struct Place {
   double distance;
 };
 
-/// The distance of a point above a triangle; empty if it is not above it but beside.
-std::optional<double> height_above(const sim::Vec3& point, const sim::Mesh& mesh, const sim::Triangle& t) {
+double distance_to_segment(const sim::Vec3& point, const sim::Vec3& a, const sim::Vec3& b) {
+  const double squared = glm::dot(b - a, b - a);
+  const double at = squared > 0.0 ? std::clamp(glm::dot(point - a, b - a) / squared, 0.0, 1.0) : 0.0;
+  return glm::distance(point, a + at * (b - a));
+}
+
+double distance_to_triangle(const sim::Vec3& point, const sim::Mesh& mesh, const sim::Triangle& t) {
   const sim::Vec3 normal = glm::normalize(sim::doubled_area_vector(mesh.positions, t));
+  double to_border = std::numeric_limits<double>::infinity();
+  bool is_above = true;
   for (int k = 0; k < 3; ++k) {
     const sim::Vec3 &a = mesh.positions[t[k]], &b = mesh.positions[t[(k + 1) % 3]];
-    if (glm::dot(glm::cross(b - a, point - a), normal) < 0.0) {
-      return std::nullopt;
-    }
+    is_above = is_above && glm::dot(glm::cross(b - a, point - a), normal) >= 0.0;
+    to_border = std::min(to_border, distance_to_segment(point, a, b));
   }
-  return std::abs(glm::dot(point - mesh.positions[t[0]], normal));
+  return is_above ? std::abs(glm::dot(point - mesh.positions[t[0]], normal)) : to_border;
 }
 
 /// The triangles of all parts that are no trims, by their middles.
 struct Cloth {
-  Cloth(std::span<const GarmentPart> parts, double most_area, const sim::Mesh& source)
-      : mesh(source), reach(longest_way(parts, most_area)), middles(reach) {
+  Cloth(std::span<const GarmentPart> parts, double most_area, double farthest, const sim::Mesh& source)
+      : mesh(source), reach(longest_way(parts, most_area) + farthest), middles(reach) {
     for (const GarmentPart& part : parts) {
       for (const sim::Index t : part.area_m2 > most_area ? part.triangles : std::vector<sim::Index>{}) {
         middles.add(middle_of(t), t);
@@ -49,10 +58,10 @@ struct Cloth {
   std::optional<Place> below(sim::Index vertex, double farthest) const {
     std::optional<Place> best;
     middles.visit_near(mesh.positions[vertex], [&](sim::Index t) {
-      const auto height = height_above(mesh.positions[vertex], mesh, mesh.triangles[t]);
-      const bool is_nearer = height && *height <= (best ? best->distance : farthest);
-      if (is_nearer && !(best && *height == best->distance && t > best->triangle)) {
-        best = Place{vertex, t, *height};
+      const double distance = distance_to_triangle(mesh.positions[vertex], mesh, mesh.triangles[t]);
+      const bool is_nearer = distance <= (best ? best->distance : farthest);
+      if (is_nearer && !(best && distance == best->distance && t > best->triangle)) {
+        best = Place{vertex, t, distance};
       }
     });
     return best;
@@ -82,7 +91,8 @@ struct Cloth {
 };
 
 /// Places as far from each other as there are: the nearest to the cloth, then the farthest from those before.
-std::vector<Place> stitches_of(const std::vector<Place>& places, const sim::Mesh& mesh) {
+std::vector<Place> stitches_of(const std::vector<Place>& places, std::size_t most_stitches,
+                               const sim::Mesh& mesh) {
   std::vector<Place> stitches;
   const auto nearer = [](const Place& a, const Place& b) { return a.distance < b.distance; };
   stitches.push_back(*std::min_element(places.begin(), places.end(), nearer));
@@ -135,19 +145,21 @@ std::size_t sew_on_trims(std::span<const GarmentPart> parts, double metres_per_u
   if (std::none_of(parts.begin(), parts.end(), is_trim) || std::all_of(parts.begin(), parts.end(), is_trim)) {
     return 0;
   }
-  const Cloth cloth(parts, largest_trim * area, mesh);
+  const double farthest = farthest_m / metres_per_unit;
+  const Cloth cloth(parts, largest_trim * area, farthest, mesh);
   std::vector<sim::Triangle> stitches;
   std::size_t sewn_on = 0;
   for (const GarmentPart& part : parts) {
     std::vector<Place> places;
     for (const sim::Index v : is_trim(part) ? part.vertices : std::vector<sim::Index>{}) {
-      if (const auto place = cloth.below(v, farthest_m / metres_per_unit)) {
+      if (const auto place = cloth.below(v, farthest)) {
         places.push_back(*place);
       }
     }
     if (!places.empty()) {
       ++sewn_on;
-      for (const Place& place : stitches_of(places, mesh)) {
+      const auto more = static_cast<std::size_t>(part.area_m2 / (area_of_stitch * area));
+      for (const Place& place : stitches_of(places, fewest_stitches + more, mesh)) {
         stitches.push_back(stitch_at(place, mesh));
       }
     }

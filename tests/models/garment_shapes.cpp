@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
 
@@ -249,6 +250,81 @@ sim::Mesh panels(int count, double gap_m) {
     all = both(all, panel);
   }
   return all;
+}
+
+sim::Mesh thick(const sim::Mesh& mesh, double thickness_m) {
+  const auto count = static_cast<sim::Index>(mesh.positions.size());
+  std::vector<sim::Vec3> normals(count, sim::Vec3(0.0));
+  std::map<std::pair<sim::Index, sim::Index>, int> edges;
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      normals[t[k]] += sim::doubled_area_vector(mesh.positions, t);
+      ++edges[std::minmax(t[k], t[(k + 1) % 3])];
+    }
+  }
+  sim::Mesh shell = mesh;
+  for (sim::Index v = 0; v < count; ++v) {
+    shell.positions.push_back(mesh.positions[v] - thickness_m * normals[v] / glm::length(normals[v]));
+  }
+  for (const sim::Triangle& t : mesh.triangles) {
+    shell.triangles.push_back({t[0] + count, t[2] + count, t[1] + count});
+    for (int k = 0; k < 3; ++k) {
+      const sim::Index a = t[k], b = t[(k + 1) % 3];
+      if (edges[std::minmax(a, b)] == 1) {
+        shell.triangles.insert(shell.triangles.end(), {{b, a, a + count}, {b, a + count, b + count}});
+      }
+    }
+  }
+  return shell;
+}
+
+sim::Mesh dress_with_wide_skirt(double hem_m) {
+  const auto body = [hem_m](double x, double y) {
+    const double half_m = y > 0.75 ? 0.18 : std::min(hem_m, 0.18 + (0.75 - y) * 4.0);
+    return (std::abs(x) < half_m && y > 0.0 && y < 1.05) || in_box(std::abs(x), y, 0.08, 0.14, 0.0, 1.2);
+  };
+  const auto open = [](double x, double y) {
+    return y < 0.01 || (y > 1.04 && y < 1.19) || (std::abs(x) > 0.14 && y > 0.9);
+  };
+  return sewn({.front = body, .back = body, .open = open});
+}
+
+sim::Mesh split_tube(double gap_m) {
+  sim::Mesh mesh;
+  for (sim::Index ring = 0; ring < 16; ++ring) {
+    for (sim::Index k = 0; k < 25; ++k) {
+      const double gap = gap_m / 0.2, angle = 0.5 * gap + (2.0 * std::numbers::pi - gap) * k / 24.0;
+      mesh.positions.push_back(around_y(0.2, angle, 0.05 * ring));
+    }
+  }
+  for (sim::Index ring = 0; ring < 15; ++ring) {
+    for (sim::Index k = 0; k < 24; ++k) {
+      const sim::Index a = 25 * ring + k;
+      mesh.triangles.insert(mesh.triangles.end(), {{a, a + 1, a + 26}, {a, a + 26, a + 25}});
+    }
+  }
+  return mesh;
+}
+
+sim::Mesh dummy(double height_m, bool is_cut) {
+  sim::Mesh mesh = tube(21, 16, [height_m](int ring, double angle) {
+    const double at = ring / 20.0;
+    const double radius_m = ring == 0 || ring == 20 ? 0.03 : 0.07 + 0.05 * std::sin(3.1 * at);
+    return around_y(radius_m, angle, height_m * at);
+  });
+  for (const int end : {0, 20}) {
+    if (end == 20 && is_cut) {
+      break;
+    }
+    const auto middle = static_cast<sim::Index>(mesh.positions.size());
+    mesh.positions.emplace_back(0.0, height_m * end / 20.0, 0.0);
+    for (sim::Index k = 0; k < 16; ++k) {
+      const sim::Index a = 16 * static_cast<sim::Index>(end) + k;
+      const sim::Index b = 16 * static_cast<sim::Index>(end) + (k + 1) % 16;
+      mesh.triangles.push_back(end == 0 ? sim::Triangle{b, a, middle} : sim::Triangle{a, b, middle});
+    }
+  }
+  return mesh;
 }
 
 sim::Mesh both(const sim::Mesh& a, const sim::Mesh& b) {

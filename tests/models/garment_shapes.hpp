@@ -57,6 +57,15 @@ sim::Mesh lined_bell(double lining_from);
 /// Separate panels side by side around a tube, whose borders lie this far apart.
 sim::Mesh panels(int count, double gap_m);
 
+/// Cut along its own middle plane into two sheets, which hold a wall of this thickness: it has no border.
+sim::Mesh thick(const sim::Mesh& mesh, double thickness_m = 0.004);
+/// A bodice with armholes above a skirt that widens to this radius.
+sim::Mesh dress_with_wide_skirt(double hem_m = 0.6);
+/// A tube whose border runs down a seam that was left open by this much.
+sim::Mesh split_tube(double gap_m);
+/// A closed body as tall as this, standing on the floor, with its neck cut if `is_cut`.
+sim::Mesh dummy(double height_m = 1.6, bool is_cut = false);
+
 /// Both as one mesh, not joined.
 sim::Mesh both(const sim::Mesh& a, const sim::Mesh& b);
 sim::Mesh moved(sim::Mesh mesh, const sim::Vec3& by_m);

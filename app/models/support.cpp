@@ -21,7 +21,7 @@ constexpr double off_balance_in_depth = 0.25;
 constexpr double narrowest_opening = 0.1;
 /// to each side, within which an armhole comes; a cuff does not
 constexpr double armhole_reach = 0.4;
-constexpr double beside = 0.03;       ///< from the middle; a neckline is less far to one side
+constexpr double beside = 0.03;      ///< from the middle; a neckline is less far to one side
 constexpr double uneven_pair = 0.1;  ///< difference in mean height between two openings that are a pair
 
 bool is_wide(const GarmentPart& part, const Opening& opening) {

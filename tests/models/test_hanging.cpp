@@ -66,7 +66,8 @@ TEST(Hanging, HoldsADressWithStrapsOnBothSides) {
 TEST(Hanging, HoldsAnApronByItsStrapsAndNoTiltedWaist) {
   const auto apron = [](double bib_m) {
     const auto body = [bib_m](double x, double y) {
-      return std::abs(x) < 0.2 && y > 0.0 && (y < 0.9 - bib_m || (std::abs(x) > 0.05 && std::abs(x) < 0.11 && y < 0.9));
+      return std::abs(x) < 0.2 && y > 0.0 &&
+             (y < 0.9 - bib_m || (std::abs(x) > 0.05 && std::abs(x) < 0.11 && y < 0.9));
     };
     const auto open = [bib_m](double, double y) { return y < 0.01 || (y < 0.89 && y > 0.89 - bib_m); };
     return held(test::sewn({.front = body, .back = body, .open = open}));
@@ -390,7 +391,8 @@ TEST(Trims, GoWithTheClothThatTheyLieOn) {
   EXPECT_EQ(loaded.pins.size(), 18U);
   EXPECT_CONTAINS(test::remarks(loaded), "1 small part sewn to the cloth below (garment.weld)");
   EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.018}, 0.02)), 1U);
-  EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.022}, 0.02)), 0U) << "it does not lie near the cloth";
+  EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.022}, 0.02)), 0U)
+      << "it does not lie near the cloth";
   EXPECT_EQ(sewn_on(test::button({0.4, 0.2, front_m}, 0.02)), 0U) << "beside the cloth";
   EXPECT_EQ(sewn_on(test::button({0.01, -0.03, 0.012}, 0.02)), 1U) << "a label that hangs from the hem";
   EXPECT_EQ(sewn_on(test::button({0.01, 0.4, front_m + 0.003}, 0.18)), 1U) << "8 % of the area";

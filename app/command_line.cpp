@@ -384,7 +384,8 @@ std::function<Command()> add_drape(CLI::App& app) {
   command
       ->add_option("--fabric", options->fabrics, "some of taut fabrics, or files like theirs (default: all)")
       ->delimiter(',');
-  command->add_option("--output,--picture", options->output, "PNG file: the discs from above")->capture_default_str();
+  command->add_option("--output,--picture", options->output, "PNG file: the discs from above")
+      ->capture_default_str();
   command->add_flag("--json", options->json, "for programs");
   add_backend(*command, options->backend);
   command->footer(

@@ -172,8 +172,8 @@ PictureOrigin origin_of(const RenderOptions& options, const RenderJob& job, Offs
 void show_frame(Progress& progress, const std::string& done, const FrameRecord& record, const RenderJob& job,
                 const Stopwatch& since_start) {
   const int last = job.frames.back();
-  progress.show(fmt::format("frame {} of {}{}{}{}, stretch {:.2f} %, of the surface {:.2f} %", record.frame, last,
-                            done.empty() ? "" : " ", done,
+  progress.show(fmt::format("frame {} of {}{}{}{}, stretch {:.2f} %, of the surface {:.2f} %", record.frame,
+                            last, done.empty() ? "" : " ", done,
                             time_left(1e-3 * since_start.elapsed_ms(), record.frame, last),
                             100.0 * record.stretch.max, 100.0 * record.surface_stretch.max));
 }

@@ -192,9 +192,9 @@ struct Running {
     if (record.frame % options.checkpoint_every == 0) {
       save();
     }
-    progress.begin(fmt::format("frame {} of {}{}", record.frame + 1, last_frame,
-                               time_left(1e-3 * since_start.elapsed_ms(), record.frame - first_frame,
-                                         last_frame - first_frame)));
+    progress.begin(fmt::format(
+        "frame {} of {}{}", record.frame + 1, last_frame,
+        time_left(1e-3 * since_start.elapsed_ms(), record.frame - first_frame, last_frame - first_frame)));
   }
 
   void save() {

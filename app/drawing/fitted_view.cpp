@@ -76,7 +76,8 @@ void FittedView::place_camera(DrawnScene& scene) const {
   if (ground.kind == GroundKind::automatic && !level_plane(bodies, 0.0)) {
     const float below_m = ground_below(lowest_m_, highest_m_);
     const float gap = lowest_m_ - below_m;  // feet rise and sink a little as they walk
-    ground = {GroundKind::fixed, static_cast<double>(standing_height(bodies, lowest_m_ + gap).value_or(below_m))};
+    ground = {GroundKind::fixed,
+              static_cast<double>(standing_height(bodies, lowest_m_ + gap).value_or(below_m))};
   }
 }
 

@@ -77,8 +77,7 @@ std::vector<sim::Index> across_seams(const std::vector<BorderEdge>& border, sim:
   return across;
 }
 
-std::vector<Opening> openings_of(const sim::Mesh& mesh, const sim::Adjacency& adjacency,
-                                 sim::Groups& parts) {
+std::vector<Opening> openings_of(const sim::Mesh& mesh, const sim::Adjacency& adjacency, sim::Groups& parts) {
   sim::Groups groups(mesh.positions.size());
   std::vector<double> lengths_m(mesh.positions.size(), 0.0);
   std::vector<sim::Index> at_border;

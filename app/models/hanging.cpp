@@ -22,8 +22,9 @@ constexpr double flat_thickness = 0.02;  ///< of the size; parts thinner than th
 constexpr double shoulders_reach = 0.25;
 /// of the height, from the highest to the lowest point of a neckline between straps
 constexpr double deep_neckline = 0.1;
-/// of the width: an opening as wide as this goes around the arms too, as that of an apron
-constexpr double around_arms = 0.6;
+/// the same, and of the width, of a border that goes around the arms too, as that of dungarees
+constexpr double deep_apron = 0.2;
+constexpr double around_arms = 0.5;
 // Parts that `describe` lists one by one.
 constexpr std::size_t most_lines = 12;
 
@@ -82,9 +83,10 @@ std::vector<sim::Index> shoulders(const sim::Mesh& mesh, const GarmentPart& part
 
 /// The tops of straps, where the opening at the top is the border of some; else none.
 std::vector<sim::Index> straps(const sim::Mesh& mesh, const GarmentPart& part, const Opening& top) {
-  const bool is_deep = top.range.size().y >= deep_neckline * part.range.size().y;
-  const bool is_around_arms = top.range.size()[part.across()] >= around_arms * part.width_m();
-  if (!is_deep || (!is_around_arms && pair_of_openings(part).empty())) {
+  const double depth = top.range.size().y / part.range.size().y;
+  const bool is_apron =
+      depth >= deep_apron && top.range.size()[part.across()] >= around_arms * part.width_m();
+  if (!is_apron && (depth < deep_neckline || pair_of_openings(part).empty())) {
     return {};
   }
   return tops_of(mesh, part, part.vertices, part.width_m());

@@ -101,8 +101,7 @@ bool has_face(const sim::Mesh& mesh, const GarmentPart& part, double neck_m) {
       face = &opening;
     }
   }
-  const double above_m =
-      face == nullptr ? 0.0 : face->range.upper.y - std::max(neck_m, face->range.lower.y);
+  const double above_m = face == nullptr ? 0.0 : face->range.upper.y - std::max(neck_m, face->range.lower.y);
   return above_m >= lowest_face * hood_m &&
          is_on_one_side(mesh, part, *face, neck_m + 0.5 * hood_m, 0.2 * hood_m);
 }

@@ -31,7 +31,7 @@ constexpr double most_of_area = 0.5;
 constexpr double clearly_around = 0.4;
 // How much deeper one sees into a model from above than from below, of its height, before it is taken to
 // stand on its head; and although y is up, as in most files.
-constexpr double head_below = 0.05;
+constexpr double head_below = 0.01;
 constexpr double upside_down = 0.3;
 // Height of a model that lies on its back, of its size.
 constexpr double lying_height = 0.1;
@@ -180,6 +180,9 @@ bool goes_around(const LevelCut& section) {
   std::array<bool, directions> is_met{};
   const sim::Extent box = range_of(section);
   const sim::Vec3 middle = box.middle(), size = box.size();
+  if (!(size.x > 0.0 && size.z > 0.0)) {
+    return false;
+  }
   const auto direction_of = [&](const sim::Vec3& p) {
     const double angle = std::atan2((p.z - middle.z) / size.z, (p.x - middle.x) / size.x);
     return angle / (2.0 * std::numbers::pi) * directions;
@@ -192,7 +195,7 @@ bool goes_around(const LevelCut& section) {
       is_met[static_cast<std::size_t>(std::floor(at) + directions) % directions] = true;
     }
   }
-  return !section.empty() && std::count(is_met.begin(), is_met.end(), false) <= widest_slit;
+  return std::count(is_met.begin(), is_met.end(), false) <= widest_slit;
 }
 
 /// As goes_around, or of both legs.

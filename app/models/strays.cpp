@@ -24,8 +24,8 @@ constexpr double outlying_area = 0.005;
 // Distance of strays beyond the rest, as a multiple of its size.
 constexpr double stray_distance = 0.25;
 
-// Of bodies: share of all area from which a piece is large; length of their open borders by the square root of
-// their area; mean thickness by their size.
+// Of bodies: share of all area from which a piece is large; length of their open borders by the square root
+// of their area; mean thickness by their size.
 constexpr double large_piece = 0.1;
 constexpr double widest_cut = 0.4;
 constexpr double stoutness = 0.025;
@@ -104,13 +104,15 @@ double border_of(const sim::Mesh& mesh, const std::vector<sim::Triangle>& triang
   std::sort(edges.begin(), edges.end());
   double length = 0.0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const bool is_alone = (e == 0 || edges[e - 1] != edges[e]) && (e + 1 == edges.size() || edges[e + 1] != edges[e]);
+    const bool is_alone =
+        (e == 0 || edges[e - 1] != edges[e]) && (e + 1 == edges.size() || edges[e + 1] != edges[e]);
     length += is_alone ? glm::distance(mesh.positions[edges[e][0]], mesh.positions[edges[e][1]]) : 0.0;
   }
   return length;
 }
 
-std::map<sim::Index, Piece> measured_pieces(const sim::Mesh& mesh, sim::Groups& pieces, const sim::Vec3& origin) {
+std::map<sim::Index, Piece> measured_pieces(const sim::Mesh& mesh, sim::Groups& pieces,
+                                            const sim::Vec3& origin) {
   const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
   std::map<sim::Index, Piece> measured;
   for (const sim::Triangle& t : mesh.triangles) {

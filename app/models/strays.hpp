@@ -17,8 +17,8 @@ struct Strays {
   std::size_t body_triangles = 0;
 };
 
-/// Removes the strays and the bodies from the model's triangles and returns what they were. Of a model with positions that
-/// are not finite it removes none.
+/// Removes the strays and the bodies from the model's triangles and returns what they were. Of a model with
+/// positions that are not finite it removes none.
 Strays remove_strays(sim::Mesh& mesh);
 
 /// Returns a sentence for people: "8 triangles with 0.02 % of its area lie 107 m away and are left out".

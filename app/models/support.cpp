@@ -21,6 +21,7 @@ constexpr double off_balance_in_depth = 0.25;
 constexpr double narrowest_opening = 0.1;
 /// to each side, within which an armhole comes; a cuff does not
 constexpr double armhole_reach = 0.4;
+constexpr double beside = 0.03;      ///< from the middle; a neckline is less far to one side
 constexpr double uneven_pair = 0.1;  ///< difference in mean height between two openings that are a pair
 
 bool is_wide(const GarmentPart& part, const Opening& opening) {
@@ -55,7 +56,17 @@ bool is_armhole(const GarmentPart& part, const Opening& opening) {
   return is_high_and_level(part, opening) && is_near_middle(part, opening);
 }
 
+/// How far the opening's middle is to one side, of the width.
+double beside_middle(const GarmentPart& part, const Opening& opening) {
+  const int axis = part.across();
+  return (opening.range.middle()[axis] - part.centre_m[axis]) / part.width_m();
+}
+
 bool are_a_pair(const GarmentPart& part, const Opening& a, const Opening& b) {
+  const double side_a = beside_middle(part, a), side_b = beside_middle(part, b);
+  if (!(std::min(side_a, side_b) < -beside && std::max(side_a, side_b) > beside)) {
+    return false;
+  }
   sim::Extent held = a.range;
   held.add(b.range.lower);
   held.add(b.range.upper);

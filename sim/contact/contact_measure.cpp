@@ -48,6 +48,11 @@ std::vector<Index> order_as_fan(Index vertex, std::span<const Triangle> triangle
   return around;
 }
 
+/// What is further off is neither nearer than what was found nor does it touch.
+double wanted_m(double reach_m, const MeasuredContact& measured) {
+  return std::max(std::min(reach_m, measured.nearest_m), touching_m);
+}
+
 void note(double distance_m, bool is_crossing, double reach_m, MeasuredContact& measured) {
   measured.crossing_pairs += is_crossing ? 1 : 0;
   if (distance_m <= reach_m) {
@@ -147,7 +152,8 @@ void ContactMeasure::measure_mesh(const Body& body, TriangleTree& tree, std::spa
   near_.clear();
   tree_.find_near(tree, near_);
   for (const auto& [s, t] : near_) {
-    const TrianglePairMeasure pair = measure_pair(triangles_[s], mesh.triangles[t], positions_m, body_m, reach_m);
+    const TrianglePairMeasure pair =
+        measure_pair(triangles_[s], mesh.triangles[t], positions_m, body_m, wanted_m(reach_m, measured));
     note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
   }
 }
@@ -161,7 +167,8 @@ MeasuredContact ContactMeasure::measure(std::span<const Vec3> positions_m, doubl
   near_.clear();
   tree_.find_near(near_);
   for (const auto& [s, t] : near_) {
-    const TrianglePairMeasure pair = measure_pair(triangles_[s], triangles_[t], positions_m, positions_m, reach_m);
+    const TrianglePairMeasure pair = measure_pair(triangles_[s], triangles_[t], positions_m, positions_m,
+                                                  wanted_m(reach_m, measured));
     note(pair.distance_m(), pair.is_crossing(), reach_m, measured);
   }
   for (std::size_t t = 0; t < triangles_.size(); ++t) {

@@ -14,6 +14,15 @@ constexpr float no_bound = std::numeric_limits<float>::infinity();
 /// How far rounding to single precision moves anything, at most, in parts of the largest coordinate.
 constexpr double rounding = 1e-6;
 
+template <std::size_t count>
+bool any_of(const std::array<int, count>& flags) {
+  int any = 0;
+  for (const int flag : flags) {
+    any |= flag;
+  }
+  return any != 0;
+}
+
 bool share_vertex(const Triangle& s, const Triangle& t) {
   const auto has = [&](Index v) { return t[0] == v || t[1] == v || t[2] == v; };
   return has(s[0]) || has(s[1]) || has(s[2]);
@@ -144,7 +153,7 @@ void TriangleTree::find_near(const TriangleTree& other, std::vector<TriangleCoup
 
 void TriangleTree::find_within(const Node& node, std::vector<TriangleCouple>& pairs) const {
   if (node.size() == 1) {
-    compare(node.begin, *this, node, pairs);
+    compare(node, *this, node, pairs);
     return;
   }
   find_within(node.first(), pairs);
@@ -162,7 +171,7 @@ void TriangleTree::find_between(const Node& node, const TriangleTree& other, con
     }
   }
   if (node.size() == 1 && others.size() == 1) {
-    compare(node.begin, other, others, pairs);
+    compare(node, other, others, pairs);
   } else if (node.size() >= others.size()) {
     find_between(node.first(), other, others, pairs);
     find_between(node.second(), other, others, pairs);
@@ -172,18 +181,31 @@ void TriangleTree::find_between(const Node& node, const TriangleTree& other, con
   }
 }
 
-void TriangleTree::compare(std::size_t leaf, const TriangleTree& other, const Node& others,
+// Two triangles meet only where the boxes around both leaves do.
+void TriangleTree::compare(const Node& node, const TriangleTree& other, const Node& others,
                            std::vector<TriangleCouple>& pairs) const {
+  const std::size_t leaf = node.begin;
+  Box both = boxes_[node.at];
+  for (std::size_t k = 0; k < 3; ++k) {
+    both.lower[k] = std::max(both.lower[k], other.boxes_[others.at].lower[k]);
+    both.upper[k] = std::min(both.upper[k], other.boxes_[others.at].upper[k]);
+  }
   const Leaf& a = leaves_[leaf];
   const Leaf& b = other.leaves_[others.begin];
   const bool is_within = this == &other;
-  const std::array<int, lanes> meets = which_meet(a, other.boxes_[others.at]);
+  const std::array<int, lanes> meets = which_meet(a, both);
+  if (!any_of(meets) || !any_of(which_meet(b, both))) {
+    return;
+  }
   for (std::size_t i = 0; i < lanes; ++i) {
     if (meets[i] == 0) {
       continue;
     }
     const std::array<int, lanes> is_near = which_meet(
         b, {{a.lower[0][i], a.lower[1][i], a.lower[2][i]}, {a.upper[0][i], a.upper[1][i], a.upper[2][i]}});
+    if (!any_of(is_near)) {
+      continue;
+    }
     const std::size_t s = leaf * lanes + i;
     for (std::size_t j = is_within && leaf == others.begin ? i + 1 : 0; j < lanes; ++j) {
       const std::size_t t = others.begin * lanes + j;

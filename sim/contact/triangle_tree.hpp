@@ -56,7 +56,7 @@ class TriangleTree {
   void find_within(const Node& node, std::vector<TriangleCouple>& pairs) const;
   void find_between(const Node& node, const TriangleTree& other, const Node& others,
                     std::vector<TriangleCouple>& pairs) const;
-  void compare(std::size_t leaf, const TriangleTree& other, const Node& others,
+  void compare(const Node& node, const TriangleTree& other, const Node& others,
                std::vector<TriangleCouple>& pairs) const;
   static std::array<int, lanes> which_meet(const Leaf& leaf, const Box& box);
   bool may_be_near(std::size_t place, const TriangleTree& other, std::size_t others) const;

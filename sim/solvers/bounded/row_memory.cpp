@@ -1,6 +1,8 @@
 #include "sim/solvers/bounded/row_memory.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "sim/solvers/bounded/tuning.hpp"
@@ -31,14 +33,15 @@ double RowMemory::relative_speed_m_per_s(std::span<const Triangle> triangles) co
   if (triangles.empty()) {
     return 0.0;
   }
-  std::vector<float> speeds;
-  speeds.reserve(triangles.size());
+  std::vector<double> squares;
+  squares.reserve(triangles.size());
   for (const Triangle& t : triangles) {
-    speeds.push_back(length_of(scaled_sum(velocities[t[0]], velocities[t[1]], -1.0F)));
+    const Vec3 between = vector_of(scaled_sum(velocities[t[0]], velocities[t[1]], -1.0F));
+    squares.push_back(glm::dot(between, between));
   }
-  const auto rank = static_cast<std::ptrdiff_t>(tuning::counted_part * static_cast<double>(speeds.size()));
-  std::nth_element(speeds.begin(), speeds.begin() + rank, speeds.end());
-  return speeds[static_cast<std::size_t>(rank)];
+  const auto rank = static_cast<std::ptrdiff_t>(tuning::counted_part * static_cast<double>(squares.size()));
+  std::nth_element(squares.begin(), squares.begin() + rank, squares.end());
+  return static_cast<float>(std::sqrt(squares[static_cast<std::size_t>(rank)]));
 }
 
 void RowMemory::save(std::size_t rows, ByteWriter& memory) const {

@@ -19,22 +19,24 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Where what the normal tells apart is less than this part of the smallest distance, it is uncertain.
 constexpr float told_apart_part = 0.9F;
 
-/// `p` are the corners of the pair.
-PairExtent extent_of(const NearPair& near, const std::array<glm::vec3, 4>& p, const RowMoves& rows) {
-  PairExtent extent;
-  extent.displaced = rows.displaced_m;
+}  // namespace
+
+// `p` are the corners of the pair.
+PairExtent Regions::extent_of(const NearPair& near, const std::array<glm::vec3, 4>& p) const {
+  PairExtent extent = {0.0F, 0.0F, 0.0F, displaced_m_};
+  float squared_across = 0.0F;
   for (Index k = 0; k < 4; ++k) {
-    const Index row = near.rows[k];
-    extent.from_origin = std::max(extent.from_origin, glm::length(p[k]));
-    extent.across = std::max(extent.across, glm::length(p[k] - p[0]));
-    extent.moved = std::max(extent.moved, glm::length(vec(rows.moves[row])) + rows.radii[row]);
+    const RowExtent& row = extents_[near.rows[k]];
+    extent.from_origin = std::max(extent.from_origin, row.from_origin);
+    extent.moved = std::max(extent.moved, row.moved);
+    const glm::vec3 across = p[k] - p[0];
+    squared_across = std::max(squared_across, glm::dot(across, across));
   }
+  extent.across = std::sqrt(squared_across);
   return extent;
 }
 
-}  // namespace
-
-Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows) {
+Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows) const {
   const NearPair& near = contact.near;
   std::array<glm::vec3, 4> p{};
   for (Index k = 0; k < 4; ++k) {
@@ -55,7 +57,7 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
   }
   // Not so where the distance is not a number, as things touch. What begins within a body that knows its way
   // out is let out.
-  pair.error = distance_error_m(extent_of(near, p, rows));
+  pair.error = distance_error_m(extent_of(near, p));
   pair.is_told_apart = contact.normal || pair.distance > pair.error;
   // What touches as near as it may would be left a little nearer, and held fast in the way of what comes at
   // it: so it is to be parted somewhat.
@@ -69,6 +71,11 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
 
 void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, ParallelKernels& kernels) {
   blocked_.reset();
+  displaced_m_ = rows.displaced_m;
+  extents_.resize(rows.radii.size());
+  for (std::size_t row = 0; row < extents_.size(); ++row) {
+    extents_[row] = {glm::length(vec(rows.positions[row])), glm::length(vec(rows.moves[row])) + rows.radii[row]};
+  }
   pairs_.resize(pairs.size());
   kernels.split(0, pairs.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/solvers/bounded/contact/near_pair.hpp"
+#include "sim/solvers/bounded/contact/plane_gap.hpp"
 #include "sim/solvers/bounded/kernels/parallel_kernels.hpp"
 
 namespace taut::sim::bounded {
@@ -141,7 +142,8 @@ class Regions {
     float apart() const { return low - high; }
   };
 
-  static Pair pair_of(const ContactPair& contact, const RowMoves& rows);
+  PairExtent extent_of(const NearPair& near, const std::array<glm::vec3, 4>& positions) const;
+  Pair pair_of(const ContactPair& contact, const RowMoves& rows) const;
   void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, ParallelKernels& kernels);
   void note_blocked(const NearPair& near, float distance);
   void note_kinematic_gap(std::span<const float> inverse_masses);
@@ -176,6 +178,13 @@ class Regions {
   std::optional<glm::vec3> bring_row_back(Index row, float time, const glm::vec3& since, const Met& met,
                                           Float4& current) const;
 
+  /// How far a row is from the origin, and how far it may go, in m.
+  struct RowExtent {
+    float from_origin;
+    float moved;
+  };
+  std::vector<RowExtent> extents_;
+  float displaced_m_ = 0.0F;
   std::vector<Pair> pairs_;
   std::optional<BlockedPair> blocked_;
   float kinematic_gap_m_ = 0.0F;

@@ -59,6 +59,47 @@ HWY_INLINE std::uint32_t bits_of(Mask mask) {
   return bits & ((1U << lanes) - 1U);
 }
 
+/// For each set of lanes, where its lanes are, one after the other.
+struct LaneTable {
+  static constexpr std::size_t width = lanes < 16 ? lanes : 1;
+  alignas(64) std::uint32_t at[std::size_t{1} << width][width] = {};
+
+  constexpr LaneTable() {
+    for (std::uint32_t set = 0; set < 1U << width; ++set) {
+      std::size_t size = 0;
+      for (std::uint32_t lane = 0; lane < width; ++lane) {
+        if ((set >> lane & 1U) != 0) {
+          at[set][size++] = lane;
+        }
+      }
+    }
+  }
+};
+/// Not in a function, as Highway's own (1.0.3), which is copied to the stack whenever it is used.
+constexpr LaneTable lane_table;
+
+/// Some lanes of vectors.
+class Some {
+ public:
+  explicit HWY_INLINE Some(Mask mask) : mask_(mask), bits_(bits_of(mask)) {}
+
+  HWY_INLINE std::size_t count() const { return static_cast<std::size_t>(std::popcount(bits_)); }
+
+  /// Stores them one after the other, and anything behind them up to a whole vector.
+  template <typename Tag, typename Vector, typename Value>
+  HWY_INLINE void store(Tag tag, Vector v, Value* to) const {
+    if constexpr (lanes == LaneTable::width) {
+      hn::StoreU(hn::TableLookupLanes(v, hn::SetTableIndices(tag, lane_table.at[bits_])), tag, to);
+    } else {
+      hn::StoreU(hn::Compress(v, hn::RebindMask(tag, mask_)), tag, to);
+    }
+  }
+
+ private:
+  Mask mask_;
+  std::uint32_t bits_;
+};
+
 /// Returns which boxes of a block may overlap the one box that `box` repeats.
 HWY_INLINE std::uint32_t overlapping_bits(const Boxes& box, const BoxBlock& boxes) {
   std::uint32_t bits = 0;
@@ -147,36 +188,63 @@ void enclose_blocks(const BoxBlock* boxes, std::size_t begin, std::size_t end, B
 
 using Rows = hn::Vec<Integers>;
 
-constexpr std::size_t vectors_per_block = block_size / lanes;
-
-/// The primitives of a block and their boxes, in registers where there are enough.
+/// Of a block, what reaches a box, side by side in its order, and nothing up to the end of a whole vector.
 template <std::size_t corners>
-struct LoadedBlock {
-  Boxes boxes[vectors_per_block];
-  Rows rows[vectors_per_block][corners + 1];
+struct Reaching {
+  alignas(64) std::array<std::array<float, block_size + lanes>, 3> low;
+  alignas(64) std::array<std::array<float, block_size + lanes>, 3> high;
+  alignas(64) std::uint32_t rows[corners + 1][block_size + lanes];
+  alignas(64) std::uint32_t lane[block_size + lanes];  ///< in the block
+  std::size_t count = 0;
 };
 
 template <std::size_t corners>
-HWY_INLINE LoadedBlock<corners> load_block(const BoxLevel& level, std::size_t block) {
-  LoadedBlock<corners> loaded;
-  for (std::size_t v = 0; v < vectors_per_block; ++v) {
-    loaded.boxes[v] = load_boxes(level.boxes[block], v * lanes);
+HWY_INLINE void find_reaching(const Boxes& box, const BoxLevel& level, std::size_t block,
+                              Reaching<corners>& found) {
+  const Floats f;
+  const Integers u;
+  found.count = 0;
+  for (std::size_t k = 0; k < block_size; k += lanes) {
+    const Boxes boxes = load_boxes(level.boxes[block], k);
+    const Some some(overlap(box, boxes));
+    const std::size_t at = found.count;
+    some.store(f, boxes.low.x, &found.low[0][at]);
+    some.store(f, boxes.low.y, &found.low[1][at]);
+    some.store(f, boxes.low.z, &found.low[2][at]);
+    some.store(f, boxes.high.x, &found.high[0][at]);
+    some.store(f, boxes.high.y, &found.high[1][at]);
+    some.store(f, boxes.high.z, &found.high[2][at]);
     for (std::size_t c = 0; c < corners; ++c) {
-      loaded.rows[v][c] = hn::Load(Integers(), &level.primitives->at[c][block * block_size + v * lanes]);
+      const auto rows = hn::Load(u, &level.primitives->at[c][block * block_size + k]);
+      some.store(u, rows, &found.rows[c][at]);
     }
+    some.store(u, hn::Iota(u, static_cast<std::uint32_t>(k)), &found.lane[at]);
+    found.count += some.count();
   }
-  return loaded;
+  hn::StoreU(hn::Set(f, std::numeric_limits<float>::infinity()), f, &found.low[0][found.count]);
+}
+
+template <std::size_t corners>
+HWY_INLINE Boxes load_boxes(const Reaching<corners>& found, std::size_t k) {
+  const Floats f;
+  return {{hn::Load(f, &found.low[0][k]), hn::Load(f, &found.low[1][k]), hn::Load(f, &found.low[2][k])},
+          {hn::Load(f, &found.high[0][k]), hn::Load(f, &found.high[1][k]), hn::Load(f, &found.high[2][k])}};
+}
+
+HWY_INLINE Boxes within_both(const Boxes& p, const Boxes& q) {
+  return {greater(p.low, q.low), lesser(p.high, q.high)};
 }
 
 /// Returns which primitives share a row with the primitive in lane i of the level. Boxes of boxes share none.
 template <std::size_t corners_a, std::size_t corners_b>
-HWY_INLINE hn::Mask<Integers> sharing(const BoxLevel& a, std::size_t i, const Rows (&others)[corners_b + 1]) {
+HWY_INLINE hn::Mask<Integers> sharing(const BoxLevel& a, std::size_t i, const Reaching<corners_b>& others,
+                                      std::size_t k) {
   const Integers u;
   auto shares = hn::Lt(hn::Zero(u), hn::Zero(u));
   for (std::size_t c = 0; c < corners_a; ++c) {
     const Rows mine = hn::Set(u, a.primitives->at[c][i]);
     for (std::size_t d = 0; d < corners_b; ++d) {
-      shares = hn::Or(shares, hn::Eq(mine, others[d]));
+      shares = hn::Or(shares, hn::Eq(mine, hn::Load(u, &others.rows[d][k])));
     }
   }
   return shares;
@@ -192,35 +260,44 @@ struct Code {
   static HWY_INLINE std::size_t lane_of_second(std::uint32_t code) { return code % block_size; }
 };
 
-/// Lists pairs of lanes whose boxes overlap and that share no row. It stores a whole vector also where there
-/// are none, as the processor would guess wrong.
+/// Lists pairs of lanes whose boxes overlap and that share no row. Two boxes overlap only where those around
+/// their blocks do.
 template <std::size_t corners_a, std::size_t corners_b>
 std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                               std::uint32_t* codes) {
   const Integers u;
+  Reaching<corners_b> others;
   std::size_t size = 0;
   for (std::size_t p = 0; p < pairs.count; ++p) {
     const std::uint32_t block_a = pairs.first[p];
     const std::uint32_t block_b = pairs.second[p];
     const BoxBlock& mine = a.boxes[block_a];
     const bool is_same = &mine == &b.boxes[block_b];
-    const LoadedBlock<corners_b> others = load_block<corners_b>(b, block_b);
-    const Boxes all_others = repeat_box(b.around[block_b / block_size], block_b % block_size);
-    for (std::uint32_t reaching = overlapping_bits(all_others, mine); reaching != 0;
-         reaching &= reaching - 1) {
+    const Boxes both = within_both(repeat_box(a.around[block_a / block_size], block_a % block_size),
+                                   repeat_box(b.around[block_b / block_size], block_b % block_size));
+    std::uint32_t reaching = overlapping_bits(both, mine);
+    if (reaching == 0) {
+      continue;
+    }
+    find_reaching<corners_b>(both, b, block_b, others);
+    for (; reaching != 0; reaching &= reaching - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(reaching));
       const Boxes box = repeat_box(mine, lane);
       const Rows first_code = hn::Set(u, Code::first(p, lane));
-      for (std::size_t v = 0; v < vectors_per_block; ++v) {
-        const Rows lane_of_other = hn::Iota(u, static_cast<std::uint32_t>(v * lanes));
-        auto mask = hn::RebindMask(u, overlap(box, others.boxes[v]));
+      for (std::size_t k = 0; k < others.count; k += lanes) {
+        auto mask = hn::RebindMask(u, overlap(box, load_boxes(others, k)));
+        if (hn::AllFalse(u, mask)) {
+          continue;
+        }
+        const Rows lane_of_other = hn::Load(u, &others.lane[k]);
         mask = hn::AndNot(
-            sharing<corners_a, corners_b>(a, std::size_t{block_a} * block_size + lane, others.rows[v]), mask);
+            sharing<corners_a, corners_b>(a, std::size_t{block_a} * block_size + lane, others, k), mask);
         if (is_same) {
           mask = hn::AndNot(hn::Lt(lane_of_other, hn::Set(u, lane)), mask);
         }
-        hn::StoreU(hn::Compress(hn::Add(first_code, lane_of_other), mask), u, codes + size);
-        size += hn::CountTrue(u, mask);
+        const Some some(hn::RebindMask(Floats(), mask));
+        some.store(u, hn::Add(first_code, lane_of_other), codes + size);
+        size += some.count();
       }
     }
   }

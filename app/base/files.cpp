@@ -1,7 +1,6 @@
 #include "app/base/files.hpp"
 
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include <array>
@@ -115,12 +114,9 @@ std::string read_text_file(const fs::path& path) {
 void prepare_folder_of(const fs::path& file) {
   const fs::path folder = folder_of(file);
   std::error_code error;
-  const bool is_new = fs::create_directories(folder, error);
+  fs::create_directories(folder, error);
   if (error) {
     throw InputError("cannot make the output folder '" + folder.string() + "': " + error.message());
-  }
-  if (is_new) {
-    fmt::print(stderr, "taut: made the folder '{}'\n", folder.string());
   }
   if (fs::is_directory(file, error)) {
     throw InputError("cannot write '" + file.string() + "': there is a folder of this name");

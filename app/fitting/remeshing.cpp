@@ -185,11 +185,22 @@ class Remesher {
     }
   }
 
+  /// Halves long edges, the longest first: others would leave fans of slivers in large triangles.
   void split_long() {
-    for (std::size_t i = 0; i < net_.n_edges(); ++i) {
-      const Edge e(static_cast<int>(i));
-      while (!is_gone(e) && length(e) > longest * length_ && at_.size() < most_vertices) {
-        split(e);
+    for (bool is_split = true; is_split;) {
+      std::vector<std::pair<double, int>> edges;
+      for (std::size_t i = 0; i < net_.n_edges(); ++i) {
+        const Edge e(static_cast<int>(i));
+        if (!is_gone(e) && length(e) > longest * length_) {
+          edges.emplace_back(-length(e), e.idx());
+        }
+      }
+      std::sort(edges.begin(), edges.end());
+      is_split = !edges.empty() && at_.size() < most_vertices;
+      for (const auto& [negative, e] : edges) {
+        if (at_.size() < most_vertices && 2.0 * negative <= edges.front().first) {
+          split(Edge(e));
+        }
       }
     }
   }

@@ -97,12 +97,14 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
   };
 
   FrameStages stages;
+  bool is_broken = false;
   stages.simulate = [&]() -> std::optional<FrameInWork> {
     throw_if_interrupted();
-    if (next_frame > last_frame) {
+    if (next_frame > last_frame || is_broken) {
       return std::nullopt;
     }
     FrameInWork work = simulate_frame(simulation, next_frame++, outputs);
+    is_broken = !work.broken.empty();
     if (outputs.simulated) {
       outputs.simulated(work.record);
     }

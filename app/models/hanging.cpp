@@ -81,15 +81,24 @@ std::vector<sim::Index> shoulders(const sim::Mesh& mesh, const GarmentPart& part
   return tops_of(mesh, part, part.vertices, shoulders_reach * part.width_m());
 }
 
+/// Whether these openings reach up to straps on both sides, as armholes do and cuffs do not.
+bool reach_up(const sim::Mesh& mesh, const GarmentPart& part, const std::vector<sim::Index>& pair, double top_m) {
+  std::array<double, 2> highest_m = {part.range.lower.y, part.range.lower.y};
+  for (const sim::Index v : pair) {
+    const bool is_right = mesh.positions[v][part.across()] > part.centre_m[part.across()];
+    highest_m[is_right ? 1 : 0] = std::max(highest_m[is_right ? 1 : 0], mesh.positions[v].y);
+  }
+  return std::min(highest_m[0], highest_m[1]) >= top_m - deep_neckline * part.range.size().y;
+}
+
 /// The tops of straps, where the opening at the top is the border of some; else none.
 std::vector<sim::Index> straps(const sim::Mesh& mesh, const GarmentPart& part, const Opening& top) {
   const double depth = top.range.size().y / part.range.size().y;
   const bool is_apron =
       depth >= deep_apron && top.range.size()[part.across()] >= around_arms * part.width_m();
-  if (!is_apron && (depth < deep_neckline || pair_of_openings(part).empty())) {
-    return {};
-  }
-  return tops_of(mesh, part, part.vertices, part.width_m());
+  const bool is_neckline =
+      depth >= deep_neckline && reach_up(mesh, part, pair_of_openings(part), top.range.upper.y);
+  return is_apron || is_neckline ? tops_of(mesh, part, part.vertices, part.width_m()) : std::vector<sim::Index>();
 }
 
 /// What holds a part that lies flat.

@@ -193,7 +193,8 @@ std::optional<Attempt> earlier(const Sweep& sweep, std::size_t run) {
              : std::nullopt;
 }
 
-/// Removes what a process left half written that was killed at the run. Requires the run's lock.
+/// Removes what a process left half written that was killed at the run. Requires the run's lock; others may be
+/// trying to take that.
 void remove_unfinished(const Sweep& sweep, std::size_t run) {
   namespace fs = std::filesystem;
   const fs::path any = sweep.file(run, ".");
@@ -201,7 +202,8 @@ void remove_unfinished(const Sweep& sweep, std::size_t run) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(any.parent_path(), ignored)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(any.filename().string()) && name.find(".part-") != std::string::npos) {
+    const bool is_of_run = name.starts_with(any.filename().string()) && name.find(".lock") == std::string::npos;
+    if (is_of_run && name.find(".part-") != std::string::npos) {
       unfinished.push_back(entry.path());
     }
   }

@@ -96,7 +96,7 @@ def write_model(name):
 add_sheet(9, lambda u, v: (0.4 * u, 0.0, 0.4 * v))
 add_sheet(5, lambda u, v: (0.013 + 0.1 * u, 0.1 * v - 0.045, 0.007))
 write_model('through.obj')
-flags = ['--units', 'm', '--up', 'y', '--set', 'garment.mesh=model', '--set', 'pins.at=[%s]' % ', '.join(map(str, range(81)))]
+flags = ['--units', 'm', '--up', 'y', '--set', 'garment.mesh=model', '--set', 'garment.weld=1e-6', '--set', 'pins.at=[%s]' % ', '.join(map(str, range(81)))]
 through = ['through.obj', *flags, '--verify', '--set', 'solver.contact=true']
 out, _ = run(0, 'simulate', *through, '--frames', ':30', '--stats', 'through.jsonl', '--checkpoint', 'saved', '--checkpoint-every', '3')
 remarks = [line for line in out.splitlines() if line.startswith('through.obj: at the start ')]

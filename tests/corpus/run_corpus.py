@@ -31,7 +31,8 @@ def differs(found, wanted):
 
 
 def check_report(program, model, path):
-    code, out, err = run(program, 'inspect', path, '--json', *model.options)
+    # What is in the model, however it is simulated.
+    code, out, err = run(program, 'inspect', path, '--json', '--set', 'garment.mesh=model', *model.options)
     if model.error:
         if code != 1 or not re.search(model.error, err) or path.name not in err:
             yield 'inspect: exit code %s, %r; expected 1 and %r' % (code, err.strip(), model.error)

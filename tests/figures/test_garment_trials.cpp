@@ -76,7 +76,9 @@ TEST(SampleGarments, AreWhatTheySayOnceTheyAreReadBack) {
   for (const SampleGarment& sample : make_sample_garments()) {
     const auto file =
         folder.write(sample.name + '.' + sample.format, model_text(sample.model, sample.format));
-    const LoadedGarment loaded = load_garment(find_scene(file.string(), {}));
+    DrawnScene scene = find_scene(file.string(), {});
+    scene.garment.mesh = MeshChoice::model;
+    const LoadedGarment loaded = load_garment(scene);
     shapes[sample.name] = shape_of(loaded.garment->mesh);
     formats.insert(sample.format);
     EXPECT_EQ(loaded.placement->scale, sample.format == "fbx" ? 0.01 : 1.0) << sample.name;

@@ -9,9 +9,10 @@
 
 namespace taut::test {
 
-/// Loaded as a file without units and axes.
+/// Loaded as a file without units and axes, to be simulated as it is.
 inline app::LoadedGarment load(const TemporaryFolder& folder, const sim::Mesh& mesh) {
   app::Scene scene;
+  scene.garment.mesh = app::MeshChoice::model;
   scene.garment.file = folder.write("garment.obj", app::obj_text(mesh, mesh.positions));
   return app::load_garment(scene);
 }

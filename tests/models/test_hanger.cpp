@@ -59,6 +59,7 @@ TEST(Hanger, HoldsTheLargestPartAndPinsTheOthers) {
 struct OnHanger : testing::Test {
   LoadedGarment load_on_hanger(const sim::Mesh& mesh) {
     scene.garment.file = folder.write("garment.obj", obj_text(mesh, mesh.positions));
+    scene.garment.mesh = MeshChoice::model;
     scene.garment.up = ModelAxis::y;
     scene.garment.scale = 1.0;
     scene.pins = std::vector<PinSelector>{std::string("hanger")};

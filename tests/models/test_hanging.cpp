@@ -404,6 +404,7 @@ TEST(Trims, AreLeftAloneWhereTheSceneSaysWhatIsSewn) {
   const sim::Mesh mesh = test::both(test::shirt(), test::button({0.01, 0.4, 0.063}, 0.02));
   Scene scene;
   scene.garment.file = folder.write("garment.obj", obj_text(mesh, mesh.positions));
+  scene.garment.mesh = MeshChoice::model;
   scene.garment.weld_m = 0.0;
   EXPECT_EQ(load_garment(scene).hanging->parts.size(), 2U);
 }

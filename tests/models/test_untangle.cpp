@@ -85,6 +85,7 @@ struct Untangle : testing::Test {
     scene.garment.up = ModelAxis::y;
     scene.garment.untangle = untangle;
     scene.garment.mesh = MeshChoice::model;
+    scene.garment.weld_m = 1e-6;
     scene.simulation.solver.bounded.max_stretch = 0.01;
     return scene;
   }

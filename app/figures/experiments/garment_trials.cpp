@@ -89,6 +89,7 @@ GarmentTrial try_garment(const std::string& file, const std::string& kind,
   trial.kind = kind;
   try {
     DrawnScene scene = find_scene(file, {});
+    scene.garment.mesh = MeshChoice::model;  // which springs each kind of model gives
     const LoadedGarment loaded = load_garment(scene);
     trial.mapping = mapping_of(*loaded.garment);
     SolverChoice& solver = scene.simulation.solver;

@@ -9,10 +9,13 @@ namespace taut::sim::bounded {
 namespace {
 
 /// How often rest shapes follow tension, in 1/s. More costs more and gives the same.
-constexpr double follows_per_s = 60.0;
+constexpr double follows_per_s = tuning::least_updates_per_s / 3.0;
+/// How long it takes to hold back what sweeps leave, in s. Less than the drag of the air and of sweeps damps in
+/// lets light cloth swing for ever.
+constexpr double held_s = 2.0 * tuning::remembered_s;
 /// Rest shapes are shorter by no more than this: sweeps move corners by what they are worth at rest, and would
 /// correct twice the error of shapes that are a third shorter.
-constexpr float most_held = 0.2F;
+constexpr float most_held = 0.25F;
 
 struct Law {
   float give_warp, give_weft, half_give_shear;  ///< m/N
@@ -176,7 +179,7 @@ void Elasticity::stretch_rest_shapes(const Layout& layout, const StartRows& star
 // and slack ones lie side by side.
 void Elasticity::hold_back(const Layout& layout, const Float4Array& moved, double time_s) {
   const Law law = law_of(material_, most_);
-  const auto taken = static_cast<float>(time_s / tuning::held_s);
+  const auto taken = static_cast<float>(time_s / held_s);
   for (std::size_t lane = 0; lane < lanes_.lane_count(); ++lane) {
     const std::size_t b = lane / block_size;
     const std::size_t k = lane % block_size;

@@ -78,9 +78,6 @@ inline constexpr std::uint8_t evened_rings = 5;
 
 /// How long tension is averaged over, in s. Less follows loads sooner; where they are large cloth then trembles.
 inline constexpr double remembered_s = 0.15;
-/// How long it takes to hold back what sweeps leave, in s. Less than the drag of the air and of sweeps damps in
-/// lets light cloth swing for ever.
-inline constexpr double held_s = 0.3;
 /// How often tension is averaged around vertices. More costs more; with less, strain goes by what each triangle
 /// happens to carry.
 inline constexpr int shared_times = 2;

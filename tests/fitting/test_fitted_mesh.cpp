@@ -253,6 +253,15 @@ TEST(FittedMesh, HasTheSameBitsEachTime) {
   EXPECT_EQ(fit(model).fitted.mesh.positions, fit(model).fitted.mesh.positions);
 }
 
+TEST(FittedMesh, IsAsGoodOfAFewLargeTriangles) {
+  const sim::Mesh model{{{-1.0, 0.0, -1.0}, {1.0, 0.0, -1.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, -1.5}},
+                        {{0, 2, 1}, {0, 1, 3}},
+                        {}};
+  const Judged judged = fit(model);
+  EXPECT_GT(judged.fitted.mesh.triangles.size(), 1500U);
+  EXPECT_NEAR(judged.area_m2, sim::surface_area(model), 0.01 * sim::surface_area(model));
+}
+
 TEST(WhyNotFit, SaysWhatIsWrong) {
   const auto reason = [](const sim::Mesh& model, std::size_t crossings = 0) {
     return why_not_fit_for_simulation(sim::weld_and_validate(model).mesh, crossings).value_or("");

@@ -49,6 +49,9 @@ fs::path importer_program(const fs::path& chosen_program) {
     return self;
   }
   std::vector<fs::path> candidates = folders_above(self);
+  if (candidates.empty()) {
+    throw InputError("there is no program that reads models: the file of this program is gone or was replaced");
+  }
   for (fs::path& candidate : candidates) {
     candidate = candidate / "libexec" / "taut" / "taut-import";
   }

@@ -202,7 +202,7 @@ renderer::SurfaceView GarmentPainter::garment_view() {
 
 const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& positions, double time_s) {
   const std::vector<sim::Vec3> shown_m =
-      model_ ? follow(colours_.following->bonds, positions, simulated_) : positions;
+      model_ ? colours_.following->shown_m(positions, simulated_) : positions;
   positions_ = to_float(shown_m);
   const std::span<const float> rooms_m =
       surface_.is_refined() ? rooms_.find(shown_m, time_s) : std::span<const float>();

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double two_walled = 0.3;       ///< share of the area from which cloth is modelled with two walls
 constexpr std::size_t too_many = 16000;  ///< triangles
+constexpr std::size_t too_few = 1000;    ///< triangles for the folds of a garment; a piece of fewer than
+constexpr std::size_t no_garment = 24;   ///< this is none
 constexpr double needle_share = 0.01;    ///< of the triangles
 constexpr double needle_sine = 0.0871557427;  ///< of 5 degrees
 
@@ -34,6 +36,10 @@ std::size_t needles_of(const sim::Mesh& mesh) {
 }
 
 }  // namespace
+
+bool is_coarse(const sim::Mesh& model) {
+  return model.triangles.size() < too_few && model.triangles.size() >= no_garment;
+}
 
 std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings) {
   const std::size_t count = model_m.triangles.size();
@@ -62,6 +68,9 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
   const auto carried = std::count(kept.begin(), kept.end(), 0);
   if (carried > 0) {
     return fmt::format("parts of {} triangles lie on others", carried);
+  }
+  if (is_coarse(model_m)) {
+    return fmt::format("it has {} triangles, which are too few for folds", count);
   }
   return std::nullopt;
 }

@@ -36,6 +36,9 @@ struct FittedMesh {
 /// metres.
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = {});
 
+/// Returns whether a garment has too few triangles for its folds.
+bool is_coarse(const sim::Mesh& model);
+
 /// Says for people why the model itself is not fit for simulation; empty if it is. `crossings` is the number
 /// of pairs of its triangles that cross at the start.
 std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings);

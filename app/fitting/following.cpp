@@ -238,6 +238,11 @@ Frame frame_of(const Bond& bond, std::span<const Vec3> positions_m, std::span<co
   return frame;
 }
 
+double share_at(const Bond& bond, std::span<const sim::Triangle> triangles, std::span<const float> shares) {
+  const auto& [a, b, c] = triangles[bond.triangle];
+  return bond.weights[0] * shares[a] + bond.weights[1] * shares[b] + bond.weights[2] * shares[c];
+}
+
 std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const SurfacePoint> found,
                            const sim::Mesh& mesh) {
   const std::vector<Vec3> normals = vertex_normals(mesh.positions, mesh.triangles);
@@ -289,14 +294,15 @@ std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::ui
 }
 
 std::vector<Vec3> follow(std::span<const Bond> bonds, std::span<const Vec3> positions_m,
-                         std::span<const sim::Triangle> triangles) {
+                         std::span<const sim::Triangle> triangles, std::span<const float> shares) {
   const std::vector<Vec3> normals = vertex_normals(positions_m, triangles);
   std::vector<Vec3> points_m;
   points_m.reserve(bonds.size());
   for (const Bond& bond : bonds) {
     const Frame frame = frame_of(bond, positions_m, normals, triangles);
-    points_m.push_back(frame.place_m + bond.offset_m.x * frame.along + bond.offset_m.y * frame.across +
-                       bond.offset_m.z * frame.normal);
+    const Vec3 offset_m = shares.empty() ? bond.offset_m : share_at(bond, triangles, shares) * bond.offset_m;
+    points_m.push_back(frame.place_m + offset_m.x * frame.along + offset_m.y * frame.across +
+                       offset_m.z * frame.normal);
   }
   return points_m;
 }

@@ -28,10 +28,11 @@ std::vector<Bond> bonds_to(std::span<const sim::Vec3> points_m, const sim::Mesh&
 std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall,
                                  const sim::Mesh& mesh);
 
-/// Returns the bound points for positions of the mesh's vertices, in m. At the positions it was bound at they
-/// are where they were, up to rounding.
+/// Returns the bound points for positions of the mesh's vertices, in m. With `shares`, one per vertex of the
+/// mesh, only that share of the offset is left. At the positions it was bound at they are where they were, up to
+/// rounding, where all of it is left.
 std::vector<sim::Vec3> follow(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
-                              std::span<const sim::Triangle> triangles);
+                              std::span<const sim::Triangle> triangles, std::span<const float> shares = {});
 
 /// Returns the vertex of the bond's triangle that has the largest weight.
 sim::Index nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles);

@@ -123,6 +123,24 @@ sim::Mesh scaled(sim::Mesh mesh, double factor) {
   return mesh;
 }
 
+/// Subdivides a coarse model until it is about as fine as the mesh that was fitted to it, or its folds would not be
+/// seen.
+void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& colours) {
+  if (!is_coarse(model)) {
+    return;
+  }
+  while (2 * model.triangles.size() < fitted.mesh.triangles.size()) {
+    model = sim::subdivide({std::move(model), {}}).mesh;
+    colours = subdivided_colours(std::move(colours));
+    std::vector<std::uint8_t> finer;
+    for (const std::uint8_t is_simulated : fitted.is_simulated) {
+      finer.insert(finer.end(), 4, is_simulated);
+    }
+    fitted.is_simulated = std::move(finer);
+    fitted.carried_triangles *= 4;
+  }
+}
+
 /// Binds the model to the mesh that was fitted to it. What is named by vertices of the file is the nearest there.
 void let_follow(sim::Mesh model, const FittedModel& fitted, LoadedGarment& loaded) {
   FollowingModel following = follow_fitted(std::move(model), fitted);
@@ -186,6 +204,9 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     }
     for (sim::Vec3& position : fitted->mesh.positions) {
       position = (*loaded.placement)(position / loaded.placement->scale);
+    }
+    if (!source.given) {
+      subdivide_coarse(valid.mesh, *fitted, loaded.colours);
     }
     let_follow(std::move(valid.mesh), *fitted, loaded);
     return std::move(fitted->mesh);

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "app/fitting/following.hpp"
 #include "app/models/file_vertices.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/models/hanging.hpp"
 #include "app/models/landmarks.hpp"
+#include "app/models/offset_limits.hpp"
 #include "app/models/placement.hpp"
 #include "app/models/strays.hpp"
 #include "app/models/untangling.hpp"
@@ -31,8 +31,15 @@ struct FollowingModel {
   sim::Mesh mesh;               ///< at rest, in m
   FileVertices file_vertices;   ///< vertices of its file, in `mesh`
   std::vector<Bond> bonds;      ///< per vertex of `mesh`, to the simulation mesh
+  std::shared_ptr<const OffsetLimits> limits;  ///< of the offsets in `bonds`
   std::string why;              ///< the model itself is not simulated
   std::size_t carried = 0;      ///< triangles that are no part of the wall which is simulated
+
+  /// The positions of `mesh`, for those of the simulated vertices, in m.
+  std::vector<sim::Vec3> shown_m(std::span<const sim::Vec3> positions_m,
+                                 std::span<const sim::Triangle> simulated) const {
+    return follow(bonds, positions_m, simulated, limits->shares(positions_m));
+  }
 };
 
 /// A scene's garment as it is simulated.
@@ -58,7 +65,7 @@ struct GarmentInScene {
   const sim::Mesh& shown_mesh() const { return following ? following->mesh : garment->mesh; }
   /// Its positions, for those of the simulated vertices, in m.
   std::vector<sim::Vec3> shown_m(std::span<const sim::Vec3> positions_m) const {
-    return following ? follow(following->bonds, positions_m, garment->mesh.triangles)
+    return following ? following->shown_m(positions_m, garment->mesh.triangles)
                      : std::vector<sim::Vec3>(positions_m.begin(), positions_m.end());
   }
 };

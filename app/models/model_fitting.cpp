@@ -57,6 +57,7 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
 FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted) {
   FollowingModel following;
   following.bonds = bonds_of_model(model_m, fitted.is_simulated, fitted.mesh);
+  following.limits = std::make_shared<const OffsetLimits>(following.bonds, fitted.mesh);
   following.why = fitted.why;
   following.carried = fitted.carried_triangles;
   following.mesh = std::move(model_m);

@@ -15,6 +15,7 @@
 #include "garment_shapes.hpp"
 #include "loading_shapes.hpp"
 #include "sim/mesh/extent.hpp"
+#include "sim/mesh/grid.hpp"
 #include "sim/surface.hpp"
 #include "temporary_folder.hpp"
 
@@ -72,6 +73,30 @@ TEST_F(ModelFitting, OfTwoWallsOneIsSimulatedAndBothFollow) {
   EXPECT_CONTAINS(test::remarks(loaded), "is simulated, and the model of");
 }
 
+// Two sheets, each followed by points 4 mm off it towards the other.
+TEST(OffsetLimits, LayersThatComeNearerThanTheOffsetsOfTheirFollowersAreNotCrossedByThose) {
+  const sim::Mesh lower = sim::make_grid({.plane = sim::GridPlane::horizontal});
+  const sim::Mesh sheets = test::both(lower, test::moved(lower, {0.0, 0.05, 0.0}));
+  const std::size_t count = lower.positions.size();
+  std::vector<Vec3> points = sheets.positions;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    points[v].y += v < count ? 0.004 : -0.004;
+  }
+  const std::vector<Bond> bonds = bonds_to(points, sheets);
+  const OffsetLimits limits(bonds, sheets);
+  EXPECT_LT(farthest(follow(bonds, sheets.positions, sheets.triangles, limits.shares(sheets.positions)), points), 1e-9);
+
+  std::vector<Vec3> near_m = sheets.positions;
+  for (std::size_t v = count; v < near_m.size(); ++v) {
+    near_m[v].y = 0.002;
+  }
+  const std::vector<Vec3> limited_m = follow(bonds, near_m, sheets.triangles, limits.shares(near_m));
+  for (std::size_t v = 0; v < count; ++v) {
+    EXPECT_NEAR(limited_m[v].y, 0.001, 1e-6);
+    EXPECT_NEAR(limited_m[count + v].y, 0.001, 1e-6);
+  }
+}
+
 TEST_F(ModelFitting, AModelThatIsFitIsSimulatedAndOneIsWhereThatIsAskedFor) {
   Scene scene = lined();
   scene.garment.mesh = MeshChoice::model;
@@ -84,6 +109,21 @@ TEST_F(ModelFitting, AModelThatIsFitIsSimulatedAndOneIsWhereThatIsAskedFor) {
   EXPECT_TRUE(load_garment(scene).following);
   scene.garment.subdivisions = 1;
   EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }), "garment.triangles says how fine");
+}
+
+TEST_F(ModelFitting, ACoarseModelGetsAFinerMeshAndIsDrawnAsFinely) {
+  const sim::Mesh skirt = test::skirt();
+  ASSERT_TRUE(is_coarse(skirt));
+  Scene scene;
+  scene.garment.file = folder.write("skirt.obj", obj_text(skirt, skirt.positions));
+  scene.garment.most_triangles = 6000;
+  const LoadedGarment loaded = load_garment(scene);
+  ASSERT_TRUE(loaded.following);
+  EXPECT_GT(loaded.garment->mesh.triangles.size(), 4000U);
+  EXPECT_GT(loaded.shown_mesh().triangles.size(), 3000U);
+  const WrittenCloth written(loaded);
+  EXPECT_EQ(written.vertices(), skirt.positions.size());
+  EXPECT_LT(farthest(written.positions(loaded.garment->mesh.positions), loaded.file_rest_m), 1e-9);
 }
 
 TEST_F(ModelFitting, TheFileIsWrittenWhereTheMeshWent) {

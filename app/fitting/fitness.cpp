@@ -69,9 +69,6 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
   if (carried > 0) {
     return fmt::format("parts of {} triangles lie on others", carried);
   }
-  if (is_coarse(model_m)) {
-    return fmt::format("it has {} triangles, which are too few for folds", count);
-  }
   return std::nullopt;
 }
 

@@ -47,6 +47,7 @@ app::Scene scene_of(const TautOptions& options, const std::vector<app::Override>
   app::Scene scene;
   scene.name = "mesh";
   scene.garment.given = std::make_shared<const app::ImportedModel>(model_from(options.mesh));
+  scene.garment.mesh = app::MeshChoice::model;
   app::apply_overrides(app::undrawn_format(), overrides, scene);
   require(scene.garment.file.empty(), "garment.file: expected no file where a mesh is given");
   require(scene.garment.subdivisions == 0,

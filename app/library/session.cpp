@@ -240,9 +240,15 @@ void Session::move_pins(const std::vector<sim::Index>& vertices, const std::vect
     if (!std::binary_search(pins.begin(), pins.end(), vertex)) {
       throw ArgumentError(fmt::format("found vertex {}, expected one that is pinned", vertices[k]));
     }
-    next.emplace(vertex, targets_m[k]);
+    next.emplace(vertex, targets_m[k] + beside_own_m(vertex, vertices[k]));
   }
   pin_targets_m_ = std::move(next);
+}
+
+sim::Vec3 Session::beside_own_m(sim::Index in_mesh, sim::Index own) const {
+  return scene_.garment.given && loaded_.following
+             ? loaded_.garment->mesh.positions[in_mesh] - loaded_.file_rest_m[own]
+             : sim::Vec3(0.0);
 }
 
 sim::Index Session::mesh_vertex(sim::Index vertex) const {

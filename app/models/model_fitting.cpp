@@ -36,7 +36,7 @@ struct FlatAxes {
 }  // namespace
 
 std::optional<FittedModel> fitted_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m) {
-  const bool may_choose = source.mesh == MeshChoice::automatic && source.subdivisions == 0 && !source.given;
+  const bool may_choose = source.mesh == MeshChoice::automatic && source.subdivisions == 0;
   if (source.mesh == MeshChoice::fitted && source.subdivisions > 0) {
     throw std::invalid_argument(
         "garment.subdivisions is of the model itself; garment.triangles says how fine a fitted mesh is");
@@ -44,6 +44,9 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
   std::string why = source.mesh == MeshChoice::fitted ? "garment.mesh asks for it" : "";
   if (may_choose) {
     why = why_not_fit_for_simulation(model_m, crossing_pairs({model_m.positions, model_m.triangles}).size()).value_or("");
+  }
+  if (may_choose && why.empty() && !source.given && is_coarse(model_m)) {
+    why = fmt::format("it has {} triangles, which are too few for folds", model_m.triangles.size());
   }
   if (why.empty()) {
     return std::nullopt;

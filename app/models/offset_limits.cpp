@@ -7,7 +7,7 @@ namespace taut::app {
 namespace {
 
 /// Of an edge: a vertex that reaches further would meet its own neighbours in flat cloth.
-constexpr double furthest_reach = 0.4;
+constexpr double furthest_reach = 0.25;
 /// Below this share layers touch or cross as they were modelled, and followers cannot keep to that.
 constexpr float least_share_at_rest = 0.1F;
 

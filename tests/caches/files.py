@@ -34,7 +34,7 @@ def expect(is_so, otherwise):
 
 
 def command(*arguments):
-    return [str(program), 'simulate', 'strip.obj', '--units', 'm', '--up', 'y', '--wind', '4', '--frames', ':%d' % FRAMES, *arguments]
+    return [str(program), 'simulate', 'strip.obj', '--units', 'm', '--up', 'y', '--set', 'garment.mesh=model', '--wind', '4', '--frames', ':%d' % FRAMES, *arguments]
 
 
 def run(*arguments, code=0):

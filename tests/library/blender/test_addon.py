@@ -100,7 +100,7 @@ class AddOn(unittest.TestCase):
         points = np.array([v.co for v in obj.data.vertices], np.float32)
         write_obj(self.folder / 'cloth.obj', y_up(points), [list(f.vertices) for f in obj.data.polygons])
         (self.folder / 'scene.toml').write_text(
-            'garment = { file = "cloth.obj", scale = 1.0, up = "y" }\ncloth = { fabric = "cotton" }\n'
+            'garment = { file = "cloth.obj", scale = 1.0, up = "y", mesh = "model" }\ncloth = { fabric = "cotton" }\n'
             f'pins = {{ at = {self.corners if pins is None else pins} }}\nsolver = {{ max_stretch = {bound} }}\n'
             f'time = {{ frames = {frames}, frame_rate = 64 }}\n' + more)
         subprocess.run([TAUT, 'simulate', 'scene.toml', '--quiet', '--export', 'end.obj'], cwd=self.folder, check=True)

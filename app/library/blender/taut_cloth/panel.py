@@ -19,6 +19,7 @@ class TAUT_PT_cloth(bpy.types.Panel):
         layout.use_property_split = True
         layout.prop(settings, 'fabric')
         layout.prop(settings, 'max_stretch')
+        layout.prop(settings, 'mesh')
         layout.prop_search(settings, 'pin_group', context.object, 'vertex_groups')
         layout.prop(settings, 'bodies')
         layout.prop(settings, 'wind')

@@ -2,7 +2,8 @@
 import pathlib
 
 import bpy
-from bpy.props import BoolProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty, StringProperty
+from bpy.props import (BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty,
+                       StringProperty)
 
 from . import library, live
 
@@ -32,6 +33,14 @@ class TautSettings(bpy.types.PropertyGroup):
     max_stretch: FloatProperty(
         name='Largest stretch', default=1, min=0.01, max=100, subtype='PERCENTAGE', precision=2, options=set(),
         description='No triangle is ever longer than this, along any direction')
+    mesh: EnumProperty(
+        name='Simulate', default='auto', options=set(),
+        items=[('auto', 'Whatever is fit for it', 'The mesh itself, unless it crosses itself, has two walls, needles or '
+                'more than 16000 triangles'),
+               ('model', 'The mesh itself', 'Each vertex is simulated'),
+               ('fitted', 'A mesh that is fitted to it', 'The mesh follows one of even triangles; both promises are '
+                'kept by that one')],
+        description='Which mesh is simulated')
     pin_group: StringProperty(
         name='Pins', options=set(), description='Vertex group; vertices of weight 0.5 and more go where the object, its '
         'shape keys and its armature take them')

@@ -109,6 +109,7 @@ class Simulation:
         settings, render = self.obj.taut, self.scene.render
         gravity = np.array(self.scene.gravity) * self.scale * self.scene.use_gravity
         keys = {'time.frame_rate': render.fps / render.fps_base,
+                'garment.mesh': settings.mesh,
                 'solver.max_stretch': settings.max_stretch / 100,
                 'gravity.acceleration': turned(gravity)}
         if settings.fabric:

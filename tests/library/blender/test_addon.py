@@ -144,6 +144,17 @@ class AddOn(unittest.TestCase):
         self.assertEqual(os.listdir(self.folder / 'made' / 'taut_cache'), ['Grid.pc2'])
         self.assertRegex(obj.taut.message, r'^Frames 1 to 101, stretch at most 0\.\d\d %$')
 
+    def test_a_mesh_follows_one_that_is_fitted_to_it(self):
+        obj = self.cloth(frames=12)
+        obj.taut.mesh = 'fitted'
+        self.assertEqual(self.simulate(obj), {'FINISHED'})
+        modelled = np.array([v.co for v in obj.data.vertices])
+        _, frames = self.cache(obj)
+        self.assertEqual(frames.shape, (13, SIDE * SIDE, 3))
+        np.testing.assert_allclose(frames[0], modelled, atol=1e-6)
+        np.testing.assert_allclose(frames[-1][self.corners], modelled[self.corners], atol=2e-3)
+        self.assertLess(frames[-1][:, 2].min(), modelled[:, 2].min() - 0.05)
+
     def test_a_body_that_an_armature_moves_has_the_bits_of_the_program(self):
         obj = self.cloth(height=0.96, frames=8)
         obj.taut.pin_group = ''

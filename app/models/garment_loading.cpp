@@ -16,6 +16,7 @@
 #include "app/models/outside.hpp"
 #include "app/models/pins.hpp"
 #include "app/models/trims.hpp"
+#include "app/models/up_by_hanging.hpp"
 #include "app/scene/promise.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/subdivide.hpp"
@@ -151,6 +152,19 @@ void let_follow(sim::Mesh model, const FittedModel& fitted, LoadedGarment& loade
   loaded.following = std::make_shared<const FollowingModel>(std::move(following));
 }
 
+bool is_hung(const Scene& scene) {
+  return !scene.garment.is_grid() && !scene.garment.given && !scene.pins && scene.dressing_frames() == 0;
+}
+
+/// Looks for the axis that is up in openings, and else hangs the model both ways if that is what becomes of it.
+void find_up(const Scene& scene, const sim::Mesh& model_m, const StageReport& begin, PlacementHints& hints) {
+  hints.up_by_openings = up_by_openings(model_m, sim::make_adjacency(model_m));
+  if (!hints.up_by_openings && is_hung(scene) && scene.surroundings.bodies.empty()) {
+    tell(begin, "hanging it both ways to see which is up");
+    hints.up_by_hanging = up_by_hanging(model_m);
+  }
+}
+
 sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   const GarmentSource& source = scene.garment;
   const std::string name =
@@ -183,8 +197,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     loaded.colours = kept_colours(std::move(model.colours), imported, kept, valid.mesh.triangles);
     loaded.file_vertices = vertices_of_file(model, kept);
     if (!source.up && !model.up) {
-      const sim::Mesh& simulated = fitted ? fitted->mesh : valid.mesh;
-      hints.up_by_openings = up_by_openings(simulated, sim::make_adjacency(simulated));
+      find_up(scene, fitted ? fitted->mesh : scaled(valid.mesh, scale), begin, hints);
       loaded.placement = place_model(soup, hints);
     }
     model.positions = std::move(soup.positions);
@@ -247,10 +260,10 @@ sim::PinnedMesh subdivided(sim::PinnedMesh pinned, int times) {
 std::vector<sim::Index> choose_pins(const Scene& scene, const sim::Mesh& mesh, LoadedGarment& loaded,
                                     const StageReport& begin) {
   const bool is_grid = scene.garment.is_grid();
-  if (!is_grid && !scene.pins && (scene.dressing_frames() > 0 || scene.garment.given)) {
+  if (!is_grid && !scene.pins && !is_hung(scene)) {
     return {};  // it is worn, or held by whoever gave it
   }
-  if (!is_grid && !scene.pins) {
+  if (is_hung(scene)) {
     tell(begin, "hanging it");
     const sim::Adjacency adjacency = sim::make_adjacency(mesh);
     // Whoever brings a body has the garment worn.

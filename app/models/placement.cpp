@@ -107,7 +107,13 @@ void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& pl
     placement.up_text = name(placement.up) + ", guessed from where its openings are";
     return;
   }
-  if (!hints.up_by_openings && size.z > clearly_longer * size.y) {
+  if (hints.up_by_hanging == ModelAxis::z) {
+    placement.up = ModelAxis::z;
+    placement.guessed = true;
+    placement.up_text = "z, guessed: hung that way its cloth moves less";
+    return;
+  }
+  if (!hints.up_by_openings && !hints.up_by_hanging && size.z > clearly_longer * size.y) {
     placement.up = ModelAxis::z;
     placement.guessed = true;
     placement.up_text = fmt::format("z, guessed: it measures {:.3g} along z, {:.3g} along y",
@@ -135,7 +141,8 @@ sim::Vec3 turned(const sim::Vec3& p, ModelAxis up) {
   return p;
 }
 
-/// The model with this axis up.
+}  // namespace
+
 sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
   sim::Mesh turned_mesh{{}, mesh.triangles, {}};
   for (const sim::Vec3& position : mesh.positions) {
@@ -143,6 +150,8 @@ sim::Mesh upright(const sim::Mesh& mesh, ModelAxis up) {
   }
   return turned_mesh;
 }
+
+namespace {
 
 using LevelCut = std::vector<std::array<sim::Vec3, 2>>;
 

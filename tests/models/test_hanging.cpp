@@ -249,6 +249,9 @@ TEST(Upright, IsWhereAnOpeningCanHoldTheGarment) {
                                 test::hoodie(), test::circle_skirt()}) {
     EXPECT_EQ(up(test::with_z_up(mesh)), ModelAxis::z);
   }
+  for (const sim::Mesh& mesh : {test::cape(), test::jacket()}) {
+    EXPECT_EQ(up(test::with_z_up(mesh)), ModelAxis::z) << "though no opening carries it";
+  }
   EXPECT_EQ(up(test::laid_flat(test::shirt())), ModelAxis::minus_z);
   EXPECT_EQ(up(test::laid_flat(test::trousers())), ModelAxis::minus_z);
   EXPECT_EQ(test::load(folder, test::laid_flat(test::shirt())).pins.size(), 18U);

@@ -355,6 +355,13 @@ void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begi
     return;
   }
   const sim::Mesh& rest = loaded.garment->mesh;
+  if (loaded.following && !loaded.start_m) {
+    // Parted, it is stretched up to its bound, and contact may leave it no way back: it is cut as it was parted.
+    sim::Garment cut = sim::make_garment({start_m, rest.triangles, {}}, scene.mapping, loaded.garment->material);
+    cut.warps = loaded.garment->warps;
+    loaded.garment = sim::share(std::move(cut));
+    return;
+  }
   if (!loaded.start_m || !crossing_pairs({rest.positions, rest.triangles}).empty()) {
     sim::Garment garment = *loaded.garment;
     garment.parted_m = start_m;

@@ -107,9 +107,9 @@ std::vector<Vec3> simulated_m(const FollowingModel& following, const sim::Mesh& 
 std::string describe(const FollowingModel& following, const sim::Mesh& simulated) {
   const std::size_t all = following.mesh.triangles.size();
   return fmt::format(
-      "a fitted mesh of {} is simulated, and the model of {} follows it{}: {} (garment.mesh)",
-      counted(simulated.triangles.size(), "triangle"), all,
-      following.carried > 0 ? fmt::format(", {:.0f} % of them carried", 100.0 * static_cast<double>(following.carried) /
+      "a fitted mesh of {} is simulated, and the model follows it{}: {} (garment.mesh)",
+      counted(simulated.triangles.size(), "triangle"),
+      following.carried > 0 ? fmt::format(", {:.0f} % of it carried", 100.0 * static_cast<double>(following.carried) /
                                                                             static_cast<double>(all))
                             : "",
       following.why);

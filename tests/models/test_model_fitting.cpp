@@ -70,7 +70,7 @@ TEST_F(ModelFitting, OfTwoWallsOneIsSimulatedAndBothFollow) {
   EXPECT_NEAR(sim::surface_area(loaded.garment->mesh), 0.5 * sim::surface_area(loaded.following->mesh),
               0.05 * sim::surface_area(loaded.garment->mesh));
   EXPECT_LT(farthest(loaded.shown_m(loaded.garment->mesh.positions), loaded.following->mesh.positions), 1e-9);
-  EXPECT_CONTAINS(test::remarks(loaded), "is simulated, and the model of");
+  EXPECT_CONTAINS(test::remarks(loaded), "is simulated, and the model follows it");
 }
 
 // Two sheets, each followed by points 4 mm off it towards the other.

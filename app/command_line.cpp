@@ -129,7 +129,7 @@ void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) 
   add_body(command, overrides);
 }
 
-// What render and simulate take.
+// Options of render and simulate.
 template <class Options>
 void add_scene_arguments(CLI::App& command, Options& options, const std::string& scenes) {
   command.add_option("SCENE", options.scene, scenes)->required();

@@ -21,7 +21,7 @@ void add_background(CLI::App& command, std::vector<Override>& overrides);
 /// `--resolution SIZE`, as parse_size reads it.
 void add_resolution(CLI::App& command, std::vector<Override>& overrides);
 
-/// What `--resolution` and `--size` take, for --help.
+/// Values of `--resolution` and `--size`, for --help.
 extern const char* const size_help;
 
 /// Reads a size in pixels: "1280x720", "1280,720", or a name such as "1080p" or "4K". Throws UsageError with

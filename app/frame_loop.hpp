@@ -21,7 +21,7 @@ struct FrameBlocked : PromiseBroken {
   sim::BlockedContact blocked;
 };
 
-/// What happens with the frames of a run. Every member may be left empty.
+/// Receivers of the frames of a run. Every member may be left empty.
 struct FrameOutputs {
   std::span<const int> pictures;  ///< numbers of the frames to draw, ascending
   int start_frame = 0;            ///< frame the simulation is at

@@ -202,7 +202,7 @@ void SceneRenderer::Parts::draw_behind(GLuint framebuffer, const FrameBlock& blo
   backdrop_pass.draw(framebuffer, block, sees_floor(frame), grid_of(settings));
 }
 
-// What is behind has no edges that more samples would smooth, and things seldom fill the picture: only the
+// The background has no edges that more samples would smooth, and things seldom fill the picture: only the
 // part that they can touch is drawn with many samples, and blended over.
 // The first tile is looked at while the light is still being gathered.
 void SceneRenderer::Parts::draw_whole(GLuint framebuffer, FrameBlock& block, const FrameView& frame,

@@ -50,7 +50,7 @@ std::string formatted(const char* format, double a, double b = 0.0, double c = 0
   return text.data();
 }
 
-/// What the two do to each other.
+/// The relation of the two.
 std::string meeting(const BlockedContact& blocked, const Pins& pins, std::span<const Body> bodies) {
   const auto& [first, second] = blocked.sides;
   const std::string one = name_of(first, pins, bodies);

@@ -12,7 +12,7 @@
 
 namespace taut::sim {
 
-/// What the cloth is. Nothing here changes while the cloth is simulated.
+/// The cloth itself. Nothing here changes while the cloth is simulated.
 struct Garment {
   Mesh mesh;  ///< at rest; its edge lengths are the rest lengths of the springs
   Adjacency adjacency;

@@ -25,7 +25,7 @@ struct Material {
   /// The strains at which threads lock.
   double warp_limit = 10.0;
   double weft_limit = 10.0;
-  /// What a gauge measures of a single layer. It is the distance kept between layers and to bodies. Solvers
+  /// The thickness of a single layer by a gauge. It is the distance kept between layers and to bodies. Solvers
   /// other than `bounded` do not keep layers apart.
   double thickness_m = 0.001;
   /// Coulomb's coefficient, between layers and for bodies that have none of their own.

@@ -53,7 +53,7 @@ struct ShapeChange {
   double time_s = 0.0;  ///< from `before` to `now`; above 0
 };
 
-/// What the paper calls convergence: the length of p(t) - p(t - dt), in metres. Here dt is one frame.
+/// The paper's convergence: the length of p(t) - p(t - dt), in metres. Here dt is one frame.
 struct Convergence {
   double max_m = 0.0;  ///< over all vertices
   /// Root mean square over all vertices.

@@ -15,7 +15,7 @@ namespace taut::app {
 /// The help text of --export: names, axes and what is not written.
 extern const char* const export_help;
 
-/// What is to be written.
+/// Things to be written.
 struct ExportSettings {
   std::string name;   ///< of the file; the pattern of several OBJ files
   FrameRange frames;  ///< those that will be handed out, in this order; earlier runs' frames included
@@ -24,7 +24,7 @@ struct ExportSettings {
   std::optional<int> last_kept = {};  ///< goes on after this frame of an earlier run
 };
 
-/// What is written of a frame.
+/// The content of a frame.
 struct WrittenMoment {
   const sim::Garment& garment;
   const sim::State& state;

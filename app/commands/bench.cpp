@@ -18,7 +18,7 @@
 namespace taut::app {
 namespace {
 
-// What is measured where nothing is said.
+// Defaults of the measurement.
 struct Extent {
   std::vector<int> sizes;
   std::vector<std::string> scenes;

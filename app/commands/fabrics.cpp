@@ -15,7 +15,7 @@
 namespace taut::app {
 namespace {
 
-/// What hangs in the picture, in what, and after how many frames.
+/// The garment in the picture, its fabric, and after how many frames.
 constexpr const char* pictured_scene = "tshirt-wind-1";
 constexpr std::array pictured = {"silk", "jersey", "cotton", "wool", "linen", "denim"};
 constexpr int pictured_frame = 150;

@@ -40,7 +40,7 @@ DrawnScene scene_of(const FitOptions& options) {
                      ": found no body that is dressed, expected --body FILE; taut fit --help says more");
   }
   scene.checkpoint.clear();
-  // What is worn may stretch as far as its threads let it.
+  // A worn garment may stretch as far as its threads let it.
   if (sim::has_law(scene.material) && !sets("solver.max_stretch")) {
     scene.simulation.solver.bounded.max_stretch =
         std::min(widest_wall, std::max(scene.material.warp_limit, scene.material.weft_limit));

@@ -12,7 +12,7 @@
 
 namespace taut::app {
 
-// What each command was asked for. Functions return the exit code of the program.
+// Options of each command. Functions return the exit code of the program.
 
 /// Options of `taut figures`.
 struct FiguresOptions {
@@ -140,7 +140,7 @@ struct DrapeOptions {
   std::string backend = "auto";
 };
 
-/// What `taut sweep` is to do.
+/// The task of `taut sweep`.
 enum class SweepAction { plan, run, status, merge, submit, write, check, show };
 
 /// Options of `taut sweep`. Each of its commands uses some.
@@ -167,7 +167,7 @@ struct SweepOptions {
   std::filesystem::path output;     ///< empty: the standard output
 };
 
-/// What `taut help` was asked about.
+/// The topic of `taut help`.
 struct HelpOptions {
   std::string text;  ///< the answer
 };
@@ -177,7 +177,7 @@ struct Answered {
   int exit_code = 0;
 };
 
-/// What the command line asks for.
+/// The command and its options.
 using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions,
                              ViewOptions, InspectOptions, FitOptions, ImportModelOptions, ScenesOptions,
                              FabricsOptions, DrapeOptions, SweepOptions, HelpOptions>;

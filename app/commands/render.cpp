@@ -39,7 +39,7 @@
 namespace taut::app {
 namespace {
 
-// What is to be drawn, whether it is a scene that was given or a picture.
+// The subject of the picture, whether a scene was given or a picture.
 struct RenderJob {
   DrawnScene scene;
   std::vector<int> frames;

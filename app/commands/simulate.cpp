@@ -85,7 +85,7 @@ LoadedGarment load(DrawnScene& scene, Progress& progress, std::FILE* remarks) {
   return loaded;
 }
 
-/// What crosses in the checkpoint that a scene begins with. Of other starts it was said as a remark.
+/// Crossing pairs in the checkpoint that a scene begins with. Of other starts it was said as a remark.
 void say_start(const SimulateOptions& options, const DrawnScene& scene, const std::string& crossings) {
   if (is_told(options) && !scene.checkpoint.empty() && !crossings.empty()) {
     fmt::print("{}: at the start {}\n", scene.name, crossings);
@@ -124,7 +124,7 @@ std::optional<StatisticsFile> statistics_of(const SimulateOptions& options, cons
   return StatisticsFile(options.statistics, description, goes_on ? std::optional(run.frame) : std::nullopt);
 }
 
-// What a run ends with: said, printed for programs, written.
+// The end of a run: said, printed for programs, written.
 void hand_over(const SimulateOptions& options, const RunSummary& summary,
                const std::unique_ptr<FrameSink>& shapes, std::optional<StatisticsFile>& statistics) {
   const std::string written = shapes ? shapes->finish() + '\n' : "";
@@ -175,7 +175,7 @@ struct Running {
   int last_frame = 0;
   Stopwatch since_start = {};
 
-  /// What is counted, written and said of a frame, as it comes.
+  /// Counts, files and messages of a frame, as it comes.
   void report(const FrameRecord& record) {
     run.frame = record.frame;
     run.summary.add(record);

@@ -104,7 +104,7 @@ std::set<std::string> nodes_of_slurm() {
   return nodes;
 }
 
-/// What every node says, or this machine twice: lines "HOST PROGRAM HASH".
+/// Answers of every node, or of this machine twice: lines "HOST PROGRAM HASH".
 std::string said_by_all(const SweepOptions& options, const Sweep& sweep) {
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   const std::vector<std::string> task = {program,   "sweep",

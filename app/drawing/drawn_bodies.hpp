@@ -24,7 +24,7 @@ class DrawnBodies {
   /// Moves them to where they are at this time. `rooms_m` as of renderer::SmoothSurface, for the vertices of
   /// all meshes, one after the other; none: no cloth is near.
   void place(double time_s, std::span<const float> rooms_m);
-  /// What is drawn of them. Valid until the next call of any other function.
+  /// Their surfaces, as they are drawn. Valid until the next call of any other function.
   std::vector<renderer::SurfaceView> views() const;
 
  private:

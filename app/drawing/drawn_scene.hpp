@@ -10,7 +10,7 @@
 
 namespace taut::app {
 
-/// What a camera without a place and a box of its own has in the picture.
+/// The subject of a camera without a place and a box of its own.
 enum class CameraFit {
   frames,  ///< what the frames that are drawn show
   reach,   ///< all that the garment can reach, which is known before anything is simulated
@@ -46,7 +46,7 @@ inline constexpr std::array all_which_springs = {WhichSprings::none, WhichSpring
                                                  WhichSprings::shear, WhichSprings::flexural,
                                                  WhichSprings::all};
 
-/// What the colours of springs mean.
+/// The meaning of the colours of springs.
 enum class SpringColours {
   kind,
   order,  ///< in which the paper's sweep corrects them, from dark to bright
@@ -69,7 +69,7 @@ struct ShownSprings {
   bool operator==(const ShownSprings&) const = default;
 };
 
-/// What is behind everything in a picture.
+/// The background of a picture.
 enum class BackgroundKind {
   studio,       ///< a floor that runs into a wall
   colour,       ///< one colour; shadows still fall on the floor

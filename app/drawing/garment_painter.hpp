@@ -43,7 +43,7 @@ class GarmentPainter {
   /// The camera of the picture drawn last.
   const renderer::Camera& camera() const { return frame_.camera; }
 
-  /// What `draw` hands to the renderer. It refers to data of the painter and is valid until the next call.
+  /// The frame that `draw` hands to the renderer. It refers to data of the painter and is valid until the next call.
   const renderer::FrameView& view(const std::vector<sim::Vec3>& positions, double time_s);
 
  private:

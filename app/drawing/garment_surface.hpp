@@ -39,7 +39,7 @@ class GarmentSurface {
   /// Moves the surface to these positions of the simulated vertices, in metres. `rooms_m` as of
   /// renderer::SmoothSurface.
   void place(std::span<const glm::vec3> positions, std::span<const float> rooms_m = {});
-  /// What is drawn, without a style. Valid until the next call of any other function.
+  /// The surface that is drawn, without a style. Valid until the next call of any other function.
   renderer::SurfaceView view() const;
   /// Returns pairs of vertices of view() for pairs of simulated ones: the edges between, along the surface.
   std::vector<std::uint32_t> refined_edges(std::span<const std::uint32_t> edges) const;

@@ -235,7 +235,7 @@ void draw_methods(renderer::Canvas& canvas, const Area& area, const PlotSheet& s
 
 }  // namespace
 
-// What the methods of sections I and III cost and do, on the same meshes.
+// Cost and effect of the methods of sections I and III, on the same meshes.
 Drawing draw_figure8(const Results& results, LazyOffscreenRenderer&) {
   PlotSheet sheet;
   sheet.plot = {.text_px = 38.0F, .marker_px = 13.0F};

@@ -40,7 +40,7 @@ DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size)
   return scene;
 }
 
-// What the camera has to see: every vertex and where the key light throws its shadow.
+// Points that the camera has to see: every vertex and where the key light throws its shadow.
 void add_points(const PrintedMoment& moment, const glm::vec3& towards_light, std::optional<float> ground_m,
                 std::vector<glm::vec3>& points) {
   for (const glm::vec3& point : to_float(moment.moment->positions)) {

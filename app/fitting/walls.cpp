@@ -36,7 +36,7 @@ bool share_vertex(const sim::Triangle& a, const sim::Triangle& b) {
   return std::any_of(a.begin(), a.end(), [&](sim::Index v) { return v == b[0] || v == b[1] || v == b[2]; });
 }
 
-/// What rays, areas and looks are taken from.
+/// The garment, prepared for rays, areas and looks.
 struct View {
   explicit View(const Sheets& source)
       : sheets(source),

@@ -19,7 +19,7 @@
 namespace taut::library {
 namespace {
 
-// What may change while a cloth moves; all else is what the cloth is, or when and where it begins.
+// Settings that may change while a cloth moves. All others say what the cloth is, or when and where it begins.
 constexpr std::array live_sections = {"air.",  "cloth.",  "gravity.", "pins.motion.",
                                       "rest.", "solver.", "wind."};
 

@@ -52,7 +52,7 @@ class Session {
   /// Throws sim::ContactBlocked with everything as it was, and sim::Diverged.
   app::FrameRecord step();
 
-  // What acts on the cloth. Each throws as sim::Simulation does.
+  // Forces on the cloth. Each throws as sim::Simulation does.
   void set(const std::string& key, const std::string& value);
   void set_wind(const sim::Vec3& velocity_m_per_s);
   void set_gravity(const sim::Vec3& gravity_m_per_s2);

@@ -23,7 +23,7 @@ struct FileVertices {
   std::string why_missing(std::size_t number) const;
   /// The first vertex of the file that became this vertex of the mesh. Empty if there is none.
   std::optional<sim::Index> number_of(sim::Index vertex) const;
-  /// What can be numbered: "vertices of the file, 0 to 7".
+  /// The range of numbers: "vertices of the file, 0 to 7".
   std::string describe() const;
 };
 

@@ -57,7 +57,7 @@ FileFaces faces_in_file(ModelArrays& arrays) {
           arrays.has_normals};
 }
 
-/// What else could be read: for those who chose another kind of file. To others it would say nothing.
+/// Other readable formats: for those who chose another kind of file. To others it would say nothing.
 std::string expectation(const std::string& reason) {
   const bool is_no_model =
       reason.find("no reader knows") != std::string::npos || reason.find("has no faces") != std::string::npos;

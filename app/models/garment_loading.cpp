@@ -107,7 +107,7 @@ void turn_and_sew(const GarmentSource& source, bool is_fitted, sim::Mesh& mesh, 
       source.weld_m || is_fitted ? 0 : sew_on_trims(parts, loaded.placement->scale, mesh);
 }
 
-/// What was given stays where it is.
+/// A mesh that was given stays where it is.
 Placement place(const GarmentSource& source, const sim::Mesh& soup, const PlacementHints& hints) {
   return source.given ? Placement{} : place_model(soup, hints);
 }

@@ -9,7 +9,7 @@
 
 namespace taut::app {
 
-/// What says where on a body a garment belongs, by its landmarks or else by the openings of its largest part.
+/// Measures that say where on a body a garment belongs, by its landmarks or else by the openings of its largest part.
 struct GarmentMarks {
   /// The border that goes around the neck, or around the waist where nothing else is open above the middle
   /// or below it in the middle, as of skirts and trousers. Empty: there is none.

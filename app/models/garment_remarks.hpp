@@ -10,10 +10,10 @@
 
 namespace taut::app {
 
-/// What was guessed, repaired or chosen because the scene does not say it, one line each.
+/// Guesses, repairs and choices that the scene does not make, one line each.
 std::vector<std::string> remarks_of(const LoadedGarment& loaded);
 
-/// What is wrong with the shape the cloth begins in.
+/// Faults of the shape the cloth begins in.
 struct StartRemarks {
   std::vector<std::string> lines;  ///< for people
   std::size_t crossings = 0;       ///< pairs of triangles that cross, and parts of cloth wholly within bodies

@@ -101,7 +101,7 @@ std::vector<sim::Index> straps(const sim::Mesh& mesh, const GarmentPart& part, c
   return is_apron || is_neckline ? tops_of(mesh, part, part.vertices, part.width_m()) : std::vector<sim::Index>();
 }
 
-/// What holds a part that lies flat.
+/// The vertices that hold a part that lies flat.
 std::vector<sim::Index> held_of_flat(const sim::Mesh& mesh, const GarmentPart& part, HungPart& hung) {
   if (const Opening* opening = inner_opening(part); opening != nullptr) {
     hung.by = HungBy::top_opening;
@@ -112,7 +112,7 @@ std::vector<sim::Index> held_of_flat(const sim::Mesh& mesh, const GarmentPart& p
   return vertices_from(mesh, part, is_a_ribbon ? 0 : 2, -1.0);
 }
 
-/// What holds a part that stands up: the first of these that carries it in balance, or else its highest
+/// The vertices that hold a part that stands up: the first of these that carries it in balance, or else its highest
 /// points.
 std::vector<sim::Index> held_of_upright(const sim::Mesh& mesh, const GarmentPart& part, HungPart& hung) {
   if (std::vector<sim::Index> neck = neck_below_hood(mesh, part, part.across()); !neck.empty()) {

@@ -152,7 +152,7 @@ TextureImage decode_image(std::string_view bytes) {
 }
 
 void read_maps(const fs::path& folder, const EmbeddedImage& embedded, SurfaceColours& colours) {
-  // What looks the same is read once: by name, tint and whether alpha counts.
+  // Images that look the same are read once: by name, tint and whether alpha counts.
   using Look = std::tuple<std::string, float, float, float, bool>;
   std::map<Look, sim::Index> known;
   const auto look_of = [](const SurfaceMaterial& material) {

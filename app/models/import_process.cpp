@@ -135,7 +135,7 @@ std::string describe_failure(int status, const ImportLimits& limits) {
                      ::strsignal(WTERMSIG(status)));
 }
 
-/// What the frame holds, where it is complete.
+/// The content of the frame, where it is complete.
 std::optional<std::string> unframed(const std::string& bytes) {
   std::uint64_t length = 0;
   if (bytes.size() < header_bytes) {

@@ -20,14 +20,14 @@ namespace taut::app {
 inline constexpr bool memory_is_limited = TAUT_SHADOW_MEMORY == 0;
 #undef TAUT_ADDRESS_SANITIZER
 
-/// What reading one model may cost.
+/// Limits on reading one model.
 struct ImportLimits {
   std::size_t memory_mib = 4096;  ///< address space; a million triangles need about a quarter of it
   int seconds = 18;  ///< Wall time. With the work before and after, a model is refused within 20 s.
   std::filesystem::path program = {};  ///< that reads it; empty: see read_model_in_process()
 };
 
-/// What comes through the pipe: a byte that says which, eight with the length, and the arrays or the reason.
+/// The message through the pipe: a byte that says which, eight with the length, and the arrays or the reason.
 enum class ImportAnswer : char { arrays = 'A', reason = 'R' };
 
 /// Reads a model in a child process, which is killed if it exceeds the limits. Some damaged files crash

@@ -23,7 +23,7 @@ struct StretchAtStart {
   sim::SurfaceStretch surface;
 };
 
-/// What is in a model file and how it maps to springs. Of a model that follows a fitted mesh, parts, springs and
+/// The content of a model file and how it maps to springs. Of a model that follows a fitted mesh, parts, springs and
 /// what is hung are those of that mesh. All numbers are counts unless a unit is given.
 struct Inspection {
   std::string file;

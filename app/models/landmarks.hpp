@@ -25,7 +25,7 @@ std::filesystem::path landmarks_path(const std::filesystem::path& garment);
 Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& placement,
                          const sim::Mesh& mesh, const FileVertices& file_vertices);
 
-/// What the same file says of the garment's texture coordinates: metres_per_uv = 1.5. Empty if it says
+/// The scale of the garment's texture coordinates in the same file: metres_per_uv = 1.5. Empty if it says
 /// nothing. Throws InputError that names the file and the line if it is not a number above 0.
 std::optional<double> known_metres_per_uv(const std::filesystem::path& garment);
 

@@ -37,7 +37,7 @@ struct ModelArrays {
 /// a simulation depend on it. Requires arrays whose `position_of_vertex` is empty, and fills it.
 void number_by_first_use(ModelArrays& model);
 
-/// What is read of a file.
+/// The parts of a file that are read.
 enum class ReadParts {
   shape,  ///< all but colours and texture coordinates
   model,  ///< all of a model

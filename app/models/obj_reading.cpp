@@ -117,7 +117,7 @@ sim::Index ObjReader::vertex(std::string_view word) const {
   return static_cast<sim::Index>(number > 0 ? number - 1 : so_far + number);
 }
 
-// What is damaged here names none: a garment is more than its print.
+// Damage here names no vertex: a garment is more than its print.
 sim::Index ObjReader::texture_vertex(std::string_view word) const {
   const std::size_t slash = word.find('/');
   long long number = 0;

@@ -21,7 +21,7 @@ struct NearestVertex {
 /// `positions` must not be empty.
 NearestVertex nearest_vertex(std::span<const sim::Vec3> positions, const sim::Vec3& point_m);
 
-/// What select_pins() needs to know about a garment.
+/// Facts about a garment for select_pins().
 struct PinTargets {
   const sim::Mesh& mesh;
   const Landmarks& landmarks;

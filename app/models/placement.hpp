@@ -25,7 +25,7 @@ struct Placement {
   sim::Vec3 operator()(const sim::Vec3& in_file) const;
 };
 
-/// What is known about unit and axis before the model is placed. Empty members are guessed.
+/// Facts about unit and axis before the model is placed. Empty members are guessed.
 struct PlacementHints {
   std::optional<double> asked_scale;             ///< by the user, metres per unit
   std::optional<ModelAxis> asked_up;             ///< by the user

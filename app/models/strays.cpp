@@ -84,7 +84,7 @@ sim::Groups pieces_of(const sim::Mesh& mesh) {
   return pieces;
 }
 
-/// What triangles connect.
+/// Parts that triangles connect.
 struct Piece {
   std::vector<sim::Triangle> triangles;  ///< of places
   sim::Extent range;

@@ -41,7 +41,7 @@ bool are_below(const std::vector<sim::Index>& indices, std::size_t count) {
   return std::all_of(indices.begin(), indices.end(), [&](sim::Index index) { return index < count; });
 }
 
-/// What new triangles take from old ones: per triangle the face, per corner the corner; none of it where a
+/// Sources of new triangles in old ones: per triangle the face, per corner the corner; none of it where a
 /// triangle is new.
 struct Sources {
   std::vector<sim::Index> face_of_triangle;

@@ -25,7 +25,7 @@ struct TextureImage {
   std::shared_ptr<const std::vector<std::uint8_t>> rgba;
 };
 
-/// What a model says of how some of its faces look.
+/// The look of some of a model's faces.
 struct SurfaceMaterial {
   std::string name = {};
   glm::vec3 base_colour = glm::vec3(1.0F);  ///< sRGB, 0 to 1

@@ -46,7 +46,7 @@ constexpr std::array named_units = {NamedUnit{"micron", 1e-6},     NamedUnit{"mi
 
 std::optional<double> unit_of_model_part(std::string_view xml) {
   pugi::xml_document document;
-  // What is cut off at its end is an error, and read up to there all the same.
+  // A file that is cut off at its end is an error, and read up to there all the same.
   document.load_buffer(xml.data(), xml.size());
   const pugi::xml_node root = document.document_element();
   const std::string_view element = root.name();

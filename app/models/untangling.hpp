@@ -11,7 +11,7 @@
 
 namespace taut::app {
 
-/// What became of a start in which the cloth crossed itself.
+/// The outcome of parting a start in which the cloth crossed itself.
 struct Untangling {
   std::size_t pairs_before = 0;  ///< of triangles that crossed
   std::size_t pairs_left = 0;

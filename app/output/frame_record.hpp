@@ -9,7 +9,7 @@
 
 namespace taut::app {
 
-/// What was measured of one frame. Stretch is a fraction.
+/// Measurements of one frame. Stretch is a fraction.
 struct FrameRecord {
   int frame = 0;
   double time_s = 0.0;

@@ -105,7 +105,7 @@ std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord&
     crossing_at_end_ += found[k].pairs.size();
     const Pairs counting =
         outside_patches(without(found[k].pairs, left_out_[k].pairs), simulation, found[k].body);
-    // What is apart now counts from now on.
+    // Pairs that are apart now count from now on.
     left_out_[k].pairs = without(found[k].pairs, counting);
     found[k].pairs = counting;
     *record.crossing_pairs += counting.size();

@@ -18,7 +18,7 @@ std::string shell_line(std::span<const std::string> words);
 /// The program's name and its arguments, as shell_line() writes them.
 std::string command_text(std::span<const std::string> arguments);
 
-/// What a picture was made from. It is stored in the picture.
+/// The sources of a picture. They are stored in the picture.
 struct PictureOrigin {
   std::string command;  ///< from command_text()
   std::string scene;    ///< from scene_text() (drawn_scene_file.hpp)
@@ -27,7 +27,7 @@ struct PictureOrigin {
 /// The PNG texts that store the origin of a picture and what was measured of its frame.
 std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const FrameRecord& record);
 
-/// What the texts of a picture say.
+/// The texts of a picture.
 struct PictureRecord {
   DrawnScene scene;
   int frame = 0;

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What stands in the statistics of a frame.
+/// Columns of the statistics of a frame.
 struct FrameColumn {
   const char* name;
   const char* unit;
@@ -210,7 +210,7 @@ std::string line_of(const Json& json) {
 }  // namespace
 
 StatisticsFormat statistics_format(const std::filesystem::path& file) {
-  // What has no ending, such as /dev/stdout, is given JSON lines.
+  // A file without an ending, such as /dev/stdout, is given JSON lines.
   if (file.has_extension() && file.extension() != ".jsonl" && file.extension() != ".csv") {
     throw UsageError("--stats " + file.string() + ": expected a file name that ends in .jsonl or .csv");
   }

@@ -10,7 +10,7 @@
 
 namespace taut::app {
 
-/// What statistics say about a run as a whole.
+/// Statistics of a run as a whole.
 struct RunDescription {
   const DrawnScene& scene;
   const sim::Garment& garment;
@@ -25,7 +25,7 @@ enum class StatisticsFormat { json_lines, csv };
 /// The format by the file name: CSV for .csv; JSON lines for .jsonl or no ending. Throws UsageError.
 StatisticsFormat statistics_format(const std::filesystem::path& file);
 
-// What statistics are made of, whole lines. JSON lines: the run; every frame; the summary. CSV: the names of
+// Whole lines of statistics. JSON lines: the run; every frame; the summary. CSV: the names of
 // the columns; every frame; nothing.
 std::string statistics_header(StatisticsFormat format, const RunDescription& run);
 std::string statistics_line(StatisticsFormat format, const FrameRecord& record);
@@ -37,7 +37,7 @@ std::string statistics_line_start(StatisticsFormat format, int frame);
 /// The columns of the statistics with their units, as text for people.
 std::string statistics_help();
 
-/// What `describe` (inspection.hpp) says, as JSON.
+/// The text of `describe` (inspection.hpp), as JSON.
 std::string inspection_json(const Inspection& inspection);
 
 }  // namespace taut::app

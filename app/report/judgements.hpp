@@ -20,7 +20,7 @@ struct Judgement {
   Verdict verdict = Verdict::does_not_hold;
   std::string part;  ///< what holds, if the verdict is holds_in_part; otherwise empty
   Finding finding;   ///< the numbers that decide
-  /// What the solver `bounded` reaches in the same test. It does not decide, because it is not the paper's
+  /// The result of the solver `bounded` in the same test. It does not decide, because it is not the paper's
   /// method. Its text is empty if `bounded` was not tested.
   Finding bounded;
 };

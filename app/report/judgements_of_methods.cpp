@@ -10,7 +10,7 @@ namespace {
 
 using enum sim::SolverKind;
 
-/// What the paper argues with: neither its own method nor this program's.
+/// Methods that the paper argues with: neither its own method nor this program's.
 constexpr std::array others = {ideal, provot, implicit, vassilev, fast_projection};
 
 const MethodTrials& timed(const Results& results) {

@@ -8,7 +8,7 @@
 
 namespace taut::app {
 
-/// What is promised of the frames of a figure, and what was counted in them.
+/// The promises about the frames of a figure, and the counts in them.
 struct PromiseResult {
   std::string figure;  ///< "fig5"
   std::string scene;

@@ -41,7 +41,7 @@ Report make_report(const Results& results, const Film& film, std::span<const Dra
 /// The film of a checked run and what was measured in it, as a figure of the page.
 std::string film_html(const Film& film, const Recording& run);
 
-/// What stands below figure 8: who made each of its methods for what, and a table of what was measured.
+/// The text below figure 8: who made each of its methods for what, and a table of what was measured.
 std::string methods_html(const Results& results);
 
 /// The report as one HTML file with `film_figure` at its top and `methods` below the figures. Pictures are

@@ -58,7 +58,7 @@ Verdict judge_convergence(double peak_m, double last_m, bool came_to_rest);
 /// holds in part.
 Verdict judge_no_velocity(std::uint64_t uninterrupted_hash, std::uint64_t restarted_hash);
 
-/// What one setting of the solver costs for a model, and how much it stretches.
+/// The cost and the stretch of one setting of the solver for a model.
 struct PacedModel {
   int triangles = 0;
   double frame_ms = 0.0;  ///< time per frame

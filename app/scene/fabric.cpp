@@ -28,7 +28,7 @@ bool is_file_name(const std::string& name) {
   return fs::path(name).extension() == ending;
 }
 
-/// What is said of the fabric itself.
+/// Facts about the fabric itself.
 std::vector<Key<Fabric>> own_keys() {
   const auto read_band = [](const toml::node& value, const Source&, Fabric& fabric) {
     const toml::array* list = value.as_array();

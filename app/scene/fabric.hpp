@@ -12,7 +12,7 @@
 
 namespace taut::app {
 
-/// What a fabric's file says: what it weighs, how it bends and how it looks, as keys of scenes.
+/// A fabric's file: its weight, its stiffness and its look, as keys of scenes.
 struct Fabric {
   std::string name;  ///< without folder and extension
   std::filesystem::path file;

@@ -18,7 +18,7 @@ void normalise(sim::Vec3& direction);
 /// begins.
 void check_motion(const Source& source, int line, sim::RigidMotion& motion);
 
-/// What is not in use is not written.
+/// Keys that are not in use are not written.
 template <class T, class IsUsed>
 Key<T> written_if(Key<T> key, IsUsed is_used) {
   key.write = [write = std::move(key.write), is_used](const T& entry) {

@@ -18,7 +18,7 @@ std::optional<std::string> beyond_contact(const Scene& scene, const sim::Garment
 /// The largest stretch that the scene's solver tries to keep, a fraction. Empty if it has none.
 std::optional<double> stretch_bound(const Scene& scene);
 
-/// What that bound holds. It is springs for every solver other than `bounded`.
+/// The lengths that the bound holds: springs for every solver other than `bounded`.
 sim::BoundKind bound_kind(const Scene& scene);
 
 /// "bound" if the solver keeps it; "threshold" if springs are only pulled back to it.

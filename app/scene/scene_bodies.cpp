@@ -62,7 +62,7 @@ Key<BodyInScene> file_key(std::string name, std::filesystem::path BodySource::*m
   return {std::move(name), "", "a file name", std::move(meaning), read, write};
 }
 
-// What `motion` was called when it was PC2 alone.
+// The name of `motion` when it was PC2 alone.
 Key<BodyInScene> former_frames_key() {
   Key<BodyInScene> key = file_key("frames", &BodySource::motion, "another name of motion");
   key.write = [](const BodyInScene&) { return Json(); };

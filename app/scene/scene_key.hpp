@@ -43,7 +43,7 @@ inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};  ///< a
 /// The range in words: "a whole number from 1 to 1000". `what` is "a number" or "a whole number".
 std::string describe(const std::string& what, const Range& range);
 
-/// What a value holds: a finite number, a whole number, a list of three finite numbers. Empty for anything
+/// The content of a value: a finite number, a whole number, a list of three finite numbers. Empty for anything
 /// else. A number may be a text that ends in a unit of the same kind as `unit`, which it then is in: "1 mm".
 std::optional<double> finite_number(const toml::node& value, std::string_view unit = "");
 std::optional<std::int64_t> whole_number(const toml::node& value);
@@ -138,7 +138,7 @@ Key<T> text_key(std::string name, Access access, std::string meaning) {
   return {std::move(name), "", "a text", std::move(meaning), read, write};
 }
 
-/// What a vector of three numbers may be.
+/// The range of a vector of three numbers.
 struct VectorLimits {
   bool may_be_zero = true;  ///< all three may be 0
   /// Largest magnitude of each number: far more than any garment needs, and too small for overflow.

@@ -28,7 +28,7 @@ std::filesystem::path assets_folder();
 /// without. Empty if there is none.
 std::optional<std::filesystem::path> find_asset(const std::filesystem::path& file);
 
-/// What the argument SCENE means.
+/// The meaning of the argument SCENE.
 struct FoundScene {
   std::string name;  ///< without folder and extension
   std::filesystem::path file;

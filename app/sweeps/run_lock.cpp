@@ -92,7 +92,7 @@ RunLock::RunLock(fs::path file)
   const fs::path own = file_.string() + '-' + host_name() + '-' + std::to_string(::getpid());
   write_text_file(own, owner_ + '\n');
   std::error_code error;
-  // What a network file system answers may be lost, and it says to the second try that the name is taken.
+  // The answer of a network file system may be lost, and it says to the second try that the name is taken.
   bool is_taken = ::link(own.c_str(), file_.c_str()) == 0 || fs::hard_link_count(own, error) == 2;
   const std::string other = owner_in(file_);
   if (!is_taken) {

@@ -57,7 +57,7 @@ inline constexpr std::size_t most_runs = 1000000;
 /// Reads the sweep in a folder. Throws InputError.
 Sweep read_sweep(const std::filesystem::path& folder);
 
-/// What sweep.json says; with `program` or without it.
+/// The content of sweep.json, with `program` or without it.
 std::string sweep_text(const Sweep& sweep, bool with_program = true);
 
 /// A value for people: a file by its name without folder and ending.

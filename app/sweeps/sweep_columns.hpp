@@ -11,7 +11,7 @@
 
 namespace taut::app {
 
-/// What was measured where: of one column of plots, one curve, one x.
+/// A measurement and its place: of one column of plots, one curve, one x.
 struct Place {
   std::size_t column;
   std::size_t curve;

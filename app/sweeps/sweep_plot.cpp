@@ -63,7 +63,7 @@ Axis axis_around(const std::string& label, const std::vector<double>& values, do
   return {label, *least - room, *most + room};
 }
 
-/// What goes across: values, or names at equal distances, where curves stand side by side.
+/// The axis across: values, or names at equal distances, where curves stand side by side.
 struct Across {
   Axis axis;
   std::vector<double> xs;
@@ -172,7 +172,7 @@ std::vector<Plot> plots_of(const Sweep& sweep, const AxesOfPlot& axes, const Col
   return plots;
 }
 
-/// What the curves of all plots are called: rings once, wherever they are.
+/// The legend of all plots' curves: rings once, wherever they are.
 std::vector<Curve> legend_of(const std::vector<std::vector<Plot>>& rows) {
   std::vector<Curve> legend;
   std::set<std::string> names = {""};
@@ -206,7 +206,7 @@ void draw_titles(renderer::Canvas& canvas, const std::vector<std::string>& title
   }
 }
 
-/// What lines of names below the first one would take from a plot's height.
+/// The share of a plot's height that lines of names below the first one take.
 float lines_of_names(const Plot& plot, const PlotSheet& sheet) {
   const renderer::Canvas ruler(1, 1);
   Plot with_numbers = plot;

@@ -33,7 +33,7 @@ inline constexpr std::size_t most_on_sheet = 120;
 /// column for each value of the last axis that has several. Returns an image of no size if there are none.
 renderer::Image sweep_sheet(const Sweep& sweep);
 
-/// What to plot.
+/// The axes of a plot.
 struct SweepPlot {
   std::vector<std::string> measures;  ///< a row of plots each
   std::string x;                      ///< the key across

@@ -36,7 +36,7 @@ bool is_without_area(const Corners& t) {
          orientation_without(2, t[0], t[1], t[2]) == 0;
 }
 
-/// What the bounding boxes have in common; lower is above upper in some coordinate if that is nothing.
+/// The intersection of the bounding boxes; lower is above upper in some coordinate if that is nothing.
 Segment common_box(const Segment& s, const Segment& t) {
   return {glm::max(glm::min(s.from, s.to), glm::min(t.from, t.to)),
           glm::min(glm::max(s.from, s.to), glm::max(t.from, t.to))};

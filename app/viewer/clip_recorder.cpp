@@ -23,7 +23,7 @@ WrittenMoment moment_of(const Snapshot& snapshot) {
   return {*snapshot.garment, *snapshot.checkpoint};
 }
 
-// What goes back or starts again changes it; what goes on does not.
+// A simulation that goes back or starts again changes it; one that goes on does not.
 std::int64_t frames_not_advanced(const Snapshot& snapshot) {
   const std::int64_t failed = snapshot.stopped ? 1 : 0;
   return static_cast<std::int64_t>(snapshot.advances) - snapshot.record.frame - failed;

@@ -23,7 +23,7 @@ struct Pointer {
   bool was_pressed(renderer::PointerButton button) const { return pressed[static_cast<std::size_t>(button)]; }
 };
 
-/// What the pointer does in the scene: it turns, moves and zooms the view, and pulls the cloth.
+/// The pointer in the scene: it turns, moves and zooms the view, and pulls the cloth.
 class Hands {
  public:
   /// Handles one frame of the window. `is_free` is true if the panel does not use the pointer. Appends
@@ -36,7 +36,7 @@ class Hands {
 
   /// Whether the pointer turns or moves the view, or holds cloth.
   bool is_busy() const { return is_turning_ || is_moving_ || hold_.has_value(); }
-  /// What the pointer holds; empty if it holds nothing.
+  /// The cloth that the pointer holds; empty if it holds nothing.
   std::optional<HeldCloth> held() const;
 
  private:

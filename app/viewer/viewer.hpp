@@ -16,7 +16,7 @@
 
 namespace taut::app {
 
-/// What a scene's garment is made of.
+/// The material of a scene's garment.
 struct ClothOfScene {
   std::string fabric;
   sim::Material material;

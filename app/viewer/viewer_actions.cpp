@@ -12,14 +12,14 @@
 #include "app/viewer/state/motion_choices.hpp"
 #include "app/viewer/viewer.hpp"
 
-// What keys and buttons of the viewer do.
+// Actions of the viewer's keys and buttons.
 
 namespace taut::app {
 namespace {
 
 using renderer::PointerButton;
 
-// What one press of a key changes.
+// Changes by one press of a key.
 constexpr double wind_step_m_per_s = 0.5;
 constexpr double turn_step_rad = 0.08726646259971647;  // 5 degrees
 

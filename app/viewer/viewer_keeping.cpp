@@ -9,7 +9,7 @@
 #include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
 
-// What the viewer writes.
+// Files that the viewer writes.
 
 namespace taut::app {
 

@@ -173,7 +173,7 @@ class WindowViewer {
     }
   }
 
-  // What the window showed is gone, the simulation is not.
+  // The window's picture is gone, the simulation is not.
   void recover(const renderer::ContextError& error) {
     if (since_loss_.elapsed_ms() > 1000.0 * losses_forgotten_after_s) {
       losses_ = 0;

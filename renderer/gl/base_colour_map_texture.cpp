@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// What a byte of colour becomes in linear light times an alpha, encoded again: [alpha][colour].
+/// A byte of colour in linear light times an alpha, encoded again: [alpha][colour].
 using Products = std::array<std::array<std::uint8_t, 256>, 256>;
 
 Products make_products() {

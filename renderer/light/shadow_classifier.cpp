@@ -14,7 +14,7 @@ namespace {
 constexpr int stride = 2;
 // A surface this steep in the map hides itself; depth for each step across.
 constexpr float steepest = 8.0F;
-// What is less than this in front is the surface itself; texels of the map, and as many for each unit of
+// A surface that is less than this in front is the surface itself; texels of the map, and as many for each unit of
 // slope.
 constexpr float allowance_texels = 2.0F;
 // Radius of the narrowest blur of a shadow and of the lift off the surface, texels of the map.

@@ -53,7 +53,7 @@ float share_of_sphere(int directions) {
   return std::sqrt(1.0F - cosine * cosine) / cosine;
 }
 
-// What a side sees of an open studio: the same integral without anything in the way.
+// The light of an open studio on a side: the same integral without anything in the way.
 float open_sky(float upwards) {
   return 0.75F + 0.25F * upwards;
 }

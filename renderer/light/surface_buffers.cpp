@@ -14,7 +14,7 @@ namespace taut::renderer {
 
 namespace {
 
-// What a triangle's last number counts in, besides the key light: surfaces and trims.
+// The unit of a triangle's last number, besides the key light: surfaces and trims.
 constexpr std::uint32_t surface_unit = 4;
 constexpr std::uint32_t trim_unit = 1U << 14;
 constexpr std::size_t most_surfaces = trim_unit / surface_unit;

@@ -8,7 +8,7 @@
 
 namespace taut::renderer {
 
-/// What the colour bar of a ScalarColours says.
+/// The text of the colour bar of a ScalarColours.
 struct Legend {
   std::string title;     ///< e.g. "stretch"
   float minimum = 0.0F;  ///< value at the lower end of the bar

@@ -47,7 +47,7 @@ class ChainMaker {
         if (at_vertex_[end].size() != 2) follow(end, e);
       }
     }
-    // What is left goes around.
+    // The rest goes around.
     for (std::uint32_t e = 0; e < edges_.size(); ++e) follow(edges_[e][0], e);
     return std::move(lines_);
   }

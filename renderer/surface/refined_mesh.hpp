@@ -63,7 +63,7 @@ class RefinedMesh {
     std::uint32_t after = 0;
   };
 
-  /// What one split adds.
+  /// Vertices and triangles that one split adds.
   struct Level {
     std::uint32_t first_vertex = 0;  ///< of its midpoints: one for each of `edges`, in this order
     std::vector<VertexPair> edges;   ///< of the mesh before, the lower vertex first, in lexicographic order

@@ -101,7 +101,7 @@ std::vector<glm::vec2> SmoothSurface::part_vertices(std::span<const glm::vec2> c
   return values;
 }
 
-// Those of a border are along it. Its corners, and where borders meet, have none and stay.
+// Tangents of a border are along it. Its corners, and where borders meet, have none and stay.
 void SmoothSurface::find_neighbours(std::span<const glm::vec3> rest_positions) {
   neighbour_shares_.assign(rest_positions.size(), 0.0F);
   if (mesh_.levels().empty() || !(freedom_.most_fairing > 0.0F)) return;

@@ -36,7 +36,7 @@ class SmoothSurface {
 
   /// Without the rim.
   const RefinedMesh& mesh() const { return mesh_; }
-  /// Those of mesh() and then those of the rim, three vertices each.
+  /// Triangles of mesh() and then of the rim, three vertices each.
   const std::vector<std::uint32_t>& triangles() const { return triangles_; }
   /// For each triangle, the coarse one it lies in or, of the rim, at whose border it is.
   const std::vector<std::uint32_t>& parent_triangles() const { return parent_triangles_; }

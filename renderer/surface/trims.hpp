@@ -5,7 +5,7 @@
 
 namespace taut::renderer {
 
-/// What a border is finished with.
+/// The finish of a border.
 struct BorderBand {
   float width_m = 0.0F;  ///< in which the cloth is double; 0: none
   bool ribbed = false;   ///< a knitted band, as at necklines; else a hem

@@ -10,7 +10,7 @@
 namespace taut::sim {
 namespace {
 
-/// What is less deep in a plane, sphere or capsule, in m, does not enter it.
+/// A point that is less deep in a plane, sphere or capsule, in m, does not enter it.
 constexpr double least_depth_m = 5e-10;
 /// Of the squared area vector of all triangles around a vertex: by so much each faces the same way, at least.
 constexpr double least_facing = 1e-4;
@@ -48,7 +48,7 @@ std::vector<Index> order_as_fan(Index vertex, std::span<const Triangle> triangle
   return around;
 }
 
-/// What is further off is neither nearer than what was found nor does it touch.
+/// A thing that is further off is neither nearer than what was found nor does it touch.
 double wanted_m(double reach_m, const MeasuredContact& measured) {
   return std::max(std::min(reach_m, measured.nearest_m), touching_m);
 }

@@ -16,7 +16,7 @@ struct Mesh {
   std::vector<Quad> quads;
 };
 
-/// What weld_and_validate may repair.
+/// Repairs that weld_and_validate may make.
 struct RepairSettings {
   /// Border vertices closer than this are welded, in metres. At 0 only exactly equal positions are welded.
   double weld_distance_m = 0.0;
@@ -25,7 +25,7 @@ struct RepairSettings {
   double sewing_distance_m = 0.0;
 };
 
-/// What `weld_and_validate` changed in a mesh. It repairs nothing silently.
+/// Changes by `weld_and_validate` in a mesh. It repairs nothing silently.
 struct MeshReport {
   std::size_t input_vertices = 0;
   std::size_t input_triangles = 0;

@@ -15,7 +15,7 @@
 
 namespace taut::sim {
 
-/// What it took to keep things apart in a frame, its repeated attempts included.
+/// The cost of keeping things apart in a frame, its repeated attempts included.
 struct ContactReport {
   int detections = 0;          ///< how often all of the cloth and the bodies was searched for what is near
   int partial_detections = 0;  ///< how often that was done around single vertices alone
@@ -101,7 +101,8 @@ class Solver {
   /// The last frame that was advanced is kept: the next one goes on from it.
   virtual void keep_frame() {}
 
-  /// What its next frames depend on besides their arguments, as flat data; not what it measured to be quick.
+  /// The state that its next frames depend on besides their arguments, as flat data; no measurements that only
+  /// save time.
   virtual void save(const Garment& garment, const Pins& pins, ByteWriter& memory) const = 0;
 
   /// Takes over what a solver of the same settings saved; `frame` is its next one. Throws BadBytes.

@@ -63,7 +63,7 @@ bool faces_the_other_way(const Garment& garment, const Piercing& found, std::spa
   return glm::dot(along_edge, front) < opposed * glm::length(along_edge);
 }
 
-/// Those of one pair, by number of the pair.
+/// Contours of one pair, by number of the pair.
 void add_piercings(const Garment& garment, const Triangle& edges_of, Index triangle, Index pair,
                    std::span<const Vec3> positions_m, std::vector<Piercing>& all) {
   const Triangle& t = garment.mesh.triangles[triangle];

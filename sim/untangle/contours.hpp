@@ -33,7 +33,7 @@ struct Piercing {
   WrongEnd wrong = WrongEnd::unknown;
 };
 
-/// What pairs of triangles that cross have in common.
+/// The segments in which pairs of triangles cross.
 struct Contours {
   std::vector<Piercing> piercings;     ///< ordered by contour, edge and triangle
   std::vector<TrianglePair> touching;  ///< pairs of which no edge goes through the other

@@ -82,7 +82,7 @@ std::vector<Vec3> within_bound(const Garment& garment, const BoundedSettings& se
   return state.current;
 }
 
-/// What is wrong with a shape: pairs that cross, by how much it exceeds the bound in m, gaps that are too
+/// Flaws of a shape: pairs that cross, by how much it exceeds the bound in m, gaps that are too
 /// narrow.
 using Flaws = std::tuple<std::size_t, double, std::size_t>;
 

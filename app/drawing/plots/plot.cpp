@@ -52,7 +52,7 @@ std::vector<int> label_lines(const Canvas& canvas, const Axis& axis, float width
   return lines;
 }
 
-// What lines of labels beside the first need.
+// Room for the lines of labels beside the first.
 float lower_lines_px(const std::vector<int>& lines, const PlotStyle& style) {
   return lines.empty()
              ? 0.0F

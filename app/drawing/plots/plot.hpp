@@ -14,7 +14,7 @@ namespace taut::app {
 /// x and y.
 using DataPoint = std::array<double, 2>;
 
-/// What is drawn at each point of a curve.
+/// The mark at each point of a curve.
 enum class Marker { none, disc, square, ring, cross };
 
 /// One series of points in a plot.

@@ -20,7 +20,7 @@ struct Moment {
   std::vector<sim::Vec3> positions;
 };
 
-/// What was counted in the frames of a run by FrameVerifier, which shares nothing with the solvers.
+/// Counts in the frames of a run by FrameVerifier, which shares nothing with the solvers.
 struct PromiseCounts {
   int frames = 0;                  ///< that were checked
   LargestStretch stretch;          ///< of all of them

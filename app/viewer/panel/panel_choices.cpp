@@ -109,7 +109,7 @@ void keep_range_to_bound(PictureStyle& picture, double before, double bound) {
   }
 }
 
-// What the solver has chosen by itself.
+// Choices of the solver.
 std::string chosen_substeps(const ViewerState& state) {
   const int chosen = state.newest->record.substeps;
   const bool is_most = chosen >= state.scene.simulation.solver.max_substeps;

@@ -13,7 +13,7 @@
 #include "app/viewer/state/key_bindings.hpp"
 #include "renderer/page/colour.hpp"
 
-// What lies over the scene: the time bar, messages, legends and the sheet of keys.
+// Overlays of the scene: the time bar, messages, legends and the sheet of keys.
 
 namespace taut::app {
 namespace {

@@ -28,7 +28,7 @@ void lay_out_key_sheet(ViewerState& state, const ViewArea& area);
 void lay_out_legends(const ViewerState& state, float scale);
 /// The list of solvers that a second garment can have beside the first.
 void lay_out_comparison(ViewerState& state);
-/// What each of two garments is, how far it is stretched and what it costs; `area` is of the first one.
+/// Name, stretch and cost of each of two garments; `area` is of the first one.
 void lay_out_labels(const ViewerState& state, const ViewArea& area, float scale);
 /// Milliseconds as text of few letters.
 std::string few_digits(float milliseconds);

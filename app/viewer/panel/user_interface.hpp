@@ -33,7 +33,7 @@ class UserInterface {
   const renderer::OverlayView& overlay() const { return overlay_; }
   /// The part of it that belongs in a picture of the scene.
   const renderer::OverlayView& picture_overlay() const { return picture_overlay_; }
-  /// What the names of the ImGui windows begin with that belong in a picture of the scene.
+  /// The prefix of the names of ImGui windows that belong in a picture of the scene.
   static constexpr const char* in_pictures = "legends";
 
   /// The font as an image, for renderer::OverlayPass. `coverage` has one byte per pixel. `number` changes

@@ -34,7 +34,7 @@ bool is_beside(const renderer::OverlayView& overlay, const renderer::OverlayPart
   });
 }
 
-// What lies beside the scene, or over it.
+// Panels beside the scene, or over it.
 renderer::OverlayView parts_of(const renderer::OverlayView& overlay, int scene_width_px, bool beside) {
   renderer::OverlayView part = overlay;
   std::erase_if(part.parts, [&](const renderer::OverlayPart& each) {

@@ -36,7 +36,7 @@ class ScenePicture {
   }
 
  private:
-  // What the scene's picture depends on.
+  // Inputs of the scene's picture.
   struct SceneLook {
     std::shared_ptr<const LoadedScene> loaded;
     std::shared_ptr<const std::vector<sim::Index>> pins;
@@ -66,7 +66,7 @@ class ScenePicture {
   GarmentPainter& painter_for(const GarmentSight& sight);
   void add_normals(const Snapshot& garment, renderer::FrameView& frame);
 
-  // What a painter was made for.
+  // Inputs that a painter was made for.
   struct PaintedAs {
     std::shared_ptr<const LoadedScene> loaded;
     std::shared_ptr<const std::vector<sim::Index>> pins;

@@ -50,7 +50,7 @@ struct SessionFrame {
   bool operator==(const SessionFrame&) const = default;
 };
 
-/// What a session begins with: the scene and the window.
+/// The begin of a session: the scene and the window.
 struct SessionStart {
   std::string scene;
   std::vector<Override> overrides;

@@ -137,7 +137,7 @@ void LiveSimulation::perform(const ChangeSettings& change) {
   simulation_->set_surroundings(surroundings_);
 }
 
-// What crossed while nothing kept it apart.
+// Triangles that crossed while nothing kept them apart.
 void LiveSimulation::untangle(const RunSettings& simulation) {
   sim::Checkpoint now = simulation_->save();
   Scene scene = loaded_->scene;

@@ -11,7 +11,7 @@
 
 namespace taut::app {
 
-// What the window asks of the simulation; done between two simulated frames, in the order it was asked.
+// Requests of the window to the simulation; done between two simulated frames, in the order it was asked.
 
 /// Replaces scene and garment.
 struct LoadScene {

@@ -67,12 +67,12 @@ void SimulationPair::begin_second() {
 
 void SimulationPair::pass_on(const SimulationCommand& command) {
   if (std::holds_alternative<ChangeSettings>(command)) {
-    // What has stopped would begin anew, and the first one goes on.
+    // A simulation that has stopped would begin anew, and the first one goes on.
     if (!second_->is_stopped()) {
       second_->apply(own_settings());
     }
   } else if (const auto* back = std::get_if<GoBack>(&command)) {
-    // What had stopped by then is as it was.
+    // A simulation that had stopped by then is as it was.
     if (back->to->compared && !back->to->compared->stopped) {
       second_->apply(GoBack{back->to->compared});
     }

@@ -48,7 +48,7 @@ struct Snapshot {
   bool stopped = false;   ///< diverged or blocked: nothing moves until a reset
   bool pristine = false;  ///< since the start or the last reset no setting changed and nobody pulled
 
-  /// What is drawn: in metres, per vertex.
+  /// Positions that are drawn: in metres, per vertex.
   const std::vector<sim::Vec3>& positions() const { return checkpoint->state.current; }
 };
 

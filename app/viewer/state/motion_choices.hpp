@@ -6,7 +6,7 @@
 
 namespace taut::app {
 
-/// What can move the first body of the scene that has joints: the motions that come with the program and fit
+/// Motions for the first body of the scene that has joints: those that come with the program and fit
 /// it, then its own animations. None if there is no such body or it cannot be read. `known` is returned if it
 /// is of that body's file.
 MotionChoices motion_choices(const DrawnScene& scene, const MotionChoices& known);

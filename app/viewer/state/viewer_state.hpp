@@ -16,7 +16,7 @@
 
 namespace taut::app {
 
-/// What keys and buttons can ask for.
+/// Requests of keys and buttons.
 enum class Action {
   pause,
   step,
@@ -85,10 +85,10 @@ struct HeldCloth {
   glm::dvec3 hand_m{0.0};  ///< where the hand wants the vertex, in metres
 };
 
-/// What a recording of the window becomes.
+/// The format of a recording of the window.
 enum class RecordingKind { video, pictures };
 
-/// What the shapes of a clip are written as.
+/// The format of the shapes of a clip.
 enum class ClipFormat { pc2, mdd, gltf, vtk, obj };
 inline constexpr std::array all_clip_formats = {ClipFormat::pc2, ClipFormat::mdd, ClipFormat::gltf,
                                                 ClipFormat::vtk, ClipFormat::obj};
@@ -100,7 +100,7 @@ struct RunningClip {
   int frames = 0;    ///< so far
 };
 
-/// What the panel shows and changes. `scene` holds the settings from now on.
+/// The state that the panel shows and changes. `scene` holds the settings from now on.
 struct ViewerState {
   DrawnScene scene;
   OrbitCamera camera;
@@ -129,7 +129,7 @@ struct ViewerState {
   bool is_recording = false;
   std::optional<RunningClip> clip;
 
-  // What was asked for in this frame.
+  // Requests of this frame.
   std::vector<Action> asked;
   std::optional<std::string> scene_asked;  ///< a name or a file
   std::optional<std::filesystem::path> garment_asked;
@@ -142,13 +142,13 @@ struct ViewerState {
   std::map<std::string, ItemPlace> places;
 };
 
-/// What is drawn of the second garment; null if there is none.
+/// The picture's second garment; null if there is none.
 const Snapshot* compared(const ViewerState& state);
 /// The name of the solver that a garment is simulated by.
 const char* solver_of(const Snapshot& garment);
-/// That of the garment whose last frame took longer, and which therefore holds both back.
+/// The garment whose last frame took longer, which holds both back.
 const char* slower_solver(const Snapshot& newest);
-/// What is drawn of the garment that the pointer is over.
+/// The garment below the pointer, as it is drawn.
 const Snapshot& pointed_at(const ViewerState& state);
 
 /// Shows a message for some seconds.

@@ -11,7 +11,7 @@ namespace taut::sim::implicit {
 
 using Mat3 = glm::dmat3;
 
-/// What cloth opposes: a number C that is 0 at rest, by the positions x_i of up to four vertices (Baraff and
+/// A condition that cloth opposes: a number C that is 0 at rest, by the positions x_i of up to four vertices (Baraff and
 /// Witkin 1998, section 4.1). Its energy is 1/2 k C^2.
 struct Condition {
   double value = 0.0;

@@ -15,7 +15,7 @@ from program import Program, judged
 from ways_out import BOUNDED, exported
 
 BOUND = 0.01
-SECONDS = 1.5
+SECONDS = 0.5
 
 
 def frames_of(time):

@@ -88,6 +88,7 @@ struct BoundedSolver::Effort {
   double work = 0.0;  ///< in sweeps
   double sweeps = 0.0;
   ContactReport contact = {};
+  Took search = {};
   std::optional<BlockedContact> first_blocked = {};  ///< later attempts tell how cloth flees from it
 
   void add(const Attempt& attempt, const ContactReport& report) {
@@ -342,6 +343,7 @@ BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& s
     const bool is_last = memory.control.is_spent() || is_over;
     Attempt tried = attempt(frame, state, memory, attempts, is_last);
     effort.add(tried, cloth_->contacts.report());
+    effort.search.ms += cloth_->contacts.search_ms();
     const double raw = tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_promised_bound);
     const bool is_same_again = attempts == 0 && cloth_->contacts.is_on() && raw < overstretched;
     if (tried.is_good() || is_last || (!is_same_again && !memory.control.try_more(raw))) {
@@ -383,6 +385,7 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
           followed_compression(cloth.mobility_per_kg, state.time_step_s),
           tried.blocked ? effort.first_blocked : std::nullopt,
           effort.contact,
+          effort.search,
           next_.contact.left_out};
 }
 

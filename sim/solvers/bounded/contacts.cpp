@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <ctime>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -39,6 +40,7 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   is_on_ = within_cloth_ || !bodies.empty();
   blocked_.reset();
   report_ = {};
+  search_ms_ = 0.0;
   // Regions that are wrong stretch the cloth, and more time steps do not help.
   caution_ = 1.0 + earlier_attempts;
   from_s_ = until_s_ = time.from_s;
@@ -302,8 +304,12 @@ std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickn
   reaches_.resize(rows_.radii.size());
   std::transform(rows_.radii.begin(), rows_.radii.end(), reaches_.begin(),
                  [&](float radius) { return radius + 0.5F * thickness_m; });
-  return near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
-                     static_cast<float>(mean_edge_m_), kernels);
+  const std::clock_t began = std::clock();
+  const std::span<const NearPair> found =
+      near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
+                  static_cast<float>(mean_edge_m_), kernels);
+  search_ms_ += 1e3 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+  return found;
 }
 
 // Of pairs that are not kept apart the thickness is 0.

@@ -35,6 +35,8 @@ class Contacts {
   [[nodiscard]] ContactMemory memory() const;
   /// Returns the work of the attempt.
   [[nodiscard]] ContactReport report();
+  /// Returns the processor time that the attempt's searches took, in ms.
+  double search_ms() const { return search_ms_; }
 
   /// Returns whether regions have to be made before the time step that begins now.
   bool are_due(double time_s, double time_step_s) const {
@@ -126,6 +128,7 @@ class Contacts {
   Regions regions_;
   std::optional<BlockedContact> blocked_;
   ContactReport report_;
+  double search_ms_ = 0.0;
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;

@@ -41,7 +41,7 @@ class Judge {
       run_.first_broken = std::move(broken);
     }
     run_.stretch = holds_surface_ ? verifier_.largest().surface : verifier_.largest().springs;
-    return {cpu_ms, simulation.frame_report().search.ms, record.contact, record.crossing_pairs.value(),
+    return {cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(),
             is_broken};
   }
 

@@ -35,12 +35,14 @@ std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
 }  // namespace
 
 void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
-                             const ContactMemory& memory, const TimeSpan& time, int earlier_attempts) {
+                             const ContactMemory& memory, const TimeSpan& time, int earlier_attempts,
+                             double most_work) {
   const std::vector<Body>& bodies = frame.surroundings.bodies;
   is_on_ = within_cloth_ || !bodies.empty();
   blocked_.reset();
   report_ = {};
-  search_ms_ = 0.0;
+  search_ms_ = pairs_made_ = 0.0;
+  most_work_ = most_work;
   // Regions that are wrong stretch the cloth, and more time steps do not help.
   caution_ = 1.0 + earlier_attempts;
   from_s_ = until_s_ = time.from_s;
@@ -189,6 +191,15 @@ float Contacts::room_of(std::size_t row) const {
 
 ContactMemory Contacts::memory() const {
   return is_on_ ? ContactMemory{memory_, blocked_.has_value(), bodies_of_frame_, left_out()} : ContactMemory{};
+}
+
+double Contacts::work() const {
+  if (!is_on_) {
+    return 0.0;
+  }
+  const LastingPairs::Searches& searches = near_->searches();
+  const double of_mesh = pairs_made_ / static_cast<double>(std::max<std::size_t>(triangles_.size(), 1));
+  return tuning::work_of_search * (searches.all + 0.5 * searches.marked + of_mesh);
 }
 
 ContactReport Contacts::report() {
@@ -365,6 +376,7 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
     collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
                   kernels);
     fits = regions_.make(pairs_, rows_, kernels);
+    pairs_made_ += static_cast<double>(pairs_.size());
   }
   memory_.is_touching = regions_.pair_count() > 0;
   report_.most_pairs = std::max(report_.most_pairs, static_cast<int>(regions_.pair_count()));

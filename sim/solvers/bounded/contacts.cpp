@@ -375,7 +375,7 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
     rows_.inverse_masses_per_kg.resize(lasting_rows);
     collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
                   kernels);
-    fits = regions_.make(pairs_, rows_, kernels);
+    fits = regions_.make(pairs_, rows_, kernels, search > 0);
     pairs_made_ += static_cast<double>(pairs_.size());
   }
   memory_.is_touching = regions_.pair_count() > 0;

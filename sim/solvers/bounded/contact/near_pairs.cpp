@@ -61,7 +61,7 @@ template <typename Take>
 void NearPairs::for_found(const Trees& trees, std::size_t level, std::size_t begin, std::size_t end,
                           const ContactKernels& kernels, const Take& take) const {
   constexpr std::size_t size = most_at_once * most_per_block_pair + list_padding;
-  const auto room = std::make_unique_for_overwrite<std::uint32_t[]>(4 * size);
+  const std::unique_ptr<std::uint32_t[]> room(new std::uint32_t[4 * size]);
   const PairLists found = {&room[0], &room[size], &room[2 * size], &room[3 * size]};
   for (std::size_t p = begin; p < end; p += most_at_once) {
     const BlockPairs blocks = {blocks_[0].data() + p, blocks_[1].data() + p, std::min(most_at_once, end - p)};

@@ -23,10 +23,8 @@ void add_bench_extent(CLI::App& command, BenchOptions& options) {
       ->delimiter(',')
       ->check(CLI::IsMember(bench_triangles()));
   command
-      .add_option(
-          "--scenes", options.scenes,
-          "some of " + joined(bench_scene_names(), ",") +
-              "; with --contact some of the scenes that taut scenes lists last or of those that are worn")
+      .add_option("--scenes", options.scenes,
+                  "some of " + joined(bench_scene_names(), ",") + "; with --contact some of its rows")
       ->delimiter(',');
   command.add_option("--bounds", options.bounds, "largest stretches to be kept (default 0.05,0.01,0.001)")
       ->delimiter(',')
@@ -51,12 +49,18 @@ void add_contact(CLI::App& command, BenchOptions& options) {
                             "--ablation", "--output", "--shapes"}) {
     contact->excludes(other);
   }
+  CLI::Option* quick = command.add_flag("--quick", options.quick,
+                                        "with --contact: a shirt that hangs, in winds, and on someone who "
+                                        "walks, 60 frames of each, on one thread: "
+                                        "three minutes at most");
+  quick->needs(contact);
   command
       .add_option("--runs", options.runs,
                   "with --contact: so many runs of each scene, each with its start moved at random by a "
                   "twentieth of the cloth's thickness (default: one run of the scene as it is)")
       ->check(CLI::Range(1, 1000))
-      ->needs(contact);
+      ->needs(contact)
+      ->excludes(quick);
   command
       .add_option("--frames", options.frames,
                   "with --contact: frames of each run (default: as the scene has it)")
@@ -87,6 +91,7 @@ std::function<Command()> add_bench(CLI::App& app) {
       "  taut bench --scenes wind --sizes 10600 --bounds 0.01 --seconds 5\n"
       "  taut bench --ablation --bounds 0.01          what each part of the solver is good for\n"
       "  taut bench --full --output bench             every cell, 10 simulated seconds each\n"
+      "  taut bench --contact --quick                 whether a shirt keeps up with the clock\n"
       "  taut bench --contact --runs 10               whether cloth crosses, stretches or does neither\n");
   return [options] { return Command(*options); };
 }

@@ -27,7 +27,7 @@ FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOu
     advance(simulation, frame);
   }
   const double sim_ms = simulating.elapsed_ms();
-  work.record = measure_frame(simulation, frame);
+  work.record = measure_frame(simulation, frame, outputs.measured);
   work.record.sim_ms = sim_ms;
   if (outputs.verify) {
     work.broken = outputs.verify(simulation, work.record);

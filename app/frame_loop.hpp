@@ -26,6 +26,7 @@ struct FrameOutputs {
   std::span<const int> pictures;  ///< numbers of the frames to draw, ascending
   int start_frame = 0;            ///< frame the simulation is at
   bool with_start = false;        ///< also hands out the start frame, drawn or not
+  Measured measured = Measured::all;
   /// Called on the thread that called run_frames.
   std::function<renderer::Image(const std::vector<sim::Vec3>& positions, double time_s)> draw_positions;
   /// This and report are called frame after frame, but not always on the caller's thread. The record lacks

@@ -73,6 +73,7 @@ Frame Simulation::frame(const std::function<void()>& poll) const {
 
 void Simulation::advance_frame(const std::function<void()>& poll) {
   if (state_.asleep) {
+    frame_report();
     before_m_ = state_.current;
     state_.time_s += frame_time_s();
     return;
@@ -87,10 +88,18 @@ void Simulation::advance_frame(const std::function<void()>& poll) {
   std::swap(state_, next);
   before_m_ = std::move(next.current);
   report_ = report;
-  const MeasuredContact measured = measure_contact();
-  report_.contact.smallest_distance_m = measured.nearest_m;
-  report_.contact.crossing_pairs = measured.crossing_pairs;
+  is_contact_measured_ = false;
   fall_asleep_at_rest();
+}
+
+const FrameReport& Simulation::frame_report() const {
+  if (!is_contact_measured_) {
+    const MeasuredContact measured = measure_contact();
+    report_.contact.smallest_distance_m = measured.nearest_m;
+    report_.contact.crossing_pairs = measured.crossing_pairs;
+    is_contact_measured_ = true;
+  }
+  return report_;
 }
 
 MeasuredContact Simulation::measure_contact() const {
@@ -119,7 +128,7 @@ Checkpoint Simulation::save() const {
   if (is_rest_judged(state_)) {
     saved.quiet_since_m = quiet_since_m_;
   }
-  saved.report = report_;
+  saved.report = frame_report();
   saved.report.blocked.reset();
   saved.report.left_out.clear();
   saved.solver = name_of(kind_of(settings_.solver.method));
@@ -149,9 +158,11 @@ void Simulation::restore(const Checkpoint& checkpoint) {
   before_m_ = checkpoint.before_m;
   quiet_since_m_ = checkpoint.quiet_since_m;
   report_ = checkpoint.report;
+  is_contact_measured_ = true;
 }
 
 void Simulation::set_time(double time_s) {
+  frame_report();
   state_.time_s = time_s;
   wake();
 }
@@ -160,6 +171,7 @@ void Simulation::set_surroundings(const Surroundings& surroundings) {
   if (surroundings != surroundings_) {
     require_possible(surroundings, state_.current.size());
     solver_->require_promised(*garment_, surroundings);
+    frame_report();
     surroundings_ = surroundings;
     wake();
   }
@@ -170,6 +182,7 @@ void Simulation::set_settings(const SimulationSettings& settings) {
     require_frame_rate(settings);
     // Refuses what is wrong before anything has changed.
     make_solver(settings.solver)->require_promised(*garment_, surroundings_);
+    frame_report();
     settings_ = settings;
     start_solver();
   }
@@ -179,6 +192,7 @@ void Simulation::set_material(const Material& material) {
   if (material != garment_->material) {
     Garment garment = with_material(*garment_, material);
     solver_->require_promised(garment, surroundings_);
+    frame_report();
     garment_ = share(std::move(garment));
     pins_ = make_pins(*garment_, std::move(pins_.vertices));
     start_solver();

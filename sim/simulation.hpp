@@ -88,8 +88,10 @@ class Simulation {
   const State& state() const { return state_; }
   /// How the last frame changed the shape: not at all before the first frame and while asleep.
   ShapeChange change() const { return {before_m_, state_.current, frame_time_s()}; }
-  /// The report of the last frame that was computed.
-  const FrameReport& frame_report() const { return report_; }
+  /// The report of the last frame that was computed. Its contact is measured when it is first asked for.
+  const FrameReport& frame_report() const;
+  /// The same without the measures of contact, which take longer than a frame of a still garment.
+  const FrameReport& last_report() const { return report_; }
   /// Measures how near things are in the present shape, up to twice the cloth's thickness. Nothing is near or crosses
   /// where the solver ignores contact and there are no bodies.
   MeasuredContact measure_contact() const;
@@ -112,7 +114,8 @@ class Simulation {
   std::vector<Vec3> before_m_;       ///< the shape one frame ago
   std::vector<Vec3> quiet_since_m_;  ///< the shape at the start of the quiet frames
   std::unique_ptr<Solver> solver_;
-  FrameReport report_;
+  mutable FrameReport report_;
+  mutable bool is_contact_measured_ = true;
   mutable std::optional<ContactMeasure> measure_;  ///< made once for these bodies; it knows no shape
 };
 

@@ -20,11 +20,12 @@ std::string millimetres(double distance_m) {
 std::string row_of(const ContactTrial& trial) {
   const ContactFacts facts = facts_of(trial.runs);
   return fmt::format(
-      "{:<30}{:>6}{:>8}{:>9.1f}{:>9.1f}{:>8.1f}{:>8.1f}{:>9}{:>10}{:>10.5f}{:>7}{:>10}{:>8}  {}\n",
-      trial.scene, trial.triangles, facts.frames, facts.median_ms, facts.worst_ms, facts.detections,
-      facts.partial_detections, facts.most_pairs, millimetres(facts.smallest_distance_m),
-      100.0 * facts.stretch, percent(trial.bound), facts.crossing_pairs, facts.broken_frames,
-      fmt::format("{} of {}", facts.passed, trial.runs.size()));
+      "{:<30}{:>6}{:>8}{:>9.1f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.1f}{:>8.1f}{:>9}{:>10}{:>10.5f}{:>7}{:>10}{:>8}  "
+      "{}\n",
+      trial.scene, trial.triangles, facts.frames, facts.median_ms, facts.p99_ms, facts.worst_ms,
+      100.0 * facts.search_share, facts.detections, facts.partial_detections, facts.most_pairs,
+      millimetres(facts.smallest_distance_m), 100.0 * facts.stretch, percent(trial.bound),
+      facts.crossing_pairs, facts.broken_frames, fmt::format("{} of {}", facts.passed, trial.runs.size()));
 }
 
 std::string start_of(const ContactRun& run) {
@@ -44,7 +45,9 @@ std::string failures_of(const ContactTrial& trial) {
 Json facts_json(const ContactFacts& facts) {
   Json json = {{"frames", facts.frames},
                {"median_ms", facts.median_ms},
+               {"p99_ms", facts.p99_ms},
                {"worst_ms", facts.worst_ms},
+               {"search_share", facts.search_share},
                {"detections", facts.detections},
                {"partial_detections", facts.partial_detections},
                {"contact_pairs", facts.most_pairs},
@@ -79,26 +82,27 @@ Json trial_json(const ContactTrial& trial) {
 
 }  // namespace
 
-std::string contact_table(std::span<const ContactTrial> trials) {
-  std::string text =
-      "Processor time of a frame, of all threads. Searches for what is near, a frame: through all, and "
-      "around "
-      "single vertices.\n"
-      "Pairs: the most that were kept apart at a time. Distance: the smallest of these pairs when a frame "
-      "began, as the solver measured it.\n"
-      "Stretch and crossing pairs: of every frame, the start included, by a way that shares nothing with the "
-      "solver.\n\n"
-      "                                 tri-             ms a frame     searches      most  distance   "
-      "stretch         crossing  broken  runs\n"
-      "scene                          angles  frames   median    worst     all  around    pairs        mm    "
-      "     "
-      "%  bound     pairs  frames  passed\n";
-  std::string failures;
-  for (const ContactTrial& trial : trials) {
-    text += row_of(trial);
-    failures += failures_of(trial);
-  }
-  return failures.empty() ? text : text + "\nThe first frame of a run that broke a promise\n" + failures;
+std::string contact_head(const std::string& vector_unit) {
+  return "Processor time of a frame with contact, of all threads, with " + vector_unit +
+         ". Of several runs the median of their medians, and the worst 99th percentile and frame.\n"
+         "Searches for what is near: their part of the time, and how many a frame, through all and around "
+         "single "
+         "vertices.\n"
+         "Pairs: the most that were kept apart at a time. Distance: the smallest of these pairs when a frame "
+         "began, as the solver measured it.\n"
+         "Stretch and crossing pairs: of every frame, the start included, by a way that shares nothing with "
+         "the "
+         "solver.\n\n"
+         "                                 tri-               ms a frame           searches           most  "
+         "distance   "
+         "stretch         crossing  broken  runs\n"
+         "scene                          angles  frames   median    99 %   worst       %     all  around    "
+         "pairs        "
+         "mm         %  bound     pairs  frames  passed\n";
+}
+
+std::string contact_row(const ContactTrial& trial) {
+  return row_of(trial) + failures_of(trial);
 }
 
 std::string contact_json(std::span<const ContactTrial> trials, const Machine& machine) {

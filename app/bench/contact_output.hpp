@@ -8,8 +8,10 @@
 
 namespace taut::app {
 
-/// The trials as a table for people, with what the first frame that broke a promise broke in each run.
-std::string contact_table(std::span<const ContactTrial> trials);
+/// What stands above the rows for people.
+std::string contact_head(const std::string& vector_unit);
+/// A trial as a row for people, with what the first frame that broke a promise broke in each run.
+std::string contact_row(const ContactTrial& trial);
 
 /// All trials as one JSON object, run by run.
 std::string contact_json(std::span<const ContactTrial> trials, const Machine& machine);

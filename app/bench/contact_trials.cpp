@@ -41,7 +41,8 @@ class Judge {
       run_.first_broken = std::move(broken);
     }
     run_.stretch = holds_surface_ ? verifier_.largest().surface : verifier_.largest().springs;
-    return {cpu_ms, record.contact, record.crossing_pairs.value(), is_broken};
+    return {cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(),
+            is_broken};
   }
 
  private:
@@ -114,36 +115,74 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
 
 ContactFacts facts_of(std::span<const ContactRun> runs) {
   ContactFacts facts;
-  std::vector<double> times_ms;
+  std::vector<double> medians_ms;
+  double all_ms = 0.0, search_ms = 0.0;
   for (const ContactRun& run : runs) {
+    std::vector<double> times_ms;
     facts.passed += run.first_broken.empty() ? 1 : 0;
     facts.stretch = std::max(facts.stretch, run.stretch);
     add(run.start, facts);
     for (const ContactFrame& frame : run.frames) {
       add(frame, facts);
       times_ms.push_back(frame.cpu_ms);
+      all_ms += frame.cpu_ms;
+      search_ms += frame.search_ms;
       facts.detections += frame.contact.detections;
       facts.partial_detections += frame.contact.partial_detections;
     }
+    facts.frames += times_ms.size();
+    if (!times_ms.empty()) {
+      medians_ms.push_back(ranked(times_ms, 0.5));
+      facts.p99_ms = std::max(facts.p99_ms, ranked(times_ms, 0.99));
+      facts.worst_ms = std::max(facts.worst_ms, ranked(times_ms, 1.0));
+    }
   }
-  facts.frames = times_ms.size();
-  if (!times_ms.empty()) {
-    facts.median_ms = ranked(times_ms, 0.5);
-    facts.worst_ms = ranked(times_ms, 1.0);
+  if (facts.frames > 0) {
+    facts.median_ms = median(medians_ms);
+    facts.search_share = search_ms / all_ms;
     facts.detections /= static_cast<double>(facts.frames);
     facts.partial_detections /= static_cast<double>(facts.frames);
   }
   return facts;
 }
 
-std::vector<std::string> contact_scene_names() {
-  std::vector<std::string> names;
+std::vector<ContactCase> all_contact_cases() {
+  std::vector<ContactCase> cases;
   for (const BuiltInScene& scene : built_in_scenes()) {
     if (scene.is_of_contact || find_scene(scene.name, {}).dressing_frames() > 0) {
-      names.push_back(scene.name);
+      cases.push_back({scene.name, scene.name});
     }
   }
-  return names;
+  cases.push_back({"fine-wind-10", "tshirt-wind-10", {{{"garment.subdivisions", "1"}}}, 60});
+  return cases;
+}
+
+std::vector<ContactCase> quick_contact_cases() {
+  const Setting speed = {"wind.speed", "20"};
+  const Setting front = {"wind.direction", "[0, 0, -1]"}, side = {"wind.direction", "[-1, 0, 0]"};
+  const Setting slanting = {"wind.direction", "[0.7, 0, -0.7]"}, below = {"wind.direction", "[0, 0.5, 0.9]"};
+  std::vector<ContactCase> cases = {
+      {"hanging", "tshirt-gravity"},
+      {"wind-1", "tshirt-wind-1"},
+      {"wind-10", "tshirt-wind-10"},
+      {"wind-10-around", "tshirt-wind-10", {{front}, {side}, {slanting}, {below}}},
+      {"wind-20-front", "tshirt-wind-10", {{speed, front}}},
+      {"wind-20-side", "tshirt-wind-10", {{speed, side}}},
+      {"walking", "tshirt-walk"},
+      {"hang", "hang"}};
+  for (ContactCase& one : cases) {
+    one.frames = 60;
+    for (std::vector<Setting>& settings : one.runs) {
+      settings.push_back({"solver.threads", "1"});
+    }
+  }
+  return cases;
+}
+
+sim::VectorUnit measured_vector_unit() {
+  const std::vector<sim::VectorUnit> available = sim::available_vector_units();
+  const bool has = std::find(available.begin(), available.end(), sim::VectorUnit::avx2) != available.end();
+  return has ? sim::VectorUnit::avx2 : sim::VectorUnit::best;
 }
 
 }  // namespace taut::app

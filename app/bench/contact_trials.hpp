@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bench/cases.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/solvers/solver.hpp"
@@ -16,6 +17,7 @@ namespace taut::app {
 /// One frame of a run of a scene about contact, judged by FrameVerifier.
 struct ContactFrame {
   double cpu_ms = 0.0;         ///< processor time of all threads; 0 of the start
+  double search_ms = 0.0;      ///< of it the search for what is near
   sim::ContactReport contact;  ///< what the solver says
   std::size_t crossing_pairs = 0;
   bool is_broken = false;  ///< it broke a promise, or the solver says that it could not make sure
@@ -30,7 +32,25 @@ struct ContactRun {
   std::string first_broken;  ///< what the first frame that broke a promise broke; empty: the run passed
 };
 
-/// All runs of a scene.
+/// Runs of a built-in scene.
+struct ContactCase {
+  std::string name;
+  std::string scene;
+  std::vector<std::vector<Setting>> runs = {{}};  ///< of each the settings that are not the scene's
+  std::optional<int> frames = {};                 ///< empty: as many as the scene has
+};
+
+/// The built-in scenes about contact, those in which something is worn among them, and a fine shirt in wind.
+std::vector<ContactCase> all_contact_cases();
+
+/// A shirt that hangs, in winds from several directions and on someone who walks, and a sheet: what decides
+/// whether cloth keeps up with the clock.
+std::vector<ContactCase> quick_contact_cases();
+
+/// The vectors that are measured: those that most people's processors have.
+sim::VectorUnit measured_vector_unit();
+
+/// All runs of a case.
 struct ContactTrial {
   std::string scene;
   double bound = 0.0;  ///< the largest stretch that is promised, a fraction
@@ -42,8 +62,10 @@ struct ContactTrial {
 struct ContactFacts {
   std::size_t passed = 0;           ///< runs that broke no promise
   std::size_t frames = 0;           ///< of all runs, the starts not counted
-  double median_ms = 0.0;           ///< processor time per frame; 0 without frames
+  double median_ms = 0.0;           ///< processor time per frame, the median of the runs'; 0 without frames
+  double p99_ms = 0.0;              ///< its 99th percentile in the worst run
   double worst_ms = 0.0;            ///< of the slowest frame
+  double search_share = 0.0;        ///< the part of all time that the search for what is near takes
   double detections = 0.0;          ///< per frame: searches through all
   double partial_detections = 0.0;  ///< per frame: searches around single vertices
   int most_pairs = 0;               ///< near pairs at a time
@@ -68,8 +90,5 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
                        const std::function<void(int)>& after_frame);
 
 ContactFacts facts_of(std::span<const ContactRun> runs);
-
-/// The names of the built-in scenes about contact, those in which something is worn among them.
-std::vector<std::string> contact_scene_names();
 
 }  // namespace taut::app

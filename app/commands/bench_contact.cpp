@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
@@ -16,55 +17,78 @@
 namespace taut::app {
 namespace {
 
-std::vector<std::string> wanted_scenes(const BenchOptions& options) {
-  const std::vector<std::string> all = contact_scene_names();
+std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
+  std::vector<ContactCase> cases = options.quick ? quick_contact_cases() : all_contact_cases();
+  std::vector<std::string> all;
+  std::transform(cases.begin(), cases.end(), std::back_inserter(all),
+                 [](const ContactCase& one) { return one.name; });
   for (const std::string& name : options.scenes) {
     if (std::find(all.begin(), all.end(), name) == all.end()) {
       throw UsageError("--scenes: found '" + name + '\'' + did_you_mean(name, all) + "; expected some of " +
                        joined(all, ","));
     }
   }
-  return options.scenes.empty() ? all : options.scenes;
+  std::erase_if(cases, [&](const ContactCase& one) {
+    return !options.scenes.empty() &&
+           std::find(options.scenes.begin(), options.scenes.end(), one.name) == options.scenes.end();
+  });
+  return cases;
 }
 
-ContactTrial run_trial(const std::string& name, const BenchOptions& options, Progress* progress) {
-  Scene scene = find_scene(name, {});
-  load_bodies(scene);
-  const LoadedGarment loaded = load_garment(scene);
-  ContactTrial trial = {name, stretch_bound(scene).value_or(0.0), loaded.garment->mesh.triangles.size(), {}};
-  const int frames = options.frames.value_or(scene.frames);
-  for (int run = 1; run <= options.runs.value_or(1); ++run) {
-    const auto seed = static_cast<std::uint64_t>(options.runs ? run : 0);
-    trial.runs.push_back(run_contact(scene, loaded, frames, seed, [&](int frame) {
-      throw_if_interrupted();
-      if (progress != nullptr) {
-        progress->show(fmt::format("{}, run {} of {}: frame {} of {}", name, run, options.runs.value_or(1),
-                                   frame, frames));
-      }
-    }));
+ContactTrial run_trial(const ContactCase& one, const BenchOptions& options, Progress* progress) {
+  ContactTrial trial = {one.name, 0.0, 0, {}};
+  for (const std::vector<Setting>& settings : one.runs) {
+    Scene scene = with_settings(find_scene(one.scene, {}), settings);
+    scene.simulation.solver.bounded.vector_unit = measured_vector_unit();
+    load_bodies(scene);
+    const LoadedGarment loaded = load_garment(scene);
+    trial.bound = stretch_bound(scene).value_or(0.0);
+    trial.triangles = loaded.garment->mesh.triangles.size();
+    const int frames = options.frames.value_or(one.frames.value_or(scene.frames));
+    for (int run = 1; run <= options.runs.value_or(1); ++run) {
+      const auto seed = static_cast<std::uint64_t>(options.runs ? run : 0);
+      trial.runs.push_back(run_contact(scene, loaded, frames, seed, [&](int frame) {
+        throw_if_interrupted();
+        if (progress != nullptr) {
+          progress->show(
+              fmt::format("{}, run {}: frame {} of {}", one.name, trial.runs.size() + 1, frame, frames));
+        }
+      }));
+    }
   }
   return trial;
+}
+
+void print(const std::string& text, Progress* progress) {
+  if (progress != nullptr) {
+    progress->hide();
+  }
+  fmt::print("{}", text);
+  std::fflush(stdout);
 }
 
 }  // namespace
 
 int run_contact_bench(const BenchOptions& options) {
-  const std::vector<std::string> scenes = wanted_scenes(options);
-  const Machine machine = this_machine("");
+  const std::vector<ContactCase> cases = wanted_cases(options);
+  const bool shows_table = !options.json && !options.quiet;
   std::vector<ContactTrial> trials;
-  {
-    std::optional<Progress> progress;
-    if (!options.quiet) {
-      progress.emplace("bench");
-    }
-    for (const std::string& name : scenes) {
-      trials.push_back(run_trial(name, options, progress ? &*progress : nullptr));
+  std::optional<Progress> progress;
+  if (!options.quiet) {
+    progress.emplace("bench");
+  }
+  Progress* const shown = progress ? &*progress : nullptr;
+  if (shows_table) {
+    print(contact_head(sim::name_of(measured_vector_unit())), shown);
+  }
+  for (const ContactCase& one : cases) {
+    trials.push_back(run_trial(one, options, shown));
+    if (shows_table) {
+      print(contact_row(trials.back()), shown);
     }
   }
   if (options.json) {
-    fmt::print("{}", contact_json(trials, machine));
-  } else if (!options.quiet) {
-    fmt::print("{}", contact_table(trials));
+    print(contact_json(trials, this_machine("")), shown);
   }
   const bool have_all_passed = std::all_of(trials.begin(), trials.end(), [](const ContactTrial& trial) {
     return facts_of(trial.runs).passed == trial.runs.size();

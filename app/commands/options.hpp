@@ -35,6 +35,7 @@ struct BenchOptions {
   bool full = false;                       ///< more sizes, scenes and settings
   bool ablation = false;                   ///< `bounded` with its parts switched off, instead of engines
   bool contact = false;                    ///< the scenes about contact, instead of all that
+  bool quick = false;                      ///< with `contact` alone: those that decide about real time
   // With `contact` alone:
   std::optional<int> runs;    ///< of each scene, each from a start of its own; empty: one, from the scene's
   std::optional<int> frames;  ///< of each run; empty: as many as the scene has

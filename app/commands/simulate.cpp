@@ -272,6 +272,8 @@ int run(const SimulateOptions& options) {
   if (running.shapes) {
     outputs.write_shape = [&](int frame, const auto& moment) { running.shapes->write(frame, moment); };
   }
+  const bool is_read = !options.quiet || options.json || running.statistics || !options.saved_to().empty();
+  outputs.measured = is_read ? Measured::all : Measured::promises;
   outputs.report = [&](const FrameRecord& record) { running.report(record); };
   if (options.verify) {
     outputs.verify = [&](const auto& moment, FrameRecord& record) { return verifier.check(moment, record); };

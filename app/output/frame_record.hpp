@@ -46,8 +46,11 @@ bool is_within(const sim::BoundedSettings& bound, const FrameRecord& record);
 /// Measures both stretches of the present shape.
 void measure_stretches(const sim::Simulation& simulation, FrameRecord& record);
 
+/// Which measures somebody reads: all, or those that say whether promises are kept.
+enum class Measured { all, promises };
+
 /// Measures the present state. The times stay 0.
-FrameRecord measure_frame(const sim::Simulation& simulation, int frame);
+FrameRecord measure_frame(const sim::Simulation& simulation, int frame, Measured measured = Measured::all);
 
 /// A summary of the frames that were added.
 struct RunSummary {

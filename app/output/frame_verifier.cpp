@@ -33,7 +33,7 @@ Pairs without(const Pairs& pairs, const Pairs& left_out) {
 /// The group of every triangle of the cloth, or of a body, that contact leaves out.
 std::map<sim::Index, sim::Index> groups_of(const sim::Simulation& simulation, std::optional<std::size_t> body) {
   std::map<sim::Index, sim::Index> groups;
-  for (const sim::LeftOutTriangle& t : simulation.frame_report().left_out) {
+  for (const sim::LeftOutTriangle& t : simulation.last_report().left_out) {
     if (t.body == body) {
       groups[t.triangle] = t.group;
     }

@@ -57,7 +57,7 @@ void dress(const Scene& scene, sim::Simulation& simulation) {
       give_up(error.what());
     }
     const sim::BoundedSettings& bounded = scene.simulation.solver.bounded;
-    tight_frames = simulation.frame_report().bound_kept ? 0 : tight_frames + 1;
+    tight_frames = simulation.last_report().bound_kept ? 0 : tight_frames + 1;
     if (tight_frames == most_tight_frames && !bounded.allow_exceeding) {
       give_up(fmt::format("it would have to stretch by more than solver.max_stretch = {:g}",
                           bounded.max_stretch));

@@ -43,6 +43,13 @@ struct LeftOutTriangle {
   }
 };
 
+/// Processor time of all threads: no two runs take the same, and so it is no reason for reports to differ.
+struct Took {
+  double ms = 0.0;
+
+  bool operator==(const Took&) const { return true; }
+};
+
 /// How a frame went.
 struct FrameReport {
   int substeps = 0;
@@ -57,6 +64,7 @@ struct FrameReport {
   /// `bounded`: what may cross in this frame, where its settings accept that. Not saved.
   std::optional<BlockedContact> blocked = {};
   ContactReport contact = {};
+  Took search = {};                            ///< `bounded`: of finding what is near. Not saved.
   std::vector<LeftOutTriangle> left_out = {};  ///< `bounded`: in this frame, the cloth's first. Not saved.
 
   bool operator==(const FrameReport&) const = default;

@@ -88,12 +88,13 @@ struct BoundedSolver::Effort {
   double work = 0.0;  ///< in sweeps
   double sweeps = 0.0;
   ContactReport contact = {};
+  Took search = {};
   std::optional<BlockedContact> first_blocked = {};  ///< later attempts tell how cloth flees from it
 
-  void add(const Attempt& attempt, const ContactReport& report) {
+  void add(const Attempt& attempt, double contact_work, const ContactReport& report) {
     const double attempt_sweeps = attempt.substeps + attempt.projected.cost;
     sweeps += attempt_sweeps;
-    work += attempt_sweeps + tuning::work_of_search * (report.detections + 0.5 * report.partial_detections);
+    work += attempt_sweeps + contact_work;
     contact.detections += report.detections;
     contact.partial_detections += report.partial_detections;
     contact.most_pairs = std::max(contact.most_pairs, report.most_pairs);
@@ -203,7 +204,8 @@ void BoundedSolver::follow_tension(int done, int substeps, double frame_time_s) 
   }
 }
 
-void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps) {
+// Returns whether it came to the frame's end: only the last attempt goes on whatever it costs.
+bool BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps, bool is_last) {
   Cloth& cloth = *cloth_;
   const double dt = frame.duration_s / substeps;
   const int updates = cloth.forces.updates_per_frame(frame.duration_s);
@@ -224,7 +226,11 @@ void BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
     time.wind_interval_s = substeps_per_wind * dt;
     bounded::step(frame, time, *kernels_, cloth);
     follow_tension(substep + 1, substeps, frame.duration_s);
+    if (!is_last && cloth.contacts.is_spent()) {
+      return false;
+    }
   }
+  return true;
 }
 
 // The shape that keeps the bound is where the next frame begins. Positions of a time step ago go with it, so
@@ -290,7 +296,7 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
 
 // The time steps, and the projection of where they end onto the bound.
 BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& state, Memory memory,
-                                              int earlier_attempts, bool is_last) {
+                                              int earlier_attempts, bool is_last, double contact_budget) {
   Cloth& cloth = *cloth_;
   const double end_s = state.time_s + frame.duration_s;
   const int substeps = memory.control.substeps();
@@ -300,8 +306,14 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
                                    aimed_stretch(settings_.max_stretch), frame.duration_s / substeps, *kernels_);
   }
   cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s},
-                               earlier_attempts);
-  run_substeps(frame, state.time_s, substeps);
+                               earlier_attempts, contact_budget);
+  if (!run_substeps(frame, state.time_s, substeps, is_last)) {
+    Attempt unfinished;
+    unfinished.memory = std::move(memory);
+    unfinished.substeps = substeps;
+    unfinished.blocked = cloth.contacts.blocked();
+    return unfinished;
+  }
   cloth.contacts.observe(cloth.layout, cloth.motion, end_s);
   Attempt attempt;
   attempt.substeps = substeps;
@@ -337,11 +349,15 @@ BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& s
                                               Effort& effort) {
   for (int attempts = 0;; ++attempts) {
     // Where nothing is near, more steps help in the end.
-    const bool is_over =
-        effort.contact.most_pairs > 0 && effort.work >= most_work * usual_work(frame, memory);
+    const double budget = most_work * usual_work(frame, memory);
+    const bool is_over = effort.contact.most_pairs > 0 && effort.work >= budget;
     const bool is_last = memory.control.is_spent() || is_over;
-    Attempt tried = attempt(frame, state, memory, attempts, is_last);
-    effort.add(tried, cloth_->contacts.report());
+    // One attempt alone takes no more than half of it, so that there is another.
+    const double contact_budget = is_last ? budget : std::min(0.5 * budget, budget - effort.work);
+    Attempt tried = attempt(frame, state, memory, attempts, is_last, contact_budget);
+    const double contact_work = cloth_->contacts.work();
+    effort.add(tried, contact_work, cloth_->contacts.report());
+    effort.search.ms += cloth_->contacts.search_ms();
     const double raw = tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_promised_bound);
     const bool is_same_again = attempts == 0 && cloth_->contacts.is_on() && raw < overstretched;
     if (tried.is_good() || is_last || (!is_same_again && !memory.control.try_more(raw))) {
@@ -383,6 +399,7 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
           followed_compression(cloth.mobility_per_kg, state.time_step_s),
           tried.blocked ? effort.first_blocked : std::nullopt,
           effort.contact,
+          effort.search,
           next_.contact.left_out};
 }
 

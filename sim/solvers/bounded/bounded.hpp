@@ -41,11 +41,11 @@ class BoundedSolver : public Solver {
   void begin_frame(const State& state);
   void begin_substeps(double time_step_s);
   void follow_tension(int done, int substeps, double frame_time_s);
-  void run_substeps(const Frame& frame, double time_s, int substeps);
+  [[nodiscard]] bool run_substeps(const Frame& frame, double time_s, int substeps, bool is_last);
   bounded::ProjectionResult project(const Frame& frame, double end_s, int substeps, bool is_last,
                                     bounded::Float4Array& corrections);
-  Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory,
-                  int earlier_attempts, bool is_last);
+  Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory, int earlier_attempts,
+                  bool is_last, double contact_budget);
   Attempt advance(const Frame& frame, const State& state, bounded::Memory memory, Effort& effort);
   State shape_of(const Frame& frame, const State& begin, int substeps) const;
   void set_previous(State& state) const;

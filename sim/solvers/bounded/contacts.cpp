@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <ctime>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -34,11 +35,14 @@ std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
 }  // namespace
 
 void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
-                             const ContactMemory& memory, const TimeSpan& time, int earlier_attempts) {
+                             const ContactMemory& memory, const TimeSpan& time, int earlier_attempts,
+                             double most_work) {
   const std::vector<Body>& bodies = frame.surroundings.bodies;
   is_on_ = within_cloth_ || !bodies.empty();
   blocked_.reset();
   report_ = {};
+  search_ms_ = pairs_made_ = 0.0;
+  most_work_ = most_work;
   // Regions that are wrong stretch the cloth, and more time steps do not help.
   caution_ = 1.0 + earlier_attempts;
   from_s_ = until_s_ = time.from_s;
@@ -189,6 +193,15 @@ ContactMemory Contacts::memory() const {
   return is_on_ ? ContactMemory{memory_, blocked_.has_value(), bodies_of_frame_, left_out()} : ContactMemory{};
 }
 
+double Contacts::work() const {
+  if (!is_on_) {
+    return 0.0;
+  }
+  const LastingPairs::Searches& searches = near_->searches();
+  const double of_mesh = pairs_made_ / static_cast<double>(std::max<std::size_t>(triangles_.size(), 1));
+  return tuning::work_of_search * (searches.all + 0.5 * searches.marked + of_mesh);
+}
+
 ContactReport Contacts::report() {
   if (is_on_) {
     const LastingPairs::Searches searches = near_->take_searches();
@@ -302,8 +315,12 @@ std::span<const NearPair> Contacts::find_near(const TimeSpan& time, float thickn
   reaches_.resize(rows_.radii.size());
   std::transform(rows_.radii.begin(), rows_.radii.end(), reaches_.begin(),
                  [&](float radius) { return radius + 0.5F * thickness_m; });
-  return near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
-                     static_cast<float>(mean_edge_m_), kernels);
+  const std::clock_t began = std::clock();
+  const std::span<const NearPair> found =
+      near_->find({rows_.positions, rows_.moves, reaches_, time}, frame_ends_s_,
+                  static_cast<float>(mean_edge_m_), kernels);
+  search_ms_ += 1e3 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+  return found;
 }
 
 // Of pairs that are not kept apart the thickness is 0.
@@ -358,7 +375,8 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
     rows_.inverse_masses_per_kg.resize(lasting_rows);
     collect_pairs(frame.garment.material, thickness_m, find_near(time, thickness_m, kernels), time, origin_m,
                   kernels);
-    fits = regions_.make(pairs_, rows_, kernels);
+    fits = regions_.make(pairs_, rows_, kernels, search > 0);
+    pairs_made_ += static_cast<double>(pairs_.size());
   }
   memory_.is_touching = regions_.pair_count() > 0;
   report_.most_pairs = std::max(report_.most_pairs, static_cast<int>(regions_.pair_count()));

@@ -29,12 +29,20 @@ class Contacts {
   /// Call it before each attempt at a frame or a part of it, with what the last kept one left. What crosses
   /// when the first one begins is left out until it is apart. It goes the slower the more attempts at the
   /// frame there were.
+  /// It should do no more than `most_work`, see work().
   void begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
-                     const ContactMemory& memory, const TimeSpan& time, int earlier_attempts);
+                     const ContactMemory& memory, const TimeSpan& time, int earlier_attempts,
+                     double most_work);
   /// Returns what an attempt leaves to the next frame.
   [[nodiscard]] ContactMemory memory() const;
   /// Returns the work of the attempt.
   [[nodiscard]] ContactReport report();
+  /// Returns what the attempt's searches and regions cost until now, in sweeps over all of the cloth.
+  double work() const;
+  /// Returns whether something is near and the attempt has cost more than it should.
+  bool is_spent() const { return report_.most_pairs > 0 && work() > most_work_; }
+  /// Returns the processor time that the attempt's searches took, in ms.
+  double search_ms() const { return search_ms_; }
 
   /// Returns whether regions have to be made before the time step that begins now.
   bool are_due(double time_s, double time_step_s) const {
@@ -126,6 +134,9 @@ class Contacts {
   Regions regions_;
   std::optional<BlockedContact> blocked_;
   ContactReport report_;
+  double search_ms_ = 0.0;
+  double most_work_ = 0.0;
+  double pairs_made_ = 0.0;  ///< in all regions of the attempt
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;

@@ -190,7 +190,11 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   // What time steps have stretched further is for more of them to mend.
   const bool evens_out = confinement != nullptr && result.raw_max_stretch < tuning::coped_stretch * max_stretch;
   double earlier_ratio = ratio;
-  for (int round = 1; !(ratio <= squared_bound) && result.cost < largest_cost && std::isfinite(ratio); ++round) {
+  const auto may_go_on = [&] {
+    return result.cost < largest_cost && std::isfinite(ratio) &&
+           (confinement == nullptr || !confinement->is_spent());
+  };
+  for (int round = 1; !(ratio <= squared_bound) && may_go_on(); ++round) {
     if (evens_out && round % tuning::most_rounds == 0) {
       if (ratio - squared_bound > 0.5 * (earlier_ratio - squared_bound)) {
         even_out(layout, static_cast<float>(squared_bound));

@@ -31,7 +31,8 @@ inline constexpr double cheap = 0.6;
 inline constexpr double costliest = 3.0;
 /// Sweeps of a projection that no more time steps can help. More keeps more bounds and ends later.
 inline constexpr double last_resort_sweeps = 1000.0;
-/// The work of a search for pairs, in sweeps; one around single vertices is half of it.
+/// The work of a search for pairs, in sweeps; one around single vertices is half of it, and regions of as
+/// many pairs as there are triangles are as much.
 inline constexpr double work_of_search = 25.0;
 /// How long a projection has to be cheap before fewer time steps are tried, in s. Longer takes more steps
 /// than needed; shorter keeps cloth awake that is about to rest.

@@ -38,6 +38,7 @@ class LastingPairs {
     int all = 0;     ///< through all
     int marked = 0;  ///< around rows that did not keep to what was expected
   };
+  const Searches& searches() const { return searches_; }
   /// Returns the searches since the last call.
   Searches take_searches() { return std::exchange(searches_, {}); }
 

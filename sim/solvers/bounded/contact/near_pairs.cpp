@@ -1,6 +1,7 @@
 #include "sim/solvers/bounded/contact/near_pairs.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace taut::sim::bounded {
 namespace {
@@ -59,12 +60,9 @@ NearPairs::NearPairs(const ContactMesh& mesh, bool within_cloth, std::span<const
 template <typename Take>
 void NearPairs::for_found(const Trees& trees, std::size_t level, std::size_t begin, std::size_t end,
                           const ContactKernels& kernels, const Take& take) const {
-  std::array<Lanes<std::uint32_t>, 4> room;
-  PairLists found{};
-  for (std::size_t k = 0; k < room.size(); ++k) {
-    room[k].resize(most_at_once * most_per_block_pair + list_padding);
-    found[k] = room[k].data();
-  }
+  constexpr std::size_t size = most_at_once * most_per_block_pair + list_padding;
+  const std::unique_ptr<std::uint32_t[]> room(new std::uint32_t[4 * size]);
+  const PairLists found = {&room[0], &room[size], &room[2 * size], &room[3 * size]};
   for (std::size_t p = begin; p < end; p += most_at_once) {
     const BlockPairs blocks = {blocks_[0].data() + p, blocks_[1].data() + p, std::min(most_at_once, end - p)};
     take(found, kernels.overlapping(trees.a.level(level), trees.b.level(level), blocks, found));

@@ -69,17 +69,38 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
   return pair;
 }
 
-void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, ParallelKernels& kernels) {
+// Pairs of what has not changed are found again in their order.
+void Regions::find_same(std::span<const ContactPair> pairs, std::size_t rows) {
+  same_.assign(pairs.size(), nullptr);
+  const auto is_kept = [&](const ContactPair& contact) {
+    return std::all_of(contact.near.rows.begin(), contact.near.rows.end(), [&](Index row) {
+      return row < rows && extents_[row].moved == earlier_extents_[row].moved;
+    });
+  };
+  auto earlier = earlier_.begin();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    earlier = std::find_if(earlier, earlier_.end(), [&](const Pair& pair) { return is_kept(pair.contact); });
+    if (earlier != earlier_.end() && earlier->contact.near == pairs[i].near) {
+      same_[i] = &*earlier++;
+    }
+  }
+}
+
+void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, bool is_again,
+                         ParallelKernels& kernels) {
   blocked_.reset();
+  earlier_.swap(pairs_);
+  earlier_extents_.swap(extents_);
   displaced_m_ = rows.displaced_m;
   extents_.resize(rows.radii.size());
   for (std::size_t row = 0; row < extents_.size(); ++row) {
     extents_[row] = {glm::length(vec(rows.positions[row])), glm::length(vec(rows.moves[row])) + rows.radii[row]};
   }
+  find_same(is_again ? pairs : pairs.first(0), std::min(rows.cloth_count, earlier_extents_.size()));
   pairs_.resize(pairs.size());
   kernels.split(0, pairs.size(), ParallelKernels::least_pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      pairs_[i] = pair_of(pairs[i], rows);
+      pairs_[i] = is_again && same_[i] != nullptr ? *same_[i] : pair_of(pairs[i], rows);
     }
   });
   std::erase_if(pairs_, [&](const Pair& pair) {
@@ -321,8 +342,9 @@ void Regions::stand_still(const RowMoves& rows) {
   touches_.clear();
 }
 
-bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels) {
-  make_pairs(pairs, rows, kernels);
+bool Regions::make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels,
+                   bool is_again) {
+  make_pairs(pairs, rows, is_again, kernels);
   moves_ = rows.moves;
   resolve_moves(rows.inverse_masses_per_kg);
   hold_where_needed(rows);

@@ -63,7 +63,9 @@ class Regions {
   /// Makes the regions for the time 0 to 1. Every pair that could meet has to be among `pairs`. Returns false
   /// where contact moves rows further from where they are expected than their radii; then `rows` has larger
   /// radii, for pairs to be found anew, and the regions are those in which nothing moves but what must.
-  bool make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels);
+  /// `is_again` where it was that, and nothing but radii has changed since.
+  bool make(std::span<const ContactPair> pairs, RowMoves& rows, ParallelKernels& kernels,
+            bool is_again = false);
 
   /// Returns the first pair that cannot be kept apart, as rows that move by exactly their moves close in on
   /// it or as it touched from the beginning.
@@ -144,7 +146,9 @@ class Regions {
 
   PairExtent extent_of(const NearPair& near, const std::array<glm::vec3, 4>& positions) const;
   Pair pair_of(const ContactPair& contact, const RowMoves& rows) const;
-  void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, ParallelKernels& kernels);
+  void make_pairs(std::span<const ContactPair> pairs, const RowMoves& rows, bool is_again,
+                  ParallelKernels& kernels);
+  void find_same(std::span<const ContactPair> pairs, std::size_t rows);
   void note_blocked(const NearPair& near, float distance);
   void note_kinematic_gap(std::span<const float> inverse_masses);
   void stand_still(const RowMoves& rows);
@@ -184,6 +188,9 @@ class Regions {
     float moved;
   };
   std::vector<RowExtent> extents_;
+  std::vector<Pair> earlier_;  ///< pairs and extents of the regions that did not fit
+  std::vector<RowExtent> earlier_extents_;
+  std::vector<const Pair*> same_;  ///< by pair: the earlier one of the same rows in the same places, if known
   float displaced_m_ = 0.0F;
   std::vector<Pair> pairs_;
   std::optional<BlockedPair> blocked_;

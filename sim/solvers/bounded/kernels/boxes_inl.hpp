@@ -284,7 +284,8 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(reaching));
       const Boxes box = repeat_box(mine, lane);
       const Rows first_code = hn::Set(u, Code::first(p, lane));
-      for (std::size_t k = 0; k < others.count; k += lanes) {
+      // Within itself all of a block reaches, and what is before the lane has been its other.
+      for (std::size_t k = is_same ? lane - lane % lanes : 0; k < others.count; k += lanes) {
         auto mask = hn::RebindMask(u, overlap(box, load_boxes(others, k)));
         if (hn::AllFalse(u, mask)) {
           continue;
@@ -294,6 +295,9 @@ std::size_t overlapping_codes(const BoxLevel& a, const BoxLevel& b, const BlockP
             sharing<corners_a, corners_b>(a, std::size_t{block_a} * block_size + lane, others, k), mask);
         if (is_same) {
           mask = hn::AndNot(hn::Lt(lane_of_other, hn::Set(u, lane)), mask);
+        }
+        if (lanes < block_size && hn::AllFalse(u, mask)) {
+          continue;
         }
         const Some some(hn::RebindMask(Floats(), mask));
         some.store(u, hn::Add(first_code, lane_of_other), codes + size);

@@ -17,6 +17,8 @@ constexpr double faces_each_other = -0.2;  ///< the cosine between the normals, 
 // As shares of the growth. Between two steps two limbs close in by less than the room.
 constexpr double thick_enough = 0.48;
 constexpr int steps = 13;
+/// Stands for the end of a crease, where surfaces are near each other however thin the body is: it is not moved.
+constexpr double in_crease = 2.0;
 
 sim::Vec3 area_normal(std::span<const sim::Vec3> positions_m, const sim::Triangle& t) {
   return glm::cross(positions_m[t[1]] - positions_m[t[0]], positions_m[t[2]] - positions_m[t[0]]);
@@ -54,8 +56,8 @@ struct Growth {
         return glm::dot(point.place_m - positions_m[v], normal) > 0.0 &&
                glm::dot(other, normal) < faces_each_other * glm::length(other) * glm::length(normal);
       };
-      if (most[v] > stopped_share && tree.nearest(positions_m[v], room_m, is_before)) {
-        most[v] = stopped_share;
+      if (most[v] > stopped_share && most[v] <= 1.0 && tree.nearest(positions_m[v], room_m, is_before)) {
+        most[v] = stopped_share > thick_enough ? stopped_share : in_crease;
       }
     }
   }

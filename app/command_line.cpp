@@ -337,8 +337,8 @@ std::function<Command()> add_fit(CLI::App& app) {
       "small\n"
       "below 0, " +
       fit_thresholds() +
-      ". A garment that cannot be put on ends the\ncommand with exit code 3 and says where it is too "
-      "small.\n\n"
+      ". A garment whose girths are too small\neven when it is stretched is refused with exit code 1; one that "
+      "cannot be put on for another reason\nends the command with exit code 3. Both say where it is too small.\n\n"
       "Examples:\n  taut fit shirt.obj --body person.glb\n"
       "  taut fit shirt.obj --body person.glb --body-motion stand.bvh --output shirt.png\n"
       "  taut fit shirt.obj --body person.glb --json\n  taut fit tshirt-worn\n");

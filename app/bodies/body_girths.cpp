@@ -4,36 +4,159 @@
 #include <glm/geometric.hpp>
 
 #include "app/bodies/joint_names.hpp"
-#include "app/models/section.hpp"
 #include "sim/mesh/extent.hpp"
+#include "sim/mesh/groups.hpp"
 
 namespace taut::app {
 namespace {
 
 constexpr std::size_t levels_of_body = 400;
-/// A curve of at least this share of the largest is a leg, or the trunk itself; arms are less.
+/// Of the height: there the largest curve is the trunk, wherever arms are.
+constexpr double surely_trunk = 0.55;
+/// A part of the trunk of at least this share of the largest is a leg. What is less is hands and folds.
 constexpr double share_of_legs = 0.5;
-constexpr double highest_fork = 0.65;       ///< of the height
-constexpr double arms_begin = 1.2;          ///< times the girth one level below
-constexpr double upper_part = 0.6;          ///< of the trunk's height, from there on
-constexpr double lower_part = 0.5;          ///< of the trunk's height, up to there
-constexpr std::ptrdiff_t levels_below = 3;  ///< of where arms or legs begin, where a tape can lie
+/// What is beside the trunk and at least this share of its girth is an arm.
+constexpr double share_of_arms = 0.15;
+constexpr double arms_begin = 1.2;           ///< times the girth a few levels below
+constexpr double arms_join = 1.08;           ///< the same where there were arms beside it
+constexpr double upper_part = 0.6;           ///< of the trunk's height, from there on
+constexpr double lower_part = 0.5;           ///< of the trunk's height, up to there
+constexpr std::ptrdiff_t levels_below = 3;   ///< of where arms or legs begin, where a tape can lie
 constexpr double narrower_than_head = 0.85;
-constexpr double base_of_neck = 1.35;  ///< times its smallest girth
-constexpr double neck_to_head = 0.75;  ///< where the neck is measured
+constexpr double base_of_neck = 1.35;        ///< times its smallest girth
+constexpr double neck_to_head = 0.75;        ///< where the neck is measured
+constexpr double share_of_body = 0.8;        ///< of the height: a surface that is as high is the body without hair
+
+constexpr double still_joining = 1.02;       ///< times the girth one level below
+constexpr double furthest_ring_m = 0.1;      ///< the middle of an arm from where it was looked for
+constexpr double beside_middle = 0.15;       ///< of the upper arm's length
+constexpr double beside_joint_m = 0.03;      ///< the end of the shoulder
+constexpr int steps_of_armhole = 40;         ///< to the middle of the upper arm
+constexpr double still_armhole = 0.98;       ///< times the girth a step before; what shrinks faster is still the shoulder
+constexpr double most_of_armhole = 2.0;      ///< times the girth of the arm; what is more is the trunk
 
 using Levels = std::vector<LevelTape>;
 using Level = Levels::const_iterator;
 
-Levels levels_of(const Surface& body, const sim::Extent& box) {
-  Levels levels;
-  for (std::size_t k = 0; k < levels_of_body; ++k) {
-    const double share = (static_cast<double>(k) + 0.5) / levels_of_body;
-    if (const auto tape = level_tape(body, box.lower.y + share * box.size().y)) {
-      levels.push_back(*tape);
+/// What a level plane cuts out in one curve.
+struct Piece {
+  std::vector<sim::Vec2> hull;
+  double tape_m = 0.0;
+  sim::Vec2 middle = {0.0, 0.0};
+};
+using Pieces = std::vector<Piece>;
+
+sim::Vec2 middle_of(const std::vector<sim::Vec2>& points) {
+  sim::Extent box;
+  for (const sim::Vec2& p : points) {
+    box.add({p.x, p.y, 0.0});
+  }
+  return {box.middle().x, box.middle().y};
+}
+
+Pieces pieces_at(const Surface& body, double height_m) {
+  Pieces pieces;
+  for (const SectionCurve& curve : section_of(body, {{0.0, height_m, 0.0}})) {
+    std::vector<sim::Vec2> hull = convex_hull(curve.points_m);
+    if (!hull.empty()) {
+      const sim::Vec2 middle = middle_of(hull);
+      const double tape_m = length_m({hull, true});
+      pieces.push_back({std::move(hull), tape_m, middle});
     }
   }
-  return levels;
+  return pieces;
+}
+
+const Piece& largest_of(const Pieces& pieces) {
+  return *std::max_element(pieces.begin(), pieces.end(),
+                           [](const Piece& a, const Piece& b) { return a.tape_m < b.tape_m; });
+}
+
+/// The tape around the pieces that are over or under the trunk, whose hull it replaces. Empty: there are none.
+std::optional<LevelTape> tape_around(const Pieces& pieces, double height_m, std::vector<sim::Vec2>& trunk) {
+  const sim::Vec2 middle = middle_of(trunk);
+  const auto is_of_trunk = [&](const Piece& piece) {
+    return is_in_hull(trunk, piece.middle) || is_in_hull(piece.hull, middle);
+  };
+  Pieces of_trunk;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(of_trunk), is_of_trunk);
+  if (of_trunk.empty()) {
+    return std::nullopt;
+  }
+  LevelTape tape{.height_m = height_m, .single_m = largest_of(of_trunk).tape_m};
+  tape.beside = static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+    return !is_of_trunk(piece) && piece.tape_m > share_of_arms * tape.single_m;
+  }));
+  std::erase_if(of_trunk, [&](const Piece& piece) { return piece.tape_m < share_of_legs * tape.single_m; });
+  std::vector<sim::Vec2> points;
+  sim::Extent box;
+  for (const Piece& piece : of_trunk) {
+    points.insert(points.end(), piece.hull.begin(), piece.hull.end());
+  }
+  for (const sim::Vec2& p : points) {
+    box.add({p.x, height_m, -p.y});
+  }
+  trunk = convex_hull(std::move(points));
+  tape.is_parted = of_trunk.size() > 1;
+  tape.girth_m = length_m({trunk, true});
+  tape.middle_m = box.middle();
+  tape.half_width_m = 0.5 * box.size().x;
+  tape.front_m = box.upper.z;
+  return tape;
+}
+
+/// Levels from the feet to the top of the head, and where the trunk was looked for.
+struct Followed {
+  Levels levels;
+  std::ptrdiff_t start = 0;
+};
+
+Followed follow_trunk(const Surface& body, const sim::Extent& box) {
+  const auto height_m = [&](std::size_t k) {
+    return box.lower.y + (static_cast<double>(k) + 0.5) / levels_of_body * box.size().y;
+  };
+  constexpr auto start = static_cast<std::size_t>(surely_trunk * levels_of_body);
+  const Pieces first = pieces_at(body, height_m(start));
+  Followed followed;
+  if (first.empty()) {
+    return followed;
+  }
+  std::vector<sim::Vec2> trunk = largest_of(first).hull;
+  const auto add = [&](std::size_t k) {
+    const auto tape = tape_around(pieces_at(body, height_m(k)), height_m(k), trunk);
+    followed.levels.insert(followed.levels.end(), tape ? 1 : 0, tape.value_or(LevelTape{}));
+    return tape.has_value();
+  };
+  for (std::size_t k = start; k > 0 && add(k - 1); --k) {
+  }
+  std::reverse(followed.levels.begin(), followed.levels.end());
+  followed.start = static_cast<std::ptrdiff_t>(followed.levels.size());
+  trunk = largest_of(first).hull;
+  for (std::size_t k = start; k < levels_of_body && add(k); ++k) {
+  }
+  return followed;
+}
+
+/// The surface that is nearly as high as all of it, without others such as hair, shoes and eyes; all if none is.
+std::vector<sim::Triangle> skin_of(const Surface& body, double height_m) {
+  sim::Groups shells(body.positions_m.size());
+  for (const auto& [a, b, c] : body.triangles) {
+    shells.join(a, b);
+    shells.join(b, c);
+  }
+  std::map<sim::Index, sim::Extent> boxes;
+  for (const sim::Triangle& t : body.triangles) {
+    for (const sim::Index v : t) {
+      boxes[shells.find(v)].add(body.positions_m[v]);
+    }
+  }
+  const auto higher = [](const auto& a, const auto& b) { return a.second.size().y < b.second.size().y; };
+  const auto highest = std::max_element(boxes.begin(), boxes.end(), higher);
+  std::vector<sim::Triangle> skin(body.triangles.begin(), body.triangles.end());
+  if (highest != boxes.end() && highest->second.size().y > share_of_body * height_m) {
+    std::erase_if(skin, [&](const sim::Triangle& t) { return shells.find(t[0]) != highest->first; });
+  }
+  return skin;
 }
 
 /// The levels that tell one part of a body from the next.
@@ -44,14 +167,18 @@ struct BodyLandmarks {
   Level base;     ///< of the neck
 };
 
-BodyLandmarks landmarks_of(const Levels& levels) {
-  const auto share = [&](double of_height) {
-    return levels.begin() + static_cast<std::ptrdiff_t>(of_height * static_cast<double>(levels.size()));
-  };
+/// Whether the trunk below goes over into one with arms.
+bool begins_arms(const LevelTape& here, const LevelTape& below) {
+  return here.girth_m > (here.beside < below.beside ? arms_join : arms_begin) * below.girth_m;
+}
+
+BodyLandmarks landmarks_of(const Followed& body) {
+  const Levels& levels = body.levels;
   BodyLandmarks found{levels.begin(), levels.end(), levels.end(), levels.end()};
-  for (auto level = levels.begin(); level != share(highest_fork); ++level) {
-    found.fork = level->is_parted ? level + 1 : found.fork;
-  }
+  const Level start = levels.begin() + body.start;
+  const auto leg = std::find_if(std::make_reverse_iterator(start), levels.rend(),
+                                [](const LevelTape& level) { return level.is_parted; });
+  found.fork = leg.base();
   double head_m = 0.0;
   for (auto level = levels.end(); level != found.fork && found.base == levels.end();) {
     --level;
@@ -64,35 +191,22 @@ BodyLandmarks landmarks_of(const Levels& levels) {
     }
   }
   found.neck = found.base == levels.end() ? levels.end() : found.neck;
-  found.armpits =
-      std::adjacent_find(found.fork, found.base, [](const LevelTape& below, const LevelTape& here) {
-        return here.girth_m > arms_begin * below.girth_m;
-      });
-  found.armpits += found.armpits == found.base ? 0 : 1;
+  found.armpits = found.base;
+  for (auto level = start; found.base - start > levels_below && level + levels_below < found.base; ++level) {
+    if (begins_arms(level[levels_below], *level)) {
+      found.armpits = level + levels_below;
+      while (found.armpits - 1 != start && found.armpits->girth_m > still_joining * (found.armpits - 1)->girth_m) {
+        --found.armpits;
+      }
+      ++found.armpits;
+      break;
+    }
+  }
   return found;
 }
 
 Girth named(const char* name, const LevelTape& tape) {
   return {name, tape.girth_m, tape.height_m};
-}
-
-/// Around an arm, across the middle between two joints. Empty where nothing is.
-std::optional<Girth> upper_arm(const Surface& body, const JointPlaces& joints) {
-  for (const std::string side : {"left ", "right "}) {
-    const auto shoulder = joints.find(side + "arm");
-    const auto elbow = joints.find(side + "forearm");
-    if (shoulder == joints.end() || elbow == joints.end() || shoulder->second == elbow->second) {
-      continue;
-    }
-    const sim::Vec3 middle_m = 0.5 * (shoulder->second + elbow->second);
-    for (const SectionCurve& curve :
-         section_of(body, {middle_m, glm::normalize(elbow->second - shoulder->second)})) {
-      if (curve.is_closed && is_around_point(curve)) {
-        return Girth{"upper arm", tight_tape_m(curve.points_m), middle_m.y};
-      }
-    }
-  }
-  return std::nullopt;
 }
 
 void measure_neck(const Surface& body, const JointPlaces& joints, const BodyLandmarks& at, Level end,
@@ -106,7 +220,10 @@ void measure_neck(const Surface& body, const JointPlaces& joints, const BodyLand
     measures.neck_m = at.base->middle_m;
   }
   if (base != joints.end() && head != joints.end()) {
-    tape = level_tape(body, glm::mix(base->second.y, head->second.y, neck_to_head));
+    const double height_m = glm::mix(base->second.y, head->second.y, neck_to_head);
+    const Pieces pieces = pieces_at(body, height_m);
+    std::vector<sim::Vec2> largest = pieces.empty() ? std::vector<sim::Vec2>{} : largest_of(pieces).hull;
+    tape = pieces.empty() ? std::nullopt : tape_around(pieces, height_m, largest);
   }
   if (tape) {
     measures.girths.push_back(named("neck", *tape));
@@ -116,7 +233,6 @@ void measure_neck(const Surface& body, const JointPlaces& joints, const BodyLand
 void measure_trunk(const BodyLandmarks& at, BodyMeasures& measures) {
   if (at.armpits != at.base) {
     measures.girths.push_back(named("upper chest", *(at.armpits - levels_below)));
-    measures.trunk.assign(at.fork, at.armpits);
   }
   const auto share = [&](double of_trunk) {
     return at.fork + static_cast<std::ptrdiff_t>(of_trunk * static_cast<double>(at.armpits - at.fork));
@@ -137,6 +253,28 @@ void measure_thigh(const Levels& levels, const BodyLandmarks& at, BodyMeasures& 
     const LevelTape& thigh = *(at.fork - levels_below);
     measures.girths.push_back({"thigh", thigh.single_m, thigh.height_m});
   }
+}
+
+sim::Vec3 lowest_of(const SectionCurve& curve, const CuttingPlane& plane) {
+  sim::Vec3 lowest_m = place_in(plane, curve.points_m.front());
+  for (const sim::Vec2& p : curve.points_m) {
+    const sim::Vec3 place_m = place_in(plane, p);
+    lowest_m = place_m.y < lowest_m.y ? place_m : lowest_m;
+  }
+  return lowest_m;
+}
+
+/// Across the middle of the upper arm.
+std::optional<RingAround> upper_arm(const Surface& surface, const ArmJoints& arm) {
+  const sim::Vec3 along = glm::normalize(arm.elbow_m - arm.shoulder_m);
+  const auto above = ring_near(surface, {glm::mix(arm.shoulder_m, arm.elbow_m, 0.5 - beside_middle), along});
+  const auto below = ring_near(surface, {glm::mix(arm.shoulder_m, arm.elbow_m, 0.5 + beside_middle), along});
+  if (!above || !below) {
+    return std::nullopt;
+  }
+  // Joints that are guessed are beside the arm's axis.
+  return ring_near(surface, {0.5 * (above->middle_m + below->middle_m),
+                             glm::normalize(below->middle_m - above->middle_m)});
 }
 
 }  // namespace
@@ -164,54 +302,115 @@ JointPlaces joint_places(const Rig& rig, const RigPose& pose, const Placement& p
   return places;
 }
 
-std::optional<LevelTape> level_tape(const Surface& body, double height_m) {
-  std::vector<SectionCurve> curves = section_of(body, {{0.0, height_m, 0.0}});
-  std::vector<double> tapes_m;
-  for (const SectionCurve& curve : curves) {
-    tapes_m.push_back(tight_tape_m(curve.points_m));
-  }
-  if (curves.empty()) {
-    return std::nullopt;
-  }
-  LevelTape tape{.height_m = height_m, .single_m = *std::max_element(tapes_m.begin(), tapes_m.end())};
-  std::vector<sim::Vec2> points_m;
-  sim::Extent box;
-  std::size_t parts = 0;
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    if (tapes_m[c] >= share_of_legs * tape.single_m) {
-      ++parts;
-      points_m.insert(points_m.end(), curves[c].points_m.begin(), curves[c].points_m.end());
-    }
-  }
-  for (const sim::Vec2& p : points_m) {
-    box.add({p.x, height_m, -p.y});
-  }
-  tape.is_parted = parts > 1;
-  tape.girth_m = parts > 1 ? tight_tape_m(points_m) : tape.single_m;
-  tape.middle_m = box.middle();
-  tape.half_width_m = 0.5 * box.size().x;
-  tape.front_m = box.upper.z;
-  return tape;
+const LevelTape& BodyMeasures::level_at(double height_m) const {
+  const auto above =
+      std::lower_bound(levels.begin(), levels.end() - 1, height_m,
+                       [](const LevelTape& tape, double wanted_m) { return tape.height_m < wanted_m; });
+  const bool is_below_nearer =
+      above != levels.begin() && height_m - (above - 1)->height_m < above->height_m - height_m;
+  return is_below_nearer ? *(above - 1) : *above;
 }
 
-BodyMeasures measure_body(const Surface& body, const JointPlaces& joints) {
-  const Levels levels = levels_of(body, sim::extent_of(body.positions_m));
+BodyMeasures measure_body(const Surface& whole, const JointPlaces& joints) {
+  const double height_m = sim::extent_of(whole.positions_m).size().y;
+  const std::vector<sim::Triangle> skin = skin_of(whole, height_m);
+  const Surface body = {whole.positions_m, skin};
+  sim::Extent box;
+  for (const sim::Triangle& t : skin) {
+    for (const sim::Index v : t) {
+      box.add(whole.positions_m[v]);
+    }
+  }
+  const Followed followed = follow_trunk(body, box);
+  const Levels& levels = followed.levels;
   BodyMeasures measures;
   if (levels.empty()) {
     return measures;
   }
-  const BodyLandmarks at = landmarks_of(levels);
+  const BodyLandmarks at = landmarks_of(followed);
   const bool is_someone = !joints.empty() || at.base != levels.end();
   if (!is_someone || at.armpits - at.fork < 10) {
     return measures;
   }
   measure_neck(body, joints, at, levels.end(), measures);
   measure_trunk(at, measures);
-  if (const auto arm = upper_arm(body, joints)) {
-    measures.girths.push_back(*arm);
-  }
   measure_thigh(levels, at, measures);
+  if (at.armpits != at.base) {
+    measures.levels.assign(levels.begin(), at.armpits);
+    measures.fork = static_cast<std::size_t>(at.fork - levels.begin());
+  }
   return measures;
+}
+
+std::optional<RingAround> ring_near(const Surface& surface, const CuttingPlane& plane) {
+  std::optional<RingAround> nearest;
+  double nearest_m = furthest_ring_m;
+  for (const SectionCurve& curve : section_of(surface, plane)) {
+    const sim::Vec2 middle = middle_of(curve.points_m);
+    if (curve.is_closed && glm::length(middle) < nearest_m) {
+      nearest_m = glm::length(middle);
+      nearest = {length_m(curve), tight_tape_m(curve.points_m), place_in(plane, middle), lowest_of(curve, plane)};
+    }
+  }
+  return nearest;
+}
+
+std::optional<RingAround> ring_at_shoulder(const Surface& surface, const ArmJoints& arm, double arm_m, double next_share) {
+  const sim::Vec3 along = arm.elbow_m - arm.shoulder_m;
+  const sim::Vec3 normal = glm::normalize(glm::normalize(along) + arm.outwards);
+  std::optional<RingAround> found;
+  for (int step = 0; step < steps_of_armhole; ++step) {
+    const sim::Vec3 point_m = arm.shoulder_m + 0.5 * step / steps_of_armhole * along;
+    const auto ring = ring_near(surface, {point_m, normal});
+    const bool is_there = found && ring && ring->tape_m > next_share * found->tape_m;
+    if (is_there) {
+      break;
+    }
+    found = ring && ring->tape_m < most_of_armhole * arm_m ? ring : std::nullopt;
+  }
+  return found;
+}
+
+std::optional<RingAround> armhole_of(const Surface& garment, const ArmJoints& arm, double sleeve_m) {
+  const auto sleeve = ring_at_shoulder(garment, arm, sleeve_m);
+  if (!sleeve) {
+    return std::nullopt;
+  }
+  const sim::Vec3 over_m = arm.shoulder_m + beside_joint_m * arm.outwards;
+  const sim::Vec3 front = glm::cross(arm.outwards, sim::Vec3(0.0, 1.0, 0.0));
+  const sim::Vec3 normal = glm::cross(front, over_m - sleeve->lowest_m);
+  return ring_near(garment, {0.5 * (over_m + sleeve->lowest_m), glm::normalize(normal)});
+}
+
+std::vector<ArmJoints> arms_of(const JointPlaces& joints) {
+  std::vector<ArmJoints> arms;
+  for (const auto& [side, other] : {std::pair<std::string, std::string>("left ", "right "), {"right ", "left "}}) {
+    const auto shoulder = joints.find(side + "arm");
+    const auto across = joints.find(other + "arm");
+    const auto elbow = joints.find(side + "forearm");
+    if (shoulder != joints.end() && across != joints.end() && elbow != joints.end() &&
+        shoulder->second != elbow->second && shoulder->second != across->second) {
+      arms.push_back({shoulder->second, elbow->second, glm::normalize(shoulder->second - across->second)});
+    }
+  }
+  return arms;
+}
+
+void measure_arms(const Surface& body, const JointPlaces& joints, BodyMeasures& measures) {
+  std::vector<sim::Vec3> armholes_m;
+  std::vector<Girth> of_arm;
+  for (const ArmJoints& arm : arms_of(joints)) {
+    const auto around = upper_arm(body, arm);
+    const auto hole = around ? ring_at_shoulder(body, arm, around->tape_m, still_armhole) : std::nullopt;
+    if (hole) {
+      armholes_m.push_back(hole->middle_m);
+      of_arm = {{"armhole", hole->tape_m, hole->middle_m.y}, {"upper arm", around->tape_m, around->middle_m.y}};
+    }
+  }
+  if (armholes_m.size() == 2) {
+    of_arm.insert(of_arm.begin(), {"shoulder width", glm::distance(armholes_m[0], armholes_m[1]), armholes_m[0].y});
+  }
+  measures.girths.insert(measures.girths.end(), of_arm.begin(), of_arm.end());
 }
 
 const Girth* girth_of(const BodyMeasures& measures, const std::string& name) {

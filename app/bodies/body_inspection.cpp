@@ -11,6 +11,7 @@
 #include "app/base/suggest.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/rig_frames.hpp"
+#include "app/bodies/shape_rig.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/topology.hpp"
@@ -119,7 +120,7 @@ BodyInspection inspect_body(const BodySource& source) {
   result.joints = joints_of(*body.rig);
   result.shapes = body.rig->targets.size();
   result.clips = describe_clips(*body.rig);
-  result.girths = measure_body({body.mesh.data->positions_m, body.mesh.data->triangles}, body.joints).girths;
+  result.girths = measures_of({body.mesh.data->positions_m, body.mesh.data->triangles}, body.joints).girths;
   result.remarks = body.remarks;
   if (body.mesh.frames) {
     result.motion = motion_of(body.mesh);

@@ -16,6 +16,7 @@
 #include "app/bodies/looping.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "app/bodies/rig_pose.hpp"
+#include "app/bodies/room_for_cloth.hpp"
 #include "app/bodies/shape_rig.hpp"
 #include "app/bodies/turned_frames.hpp"
 #include "sim/mesh/extent.hpp"
@@ -26,6 +27,8 @@ namespace {
 // What is lower or higher than these is no person.
 constexpr double lowest_person_m = 0.5;
 constexpr double highest_person_m = 2.5;
+/// In which parts of a body may close in on each other.
+constexpr int poses_looked_at = 6;
 
 std::shared_ptr<const Rig> take_rig(const std::filesystem::path& file, ImportedModel& model) {
   auto rig = std::make_shared<Rig>(std::move(model.rig));
@@ -131,38 +134,68 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
 }
 
 /// Gives a body that has no joints those that its shape shows.
-void take_joints_of_shape(const BodySource& source, const LoadedMesh& loaded, Wearer& wearer) {
-  std::optional<Rig> rig =
-      wearer.motion ? std::nullopt
-                    : rig_by_shape({loaded.mesh.positions, loaded.mesh.triangles}, wearer.measures);
+void take_joints_of_shape(const BodySource& source, const LoadedMesh& loaded, const BodyMeasures& measures,
+                          bool is_still, FileVertexPlaces& places, ReadBody& body) {
+  std::optional<Rig> rig = !is_still ? std::nullopt : rig_by_shape({loaded.mesh.positions, loaded.mesh.triangles}, measures);
   if (!rig) {
     refuse_to_dress(source, "without joints");
   }
-  wearer.rig = std::make_shared<const Rig>(std::move(*rig));
-  wearer.pose = stored_pose(*wearer.rig);
-  wearer.places.placement = {};
-  wearer.places.file_vertex.resize(loaded.mesh.positions.size());
-  std::iota(wearer.places.file_vertex.begin(), wearer.places.file_vertex.end(), 0U);
+  body.rig = std::make_shared<const Rig>(std::move(*rig));
+  places.placement = {};
+  places.file_vertex.resize(loaded.mesh.positions.size());
+  std::iota(places.file_vertex.begin(), places.file_vertex.end(), 0U);
+  body.remarks.emplace_back("it has no joints: those that it grows from are guessed from its shape");
+}
+
+/// Poses that are shown, spread over the motion; the stored one of a body that does not move.
+std::vector<RigPose> poses_shown(const BodySource& source, const Rig& rig, const FrameSource* motion,
+                                 const ShownTime& shown) {
+  std::vector<RigPose> poses;
+  if (motion != nullptr) {
+    const double rate_hz = source.frame_rate_hz.value_or(motion->rate_hz().value_or(usual_frame_rate_hz));
+    const double last = static_cast<double>(motion->frames() - 1);
+    for (int k = 0; k < poses_looked_at; ++k) {
+      const double time_s = source.start_s + k * shown.duration_s / (poses_looked_at - 1);
+      const auto pose = motion->pose(static_cast<std::size_t>(std::min(last, std::round(time_s * rate_hz))));
+      poses.insert(poses.end(), pose ? 1 : 0, pose.value_or(RigPose{}));
+    }
+  } else {
+    poses.push_back(stored_pose(rig));
+  }
+  return poses;
+}
+
+/// Keeps parts of the body apart that close in on each other, so that cloth has room between them. Returns whether
+/// any do.
+bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, LoadedMesh& loaded, ReadBody& body) {
+  std::optional<RoomForCloth> room =
+      poses.empty() ? std::nullopt : leave_room(*body.rig, poses, places, loaded.mesh.triangles);
+  if (room) {
+    body.remarks.push_back(fmt::format("parts of it come near each other: {} stay back by up to {:.1f} cm, so that "
+                                       "cloth has room",
+                                       counted(room->vertices, "vertex", "vertices"), 100.0 * room->most_m));
+    body.rig = std::make_shared<const Rig>(std::move(room->rig));
+    std::vector<sim::Vec3> in_file(body.rig->in_part.size());
+    pose_vertices(*body.rig, stored_pose(*body.rig), in_file);
+    loaded.mesh.positions = placed_m(places, in_file);
+  }
+  return room.has_value();
 }
 
 std::shared_ptr<const Wearer> wearer_of(const BodySource& source, const LoadedMesh& loaded,
-                                        const std::optional<RigPose>& pose, double frame_rate_hz,
-                                        ReadBody& body) {
+                                        FileVertexPlaces places, const std::optional<RigPose>& pose,
+                                        double frame_rate_hz, BodyMeasures measures, const ReadBody& body) {
   if (!pose) {
     refuse_to_dress(source, "whose motion moves vertices and no joints");
   }
-  Wearer wearer{.rig = body.rig, .places = loaded.places, .pose = *pose, .full_m = loaded.mesh.positions};
+  Wearer wearer{.rig = body.rig, .places = std::move(places), .pose = *pose, .full_m = loaded.mesh.positions};
   wearer.motion = body.mesh.frames;
   if (wearer.motion) {
     wearer.motion->positions_in(0, wearer.full_m);
   }
   wearer.rate_hz = wearer.motion ? wearer.motion->rate_hz() : frame_rate_hz;
   wearer.duration_s = source.dress / frame_rate_hz;
-  wearer.measures = measure_body({loaded.mesh.positions, loaded.mesh.triangles}, body.joints);
-  if (wearer.rig->influences.empty()) {
-    take_joints_of_shape(source, loaded, wearer);
-    body.remarks.emplace_back("it has no joints: those that it grows from are guessed from its shape");
-  }
+  wearer.measures = std::move(measures);
   wearer.stored_joints = joint_places(*wearer.rig, stored_pose(*wearer.rig), wearer.places.placement);
   wearer.joints = joint_places(*wearer.rig, wearer.pose, wearer.places.placement);
   wearer.frames = growing(wearer);
@@ -196,6 +229,17 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
   if (!height.empty()) {
     body.remarks.push_back(height);
   }
+  BodyMeasures measures;
+  FileVertexPlaces places = loaded.places;
+  if (source.dress > 0) {
+    measures = measures_of({loaded.mesh.positions, loaded.mesh.triangles}, body.joints);
+    if (body.rig->influences.empty() && (!motion.frames || motion.frames->pose(0))) {
+      take_joints_of_shape(source, loaded, measures, !motion.frames, places, body);
+    }
+    if (make_room(poses_shown(source, *body.rig, motion.frames.get(), shown), places, loaded, body)) {
+      motion = open_motion(source, body.rig, loaded.places.placement.up);
+    }
+  }
   std::optional<RigPose> pose = stored_pose(*body.rig);
   if (motion.frames) {
     try {
@@ -205,7 +249,7 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
     }
   }
   if (source.dress > 0) {
-    body.wearer = wearer_of(source, loaded, pose, shown.frame_rate_hz, body);
+    body.wearer = wearer_of(source, loaded, std::move(places), pose, shown.frame_rate_hz, std::move(measures), body);
     body.mesh.frames = body.wearer->frames;
   }
   body.mesh.data = std::make_shared<const sim::BodyMeshData>(

@@ -16,6 +16,8 @@ namespace {
 
 /// The share of the way to the bones. Not all of it: triangles keep an area.
 constexpr double thinness = 0.9;
+/// The share of its frames in which a body grows. In the rest cloth slides to where it has room.
+constexpr double ends_at = 0.8;
 /// Poses that a turn goes through. Between two of them vertices go straight.
 constexpr int turning_steps = 8;
 
@@ -91,8 +93,8 @@ class GrowingFrames final : public sim::BodyFrames {
       motion_->positions_in(frame - frames_, positions_m);
       return;
     }
-    const double share = static_cast<double>(frame) / static_cast<double>(std::max<std::size_t>(frames_, 1));
-    const double grown = frame >= frames_ ? 1.0 : share * share * (3.0 - 2.0 * share);
+    const double share = static_cast<double>(frame) / (ends_at * static_cast<double>(std::max<std::size_t>(frames_, 1)));
+    const double grown = share >= 1.0 ? 1.0 : share * share * (3.0 - 2.0 * share);
     const double at = grown * static_cast<double>(shapes_.size() - 1);
     const auto before = static_cast<std::size_t>(at);
     const Grown& a = shapes_[before];
@@ -110,14 +112,6 @@ class GrowingFrames final : public sim::BodyFrames {
   double rate_hz_;
   std::size_t frames_;  ///< of the growth
 };
-
-std::vector<sim::Vec3> placed(const FileVertexPlaces& places, const std::vector<sim::Vec3>& in_file) {
-  std::vector<sim::Vec3> placed_m;
-  for (const std::size_t v : places.file_vertex) {
-    placed_m.push_back(places.placement(in_file[v]));
-  }
-  return placed_m;
-}
 
 /// The rotation along the shorter arc that takes one direction to another, as x, y, z, w.
 glm::dvec4 rotation_from_to(const sim::Vec3& from, const sim::Vec3& to) {
@@ -171,14 +165,22 @@ std::vector<sim::Vec3> thin_shape(const Rig& rig, const RigPose& pose) {
   return full;
 }
 
+std::vector<sim::Vec3> placed_m(const FileVertexPlaces& places, const std::vector<sim::Vec3>& in_file) {
+  std::vector<sim::Vec3> result_m;
+  for (const std::size_t v : places.file_vertex) {
+    result_m.push_back(places.placement(in_file[v]));
+  }
+  return result_m;
+}
+
 std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<const RigPose> poses) {
   std::vector<Grown> shapes;
   std::vector<sim::Vec3> full(wearer.rig->in_part.size());
   for (const RigPose& pose : poses) {
     pose_vertices(*wearer.rig, pose, full);
-    shapes.push_back({placed(wearer.places, thin_shape(*wearer.rig, pose)), placed(wearer.places, full)});
+    shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, pose)), placed_m(wearer.places, full)});
   }
-  shapes.push_back({placed(wearer.places, thin_shape(*wearer.rig, wearer.pose)), wearer.full_m});
+  shapes.push_back({placed_m(wearer.places, thin_shape(*wearer.rig, wearer.pose)), wearer.full_m});
   return std::make_shared<const GrowingFrames>(std::move(shapes), wearer);
 }
 
@@ -198,6 +200,15 @@ std::vector<RigPose> turning_back(const Rig& rig, const RigPose& pose, std::span
       const double share = static_cast<double>(step) / turning_steps;
       turn_about(rig, bones[b].joint, rotation_between(rotations[b], as_it_is, share), here);
     }
+  }
+  return poses;
+}
+
+std::vector<RigPose> poses_from_stored(const Wearer& wearer) {
+  std::vector<RigPose> poses;
+  for (int step = 0; step < turning_steps; ++step) {
+    poses.push_back(pose_between(*wearer.rig, stored_pose(*wearer.rig), wearer.pose,
+                                 static_cast<double>(step) / turning_steps));
   }
   return poses;
 }

@@ -32,6 +32,9 @@ struct Wearer {
   std::shared_ptr<const sim::BodyFrames> frames = {};  ///< its growth in the pose, then the motion
 };
 
+/// Returns where the vertices of a body are that are here in its file.
+std::vector<sim::Vec3> placed_m(const FileVertexPlaces& places, const std::vector<sim::Vec3>& in_file);
+
 /// Returns the frames of a body that grows into what it wears and then goes on with its motion. Vertices go
 /// straight, slowly at both ends. It begins in the first of `poses`, goes through them one after the other as
 /// it grows, and ends in its own; without any it grows in its own.
@@ -47,5 +50,9 @@ struct TurnedBone {
 /// Returns poses in which bones turn, with all that hangs on them, from where they shall point to where they
 /// are in this pose, which is left out. Requires each bone before those that hang on it.
 std::vector<RigPose> turning_back(const Rig& rig, const RigPose& pose, std::span<const TurnedBone> bones);
+
+/// Returns poses on the way from the one in which the body was stored to that in which the run begins, which is left
+/// out.
+std::vector<RigPose> poses_from_stored(const Wearer& wearer);
 
 }  // namespace taut::app

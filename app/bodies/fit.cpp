@@ -3,10 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
+#include "app/base/errors.hpp"
 #include "app/bodies/dressing.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/models/garment_measures.hpp"
+#include "sim/measures.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -14,6 +18,18 @@ namespace {
 
 /// A girth so little above a garment is that of its edge.
 constexpr double edge_m = 0.02;
+// Of a shoulder width.
+constexpr double narrow_below_m = -0.02;
+constexpr double wide_from_m = 0.03;
+/// An opening that is nearer to the shoulder's joint is an armhole and no cuff.
+constexpr double armhole_m = 0.15;
+/// A garment that is too small by less may sit a little higher or lower.
+constexpr double surely = 0.98;
+/// Cloth is tight where so many of its triangles are stretched as far.
+constexpr double share_of_tight = 0.1;
+constexpr double around_row_m = 0.04;
+constexpr double least_tightness = 0.005;
+constexpr const char* shoulder_width = "shoulder width";
 
 /// How much higher the body is when the run begins than it was stored, in m.
 double lift_of(const sim::Body& body, const Wearer& wearer) {
@@ -25,10 +41,130 @@ double lift_of(const sim::Body& body, const Wearer& wearer) {
   return 0.0;
 }
 
+/// A garment on the body that is dressed.
+struct Fitting {
+  const Wearer& wearer;
+  sim::Pose pose;     ///< of the body
+  double lift_m;      ///< the body is so much higher than it was stored
+  Surface garment;    ///< where it begins
+  GarmentMarks marks;
+
+  double body_m(const char* name) const {
+    const Girth* const girth = girth_of(wearer.measures, name);
+    return girth == nullptr ? 0.0 : girth->girth_m;
+  }
+
+  void add(const char* name, double garment_m, std::vector<FitRow>& rows) const {
+    if (body_m(name) > 0.0 && garment_m > 0.0) {
+      rows.push_back({name, body_m(name), garment_m});
+    }
+  }
+
+  void add_trunk(std::vector<FitRow>& rows) const {
+    const std::optional<GarmentTube> tube = tube_of(garment);
+    const double top_m = sim::extent_of(garment.positions_m).upper.y;
+    for (const char* name : {"upper chest", "chest", "waist", "seat"}) {
+      const Girth* const girth = girth_of(wearer.measures, name);
+      if (!tube || girth == nullptr) {
+        continue;
+      }
+      const double height_m = girth->height_m + lift_m;
+      // What is above the tube lies about the armholes, or is the edge of a waist.
+      const bool is_covered = height_m >= tube->lowest_m && height_m <= top_m + edge_m;
+      const double measured_m = std::min(height_m, tube->highest_m);
+      const std::optional<double> garment_m = is_covered ? girth_at(garment, measured_m) : std::nullopt;
+      if (garment_m) {
+        const auto& levels = wearer.measures.levels;
+        const double held_m = levels.empty() ? 0.0 : wearer.measures.level_at(measured_m - lift_m).girth_m;
+        rows.push_back({name, girth->girth_m, *garment_m, measured_m, {}, held_m});
+      }
+    }
+  }
+
+  /// Sleeves are measured as if the arms were in them. The shoulder width is that between two armholes.
+  void add_arms(std::vector<FitRow>& rows) const {
+    std::vector<sim::Vec3> armholes_m;
+    double armhole_around_m = 0.0;
+    double sleeve_m = 0.0;
+    for (ArmJoints arm : marks.cuffs.empty() ? std::vector<ArmJoints>{} : arms_of(wearer.joints)) {
+      const double length_m = glm::distance(arm.shoulder_m, arm.elbow_m);
+      arm.shoulder_m = pose(arm.shoulder_m);
+      arm.outwards = pose.rotation * arm.outwards;
+      const LimbOpening& cuff = nearest_of(marks.cuffs, arm.shoulder_m);
+      const sim::Vec3 way_m = cuff.middle_m - arm.shoulder_m;
+      if (glm::length(way_m) < armhole_m) {
+        armholes_m.push_back(cuff.middle_m);
+        armhole_around_m = cuff.length_m;
+        continue;
+      }
+      const sim::Vec3 along = glm::normalize(way_m);
+      const double to_middle_m = std::min(0.5 * length_m, glm::length(way_m) - edge_m);
+      arm.elbow_m = arm.shoulder_m + length_m * along;
+      const auto sleeve = ring_near(garment, {arm.shoulder_m + to_middle_m * along, along});
+      const auto hole = sleeve ? armhole_of(garment, arm, sleeve->tape_m) : std::nullopt;
+      sleeve_m = sleeve ? sleeve->length_m : sleeve_m;
+      armhole_around_m = hole ? hole->length_m : armhole_around_m;
+    }
+    // Where sleeves are sewn on is not known.
+    add(shoulder_width, armholes_m.size() == 2 ? glm::distance(armholes_m[0], armholes_m[1]) : 0.0, rows);
+    add("armhole", armhole_around_m, rows);
+    add("upper arm", sleeve_m, rows);
+  }
+
+  void add_ends(std::vector<FitRow>& rows) const {
+    const BodyMeasures& measures = wearer.measures;
+    if (measures.levels.empty()) {
+      return;
+    }
+    const Girth* const thigh = girth_of(measures, "thigh");
+    const std::optional<double> leg_m =
+        !marks.legs.empty() && thigh != nullptr ? leg_at(garment, thigh->height_m + lift_m) : std::nullopt;
+    add("thigh", leg_m.value_or(0.0), rows);
+    if (!marks.legs.empty()) {
+      const LevelTape& at_end = measures.level_at(marks.legs[0].middle_m.y - lift_m);
+      rows.push_back({"leg hem", at_end.single_m, marks.legs[0].length_m});
+    }
+    if (marks.hem_height_m) {
+      rows.push_back({"hem", measures.level_at(*marks.hem_height_m - lift_m).girth_m, marks.hem_m});
+    }
+  }
+};
+
+/// Where on the wearer a place is, seen from the middle.
+const char* side_of(const sim::Vec3& from_middle, const sim::Vec3& front) {
+  const double forwards = glm::dot(from_middle, front);
+  const double left = glm::dot(from_middle, glm::cross(sim::Vec3(0.0, 1.0, 0.0), front));
+  if (std::abs(forwards) > std::abs(left)) {
+    return forwards > 0.0 ? "in front" : "behind";
+  }
+  return left > 0.0 ? "on the left" : "on the right";
+}
+
+/// How far cloth is stretched at a girth where it is stretched most, and the middle of what is.
+struct Tightness {
+  double stretch = 0.0;
+  sim::Vec3 place_m = sim::Vec3(0.0);
+};
+
+Tightness tightness_at(const std::vector<std::pair<double, sim::Vec3>>& stretches) {
+  std::vector<std::pair<double, sim::Vec3>> sorted = stretches;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  const auto count = static_cast<std::size_t>(share_of_tight * static_cast<double>(sorted.size()));
+  Tightness tightest;
+  for (std::size_t k = 0; k < count; ++k) {
+    tightest.stretch += sorted[k].first / static_cast<double>(count);
+    tightest.place_m += sorted[k].second / static_cast<double>(count);
+  }
+  return tightest;
+}
+
 }  // namespace
 
 const char* fit_word(const FitRow& row) {
   const double ease_m = row.ease_m();
+  if (row.name == shoulder_width) {
+    return ease_m < narrow_below_m ? "narrow" : ease_m < wide_from_m ? "fitted" : "wide";
+  }
   return ease_m < too_small_below_m ? "too small"
          : ease_m < tight_below_m   ? "tight"
          : ease_m < fitted_below_m  ? "fitted"
@@ -43,35 +179,72 @@ std::string fit_thresholds() {
 std::vector<FitRow> fit_of(const Scene& scene, const sim::Garment& garment,
                            std::span<const sim::Vec3> start_m) {
   const Dressed dressed = dressed_body(scene);
-  const Surface start = {start_m, garment.mesh.triangles};
-  const std::optional<GarmentTube> tube = tube_of(start);
   std::vector<FitRow> rows;
-  if (dressed.wearer == nullptr || !tube) {
+  if (dressed.wearer == nullptr) {
     return rows;
   }
   const sim::Body& body = scene.surroundings.bodies[dressed.body];
-  const double lift_m = lift_of(body, *dressed.wearer);
-  const double top_m = sim::extent_of(start_m).upper.y;
-  for (const char* name : {"upper chest", "chest", "waist", "seat"}) {
-    const Girth* const girth = girth_of(dressed.wearer->measures, name);
-    const double height_m = girth == nullptr ? tube->lowest_m - 1.0 : girth->height_m + lift_m;
-    // What is above the tube lies about the armholes, or is the edge of a waist.
-    const bool is_covered = height_m >= tube->lowest_m && height_m <= top_m + edge_m;
-    const double measured_m = std::min(height_m, tube->highest_m);
-    const std::optional<double> garment_m = is_covered ? girth_at(start, measured_m) : std::nullopt;
-    if (garment_m) {
-      rows.push_back({name, girth->girth_m, *garment_m, measured_m});
+  const Fitting fitting = {*dressed.wearer, sim::pose_at(body.motion, 0.0), lift_of(body, *dressed.wearer),
+                           Surface{start_m, garment.mesh.triangles}, marks_of(garment, start_m, {})};
+  if (!fitting.marks.is_worn_at_waist) {
+    fitting.add("neck", fitting.marks.top_m, rows);
+  }
+  fitting.add_arms(rows);
+  fitting.add_trunk(rows);
+  fitting.add_ends(rows);
+  return rows;
+}
+
+void require_wearable(const Scene& scene, std::span<const FitRow> rows) {
+  const SolverChoice& solver = scene.simulation.solver;
+  if (solver.kind != sim::SolverKind::bounded || solver.bounded.allow_exceeding) {
+    return;
+  }
+  const double most = 1.0 + solver.bounded.max_stretch;
+  std::string found;
+  for (const FitRow& row : rows) {
+    if (row.held_m > 0.0 && row.garment_m * most < surely * row.held_m) {
+      found += fmt::format("{}{} {:.1f} cm in a garment of {:.1f} cm, which stretches to {:.1f} cm",
+                           found.empty() ? "" : ", ", row.name, 100.0 * row.held_m, 100.0 * row.garment_m,
+                           100.0 * most * row.garment_m);
     }
   }
-  const GarmentMarks marks = marks_of(garment, start_m, {});
-  const auto& mesh = *std::get<sim::BodyMesh>(body.shape).data;
-  const std::optional<LevelTape> at_hem =
-      marks.hem_height_m ? level_tape({mesh.positions_m, mesh.triangles}, *marks.hem_height_m - lift_m)
-                         : std::nullopt;
-  if (at_hem) {
-    rows.push_back({"hem", at_hem->girth_m, marks.hem_m});
+  if (!found.empty()) {
+    throw InputError(fmt::format("the garment cannot be put on: found {}; expected one that goes around the body, "
+                                 "stretched by at most solver.max_stretch = {:g}",
+                                 found, solver.bounded.max_stretch));
   }
-  return rows;
+}
+
+std::string describe_tightness(const Scene& scene, const sim::Garment& garment, std::span<const sim::Vec3> worn_m,
+                               std::span<const FitRow> rows) {
+  const std::vector<double> stretch = sim::triangle_surface_stretch(garment, worn_m);
+  const sim::Vec3 front = front_of_dressed(scene);
+  std::vector<std::pair<double, std::string>> places;
+  for (const FitRow& row : rows) {
+    std::vector<std::pair<double, sim::Vec3>> near;
+    sim::Extent level;
+    for (std::size_t t = 0; row.height_m && t < stretch.size(); ++t) {
+      const auto& [a, b, c] = garment.mesh.triangles[t];
+      const sim::Vec3 middle_m = (worn_m[a] + worn_m[b] + worn_m[c]) / 3.0;
+      if (std::abs(middle_m.y - *row.height_m) < around_row_m) {
+        near.emplace_back(stretch[t], middle_m);
+        level.add(middle_m);
+      }
+    }
+    const Tightness tight = tightness_at(near);
+    if (tight.stretch > least_tightness) {
+      places.emplace_back(tight.stretch, fmt::format("at the {} {} {:.1f} %", row.name,
+                                                     side_of(tight.place_m - level.middle(), front),
+                                                     100.0 * tight.stretch));
+    }
+  }
+  std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string text;
+  for (const auto& [how_much, place] : places) {
+    text += (text.empty() ? "stretched most: " : ", ") + place;
+  }
+  return text;
 }
 
 void measure_worn(const sim::Garment& garment, std::span<const sim::Vec3> worn_m, std::span<FitRow> rows) {
@@ -96,7 +269,7 @@ std::string describe_worn(std::span<const FitRow> rows) {
 std::string describe_misfit(std::span<const FitRow> rows) {
   std::string text;
   for (const FitRow& row : rows) {
-    if (row.ease_m() < too_small_below_m) {
+    if (row.ease_m() < too_small_below_m && row.name != shoulder_width) {
       text +=
           fmt::format("{}{} {:.1f} cm in a garment of {:.1f} cm", text.empty() ? "; it does not fit: " : ", ",
                       row.name, 100.0 * row.body_m, 100.0 * row.garment_m);
@@ -106,9 +279,9 @@ std::string describe_misfit(std::span<const FitRow> rows) {
 }
 
 std::string describe(std::span<const FitRow> rows) {
-  std::string text = fmt::format("{:12}{:>12}{:>12}{:>12}\n", "", "body", "garment", "ease");
+  std::string text = fmt::format("{:14}{:>10}{:>12}{:>12}\n", "", "body", "garment", "ease");
   for (const FitRow& row : rows) {
-    text += fmt::format("{:12}{:>9.1f} cm{:>9.1f} cm{:>+9.1f} cm  {}\n", row.name, 100.0 * row.body_m,
+    text += fmt::format("{:14}{:>7.1f} cm{:>9.1f} cm{:>+9.1f} cm  {}\n", row.name, 100.0 * row.body_m,
                         100.0 * row.garment_m, 100.0 * row.ease_m(), fit_word(row));
   }
   return text;

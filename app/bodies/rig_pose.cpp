@@ -177,6 +177,27 @@ RigPose pose_at(const Rig& rig, const RigClip& clip, double time_s) {
   return pose;
 }
 
+RigPose pose_between(const Rig& rig, const RigPose& from, const RigPose& to, double share) {
+  RigPose pose = from;
+  for (sim::Index n = 0; n < rig.nodes.size(); ++n) {
+    const auto under_parent = [&](const RigPose& whole) {
+      const sim::Index parent = rig.nodes[n].parent;
+      return motion_of(parent == no_node ? whole.to_model[n]
+                                         : glm::inverse(whole.to_model[parent]) * whole.to_model[n]);
+    };
+    const NodeMotion a = under_parent(from);
+    const NodeMotion b = under_parent(to);
+    pose.to_model[n] = transform_of({glm::mix(a.translation, b.translation, share),
+                                     rotation_between(a.rotation, b.rotation, share),
+                                     glm::mix(a.scale, b.scale, share)});
+  }
+  multiply_down(rig, pose.to_model);
+  for (std::size_t t = 0; t < pose.target_weights.size(); ++t) {
+    pose.target_weights[t] = glm::mix(from.target_weights[t], to.target_weights[t], share);
+  }
+  return pose;
+}
+
 void pose_vertices(const Rig& rig, const RigPose& pose, std::span<sim::Vec3> positions) {
   const std::vector<sim::Vec3> mixed = mixed_in_part(rig, pose.target_weights);
   for (const RigPart& part : rig.parts) {

@@ -23,6 +23,9 @@ RigPose stored_pose(const Rig& rig);
 /// down the tree of nodes. Requires a clip of the rig.
 RigPose pose_at(const Rig& rig, const RigClip& clip, double time_s);
 
+/// Returns the pose on the way from one to another: each node turns, goes and grows evenly under the one above it.
+RigPose pose_between(const Rig& rig, const RigPose& from, const RigPose& to, double share);
+
 /// Fills `positions` with where the vertices are in the pose, in the file's unit and axes. First targets are
 /// mixed in; then vertices of skinned parts go with their bones by linear blend skinning, sum of weight *
 /// joint

@@ -13,4 +13,7 @@ namespace taut::app {
 /// up, as they were measured. Empty if the shape is not that of someone with a neck and two arms.
 std::optional<Rig> rig_by_shape(const Surface& body, const BodyMeasures& measures);
 
+/// Measures a body with its arms, whose joints are those that its shape shows where it has none.
+BodyMeasures measures_of(const Surface& body, const JointPlaces& joints);
+
 }  // namespace taut::app

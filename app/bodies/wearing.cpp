@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -18,9 +19,12 @@ namespace {
 /// A garment is about a body if it is no further off than this, in m, and turned by less than half a right
 /// angle.
 constexpr double near_enough_m = 0.05;
+constexpr double low_enough_m = 0.12;      ///< the same downwards
 constexpr double half_a_right_angle = 0.70710678;  ///< its cosine
 /// A garment that is turned by less, as a cosine, is not turned back.
 constexpr double hardly_turned = 0.98;
+constexpr double below_fork_m = 0.01;
+constexpr double at_begin_of_limb_m = 0.02;
 
 /// Where a garment belongs on a body when the run begins.
 struct Wanted {
@@ -40,11 +44,11 @@ sim::Vec3 front_of(const JointPlaces& joints) {
 }
 
 /// `measured_m` is the base of the neck or the middle of the waist, as the body was stored.
-Wanted wanted_of(const sim::Body& body, const Wearer& wearer, const char* joint,
+Wanted wanted_of(const sim::Body& body, const Wearer& wearer, const JointPlaces& joints, const char* joint,
                  const sim::Vec3& measured_m) {
-  Wanted wanted{measured_m, front_of(wearer.joints)};
-  if (wearer.joints.contains(joint)) {
-    wanted.top_m += wearer.joints.at(joint) - wearer.stored_joints.at(joint);
+  Wanted wanted{measured_m, front_of(joints)};
+  if (joints.contains(joint)) {
+    wanted.top_m += joints.at(joint) - wearer.stored_joints.at(joint);
   }
   const sim::Pose pose = sim::pose_at(body.motion, 0.0);
   return Wanted{pose(wanted.top_m), pose.rotation * wanted.front};
@@ -118,33 +122,51 @@ sim::Vec3 in_file(const Placement& placement, const sim::Vec3& direction) {
   return result;
 }
 
-/// The bones of the arms, and from each shoulder to the cuff that is nearer.
-std::vector<TurnedBone> arms_to_cuffs(const Wearer& wearer, const sim::Body& body,
-                                      const GarmentMarks& marks) {
+/// The bones of both limbs, and from where each begins to the opening that is nearer. An opening at its very begin turns
+/// nothing.
+void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<const char*, 3>& joints,
+               const std::vector<LimbOpening>& openings, std::vector<TurnedBone>& bones) {
   const std::map<std::string, sim::Index> nodes = joint_nodes(*wearer.rig);
   const sim::Pose pose = sim::pose_at(body.motion, 0.0);
-  std::vector<TurnedBone> bones;
   for (const std::string side : {"left ", "right "}) {
-    const auto arm = nodes.find(side + "arm");
-    const auto forearm = nodes.find(side + "forearm");
-    const auto hand = nodes.find(side + "hand");
-    if (marks.cuffs_m.empty() || arm == nodes.end() || forearm == nodes.end()) {
+    std::vector<sim::Index> chain;
+    for (const char* const joint : joints) {
+      const auto node = nodes.find(side + joint);
+      if (node != nodes.end()) {
+        chain.push_back(node->second);
+      }
+    }
+    if (openings.empty() || chain.size() < 2) {
       continue;
     }
-    const sim::Vec3 shoulder_m =
-        pose(wearer.places.placement(sim::Vec3(wearer.pose.to_model[arm->second][3])));
-    const sim::Vec3 cuff_m = *std::min_element(
-        marks.cuffs_m.begin(), marks.cuffs_m.end(), [&](const sim::Vec3& a, const sim::Vec3& b) {
-          return glm::distance(a, shoulder_m) < glm::distance(b, shoulder_m);
-        });
-    const sim::Vec3 direction =
-        in_file(wearer.places.placement, glm::transpose(pose.rotation) * (cuff_m - shoulder_m));
-    bones.push_back({arm->second, forearm->second, direction});
-    if (hand != nodes.end()) {
-      bones.push_back({forearm->second, hand->second, direction});
+    const sim::Vec3 begin_m = pose(wearer.places.placement(sim::Vec3(wearer.pose.to_model[chain[0]][3])));
+    const sim::Vec3 way_m = nearest_of(openings, begin_m).middle_m - begin_m;
+    const sim::Vec3 direction = in_file(wearer.places.placement, glm::transpose(pose.rotation) * way_m);
+    for (std::size_t k = 1; k < chain.size() && glm::length(way_m) > at_begin_of_limb_m; ++k) {
+      bones.push_back({chain[k - 1], chain[k], direction});
     }
   }
-  return bones;
+}
+
+/// Where a garment with two legs belongs: its fork is right below that of the body.
+std::optional<Move> move_to_fork(const GarmentMarks& marks, const Surface& garment, const Wearer& wearer,
+                                 const Wanted& at_waist) {
+  const std::optional<GarmentTube> tube = tube_of(garment);
+  const BodyMeasures& measures = wearer.measures;
+  if (marks.legs.empty() || !tube || !tube->fork_m || measures.levels.empty() || measures.fork == 0) {
+    return std::nullopt;
+  }
+  const double fork_m = measures.levels[measures.fork].height_m - below_fork_m;
+  Wanted wanted = at_waist;
+  wanted.top_m.y += fork_m + marks.top_height_m - *tube->fork_m - measures.waist_m->y;
+  return move_to(marks, wanted);
+}
+
+/// Whether a garment needs no move, as it lies about the body. It may be worn lower than at the waist or the neck.
+bool lies_about(const Move& move) {
+  const sim::Vec3 way_m = move.to_m - move.from_m;
+  return std::hypot(way_m.x, way_m.z) < near_enough_m && way_m.y > -near_enough_m && way_m.y < low_enough_m &&
+         move.cosine > half_a_right_angle;
 }
 
 }  // namespace
@@ -187,22 +209,38 @@ std::vector<std::string> put_on(LoadedGarment& loaded, Scene& scene) {
                         marks.top ? "no neck" : "no neck opening and no waist",
                         marks.top ? describe_body(scene.surroundings.bodies, b) : "it")};
   }
-  const Move move = move_to(marks, wanted_of(body, wearer, at_waist ? "hips" : "neck", *measured_m));
-  const double off_m = glm::distance(move.from_m, move.to_m);
-  const bool is_about = off_m < near_enough_m && move.cosine > half_a_right_angle;
-  if (is_about && !crosses(loaded, body)) {
+  const Surface garment = surface_at_start(loaded);
+  const auto move_in = [&](const JointPlaces& joints) {
+    const Wanted wanted = wanted_of(body, wearer, joints, at_waist ? "hips" : "neck", *measured_m);
+    const auto to_fork = at_waist ? move_to_fork(marks, garment, wearer, wanted) : std::nullopt;
+    return to_fork.value_or(move_to(marks, wanted));
+  };
+  auto& frames = std::get<sim::BodyMesh>(body.shape).frames;
+  const Move move = move_in(wearer.joints);
+  if (lies_about(move) && !crosses(loaded, body)) {
     return {};
+  }
+  if (wearer.motion && lies_about(move_in(wearer.stored_joints))) {
+    frames = growing(wearer, poses_from_stored(wearer));
+    if (!crosses(loaded, body)) {
+      return {fmt::format("{} begins as it was stored, where the garment lies about it, and is led to the first "
+                          "frame of its motion", describe_body(scene.surroundings.bodies, b))};
+    }
+    frames = wearer.frames;
   }
   apply(move, loaded);
   std::vector<std::string> said = {
-      fmt::format("it is moved by {:.3g} m{}, so that its {} is at that of {}", off_m,
+      fmt::format("it is moved by {:.3g} m{}, so that its {} is at that of {}", glm::distance(move.from_m, move.to_m),
                   move.cosine == 1.0 ? "" : " and turned about the vertical", at_waist ? "waist" : "neck",
                   describe_body(scene.surroundings.bodies, b))};
-  const std::vector<TurnedBone> arms = arms_to_cuffs(wearer, body, marks_now());
-  if (!arms.empty() && crosses(loaded, body)) {
-    std::get<sim::BodyMesh>(body.shape).frames =
-        growing(wearer, turning_back(*wearer.rig, wearer.pose, arms));
-    said.emplace_back("the arms begin in its sleeves");
+  const GarmentMarks moved = marks_now();
+  std::vector<TurnedBone> bones;
+  add_limbs(wearer, body, {"arm", "forearm", "hand"}, moved.cuffs, bones);
+  const std::size_t of_arms = bones.size();
+  add_limbs(wearer, body, {"upleg", "leg", "foot"}, moved.legs, bones);
+  if (!bones.empty() && crosses(loaded, body)) {
+    frames = growing(wearer, turning_back(*wearer.rig, wearer.pose, bones));
+    said.emplace_back(of_arms > 0 ? "the arms begin in its sleeves" : "the legs begin in its own");
   }
   return said;
 }

@@ -75,13 +75,15 @@ Worn let_it_settle(const FitOptions& options, const DrawnScene& scene, sim::Simu
   return worn;
 }
 
-Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn& worn) {
+Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn& worn,
+             const std::string& tightness) {
   Json json = {{"garment", options.scene},
                {"frames", worn.frames},
                {"at_rest", worn.last.asleep},
                {"max_stretch", worn.last.stretch.max},
                {"max_surface_stretch", worn.last.surface_stretch.max},
                {"picture", options.output.string()},
+               {"stretched_most", tightness},
                {"fit", Json::array()}};
   for (const FitRow& row : rows) {
     json["fit"].push_back({{"name", row.name},
@@ -123,6 +125,8 @@ int run(const FitOptions& asked) {
   const Worn worn = let_it_settle(options, scene, simulation, progress, summary);
   progress.begin("drawing it");
   measure_worn(simulation.garment(), simulation.state().current, rows);
+  const std::string tightness =
+      describe_tightness(scene, simulation.garment(), simulation.state().current, rows);
   const std::string measured =
       fmt::format("worn for {:.1f} s{}; largest stretch {:.2f} %, of the surface {:.2f} %", worn.last.time_s,
                   worn.last.asleep ? ", at rest" : "", 100.0 * worn.last.stretch.max,
@@ -131,13 +135,15 @@ int run(const FitOptions& asked) {
       fmt::format("{} on {}", scene.name, scene.surroundings.bodies[dressed_body(scene).body].name);
   write_file(options.output,
              renderer::encode_png(draw_fit({scene, simulation.garment(), simulation.state().current,
-                                            worn.last.time_s, rows, title, measured},
+                                            worn.last.time_s, rows, title, measured, tightness},
                                            options.backend)));
   progress.hide();
   if (options.json) {
-    fmt::print("{}\n", json_of(options, rows, worn).dump(2));
+    fmt::print("{}\n", json_of(options, rows, worn, tightness).dump(2));
   } else {
-    fmt::print("{}\n{}wrote {}\n", measured, describe_worn(rows), options.output.string());
+    fmt::print("{}\n{}{}wrote {}\n", measured, describe_worn(rows),
+               tightness.empty() ? "" : tightness + '\n',
+               options.output.string());
   }
   return judge_bound(scene, summary);
 }

@@ -50,7 +50,8 @@ renderer::Image draw_side(OffscreenRenderer& offscreen, const WornGarment& worn,
   return offscreen.renderer().draw(frame, style.settings);
 }
 
-void draw_table(renderer::Canvas& canvas, std::span<const FitRow> rows, float top_px) {
+void draw_table(renderer::Canvas& canvas, const WornGarment& worn, float top_px) {
+  const std::span<const FitRow> rows = worn.fit;
   constexpr std::array columns_px = {0.0F, 420.0F, 640.0F, 860.0F, 930.0F};
   const float end_px = border_px + 1130.0F;
   const auto line = [&](float y_px, const std::array<std::string, 5>& cells,
@@ -77,6 +78,8 @@ void draw_table(renderer::Canvas& canvas, std::span<const FitRow> rows, float to
                                          : "ease below 0: too small; " + fit_thresholds();
   canvas.text(border_px, top_px + text_px + static_cast<float>(rows.size() + 1) * row_px, words,
               text_style(0.75F * text_px, palette::quiet_ink));
+  canvas.text(border_px, top_px + text_px + static_cast<float>(rows.size() + 2) * row_px, worn.tightness,
+              text_style(0.85F * text_px, palette::ink));
 }
 
 }  // namespace
@@ -87,7 +90,7 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
   const float table_px = header_px + panel_height_px + caption_px;
   renderer::Canvas canvas(
       static_cast<int>(page_px),
-      static_cast<int>(table_px + static_cast<float>(worn.fit.size() + 2) * row_px + border_px));
+      static_cast<int>(table_px + static_cast<float>(worn.fit.size() + 3) * row_px + border_px));
   canvas.text(border_px, border_px + text_px, worn.title, text_style(1.4F * text_px, palette::ink, true));
   canvas.text(border_px, border_px + text_px + row_px, worn.measured,
               text_style(0.85F * text_px, palette::quiet_ink));
@@ -106,7 +109,7 @@ renderer::Image draw_fit(const WornGarment& worn, const std::string& backend) {
                               .bar_height_px = 420.0F,
                               .text = text_style(0.85F * text_px)};
   renderer::draw_legend(canvas, stretch_legend(worn.scene), place);
-  draw_table(canvas, worn.fit, table_px);
+  draw_table(canvas, worn, table_px);
   return canvas.to_image();
 }
 

@@ -18,7 +18,8 @@ struct WornGarment {
   double time_s = 0.0;  ///< at which the bodies are drawn
   std::vector<FitRow> fit;
   std::string title;
-  std::string measured;  ///< a line in grey below the title
+  std::string measured;   ///< a line in grey below the title
+  std::string tightness;  ///< a line below the table
 };
 
 /// Draws it from the front and from behind, coloured by its stretch, with the legend beside it and a table of

@@ -68,6 +68,7 @@ struct Finder {
     }
     if (!vertices.empty()) {
       marks.top.emplace();
+      marks.top_m = top == nullptr ? 0.0 : top->length_m;
       for (const sim::Index v : vertices) {
         marks.top->add(positions_m[v]);
       }
@@ -77,22 +78,41 @@ struct Finder {
   }
 
   void find_hem_and_cuffs(const Opening* top, GarmentMarks& marks) const {
+    std::vector<const Opening*> beside;
     for (const Opening& opening : part.openings) {
       const bool is_hem = is_in_middle(opening) && opening.mean_height_m < part.range.middle().y;
       if (&opening != top && is_hem && opening.length_m > marks.hem_m) {
         marks.hem_height_m = opening.mean_height_m;
         marks.hem_m = opening.length_m;
       } else if (&opening != top && !is_in_middle(opening)) {
-        marks.cuffs_m.push_back(mean_of(opening.vertices, positions_m));
+        beside.push_back(&opening);
       }
     }
-    // The openings of trousers are no cuffs, nor are more than two or all on one side.
+    // Without a hem the lowest two are those of legs.
+    std::stable_sort(beside.begin(), beside.end(), [](const Opening* a, const Opening* b) {
+      return a->mean_height_m > b->mean_height_m;
+    });
+    const std::size_t sleeves = beside.size() - (marks.hem_height_m ? 0 : std::min<std::size_t>(beside.size(), 2));
+    const std::span<const Opening* const> all = beside;
+    marks.cuffs = pair_of(all.first(sleeves));
+    marks.legs = pair_of(all.subspan(sleeves));
+    if (!marks.legs.empty() && marks.legs.front().middle_m.y > part.range.middle().y) {
+      marks.legs.clear();
+    }
+  }
+
+  /// More than two, or all on one side, are none.
+  std::vector<LimbOpening> pair_of(std::span<const Opening* const> openings) const {
+    std::vector<LimbOpening> pair;
+    for (const Opening* const opening : openings) {
+      pair.push_back({mean_of(opening->vertices, positions_m), opening->length_m});
+    }
     const int across = part.across();
     const double middle = part.range.middle()[across];
-    if (!marks.hem_height_m || marks.cuffs_m.size() != 2 ||
-        (marks.cuffs_m[0][across] < middle) == (marks.cuffs_m[1][across] < middle)) {
-      marks.cuffs_m.clear();
+    if (pair.size() != 2 || (pair[0].middle_m[across] < middle) == (pair[1].middle_m[across] < middle)) {
+      pair.clear();
     }
+    return pair;
   }
 
   void find_front(const std::vector<sim::Index>& top, GarmentMarks& marks) const {
@@ -121,18 +141,37 @@ struct Finder {
   }
 };
 
-/// The closed curve with the longest tight tape; nullptr if there is none.
-const SectionCurve* trunk_of(const std::vector<SectionCurve>& curves) {
-  const SectionCurve* trunk = nullptr;
-  double largest_m = 0.0;
+/// A leg's part of what the largest curve of a level has.
+constexpr double share_of_legs = 0.5;
+
+/// The length of cloth around the trunk, or a tight tape around both legs.
+struct Around {
+  double length_m = 0.0;
+  bool is_parted = false;
+  double single_m = 0.0;  ///< around the largest part
+};
+
+std::optional<Around> around(const Surface& garment, const sim::Vec3& middle_m, double height_m) {
+  std::vector<SectionCurve> curves = section_of(garment, {{middle_m.x, height_m, middle_m.z}});
+  std::erase_if(curves, [](const SectionCurve& curve) { return !curve.is_closed; });
+  if (curves.empty()) {
+    return std::nullopt;
+  }
+  const auto tape_m = [](const SectionCurve& curve) { return tight_tape_m(curve.points_m); };
+  const SectionCurve& trunk = *std::max_element(
+      curves.begin(), curves.end(),
+      [&](const SectionCurve& a, const SectionCurve& b) { return tape_m(a) < tape_m(b); });
+  std::vector<sim::Vec2> both;
+  std::size_t legs = 0;
   for (const SectionCurve& curve : curves) {
-    const double tape_m = curve.is_closed ? tight_tape_m(curve.points_m) : 0.0;
-    if (tape_m > largest_m) {
-      largest_m = tape_m;
-      trunk = &curve;
+    if (tape_m(curve) > share_of_legs * tape_m(trunk)) {
+      ++legs;
+      both.insert(both.end(), curve.points_m.begin(), curve.points_m.end());
     }
   }
-  return trunk;
+  // Neither leg is around the middle, and a trunk beside sleeves is.
+  const bool is_parted = legs > 1 && !is_in_hull(convex_hull(trunk.points_m), {0.0, 0.0});
+  return Around{is_parted ? tight_tape_m(both) : length_m(trunk), is_parted, length_m(trunk)};
 }
 
 }  // namespace
@@ -151,10 +190,20 @@ GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> po
   return marks;
 }
 
+const LimbOpening& nearest_of(const std::vector<LimbOpening>& openings, const sim::Vec3& place_m) {
+  return *std::min_element(openings.begin(), openings.end(), [&](const LimbOpening& a, const LimbOpening& b) {
+    return glm::distance(a.middle_m, place_m) < glm::distance(b.middle_m, place_m);
+  });
+}
+
 std::optional<double> girth_at(const Surface& garment, double height_m) {
-  const std::vector<SectionCurve> curves = section_of(garment, {{0.0, height_m, 0.0}});
-  const SectionCurve* const trunk = trunk_of(curves);
-  return trunk == nullptr ? std::nullopt : std::optional(length_m(*trunk));
+  const auto level = around(garment, sim::extent_of(garment.positions_m).middle(), height_m);
+  return level ? std::optional(level->length_m) : std::nullopt;
+}
+
+std::optional<double> leg_at(const Surface& garment, double height_m) {
+  const auto level = around(garment, sim::extent_of(garment.positions_m).middle(), height_m);
+  return level && level->is_parted ? std::optional(level->single_m) : std::nullopt;
 }
 
 std::optional<GarmentTube> tube_of(const Surface& garment) {
@@ -163,13 +212,16 @@ std::optional<GarmentTube> tube_of(const Surface& garment) {
   double below_m = 0.0;
   for (std::size_t k = 0; k < levels_of_garment; ++k) {
     const double height_m = box.lower.y + (static_cast<double>(k) + 0.5) / levels_of_garment * box.size().y;
-    const std::optional<double> girth_m = girth_at(garment, height_m);
-    if (tube && (!girth_m || *girth_m > sleeves_begin * below_m)) {
+    const std::optional<Around> level = around(garment, box.middle(), height_m);
+    const bool is_joining = tube && tube->fork_m == tube->highest_m && level && !level->is_parted;
+    if (tube && (!level || (level->length_m > sleeves_begin * below_m && !is_joining))) {
       break;
     }
-    if (girth_m) {
-      tube = GarmentTube{tube ? tube->lowest_m : height_m, height_m};
-      below_m = *girth_m;
+    if (level) {
+      tube = tube.value_or(GarmentTube{height_m});
+      tube->highest_m = height_m;
+      tube->fork_m = level->is_parted ? height_m : tube->fork_m;
+      below_m = level->length_m;
     }
   }
   return tube;

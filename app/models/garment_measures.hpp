@@ -9,16 +9,24 @@
 
 namespace taut::app {
 
-/// Measures that say where on a body a garment belongs, by its landmarks or else by the openings of its largest part.
+/// The end of a sleeve or of a leg.
+struct LimbOpening {
+  sim::Vec3 middle_m;
+  double length_m = 0.0;  ///< around
+};
+
+/// Says where on a body a garment belongs, by its landmarks or else by the openings of its largest part.
 struct GarmentMarks {
   /// The border that goes around the neck, or around the waist where nothing else is open above the middle
   /// or below it in the middle, as of skirts and trousers. Empty: there is none.
   std::optional<sim::Extent> top;
   bool is_worn_at_waist = false;
   double top_height_m = 0.0;           ///< mean of its vertices
+  double top_m = 0.0;                  ///< around; 0: it is no opening
   std::optional<double> hem_height_m;  ///< mean of its vertices; empty: it has none
   double hem_m = 0.0;                  ///< around
-  std::vector<sim::Vec3> cuffs_m;      ///< the middles of the openings of two sleeves, or none
+  std::vector<LimbOpening> cuffs;      ///< of two sleeves, or of two armholes; or none
+  std::vector<LimbOpening> legs;       ///< of two legs, or none
   /// Level and of length 1: where its front is; of a front that is not known either way.
   sim::Vec3 front = {0.0, 0.0, 1.0};
   bool is_front_known = false;
@@ -28,17 +36,24 @@ struct GarmentMarks {
 GarmentMarks marks_of(const sim::Garment& garment, std::span<const sim::Vec3> positions_m,
                       const Landmarks& landmarks);
 
+/// Returns the opening whose middle is nearest. Requires one.
+const LimbOpening& nearest_of(const std::vector<LimbOpening>& openings, const sim::Vec3& place_m);
+
 /// The trunk of a garment, without its sleeves.
 struct GarmentTube {
   double lowest_m = 0.0;   ///< height of the lowest level that goes all around
   double highest_m = 0.0;  ///< of the highest, which of a shirt is under its armholes
+  std::optional<double> fork_m = {};  ///< of the highest that goes around two legs
 };
 
 /// Returns the tube; empty if no level goes all around, as of a jacket that is open in front.
 std::optional<GarmentTube> tube_of(const Surface& garment);
 
-/// Returns the length of the cloth around the trunk at this height, in m; empty where it does not go all
-/// around.
+/// Returns the length of the cloth around the trunk at this height, in m, of two legs that of a tight tape around
+/// both; empty where it does not go all around.
 std::optional<double> girth_at(const Surface& garment, double height_m);
+
+/// Returns the length of the cloth around one leg at this height, in m; empty where there are no two.
+std::optional<double> leg_at(const Surface& garment, double height_m);
 
 }  // namespace taut::app

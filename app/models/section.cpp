@@ -19,11 +19,16 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// The first axis of curves in a plane.
+Vec3 across(const CuttingPlane& plane) {
+  return glm::normalize(
+      glm::cross(plane.normal, std::abs(plane.normal.z) < 0.9 ? Vec3(0.0, 0.0, 1.0) : Vec3(1.0, 0.0, 0.0)));
+}
+
 class Section {
  public:
-  Section(const Surface& surface, const CuttingPlane& plane) : surface_(surface), plane_(plane) {
-    across_ = glm::normalize(
-        glm::cross(plane.normal, std::abs(plane.normal.z) < 0.9 ? Vec3(0.0, 0.0, 1.0) : Vec3(1.0, 0.0, 0.0)));
+  Section(const Surface& surface, const CuttingPlane& plane)
+      : surface_(surface), plane_(plane), across_(across(plane)) {
     for (const sim::Triangle& t : surface.triangles) {
       std::vector<EdgeKey> cut;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -96,6 +101,11 @@ std::vector<SectionCurve> section_of(const Surface& surface, const CuttingPlane&
   return Section(surface, plane).curves();
 }
 
+sim::Vec3 place_in(const CuttingPlane& plane, const Vec2& point) {
+  const Vec3 first = across(plane);
+  return plane.point_m + point.x * first + point.y * glm::cross(plane.normal, first);
+}
+
 double length_m(const SectionCurve& curve) {
   double length = curve.is_closed ? glm::distance(curve.points_m.back(), curve.points_m.front()) : 0.0;
   for (std::size_t i = 1; i < curve.points_m.size(); ++i) {
@@ -105,24 +115,37 @@ double length_m(const SectionCurve& curve) {
 }
 
 /// Andrew 1979: the lower and the upper chain of the points in order of x.
-double tight_tape_m(std::vector<Vec2> points_m) {
+std::vector<Vec2> convex_hull(std::vector<Vec2> points_m) {
   std::sort(points_m.begin(), points_m.end(),
             [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  double length = 0.0;
+  std::vector<Vec2> hull;
   for (int side = 0; side < 2; ++side) {
-    std::vector<Vec2> chain;
+    const std::size_t first = hull.size();
     for (const Vec2& p : points_m) {
-      while (chain.size() > 1 && turn(chain[chain.size() - 2], chain.back(), p) <= 0.0) {
-        chain.pop_back();
+      while (hull.size() > first + 1 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0) {
+        hull.pop_back();
       }
-      chain.push_back(p);
+      hull.push_back(p);
     }
-    for (std::size_t i = 1; i < chain.size(); ++i) {
-      length += glm::length(chain[i] - chain[i - 1]);
-    }
+    // Where a chain ends the other one begins.
+    hull.pop_back();
     std::reverse(points_m.begin(), points_m.end());
   }
-  return length;
+  return hull;
+}
+
+double tight_tape_m(std::vector<Vec2> points_m) {
+  const std::vector<Vec2> hull = convex_hull(std::move(points_m));
+  return hull.empty() ? 0.0 : length_m({hull, true});
+}
+
+bool is_in_hull(const std::vector<Vec2>& hull, const Vec2& point) {
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    if (turn(hull[i], hull[(i + 1) % hull.size()], point) < 0.0) {
+      return false;
+    }
+  }
+  return !hull.empty();
 }
 
 bool is_around_point(const SectionCurve& curve) {

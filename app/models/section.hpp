@@ -24,8 +24,17 @@ struct SectionCurve {
 /// that is cut, curves end.
 std::vector<SectionCurve> section_of(const Surface& surface, const CuttingPlane& plane);
 
+/// Returns where a point of a curve in the plane is.
+sim::Vec3 place_in(const CuttingPlane& plane, const sim::Vec2& point);
+
 /// Returns the length along the curve, in m; of a closed one all around.
 double length_m(const SectionCurve& curve);
+
+/// Returns the corners of the points' convex hull, anticlockwise. Requires a point.
+std::vector<sim::Vec2> convex_hull(std::vector<sim::Vec2> points_m);
+
+/// Returns whether the point is within the hull, or on it.
+bool is_in_hull(const std::vector<sim::Vec2>& hull, const sim::Vec2& point);
 
 /// Returns the length of a tight tape around the points, in m: of their convex hull.
 double tight_tape_m(std::vector<sim::Vec2> points_m);

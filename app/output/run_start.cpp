@@ -12,7 +12,7 @@ namespace taut::app {
 namespace {
 
 /// A garment that breaks its bound in so many frames in a row while it is put on is too tight.
-constexpr int most_tight_frames = 3;
+constexpr int most_tight_frames = 8;
 
 /// Requires that nothing crosses a body that has grown into its clothes, where the scene does not allow it.
 void require_worn(const Scene& scene, const sim::Simulation& simulation) {
@@ -38,11 +38,14 @@ void dress(const Scene& scene, sim::Simulation& simulation) {
     return;
   }
   const sim::Surroundings surroundings = simulation.surroundings();
-  // Clothes would fall off a body that is thin.
+  // Clothes would fall off a body that is thin, and slide to where they have room.
   sim::Surroundings still = surroundings;
   still.forces.gravity_m_per_s2 = sim::Vec3(0.0);
   still.forces.gravity_path.clear();
   still.forces.wind.speed_m_per_s = 0.0;
+  for (sim::Body& body : still.bodies) {
+    body.friction = 0.0;
+  }
   simulation.set_surroundings(still);
   simulation.set_time(-frames * simulation.frame_time_s());
   int tight_frames = 0;
@@ -73,12 +76,15 @@ int start_frame(const Scene& scene) {
 
 int go_to_start(const Scene& scene, sim::Simulation& simulation) {
   if (scene.checkpoint.empty()) {
-    const std::vector<sim::Vec3> start_m = simulation.state().current;
+    const std::vector<FitRow> fit =
+        scene.dressing_frames() == 0 ? std::vector<FitRow>{}
+                                     : fit_of(scene, simulation.garment(), simulation.state().current);
+    require_wearable(scene, fit);
     try {
       dress(scene, simulation);
       require_worn(scene, simulation);
     } catch (const PromiseBroken& error) {
-      throw PromiseBroken(error.what() + describe_misfit(fit_of(scene, simulation.garment(), start_m)));
+      throw PromiseBroken(error.what() + describe_misfit(fit));
     }
     return 0;
   }

@@ -58,7 +58,7 @@ TEST_F(Dressing, AStillBodyGrowsFromItsBones) {
   const GltfModel model = test::tube();
   const LoadedBody body = load(source_of(model));
   const auto thin_m = body.positions_m(-0.5);
-  const auto half_m = body.positions_m(-0.25);
+  const auto half_m = body.positions_m(-0.3);  // it is grown at -0.1 s
   const auto full_m = body.positions_m(0.0);
   for (std::size_t v = 0; v < model.positions.size(); ++v) {
     const sim::Vec3& p = model.positions[v];

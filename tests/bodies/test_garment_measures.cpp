@@ -17,12 +17,14 @@ TEST(GarmentMarks, TellShirtsFromTrousers) {
   };
   const GarmentMarks shirt = marks(test::shirt());
   EXPECT_FALSE(shirt.is_worn_at_waist);
-  EXPECT_EQ(shirt.cuffs_m.size(), 2U);
+  EXPECT_EQ(shirt.cuffs.size(), 2U);
   EXPECT_TRUE(shirt.is_front_known);
   EXPECT_EQ(shirt.front, sim::Vec3(0.0, 0.0, 1.0)) << "where its neckline is lower";
   const GarmentMarks trousers = marks(test::trousers());
   EXPECT_TRUE(trousers.is_worn_at_waist);
-  EXPECT_TRUE(trousers.cuffs_m.empty());
+  EXPECT_TRUE(trousers.cuffs.empty());
+  EXPECT_EQ(trousers.legs.size(), 2U);
+  EXPECT_TRUE(shirt.legs.empty());
   EXPECT_FALSE(trousers.hem_height_m);
 }
 

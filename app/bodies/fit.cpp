@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "app/base/errors.hpp"
 #include "app/bodies/dressing.hpp"
@@ -221,24 +222,33 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
   const std::vector<double> stretch = sim::triangle_surface_stretch(garment, worn_m);
   const sim::Vec3 front = front_of_dressed(scene);
   std::vector<std::pair<double, std::string>> places;
-  for (const FitRow& row : rows) {
+  const auto look = [&](const std::string& name, double from_m, double to_m) {
     std::vector<std::pair<double, sim::Vec3>> near;
     sim::Extent level;
-    for (std::size_t t = 0; row.height_m && t < stretch.size(); ++t) {
+    for (std::size_t t = 0; t < stretch.size(); ++t) {
       const auto& [a, b, c] = garment.mesh.triangles[t];
       const sim::Vec3 middle_m = (worn_m[a] + worn_m[b] + worn_m[c]) / 3.0;
-      if (std::abs(middle_m.y - *row.height_m) < around_row_m) {
+      if (middle_m.y > from_m && middle_m.y < to_m) {
         near.emplace_back(stretch[t], middle_m);
         level.add(middle_m);
       }
     }
     const Tightness tight = tightness_at(near);
     if (tight.stretch > least_tightness) {
-      places.emplace_back(tight.stretch, fmt::format("at the {} {} {:.1f} %", row.name,
+      places.emplace_back(tight.stretch, fmt::format("at the {} {} {:.1f} %", name,
                                                      side_of(tight.place_m - level.middle(), front),
                                                      100.0 * tight.stretch));
     }
+  };
+  sim::Extent measured;
+  for (const FitRow& row : rows) {
+    if (row.height_m) {
+      look(row.name, *row.height_m - around_row_m, *row.height_m + around_row_m);
+      measured.add({0.0, *row.height_m, 0.0});
+    }
   }
+  look("shoulders", measured.upper.y + around_row_m, std::numeric_limits<double>::infinity());
+  look("lower end", -std::numeric_limits<double>::infinity(), measured.lower.y - around_row_m);
   std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::string text;
   for (const auto& [how_much, place] : places) {

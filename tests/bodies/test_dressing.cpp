@@ -1,9 +1,12 @@
 // Bodies that grow into the clothes before the run.
 
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "app/bodies/dressing.hpp"
+#include "app/bodies/room_for_cloth.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
@@ -152,6 +155,45 @@ TEST_F(Dressing, ClothThatCrossesTheBodyWhenItHasGrownEndsTheRun) {
   scene.simulation.solver.bounded.allow_crossing = true;
   sim::Simulation allowed = make_simulation(scene, loaded);
   EXPECT_EQ(go_to_start(scene, allowed), 0);
+}
+
+/// Two upright square tubes, each with a joint in its middle, whose walls are so far apart.
+std::optional<RoomForCloth> room_between(double gap_m) {
+  Rig rig;
+  std::vector<sim::Triangle> triangles;
+  for (const double side : {0.0, 1.0}) {
+    const auto node = static_cast<sim::Index>(rig.nodes.size());
+    const sim::Vec3 middle(side * (0.2 + gap_m), 0.5, 0.0);
+    rig.nodes.push_back({side > 0.0 ? "LeftLeg" : "RightLeg", no_node, glm::translate(glm::dmat4(1.0), middle)});
+    rig.bones.push_back({node, glm::translate(glm::dmat4(1.0), -middle)});
+    const auto first = static_cast<sim::Index>(rig.in_part.size());
+    for (sim::Index k = 0; k < 44; ++k) {
+      const sim::Index corner = k % 4;
+      rig.influences.push_back({rig.in_part.size(), node, 1.0});
+      rig.in_part.push_back(middle + sim::Vec3(corner == 0 || corner == 3 ? 0.1 : -0.1, 0.1 * (k / 4) - 0.5,
+                                               corner < 2 ? 0.1 : -0.1));
+    }
+    for (sim::Index k = 0; k < 40; ++k) {
+      const sim::Index next = k % 4 == 3 ? k - 3 : k + 1;
+      triangles.push_back({first + k, first + k + 4, first + next});
+      triangles.push_back({first + next, first + k + 4, first + next + 4});
+    }
+  }
+  rig.parts = {{0, "", 0, rig.in_part.size(), true}};
+  FileVertexPlaces places;
+  places.file_vertex.resize(rig.in_part.size());
+  std::iota(places.file_vertex.begin(), places.file_vertex.end(), 0U);
+  const std::vector<RigPose> poses = {stored_pose(rig)};
+  return leave_room(rig, poses, places, triangles);
+}
+
+TEST(RoomForCloth, IsLeftBetweenLimbsThatTouch) {
+  EXPECT_FALSE(room_between(0.05));
+  const auto room = room_between(0.001);
+  ASSERT_TRUE(room);
+  EXPECT_GT(room->vertices, 10U);
+  EXPECT_GT(room->most_m, 0.002);
+  EXPECT_LT(room->most_m, 0.03);
 }
 
 }  // namespace

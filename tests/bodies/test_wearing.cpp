@@ -261,5 +261,29 @@ TEST_F(Wearing, WhatHasNoOpeningStaysAndSaysSo) {
   EXPECT_CONTAINS(worn.said[0], "it stays where it is: no neck opening and no waist was found on it");
 }
 
+TEST_F(Wearing, TrousersComeForkToForkAndAreMeasuredRoundBothLegs) {
+  sim::Mesh mesh = test::moved(test::trousers(), {3.0, 0.0, 0.0});
+  const Fitting worn = put(written(mesh), "female_34");
+  const BodyMeasures& measures = worn.scene.wearers[0]->measures;
+  const auto tube = tube_of({worn.places_m(), worn.loaded.garment->mesh.triangles});
+  ASSERT_TRUE(tube && tube->fork_m);
+  EXPECT_NEAR(*tube->fork_m, measures.levels[measures.fork].height_m - 0.01, 0.005);
+  const sim::Extent box = sim::extent_of(worn.places_m());
+  const double leg_m = leg_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value();
+  EXPECT_GT(girth_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value(),
+            1.2 * leg_m);
+}
+
+TEST_F(Wearing, SaysWhereClothIsStretchedMost) {
+  const Fitting worn = put(tshirt, "male_40");
+  const std::vector<FitRow> rows = worn.fit();
+  std::vector<sim::Vec3> wide_m = worn.places_m();
+  EXPECT_EQ(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows), "");
+  for (sim::Vec3& p : wide_m) {
+    p.z *= p.y < 1.25 && p.z > 0.0 ? 1.2 : 1.0;  // at the waist in front
+  }
+  EXPECT_CONTAINS(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows), "stretched most: at the ");
+}
+
 }  // namespace
 }  // namespace taut::app

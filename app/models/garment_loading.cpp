@@ -25,6 +25,9 @@
 namespace taut::app {
 namespace {
 
+/// Flatter triangles than this share of what they were are too stiff to be cut so.
+constexpr double least_cut_height = 0.1;
+
 // As a fraction of the garment's size. If half of its edges are shorter, double precision cannot measure
 // their stretch. Usual edges have a thousandth of the size.
 constexpr double shortest_half_of_edges = 1e-9;
@@ -347,6 +350,18 @@ std::vector<sim::Vec3> read_start(const GarmentSource& source, const LoadedGarme
   return start_m;
 }
 
+/// The share of its height that the flattest triangle has kept.
+double least_height_left(const sim::Garment& now, const sim::Garment& before) {
+  double least = 1.0;
+  for (std::size_t t = 0; t < now.triangles_at_rest.size(); ++t) {
+    const sim::TriangleAtRest &flat = now.triangles_at_rest[t], &earlier = before.triangles_at_rest[t];
+    least = std::min(least, flat.has_surface() && earlier.has_surface()
+                                ? sim::smallest_height_m(flat) / sim::smallest_height_m(earlier)
+                                : 0.0);
+  }
+  return least;
+}
+
 void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   std::vector<sim::Vec3> start_m = loaded.start_m.value_or(loaded.garment->mesh.positions);
   loaded.untangling =
@@ -358,9 +373,11 @@ void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begi
   if (loaded.following && !loaded.start_m) {
     // Parted, it is stretched up to its bound, and contact may leave it no way back: it is cut as it was parted.
     sim::Garment cut = sim::make_garment({start_m, rest.triangles, {}}, scene.mapping, loaded.garment->material);
-    cut.warps = loaded.garment->warps;
-    loaded.garment = sim::share(std::move(cut));
-    return;
+    if (least_height_left(cut, *loaded.garment) >= least_cut_height) {
+      cut.warps = loaded.garment->warps;
+      loaded.garment = sim::share(std::move(cut));
+      return;
+    }
   }
   if (!loaded.start_m || !crossing_pairs({rest.positions, rest.triangles}).empty()) {
     sim::Garment garment = *loaded.garment;

@@ -143,6 +143,8 @@ struct Finder {
 
 /// A leg's part of what the largest curve of a level has.
 constexpr double share_of_legs = 0.5;
+/// Of its width: the middle of a leg is further from that of the garment.
+constexpr double beside_middle = 0.25;
 
 /// The length of cloth around the trunk, or a tight tape around both legs.
 struct Around {
@@ -169,8 +171,12 @@ std::optional<Around> around(const Surface& garment, const sim::Vec3& middle_m, 
       both.insert(both.end(), curve.points_m.begin(), curve.points_m.end());
     }
   }
-  // Neither leg is around the middle, and a trunk beside sleeves is.
-  const bool is_parted = legs > 1 && !is_in_hull(convex_hull(trunk.points_m), {0.0, 0.0});
+  // A leg is beside the middle, though wide ones may reach over it; a trunk between sleeves is around it.
+  sim::Extent box;
+  for (const sim::Vec2& p : trunk.points_m) {
+    box.add({p.x, 0.0, p.y});
+  }
+  const bool is_parted = legs > 1 && glm::length(box.middle()) > beside_middle * box.size()[sim::longest_axis(box)];
   return Around{is_parted ? tight_tape_m(both) : length_m(trunk), is_parted, length_m(trunk)};
 }
 

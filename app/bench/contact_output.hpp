@@ -8,7 +8,7 @@
 
 namespace taut::app {
 
-/// What stands above the rows for people.
+/// The lines above the rows, for people.
 std::string contact_head(const std::string& vector_unit);
 /// A trial as a row for people, with what the first frame that broke a promise broke in each run.
 std::string contact_row(const ContactTrial& trial);

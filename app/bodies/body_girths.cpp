@@ -38,7 +38,7 @@ constexpr double most_of_armhole = 2.0;      ///< times the girth of the arm; wh
 using Levels = std::vector<LevelTape>;
 using Level = Levels::const_iterator;
 
-/// What a level plane cuts out in one curve.
+/// One curve that a level plane cuts out.
 struct Piece {
   std::vector<sim::Vec2> hull;
   double tape_m = 0.0;

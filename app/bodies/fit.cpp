@@ -29,6 +29,7 @@ constexpr double surely = 0.98;
 /// Cloth is tight where so many of its triangles are stretched as far.
 constexpr double share_of_tight = 0.1;
 constexpr double around_row_m = 0.04;
+constexpr std::size_t most_places = 3;  ///< that are named as tight: a line of the picture has no room for more
 constexpr double least_tightness = 0.005;
 constexpr const char* shoulder_width = "shoulder width";
 
@@ -250,6 +251,7 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
   look("shoulders", measured.upper.y + around_row_m, std::numeric_limits<double>::infinity());
   look("lower end", -std::numeric_limits<double>::infinity(), measured.lower.y - around_row_m);
   std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  places.resize(std::min(places.size(), most_places));
   std::string text;
   for (const auto& [how_much, place] : places) {
     text += (text.empty() ? "stretched most: " : ", ") + place;

@@ -11,7 +11,7 @@
 namespace taut::app {
 namespace {
 
-/// What two layers of usual cloth and what they keep from bodies and from each other need.
+/// Room for two layers of usual cloth, with their distances to bodies and to each other.
 constexpr double room_m = 0.008;
 constexpr double faces_each_other = -0.2;  ///< the cosine between the normals, at most
 // As shares of the growth. Between two steps two limbs close in by less than the room.

@@ -31,7 +31,8 @@ class Installed:
         self.depends, self.providers, self.base = {}, {}, ['apt']
         for line in lines.splitlines():
             name, status, essential, priority, provides, *depends = line.split('\t')
-            if status != 'installed':
+            # A package is configured, and usable, while apt has yet to run its triggers.
+            if status not in ('installed', 'triggers-pending', 'triggers-awaited'):
                 continue
             self.depends[name] = [alternatives for field in depends for alternatives in field.split(',')]
             if essential == 'yes' or priority == 'required':

@@ -11,11 +11,11 @@ namespace taut::app {
 namespace {
 
 constexpr std::size_t levels_of_body = 400;
-/// Of the height: there the largest curve is the trunk, wherever arms are.
+/// A share of the height: there the largest curve is the trunk, wherever arms are.
 constexpr double surely_trunk = 0.55;
 /// A part of the trunk of at least this share of the largest is a leg. What is less is hands and folds.
 constexpr double share_of_legs = 0.5;
-/// What is beside the trunk and at least this share of its girth is an arm.
+/// A curve beside the trunk of at least this share of its girth is an arm.
 constexpr double share_of_arms = 0.15;
 constexpr double arms_begin = 1.2;           ///< times the girth a few levels below
 constexpr double arms_join = 1.08;           ///< the same where there were arms beside it

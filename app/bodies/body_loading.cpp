@@ -24,7 +24,7 @@
 namespace taut::app {
 namespace {
 
-// What is lower or higher than these is no person.
+// The heights of people: a body beyond them is none.
 constexpr double lowest_person_m = 0.5;
 constexpr double highest_person_m = 2.5;
 /// In which parts of a body may close in on each other.

@@ -71,7 +71,7 @@ std::vector<std::size_t> matched_joints(const Skeletons& skeletons) {
   return matched;
 }
 
-/// What a motion does to the hips.
+/// The motion of the hips.
 struct HipsMotion {
   sim::Index node = no_node;  ///< no_node: nothing
   std::size_t joint = 0;

@@ -71,7 +71,7 @@ struct Fitting {
         continue;
       }
       const double height_m = girth->height_m + lift_m;
-      // What is above the tube lies about the armholes, or is the edge of a waist.
+      // Cloth above the tube lies about the armholes, or is the edge of a waist.
       const bool is_covered = height_m >= tube->lowest_m && height_m <= top_m + edge_m;
       const double measured_m = std::min(height_m, tube->highest_m);
       const std::optional<double> garment_m = is_covered ? girth_at(garment, measured_m) : std::nullopt;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view digits = "0123456789";
 
-/// What the names of a sequence have around their number.
+/// The parts of a sequence's names around their number.
 struct Naming {
   std::string before;
   std::string after;
@@ -62,7 +62,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// Of the first OBJ file of a folder that has a number at the end of its name.
+/// Returns the parts of the first OBJ file's name that ends with a number.
 Naming naming_in(const fs::path& folder, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const std::string stem = fs::path(name).stem().string();

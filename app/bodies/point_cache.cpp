@@ -109,7 +109,7 @@ std::size_t count_in(const SeekableFile& file, const std::string& header, std::s
   return static_cast<std::size_t>(count);
 }
 
-/// Of the times of the first and the last frame. Frames at equal times have none.
+/// Returns the rate by the times of the first and the last frame. Frames at equal times have none.
 std::optional<double> rate_of_times(const SeekableFile& file, std::size_t frames) {
   std::array<char, number_bytes> first = {};
   std::array<char, number_bytes> last = {};

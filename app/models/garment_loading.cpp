@@ -400,7 +400,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   if (!scene.garment.file.empty()) {
     loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh, loaded.file_vertices);
   }
-  // Of the mesh as it was read: what is named keeps its vertices when it is subdivided.
+  // Pins are vertices of the mesh as it was read: they stay the same when it is subdivided.
   std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded, begin);
   loaded.moving_pins = choose_moving_pins(scene, mesh, loaded);
   sim::PinnedMesh pinned = subdivided({std::move(mesh), std::move(pins)}, scene.garment.subdivisions);

@@ -11,9 +11,9 @@
 namespace taut::app {
 namespace {
 
-/// Of the part's width: a hem is as near as this to its middle, cuffs are not.
+/// A share of the part's width: a hem is as near as this to its middle, cuffs are not.
 constexpr double in_the_middle = 0.15;
-/// Of the opening's width: by how much a neckline is lower in front.
+/// A share of the opening's width: a neckline is lower by this in front.
 constexpr double dip_of_front = 0.03;
 constexpr std::size_t levels_of_garment = 200;
 /// Times the girth one level below, where sleeves begin.

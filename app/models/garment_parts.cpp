@@ -12,8 +12,8 @@
 namespace taut::app {
 namespace {
 
-// Of the longer of two edges of a border that lie face to face: how far apart they are at most where a seam
-// of the garment was left open.
+// The largest gap between two border edges that lie face to face, where a seam was left open: a share of the
+// longer edge.
 constexpr double seam_gap = 0.25;
 
 struct BorderEdge {

@@ -81,7 +81,7 @@ std::vector<sim::Index> parts_within(const sim::Body& body, double time_s, const
   return within;
 }
 
-/// Of a mesh that crosses itself; empty: it does not.
+/// Returns a remark on a body whose mesh crosses itself; empty: it does not.
 std::string remark_on_shape(std::span<const sim::Body> bodies, std::size_t body, double time_s) {
   const auto* mesh = std::get_if<sim::BodyMesh>(&bodies[body].shape);
   if (mesh == nullptr) {

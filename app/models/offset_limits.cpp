@@ -6,7 +6,7 @@
 namespace taut::app {
 namespace {
 
-/// Of an edge: a vertex that reaches further would meet its own neighbours in flat cloth.
+/// A share of the mean edge: a vertex that reaches further would meet its own neighbours in flat cloth.
 constexpr double furthest_reach = 0.25;
 /// Below this share layers touch or cross as they were modelled, and followers cannot keep to that.
 constexpr float least_share_at_rest = 0.1F;

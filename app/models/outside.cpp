@@ -10,8 +10,8 @@
 namespace taut::app {
 namespace {
 
-// What normals of an open surface amount to along the way from the middle, as a share of what they would if
-// all pointed away. Collars and cuffs that are turned down point inwards, so it is far from -1.
+// The sum of an open surface's normals along the way from its middle, as a share of that sum if all pointed
+// away. Collars and cuffs that are turned down point inwards, so it is far from -1.
 constexpr double faces_inwards = -0.5;
 
 /// Triangles that are connected across edges with two triangles. Across others none of the sides is the same.

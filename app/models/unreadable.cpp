@@ -14,7 +14,7 @@
 namespace taut::app {
 namespace {
 
-// Of the file's bytes; what tells a format stands at its beginning, and a glTF's text is seldom longer.
+// The first bytes of a file: a format shows at its beginning, and a glTF's text is seldom longer.
 constexpr std::size_t head_of_model_bytes = std::size_t{1} << 22;
 
 std::string head_of(const std::filesystem::path& path) {

@@ -38,7 +38,7 @@ bool share_free_row(const Searched& searched, Side one, Side other) {
   });
 }
 
-/// What is led on the other side of the cloth that is closed in on.
+/// Returns the pins or the body on the other side of the cloth that is closed in on.
 std::optional<ContactSide> behind(const Searched& searched, const NearPair& blocked,
                                   const std::array<ContactSide, 2>& known) {
   for (const ContactPair& pair : searched.pairs) {

@@ -63,7 +63,7 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   leave_out(memory, layout, motion, time.from_s);
 }
 
-// What crosses is looked for when the cloth begins, when bodies come, and after a crossing was accepted.
+// Crossings are looked for when the cloth begins, when bodies come, and after a crossing was accepted.
 void Contacts::leave_out(const ContactMemory& memory, const Layout& layout, const Motion& motion, double time_s) {
   const bool goes_on = memory.bodies == bodies_of_frame_;
   std::vector<Index> group_of(triangle_of_.size(), 0);
@@ -264,7 +264,7 @@ void Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
     Float4& move = rows_.moves[row] = times(memory_.velocities[row], lasts_s);
     // The velocity is that of the middle of the last time.
     add_scaled(move, memory_.accelerations[row], 0.5F * lasts_s * (lasts_s + before_s));
-    // What presses layers together; most of it is undone by the cloth itself.
+    // Forces press layers together; the cloth itself undoes most of that.
     const Float4 pressed = times(accelerations[row], 0.5F * lasts_s * lasts_s);
     const float room = room_of(row);
     move = scaled_sum(move, no_longer_than(room, pressed), 1.0F);

@@ -239,7 +239,7 @@ void Elasticity::share_with_neighbours(std::vector<InPlane>& values) const {
   }
 }
 
-// What a sweep leaves is strain = tension times sag, at most.
+// A sweep leaves at most the strain tension times sag.
 double Elasticity::steps_needed_per_s() const {
   double load = 0.0;
   double strain_per_s2 = 0.0;

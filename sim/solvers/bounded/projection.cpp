@@ -187,7 +187,7 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   if (!(ratio <= squared_bound)) {
     ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   }
-  // What time steps have stretched further is for more of them to mend.
+  // A larger stretch is for more time steps to mend.
   const bool evens_out = confinement != nullptr && result.raw_max_stretch < tuning::coped_stretch * max_stretch;
   double earlier_ratio = ratio;
   const auto may_go_on = [&] {

@@ -13,7 +13,7 @@
 namespace taut::sim::bounded {
 namespace {
 
-/// What single precision takes to be further than this many times a limb's size from it is not near.
+/// A thing that single precision puts further from a limb than this many times the limb's size is not near.
 constexpr float far_enough = 1.00001F;
 
 /// How often the nearest points of a triangle and a tapered limb are looked for from each other.

@@ -12,7 +12,7 @@ namespace {
 
 /// Of triangles around a contour.
 constexpr int rings = 2;
-/// What is nearer than this, in m, is not told apart in single precision; and what is nearer at rest is not kept apart.
+/// Single precision does not tell apart things nearer than this, in m; nor are things nearer at rest kept apart.
 constexpr double least_apart_m = 1e-6;
 constexpr double least_at_rest_m = 2e-6;
 
@@ -56,7 +56,7 @@ Crossings::Crossings(std::span<const Triangle> cloth, std::span<const Triangle> 
   group_of_.assign(triangles_.size(), 0);
 }
 
-// What is near at rest, as in the finest meshes, is not kept apart; nor is what touches there, so that its group stays.
+// Things near at rest, as in the finest meshes, are not kept apart; nor are those that touch there, so that their group stays.
 bool Crossings::is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
   const auto measure = [&](std::span<const Vec3> at_m) {
     return are_neighbours ? measure_neighbours(triangles_[s], triangles_[t], at_m)

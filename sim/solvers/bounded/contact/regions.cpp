@@ -59,8 +59,8 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
   // out is let out.
   pair.error = distance_error_m(extent_of(near, p));
   pair.is_told_apart = contact.normal || pair.distance > pair.error;
-  // What touches as near as it may would be left a little nearer, and held fast in the way of what comes at
-  // it: so it is to be parted somewhat.
+  // Things that touch as near as they may would be left a little nearer, and held fast in the way of what
+  // comes at them: so they are to be parted somewhat.
   const float least = least_gap_m(contact.thickness_m, pair.error);
   const float more = pair.distance > 0.0F ? std::clamp(2.0F * least - pair.distance, 0.0F, least) : 0.0F;
   pair.needed = std::min(pair.distance, least);
@@ -112,7 +112,7 @@ void Regions::make_pairs(std::span<const ContactPair> pairs, const RowMoves& row
   note_kinematic_gap(rows.inverse_masses_per_kg);
 }
 
-// What begins within a body has nothing to lose.
+// A vertex that begins within a body has no gap to lose.
 void Regions::note_kinematic_gap(std::span<const float> inverse_masses) {
   kinematic_gap_m_ = infinity;
   for (const Pair& pair : pairs_) {
@@ -286,7 +286,7 @@ void Regions::set_half_spaces(const Pair& pair, std::span<const float> inverse_m
   }
   const bool is_second_fixed = std::isinf(masses_kg[1]);
   const bool is_first_fixed = std::isinf(masses_kg[0]);
-  // Of the room between the two the first gets this share.
+  // The first gets this share of the room between the two.
   const float share = is_first_fixed == is_second_fixed ? 0.5F : (is_first_fixed ? 0.0F : 1.0F);
   // Where the plane of the one or the other thing is, so that what is needed is left between the two.
   const auto plane = [&](const Span& span, bool is_first) {

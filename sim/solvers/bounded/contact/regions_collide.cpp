@@ -51,7 +51,7 @@ void Regions::add_touch(const Pair& pair, const std::array<float, 4>& weights, c
 void Regions::make_touches(const RowMoves& rows) {
   touches_.clear();
   for (const Pair& pair : pairs_) {
-    // What is expected to stay further apart is left to its planes.
+    // Pairs that are expected to stay further apart are left to their planes.
     if (std::min(pair.distance, span_at_end(pair).apart()) >
         (1.0F + tuning::parted_at_once) * pair.contact.thickness_m) {
       continue;

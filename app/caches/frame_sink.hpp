@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/models/garment_loading.hpp"
-#include "app/output/frame_range.hpp"
+#include "app/output/output_pattern.hpp"
 #include "sim/checkpoint.hpp"
 #include "sim/simulation.hpp"
 

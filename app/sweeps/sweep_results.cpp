@@ -6,8 +6,12 @@
 #include <fstream>
 #include <set>
 
+#include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
+#include "app/output/csv.hpp"
+#include "app/models/image_reading.hpp"
+#include "app/report/report.hpp"
 
 namespace taut::app {
 namespace {
@@ -77,6 +81,59 @@ std::set<std::string> stems_of(const Sweep& sweep, const char* ending) {
     }
   }
   return stems;
+}
+
+constexpr std::array measures = {"max_stretch",
+                                 "max_surface_stretch",
+                                 "max_p99_stretch",
+                                 "max_p99_surface_stretch",
+                                 "final_max_stretch",
+                                 "frames_over_bound",
+                                 "smallest_distance",
+                                 "mean_substeps",
+                                 "mean_sim_ms",
+                                 "total_sim_ms",
+                                 "final_rms_speed",
+                                 "frames",
+                                 "vertices",
+                                 "triangles",
+                                 "state_hash",
+                                 "host",
+                                 "where"};
+
+/// Empty where the result does not say it.
+std::string cell_of(const Json* result, const char* name) {
+  const Json value = result != nullptr && result->contains(name) ? result->at(name) : Json();
+  return value.is_null() ? "" : value.is_string() ? cell(value.get<std::string>()) : value.dump();
+}
+
+/// The values of a run that differ between runs.
+std::string title_of(const Sweep& sweep, std::size_t run) {
+  std::string title;
+  const std::vector<std::size_t> choice = sweep.choice(run);
+  for (std::size_t k = 0; k < choice.size(); ++k) {
+    const SweepAxis& axis = sweep.axes[k];
+    if (const Json& value = axis.values[choice[k]]; axis.values.size() > 1) {
+      // Numbers do not say what they are.
+      const std::string name = value.is_string() ? "" : axis.key.substr(axis.key.rfind('.') + 1) + ' ';
+      title += (title.empty() ? "" : ", ") + name + value_label(value);
+    }
+  }
+  return title;
+}
+
+renderer::Image read_picture(const std::filesystem::path& file) {
+  const TextureImage image = decode_image(read_text_file(file));
+  return {static_cast<int>(image.width_px), static_cast<int>(image.height_px), 4, *image.rgba};
+}
+
+std::size_t columns_of(const Sweep& sweep) {
+  for (std::size_t k = sweep.axes.size(); k-- > 0;) {
+    if (const std::size_t values = sweep.axes[k].values.size(); values > 1) {
+      return std::min<std::size_t>(values, 10);
+    }
+  }
+  return 1;
 }
 
 }  // namespace
@@ -161,6 +218,47 @@ std::size_t pack_results(const Sweep& sweep) {
     ++packed;
   }
   return packed;
+}
+
+std::string sweep_table(const Sweep& sweep) {
+  std::vector<std::string> columns = {"index"};
+  for (const SweepAxis& axis : sweep.axes) {
+    columns.push_back(cell(axis.key));
+  }
+  columns.emplace_back("end");
+  columns.insert(columns.end(), measures.begin(), measures.end());
+  CsvTable table(columns);
+  for_each_result(sweep, [&](std::size_t run, const Json* result) {
+    std::vector<std::string> row = {std::to_string(run)};
+    const Json values = sweep.values(run);
+    for (const Json& value : values) {
+      row.push_back(cell(value_label(value)));
+    }
+    row.push_back(result != nullptr ? cell_of(result, "end") : "missing");
+    for (const char* name : measures) {
+      row.push_back(cell_of(result, name));
+    }
+    table.add(std::move(row));
+  });
+  return table.text();
+}
+
+renderer::Image sweep_sheet(const Sweep& sweep) {
+  const std::size_t step = (sweep.runs() + most_on_sheet - 1) / most_on_sheet;
+  std::vector<DrawnFigure> pictures;
+  for (std::size_t run = 0; run < sweep.runs(); run += step) {
+    const std::filesystem::path file = sweep.file(run, ".png");
+    if (std::error_code error; std::filesystem::exists(file, error)) {
+      pictures.push_back({title_of(sweep, run), "", read_picture(file)});
+    }
+  }
+  if (pictures.empty()) {
+    return {};
+  }
+  // Where some are missing, what is there fills up.
+  const std::size_t columns = step == 1 ? columns_of(sweep) : 10;
+  return contact_sheet(pictures, 1.0F,
+                       {.columns = static_cast<int>(columns), .cell_px = 400, .title_px = 16.0F});
 }
 
 }  // namespace taut::app

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/sweeps/sweep.hpp"
+#include "renderer/page/image.hpp"
 
 namespace taut::app {
 
@@ -39,5 +40,16 @@ std::string ranges_text(std::span<const std::size_t> numbers);
 /// Puts the results of every shard that is complete into one file, runs/NNN.jsonl. Returns how many there are
 /// now.
 std::size_t pack_results(const Sweep& sweep);
+
+/// The results of a sweep as a table (CSV): a row for each run, those without a result too, and a column for
+/// each axis and each measure.
+std::string sweep_table(const Sweep& sweep);
+
+/// The most pictures on a contact sheet.
+inline constexpr std::size_t most_on_sheet = 120;
+
+/// The pictures of the runs, small, under the values that differ; of many, some at equal distances. One
+/// column for each value of the last axis that has several. Returns an image of no size if there are none.
+renderer::Image sweep_sheet(const Sweep& sweep);
 
 }  // namespace taut::app

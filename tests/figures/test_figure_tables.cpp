@@ -5,10 +5,9 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/figures/csv.hpp"
 #include "app/figures/figures.hpp"
-#include "app/figures/moment_tables.hpp"
-#include "app/figures/print.hpp"
+#include "app/figures/pictures.hpp"
+#include "app/output/csv.hpp"
 #include "figures/made_trials.hpp"
 #include "temporary_folder.hpp"
 

@@ -64,8 +64,6 @@ void add_run(CLI::App& sweep, const Options& options) {
 void add_merge(CLI::App& sweep, const Options& options) {
   CLI::App* command = add(sweep, options, SweepAction::merge, "merge",
                           "Write the table of all results and the sheet of their pictures");
-  command->add_flag("--pack", options->pack,
-                    "then make one file of every thousand results, of those that are complete");
   command->footer("Examples:\n  taut sweep merge sweep\n");
 }
 

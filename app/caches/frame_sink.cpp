@@ -6,7 +6,6 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/caches/sinks.hpp"
 #include "app/caches/written_cloth.hpp"
 
 namespace taut::app {

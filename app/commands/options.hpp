@@ -139,7 +139,6 @@ struct SweepOptions {
   bool all = false;
   unsigned jobs = 0;  ///< 0: one for each processor
   bool missing = false;
-  bool pack = false;
   bool slurm = false;
   bool dry_run = false;
   std::string memory = "2G";

@@ -129,16 +129,13 @@ int status(const SweepOptions& options, const Sweep& sweep) {
   return 0;
 }
 
-int merge(const SweepOptions& options, const Sweep& sweep) {
+int merge(const Sweep& sweep) {
   const std::filesystem::path table = sweep.folder / "table.csv";
   write_text_file(table, sweep_table(sweep));
   fmt::print("wrote {}\n", table.string());
   if (const renderer::Image sheet = sweep_sheet(sweep); sheet.width_px > 0) {
     write_file(sweep.folder / "sheet.png", renderer::encode_png(sheet));
     fmt::print("wrote {}\n", (sweep.folder / "sheet.png").string());
-  }
-  if (options.pack) {
-    fmt::print("packed {} of results\n", counted(pack_results(sweep), "file"));
   }
   const SweepStatus status = status_of(sweep);
   fmt::print("{}\n", told(status, sweep));
@@ -222,7 +219,7 @@ int run(const SweepOptions& options) {
     case SweepAction::status:
       return status(options, sweep);
     case SweepAction::merge:
-      return merge(options, sweep);
+      return merge(sweep);
     case SweepAction::check:
       require_index(sweep, options.index.value_or(0));
       fmt::print("{} {} {}\n", host_name(), program_hash(), hash_of_run(sweep, options.index.value_or(0)));

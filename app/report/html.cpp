@@ -18,24 +18,12 @@ constexpr const char* bounded_label =
     "<i>With the solver bounded instead, which is not the paper&rsquo;s:</i> ";
 
 std::string escaped(const std::string& text) {
+  constexpr std::string_view special = "&<>\"";
+  constexpr std::array names = {"&amp;", "&lt;", "&gt;", "&quot;"};
   std::string result;
   for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += letter;
-    }
+    const std::size_t place = special.find(letter);
+    result += place == special.npos ? std::string(1, letter) : names[place];
   }
   return result;
 }

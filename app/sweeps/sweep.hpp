@@ -50,7 +50,7 @@ struct Sweep {
   std::filesystem::path file(std::size_t run, const char* ending) const;
 };
 
-/// How many runs share a folder, and a file once they are packed.
+/// How many runs share a folder.
 inline constexpr std::size_t shard_runs = 1000;
 /// The most runs of a sweep.
 inline constexpr std::size_t most_runs = 1000000;

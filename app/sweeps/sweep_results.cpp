@@ -9,8 +9,8 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
-#include "app/output/csv.hpp"
 #include "app/models/image_reading.hpp"
+#include "app/output/csv.hpp"
 #include "app/report/report.hpp"
 
 namespace taut::app {
@@ -18,57 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path packed_file(const Sweep& sweep, std::size_t shard) {
-  return sweep.folder / "runs" / fmt::format("{:03}.jsonl", shard);
-}
-
 bool is_as_planned(const Sweep& sweep, std::size_t run, const Json& result) {
   return result.is_object() && result.value("index", most_runs) == run &&
          result.value("scene", "") == sweep.scene_hash(run) && result.value("program", "") == sweep.program;
-}
-
-/// Empty where the file is not there or not such a result.
-std::optional<Json> read_result(const Sweep& sweep, std::size_t run) {
-  std::ifstream in(sweep.file(run, ".json"));
-  Json result = in ? Json::parse(in, nullptr, false) : Json();
-  return is_as_planned(sweep, run, result) ? std::optional(std::move(result)) : std::nullopt;
-}
-
-using Shard = std::vector<std::optional<Json>>;
-
-/// The runs of the shard, by their files or else by the packed file.
-Shard read_shard(const Sweep& sweep, std::size_t shard) {
-  const std::size_t first = shard * shard_runs;
-  Shard results(std::min(shard_runs, sweep.runs() - first));
-  std::ifstream packed(packed_file(sweep, shard));
-  for (std::string line; std::getline(packed, line);) {
-    Json result = Json::parse(line, nullptr, false);
-    const std::size_t run = result.is_object() ? result.value("index", most_runs) : most_runs;
-    if (run >= first && run - first < results.size() && is_as_planned(sweep, run, result)) {
-      results[run - first] = std::move(result);
-    }
-  }
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(sweep.file(first, "").parent_path(), error)) {
-    if (entry.path().extension() == ".json") {
-      const std::size_t run = std::strtoull(entry.path().stem().c_str(), nullptr, 10);
-      std::optional<Json> result =
-          run >= first && run - first < results.size() ? read_result(sweep, run) : std::nullopt;
-      if (result) {
-        results[run - first] = std::move(result);
-      }
-    }
-  }
-  return results;
-}
-
-std::size_t shards_of(const Sweep& sweep) {
-  return (sweep.runs() + shard_runs - 1) / shard_runs;
-}
-
-bool is_complete(const Shard& results) {
-  return std::all_of(results.begin(), results.end(),
-                     [](const auto& result) { return result && is_final(*result); });
 }
 
 /// How many files of the runs have this ending.
@@ -139,12 +91,9 @@ std::size_t columns_of(const Sweep& sweep) {
 }  // namespace
 
 std::optional<Json> result_of(const Sweep& sweep, std::size_t run) {
-  std::optional<Json> result = read_result(sweep, run);
-  std::error_code error;
-  if (!result && fs::exists(packed_file(sweep, run / shard_runs), error)) {
-    result = read_shard(sweep, run / shard_runs)[run % shard_runs];
-  }
-  return result;
+  std::ifstream in(sweep.file(run, ".json"));
+  Json result = in ? Json::parse(in, nullptr, false) : Json();
+  return is_as_planned(sweep, run, result) ? std::optional(std::move(result)) : std::nullopt;
 }
 
 bool is_final(const Json& result) {
@@ -153,12 +102,10 @@ bool is_final(const Json& result) {
 
 void for_each_result(const Sweep& sweep,
                      const std::function<void(std::size_t run, const Json* result)>& use) {
-  for (std::size_t shard = 0; shard < shards_of(sweep); ++shard) {
+  for (std::size_t run = 0; run < sweep.runs(); ++run) {
     throw_if_interrupted();
-    const Shard results = read_shard(sweep, shard);
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      use(shard * shard_runs + i, results[i] ? &*results[i] : nullptr);
-    }
+    const std::optional<Json> result = result_of(sweep, run);
+    use(run, result ? &*result : nullptr);
   }
 }
 
@@ -196,28 +143,6 @@ std::string ranges_text(std::span<const std::size_t> numbers) {
     i = last + 1;
   }
   return text;
-}
-
-std::size_t pack_results(const Sweep& sweep) {
-  std::size_t packed = 0;
-  for (std::size_t shard = 0; shard < shards_of(sweep); ++shard) {
-    throw_if_interrupted();
-    const Shard results = read_shard(sweep, shard);
-    if (!is_complete(results)) {
-      continue;
-    }
-    std::string lines;
-    for (const std::optional<Json>& result : results) {
-      lines += result->dump() + '\n';
-    }
-    write_text_file(packed_file(sweep, shard), lines);
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      std::error_code ignored;
-      fs::remove(sweep.file(shard * shard_runs + i, ".json"), ignored);
-    }
-    ++packed;
-  }
-  return packed;
 }
 
 std::string sweep_table(const Sweep& sweep) {

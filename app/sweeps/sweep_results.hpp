@@ -12,8 +12,8 @@
 
 namespace taut::app {
 
-/// Returns the result of a run: the JSON object of its file, or of its line in a packed file. Empty if there
-/// is none, or one of another scene or program than planned.
+/// Returns the result of a run: the JSON object of its file. Empty if there is none, or one of another scene
+/// or program than planned.
 std::optional<Json> result_of(const Sweep& sweep, std::size_t run);
 
 /// Whether a run came to an end that another attempt would come to as well: "done" or "broken".
@@ -36,10 +36,6 @@ SweepStatus status_of(const Sweep& sweep);
 
 /// Ascending numbers as ranges: "3,7-12".
 std::string ranges_text(std::span<const std::size_t> numbers);
-
-/// Puts the results of every shard that is complete into one file, runs/NNN.jsonl. Returns how many there are
-/// now.
-std::size_t pack_results(const Sweep& sweep);
 
 /// The results of a sweep as a table (CSV): a row for each run, those without a result too, and a column for
 /// each axis and each measure.

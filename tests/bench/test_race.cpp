@@ -9,6 +9,8 @@
 namespace taut::app {
 namespace {
 
+using EngineRun = Run;  // a fixture has a Run of its own
+
 GarmentInScene cloth_of(sim::Index side, std::vector<sim::Index> pins = {}) {
   return {sim::share(sim::make_garment(sim::make_grid({.columns = side, .rows = side}))),
           std::move(pins),
@@ -35,7 +37,7 @@ TEST_P(BenchEngines, HaveTheStretchThatTheirPositionsShow) {
   const Scene scene = make_race_scene(race_scenes()[0], race_sizes()[0]);
   const LoadedGarment loaded = load_garment(scene);
   for (const Entrant& entrant : entrants_of(GetParam(), {0.05, 0.01}, false)) {
-    const Run run = race({entrant}, loaded, scene, {.frames = 12, .slowest_frame_ms = 1e9}).front();
+    const EngineRun run = race({entrant}, loaded, scene, {.frames = 12, .slowest_frame_ms = 1e9}).front();
     const std::unique_ptr<Engine> engine = entrant.make(loaded, scene);
     ASSERT_EQ(run.frames.size(), 12U) << entrant.settings;
     for (const FrameSample& frame : run.frames) {
@@ -116,7 +118,6 @@ TEST(BulletPeer, IsBlownByTheSameWind) {
 
 using Log = std::vector<std::string>;
 using Positions = std::vector<sim::Vec3>;
-using EngineRun = Run;  // a fixture has a Run of its own
 
 // Stretches the whole cloth by what it is told and costs what it is told.
 class ScriptedEngine : public Engine {

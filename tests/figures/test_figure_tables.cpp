@@ -131,7 +131,7 @@ TEST(FigureTables, WhatIsWrongWithOneIsSaidWithItsLine) {
     folder.write("fig4.csv", moments);
     folder.write("fig4_shapes.csv", positions);
     Results results;
-    const std::string error = test::message_of<InputError>([&] { read_figure4(folder / "", results); });
+    const std::string error = test::message_of<InputError>([&] { all_figures()[3].read(folder / "", results); });
     return error.substr(error.find("fig4") == std::string::npos ? 0 : error.find("fig4"));
   };
   const std::string row = "a,pinned-9x9-5,1,0.1,0,0,0,0,0,0\n";

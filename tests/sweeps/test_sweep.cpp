@@ -360,19 +360,6 @@ TEST_F(SweepTest, LocksAreTakenOnFileSystemsThatAreNotLikeThis) {
   EXPECT_EQ(folder.file_count(), 1U) << "only the scene is left";
 }
 
-TEST_F(SweepTest, PackedResultsAreFound) {
-  const Sweep sweep = planned("scene = \"scene.toml\"\nframes = 1\n[axes]\nwind.speed = [0, 1]\n");
-  attempt_run(sweep, 0);
-  EXPECT_EQ(pack_results(sweep), 0U) << "one is missing";
-  attempt_run(sweep, 1);
-  const std::string table = sweep_table(sweep);
-  EXPECT_EQ(pack_results(sweep), 1U);
-  EXPECT_FALSE(fs::exists(sweep.file(1, ".json")));
-  EXPECT_EQ(sweep_table(sweep), table);
-  EXPECT_TRUE(status_of(sweep).missing.empty());
-  EXPECT_FALSE(attempt_run(sweep, 1).is_new);
-}
-
 TEST_F(SweepTest, TheTableHasEveryRun) {
   const Sweep sweep = planned(axes);
   attempt_run(sweep, 1);

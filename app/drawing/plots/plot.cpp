@@ -209,11 +209,6 @@ void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float 
   canvas.text(left_px + sample_px + 0.5F * style.text_px, middle_px, curve.name, name);
 }
 
-float legend_entry_width(const Canvas& canvas, const Curve& curve, const PlotStyle& style) {
-  return sample_width(curve, style) + 0.5F * style.text_px +
-         canvas.measure(curve.name, text_style(style.text_px)).width_px;
-}
-
 std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::vec2& b, const Area& area) {
   const glm::vec2 along = b - a;
   float enter = 0.0F, leave = 1.0F;

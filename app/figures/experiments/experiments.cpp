@@ -131,21 +131,47 @@ void run_strong_shirts(Results& results, const ProgressCallback& report_progress
   }
 }
 
-Job recording_job(const std::string& scene_name, double cost, std::optional<Recording>& place,
-                  std::optional<int> frames = {}) {
-  return {scene_name, cost, [=, &place](const ProgressCallback& report_progress) {
-            const DrawnScene scene = find_scene(scene_name, {});
-            place = record_frames(scene, std::array{frames.value_or(scene.frames)}, report_progress,
-                                  Checking::promises);
-          }};
+// The last frame of the scene, or of so many.
+void record(const std::string& scene_name, std::optional<int> frames, std::optional<Recording>& place,
+            const ProgressCallback& report_progress) {
+  const DrawnScene scene = find_scene(scene_name, {});
+  place =
+      record_frames(scene, std::array{frames.value_or(scene.frames)}, report_progress, Checking::promises);
 }
 
-Job trials_job(MethodTest test, double cost, Results& results) {
-  return {std::string("methods: ") + name_of(test), cost,
-          [test, &results](const ProgressCallback& report_progress) {
-            results.trials_of(test) = make_trials(test, report_progress);
-          }};
+template <MethodTest test>
+void run_trials(Results& results, const ProgressCallback& report_progress) {
+  results.trials_of(test) = make_trials(test, report_progress);
 }
+
+struct PlannedJob {
+  const char* name;
+  double cost;
+  void (*work)(Results&, const ProgressCallback&);
+};
+
+// In the order of Experiment.
+constexpr PlannedJob planned_jobs[] = {
+    {"mapping", 0.1, [](Results& r, const ProgressCallback&) { map_models(r); }},
+    {fall_scene, 10.0, [](Results& r, const ProgressCallback& report) { r.fall = record_fall(report); }},
+    {pinned_scenes[0], 0.1, [](auto& r, auto& report) { record(pinned_scenes[0], {}, r.pinned[0], report); }},
+    {pinned_scenes[1], 0.1, [](auto& r, auto& report) { record(pinned_scenes[1], {}, r.pinned[1], report); }},
+    {shirt_scenes[0], 16.0, [](auto& r, auto& report) { record(shirt_scenes[0], {}, r.shirts[0], report); }},
+    {shirt_scenes[1], 16.0, [](auto& r, auto& report) { record(shirt_scenes[1], {}, r.shirts[1], report); }},
+    {shirt_scenes[2], 26.0,
+     [](auto& r, auto& report) { record(shirt_scenes[2], strong_wind_frames, r.shirts[2], report); }},
+    {"methods", 0.3, run_methods},
+    {"methods: energy", 12.0, run_trials<MethodTest::energy>},
+    {"methods: rest", 22.0, run_trials<MethodTest::rest>},
+    {"methods: steps", 10.0, run_trials<MethodTest::steps>},
+    {"stiffnesses", 0.2, run_stiffnesses},
+    {"shirts by the paper's method", 14.0, run_strong_shirts},
+    {"garments of many kinds", 14.0, [](auto& r, auto& report) { r.garments = try_garments(report); }},
+    {"restart", 0.05,
+     [](Results& r, const ProgressCallback&) {
+       r.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60);
+     }},
+};
 
 }  // namespace
 
@@ -179,50 +205,10 @@ SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rin
 }
 
 Job job_of(Experiment experiment, Results& results) {
-  switch (experiment) {
-    case Experiment::mapping:
-      return {"mapping", 0.1, [&results](const ProgressCallback&) { map_models(results); }};
-    case Experiment::fall:
-      return {fall_scene, 10.0, [&results](const ProgressCallback& report_progress) {
-                results.fall = record_fall(report_progress);
-              }};
-    case Experiment::pinned_5:
-      return recording_job(pinned_scenes[0], 0.1, results.pinned[0]);
-    case Experiment::pinned_20:
-      return recording_job(pinned_scenes[1], 0.1, results.pinned[1]);
-    case Experiment::shirt_still:
-      return recording_job(shirt_scenes[0], 16.0, results.shirts[0]);
-    case Experiment::shirt_wind_1:
-      return recording_job(shirt_scenes[1], 16.0, results.shirts[1]);
-    case Experiment::shirt_wind_10:
-      return recording_job(shirt_scenes[2], 26.0, results.shirts[2], strong_wind_frames);
-    case Experiment::methods:
-      return {"methods", 0.3,
-              [&results](const ProgressCallback& report_progress) { run_methods(results, report_progress); }};
-    case Experiment::methods_energy:
-      return trials_job(MethodTest::energy, 12.0, results);
-    case Experiment::methods_rest:
-      return trials_job(MethodTest::rest, 22.0, results);
-    case Experiment::methods_steps:
-      return trials_job(MethodTest::steps, 10.0, results);
-    case Experiment::stiffnesses:
-      return {"stiffnesses", 0.2, [&results](const ProgressCallback& report_progress) {
-                run_stiffnesses(results, report_progress);
-              }};
-    case Experiment::strong_runs:
-      return {"shirts by the paper's method", 14.0, [&results](const ProgressCallback& report_progress) {
-                run_strong_shirts(results, report_progress);
-              }};
-    case Experiment::garments:
-      return {"garments of many kinds", 14.0, [&results](const ProgressCallback& report_progress) {
-                results.garments = try_garments(report_progress);
-              }};
-    case Experiment::restart:
-      return {"restart", 0.05, [&results](const ProgressCallback&) {
-                results.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60);
-              }};
-  }
-  return {};
+  const PlannedJob& planned = planned_jobs[static_cast<std::size_t>(experiment)];
+  return {planned.name, planned.cost, [&results, &planned](const ProgressCallback& report_progress) {
+            planned.work(results, report_progress);
+          }};
 }
 
 sim::Index followed_vertex(const DrawnScene& scene) {

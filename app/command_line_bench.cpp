@@ -1,11 +1,10 @@
-#include "app/command_line_bench.hpp"
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
 #include "app/base/suggest.hpp"
 #include "app/bench/cases.hpp"
 #include "app/bench/entrants.hpp"
+#include "app/command_line_parts.hpp"
 
 namespace taut::app {
 namespace {
@@ -70,7 +69,7 @@ void add_contact(CLI::App& command, BenchOptions& options) {
 
 }  // namespace
 
-std::function<Command()> add_bench(CLI::App& app) {
+std::function<int()> add_bench(CLI::App& app) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* command =
       app.add_subcommand("bench", "Measure time per frame against stretch, side by side with other engines");
@@ -93,7 +92,7 @@ std::function<Command()> add_bench(CLI::App& app) {
       "  taut bench --full --output bench             every cell, 10 simulated seconds each\n"
       "  taut bench --contact --quick                 whether a shirt keeps up with the clock\n"
       "  taut bench --contact --runs 10               whether cloth crosses, stretches or does neither\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
 }  // namespace taut::app

@@ -1,9 +1,8 @@
-#include "app/command_line_sweep.hpp"
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
 #include "app/base/suggest.hpp"
+#include "app/command_line_parts.hpp"
 #include "app/sweeps/sweep_table.hpp"
 
 namespace taut::app {
@@ -108,7 +107,10 @@ void add_export(CLI::App& sweep, const Options& options) {
   CLI::App* command =
       add(sweep, options, SweepAction::write, "export", "Print a script for GNU parallel or snakemake");
   CLI::Option* snakemake = command->add_flag("--snakemake", options->snakemake, "a Snakefile");
-  command->add_flag_callback("--parallel", [] {}, "a shell script (default)")->excludes(snakemake);
+  command
+      ->add_flag_callback(
+          "--parallel", [] {}, "a shell script (default)")
+      ->excludes(snakemake);
   add_chunk(*command, options, "runs of a task (default: as few as make 10000 tasks)");
   command->add_option("--output,-o", options->output, "file to write instead");
   command->footer(
@@ -137,7 +139,7 @@ void add_rest(CLI::App& sweep, const Options& options) {
 
 }  // namespace
 
-std::function<Command()> add_sweep(CLI::App& app) {
+std::function<int()> add_sweep(CLI::App& app) {
   auto options = std::make_shared<SweepOptions>();
   CLI::App* sweep = app.add_subcommand("sweep", "Simulate a scene with every combination of some values");
   sweep->require_subcommand(1);
@@ -150,7 +152,7 @@ std::function<Command()> add_sweep(CLI::App& app) {
   sweep->footer(
       "taut sweep COMMAND --help says more.\n\nExamples:\n  taut sweep plan study.toml -o sweep\n"
       "  taut sweep run sweep --all\n  taut sweep merge sweep\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
 }  // namespace taut::app

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {

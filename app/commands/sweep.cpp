@@ -11,7 +11,7 @@
 #include "app/base/files.hpp"
 #include "app/base/suggest.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/sweeps/study.hpp"
 #include "app/sweeps/sweep_results.hpp"
 #include "app/sweeps/sweep_run.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 
 namespace taut::app {
 namespace {

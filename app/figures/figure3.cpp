@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/plots/plot.hpp"
 #include "app/figures/csv.hpp"
 #include "app/figures/experiments/moments.hpp"

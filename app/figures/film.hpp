@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing/offscreen_renderer.hpp"
+#include "app/drawing/garment_painter.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "renderer/page/image.hpp"
 

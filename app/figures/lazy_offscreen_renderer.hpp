@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "app/drawing/offscreen_renderer.hpp"
+#include "app/drawing/garment_painter.hpp"
 
 namespace taut::app {
 

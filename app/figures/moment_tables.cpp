@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/csv.hpp"
 #include "app/models/garment_loading.hpp"
 

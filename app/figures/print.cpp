@@ -9,9 +9,9 @@
 #include <glm/vec4.hpp>
 #include <memory>
 
+#include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/wind_arrows.hpp"
 
 namespace taut::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/base/counted.hpp"
 #include "app/report/report.hpp"
 #include "app/report/report_texts.hpp"
-#include "app/scene/promise.hpp"
+#include "app/scene/scene.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/base/counted.hpp"
-#include "app/scene/promise.hpp"
+#include "app/scene/scene.hpp"
 
 namespace taut::app {
 namespace {

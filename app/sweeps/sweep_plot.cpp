@@ -6,8 +6,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
-#include "app/drawing/plots/legend_rows.hpp"
+#include "app/drawing/drawn_scene.hpp"
+#include "app/drawing/plots/plot.hpp"
 #include "app/scene/scene_format.hpp"
 #include "app/sweeps/sweep_columns.hpp"
 #include "app/sweeps/sweep_table.hpp"

@@ -6,7 +6,7 @@
 
 #include "app/bench/contact_output.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "temporary_folder.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/drawing/drawing.hpp"
-#include "app/drawing/plots/legend_rows.hpp"
+#include "app/drawing/plots/axis.hpp"
 #include "app/drawing/plots/plot_sheet.hpp"
 #include "app/figures/csv.hpp"
 

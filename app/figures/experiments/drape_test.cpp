@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "app/base/interruption.hpp"
-#include "renderer/light/rasterise_triangle.hpp"
+#include "renderer/light/surface_buffers.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {

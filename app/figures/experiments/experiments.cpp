@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "app/base/interruption.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/experiments/moments.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/pins.hpp"

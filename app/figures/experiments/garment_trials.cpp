@@ -11,7 +11,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/ranking.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/figures/experiments/samples/model_writing.hpp"
 #include "app/figures/experiments/samples/sample_garments.hpp"

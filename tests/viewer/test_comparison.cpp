@@ -2,7 +2,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/viewer/headless_viewer.hpp"
-#include "app/viewer/panel/panel_parts.hpp"
+#include "app/viewer/panel/panel.hpp"
 #include "app/viewer/simulation/simulation_host.hpp"
 #include "person.hpp"
 #include "temporary_folder.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/viewer/keeping.hpp"
-#include "app/viewer/panel/panel_parts.hpp"
+#include "app/viewer/panel/panel.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 #include "bodies/gltf_text.hpp"
 #include "person.hpp"

@@ -5,7 +5,7 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/viewer/headless_viewer.hpp"
-#include "app/viewer/panel/panel_parts.hpp"
+#include "app/viewer/panel/panel.hpp"
 #include "app/viewer/picture/scene_picture.hpp"
 #include "person.hpp"
 #include "picture_reading.hpp"

@@ -1,4 +1,4 @@
-#include "app/viewer/panel/panel_parts.hpp"
+#include "app/viewer/panel/panel.hpp"
 
 #include <array>
 #include <string_view>

@@ -68,7 +68,4 @@ bool number_slider(ViewerState& state, const char* label, const char* name, doub
 bool whole_slider(ViewerState& state, const char* label, const char* name, int& value, int lowest,
                   int highest, const char* format = "%d");
 
-/// Explains an item of the panel, with its unit. Empty for a name that the panel does not have.
-std::string hint_for(const std::string& name);
-
 }  // namespace taut::app

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <memory>
 
@@ -11,13 +10,10 @@
 #include "app/base/version.hpp"
 #include "app/bodies/fit.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/command_line_bench.hpp"
-#include "app/command_line_help.hpp"
-#include "app/command_line_picture.hpp"
-#include "app/command_line_sweep.hpp"
+#include "app/command_line_parts.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/output_pattern.hpp"
-#include "app/scene/model_units.hpp"
+#include "app/scene/scene.hpp"
 #include "renderer/context/context.hpp"
 
 namespace taut::app {
@@ -41,23 +37,44 @@ std::string unit_value(const std::string& text) {
   return unit != units.end() ? std::to_string(unit->metres) : text;
 }
 
-// Options that stand for keys of the scene say so in the order in which they are added here.
-void add_key(CLI::App& command, std::vector<Override>& overrides, const std::string& option,
-             const std::string& key, const std::string& meaning) {
-  const auto set = [&overrides, option, key](const std::string& value) {
-    overrides.push_back({key, value, option + ' ' + value});
-  };
-  command.add_option_function<std::string>(option, set, meaning);
-}
+/// An option that stands for a key of the scene.
+struct KeyOption {
+  const char* option;
+  const char* key;
+  const char* meaning;
+  const char* value = nullptr;  ///< of an option without one
+};
 
-void add_key_flag(CLI::App& command, std::vector<Override>& overrides, const std::string& option,
-                  const std::string& key, const std::string& value, const std::string& meaning) {
-  command.add_flag_callback(
-      option,
-      [&overrides, option, key, value] {
-        overrides.push_back({key, value, option});
-      },
-      meaning);
+constexpr KeyOption untangle_option = {"--untangle", "garment.untangle",
+                                       "where the garment crosses itself at the start, move it apart first, "
+                                       "such as a thick one whose walls pierce "
+                                       "each other; it keeps its rest shape",
+                                       "true"};
+constexpr KeyOption fabric_option = {"--fabric", "cloth.fabric",
+                                     "what the garment is made of: a name of taut fabrics, or a file like "
+                                     "theirs; sets weight, stiffness and look"};
+constexpr KeyOption texture_option = {
+    "--texture", "picture.texture",
+    "an image to lay on the garment's texture coordinates, such as a print, or none for a model's own too"};
+
+// They take effect in the order in which they are added here.
+void add_keys(CLI::App& command, std::vector<Override>& overrides, std::initializer_list<KeyOption> options) {
+  for (const KeyOption& o : options) {
+    if (o.value != nullptr) {
+      command.add_flag_callback(
+          o.option,
+          [&overrides, o] {
+            overrides.push_back({o.key, o.value, o.option});
+          },
+          o.meaning);
+      continue;
+    }
+    const bool is_unit = std::string_view(o.key).ends_with(".scale");
+    const auto set = [&overrides, o, is_unit](const std::string& text) {
+      overrides.push_back({o.key, is_unit ? unit_value(text) : text, o.option + (' ' + text)});
+    };
+    command.add_option_function<std::string>(o.option, set, o.meaning);
+  }
 }
 
 /// To be added last: it is stronger than options that stand for keys.
@@ -69,63 +86,36 @@ void add_set(CLI::App& command, std::vector<Override>& overrides) {
   command.add_option_function<std::vector<std::string>>("--set", set, meaning)->allow_extra_args(false);
 }
 
-void add_untangle(CLI::App& command, std::vector<Override>& overrides) {
-  add_key_flag(
-      command, overrides, "--untangle", "garment.untangle", "true",
-      "where the garment crosses itself at the start, move it apart first, such as a thick one whose "
-      "walls pierce each other; it keeps its rest shape");
-}
-
 void add_body(CLI::App& command, std::vector<Override>& overrides) {
-  add_key(command, overrides, "--body", "body.file",
-          "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada may "
-          "bring joints and animations");
-  add_key(command, overrides, "--body-motion", "body.motion",
-          "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
-          "body-%04d.obj");
-  add_key(command, overrides, "--body-clip", "body.clip",
-          "which of its animations is played, or all at once, or none (default: the first)");
-  add_key(command, overrides, "--body-fps", "body.frame_rate",
-          "frames a second of its motion (default: what the file says, or else 60)");
-  add_key_flag(command, overrides, "--body-loop", "body.loop", "true",
-               "repeat its motion after its last frame (default: it stays there)");
-  command.add_option_function<std::string>(
-      "--body-units",
-      [&overrides](const std::string& text) {
-        overrides.push_back({"body.scale", unit_value(text), "--body-units " + text});
-      },
-      "of the body, as --units");
-  add_key(command, overrides, "--dress", "body.dress",
-          "simulate so many frames before frame 0, in which the body grows from its bones to its shape, into "
-          "what it wears (about 90); a garment that lies elsewhere is moved to it first");
-  add_key(command, overrides, "--body-up", "body.up", "the body's direction that is up, as --up");
-}
-
-void add_texture(CLI::App& command, std::vector<Override>& overrides) {
-  add_key(command, overrides, "--texture", "picture.texture",
-          "an image to lay on the garment's texture coordinates, such as a print, or none for a model's own "
-          "too");
-}
-
-void add_fabric(CLI::App& command, std::vector<Override>& overrides) {
-  add_key(command, overrides, "--fabric", "cloth.fabric",
-          "what the garment is made of: a name of taut fabrics, or a file like theirs; sets weight, "
-          "stiffness and "
-          "look");
+  add_keys(
+      command, overrides,
+      {{"--body", "body.file",
+        "a closed 3D model that cloth cannot enter, besides the scene's bodies; glTF, FBX and Collada may "
+        "bring joints and animations"},
+       {"--body-motion", "body.motion",
+        "how the body moves: a PC2, MDD or BVH file, or OBJ files, as a folder or a pattern such as "
+        "body-%04d.obj"},
+       {"--body-clip", "body.clip",
+        "which of its animations is played, or all at once, or none (default: the first)"},
+       {"--body-fps", "body.frame_rate",
+        "frames a second of its motion (default: what the file says, or else 60)"},
+       {"--body-loop", "body.loop", "repeat its motion after its last frame (default: it stays there)",
+        "true"},
+       {"--body-units", "body.scale", "of the body, as --units"},
+       {"--dress", "body.dress",
+        "simulate so many frames before frame 0, in which the body grows from its bones to its shape, into "
+        "what it wears (about 90); a garment that lies elsewhere is moved to it first"},
+       {"--body-up", "body.up", "the body's direction that is up, as --up"}});
 }
 
 void add_garment_arguments(CLI::App& command, std::vector<Override>& overrides) {
-  const auto set_units = [&overrides](const std::string& text) {
-    overrides.push_back({"garment.scale", unit_value(text), "--units " + text});
-  };
-  command.add_option_function<std::string>(
-      "--units", set_units,
-      "of the model: " + unit_symbols() +
-          ", or its unit in metres (default: what the file says, or a guess)");
-  add_key(command, overrides, "--up", "garment.up",
-          "the model's direction that is up: x, -x, y, -y, z or -z");
-  add_fabric(command, overrides);
-  add_untangle(command, overrides);
+  const std::string units_help =
+      "of the model: " + unit_symbols() + ", or its unit in metres (default: what the file says, or a guess)";
+  add_keys(command, overrides,
+           {{"--units", "garment.scale", units_help.c_str()},
+            {"--up", "garment.up", "the model's direction that is up: x, -x, y, -y, z or -z"},
+            fabric_option,
+            untangle_option});
   add_body(command, overrides);
 }
 
@@ -154,7 +144,7 @@ void add_backend(CLI::App& command, std::string& backend) {
       ->capture_default_str();
 }
 
-std::function<Command()> add_figures(CLI::App& app) {
+std::function<int()> add_figures(CLI::App& app) {
   auto options = std::make_shared<FiguresOptions>();
   CLI::App* command = app.add_subcommand("figures", "Draw the figures of the paper");
   command->add_option("--only", options->only, "some of them: " + joined(figure_names(), ","))
@@ -172,11 +162,14 @@ std::function<Command()> add_figures(CLI::App& app) {
   command->footer(
       "Examples:\n  taut figures\n  taut figures --only fig4 --output /tmp/figures\n"
       "  taut figures --only fig5,fig6 --data figures --scale 0.5 --output small\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
-std::function<Command()> add_render(CLI::App& app) {
+std::function<int()> add_render(CLI::App& app, std::span<const char* const> arguments) {
   auto options = std::make_shared<RenderOptions>();
+  options->arguments.assign(arguments.begin() + 1, arguments.end());
+  // A resumed run makes the same bytes as one that was never interrupted.
+  std::erase(options->arguments, "--resume");
   CLI::App* command = app.add_subcommand("render", "Simulate a scene and draw pictures of it");
   add_scene_arguments(*command, *options,
                       std::string(scene_help_text) + ", or a picture of taut render, to make it again");
@@ -190,18 +183,18 @@ std::function<Command()> add_render(CLI::App& app) {
                     "draw only those pictures of a sequence that an earlier run did not finish");
   add_resolution(*command, options->overrides);
   add_side(*command, options->overrides);
-  add_background(*command, options->overrides);
-  add_key_flag(*command, options->overrides, "--wireframe", "picture.wireframe", "true",
-               "draw the springs over the surface");
-  add_key_flag(*command, options->overrides, "--stretch", "picture.surface", "stretch",
-               "colour the surface by its stretch");
-  add_texture(*command, options->overrides);
-  add_key(*command, options->overrides, "--quality", "picture.quality",
-          "draft, normal or high, which is for print (default normal)");
-  add_key(*command, options->overrides, "--samples", "picture.samples",
-          "samples in a pixel, 1 to 16 (default 4)");
-  add_key(*command, options->overrides, "--supersampling", "picture.supersampling",
-          "draw N times as wide and high and average, 1 to 8 (default 1)");
+  add_keys(
+      *command, options->overrides,
+      {{"--background", "picture.background",
+        "what is behind: studio (default), none (transparent, with the shadow), or a colour such as white or "
+        "#rrggbb"},
+       {"--wireframe", "picture.wireframe", "draw the springs over the surface", "true"},
+       {"--stretch", "picture.surface", "colour the surface by its stretch", "stretch"},
+       texture_option,
+       {"--quality", "picture.quality", "draft, normal or high, which is for print (default normal)"},
+       {"--samples", "picture.samples", "samples in a pixel, 1 to 16 (default 4)"},
+       {"--supersampling", "picture.supersampling",
+        "draw N times as wide and high and average, 1 to 8 (default 1)"}});
   add_set(*command, options->overrides);
   add_backend(*command, options->backend);
   command->footer(
@@ -210,10 +203,10 @@ std::function<Command()> add_render(CLI::App& app) {
       "  taut render cloth-fall --output fall.mp4 --export fall.glb\n"
       "  taut render shirt.obj --wind 4@180 --stretch --resolution 4K\n"
       "  taut render tshirt --view back --background none\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
-std::function<Command()> add_simulate(CLI::App& app) {
+std::function<int()> add_simulate(CLI::App& app) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command =
       app.add_subcommand("simulate", "Simulate a scene without drawing and print measurements");
@@ -246,7 +239,7 @@ std::function<Command()> add_simulate(CLI::App& app) {
       "  taut simulate my-jacket.obj --untangle --verify\n"
       "  taut simulate my-dress.obj --stats run.jsonl --checkpoint run.checkpoint\n"
       "  taut simulate my-dress.obj --stats run.jsonl --resume run.checkpoint\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
 void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_with) {
@@ -264,17 +257,16 @@ void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_wit
       "--compare", set, "show the garment a second time, by this solver: " + joined(names, ", "));
 }
 
-std::function<Command()> add_view(CLI::App& app) {
+std::function<int()> add_view(CLI::App& app) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command =
       app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
   command->add_option("SCENE", options->scene, scene_help_text);
-  add_fabric(*command, options->overrides);
-  add_untangle(*command, options->overrides);
+  add_keys(*command, options->overrides, {fabric_option, untangle_option});
   add_body(*command, options->overrides);
   add_wind(*command, options->overrides);
   add_side(*command, options->overrides);
-  add_texture(*command, options->overrides);
+  add_keys(*command, options->overrides, {texture_option});
   add_set(*command, options->overrides);
   command->add_option_function<std::string>(
       "--size", [options](const std::string& text) { options->size = parse_size(text, "--size"); },
@@ -294,10 +286,10 @@ std::function<Command()> add_view(CLI::App& app) {
       "  taut view tshirt --compare provot\n"
       "  taut view tshirt-gravity --record session.txt\n"
       "  taut view --headless --script session.txt --screenshot window.png\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
-std::function<Command()> add_inspect(CLI::App& app) {
+std::function<int()> add_inspect(CLI::App& app) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a 3D model and how it maps to springs");
   command->add_option("GARMENT", options->garment,
@@ -314,10 +306,10 @@ std::function<Command()> add_inspect(CLI::App& app) {
       "Examples:\n  taut inspect shirt.obj\n  taut inspect shirt.obj --output shirt.png\n"
       "  taut inspect my-jacket.obj --untangle\n  taut inspect "
       "shirt.stl --units mm --up z --json\n  taut inspect --body mannequin.glb --body-motion walk.bvh\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
-std::function<Command()> add_fit(CLI::App& app) {
+std::function<int()> add_fit(CLI::App& app) {
   auto options = std::make_shared<FitOptions>();
   CLI::App* command = app.add_subcommand("fit", "Put a garment on a body, and say and draw how it fits");
   command->add_option("GARMENT", options->scene, "a garment file, or a scene in which a body is dressed")
@@ -337,15 +329,17 @@ std::function<Command()> add_fit(CLI::App& app) {
       "small\n"
       "below 0, " +
       fit_thresholds() +
-      ". A garment whose girths are too small\neven when it is stretched is refused with exit code 1; one that "
-      "cannot be put on for another reason\nends the command with exit code 3. Both say where it is too small.\n\n"
+      ". A garment whose girths are too small\neven when it is stretched is refused with exit code 1; one "
+      "that "
+      "cannot be put on for another reason\nends the command with exit code 3. Both say where it is too "
+      "small.\n\n"
       "Examples:\n  taut fit shirt.obj --body person.glb\n"
       "  taut fit shirt.obj --body person.glb --body-motion stand.bvh --output shirt.png\n"
       "  taut fit shirt.obj --body person.glb --json\n  taut fit tshirt-worn\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
-std::function<Command()> add_import_model(CLI::App& app) {
+std::function<int()> add_import_model(CLI::App& app) {
   auto options = std::make_shared<ImportModelOptions>();
   CLI::App* command =
       app.add_subcommand("import-model", "Read a model for the program that started this one");
@@ -354,18 +348,18 @@ std::function<Command()> add_import_model(CLI::App& app) {
   command->add_option("--memory", options->limits.memory_mib)->check(CLI::Range(64, 1 << 20));
   command->add_option("--seconds", options->limits.seconds)->check(CLI::Range(1, 86400));
   command->add_option("--parts", options->parts)->check(CLI::Range(0, static_cast<int>(ReadParts::image)));
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
-std::function<Command()> add_scenes(CLI::App& app) {
+std::function<int()> add_scenes(CLI::App& app) {
   auto options = std::make_shared<ScenesOptions>();
   CLI::App* command = app.add_subcommand("scenes", "List the built-in scenes, or print one to start from");
   command->add_option("SCENE,--show", options->show, "print this scene's file, each key with what it means");
   command->footer("Examples:\n  taut scenes\n  taut scenes tshirt > my.toml\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
-std::function<Command()> add_fabrics(CLI::App& app) {
+std::function<int()> add_fabrics(CLI::App& app) {
   auto options = std::make_shared<FabricsOptions>();
   CLI::App* command = app.add_subcommand("fabrics", "List the fabrics that --fabric names");
   command->add_option("FABRIC", options->fabric, "print this fabric's file");
@@ -375,7 +369,7 @@ std::function<Command()> add_fabrics(CLI::App& app) {
   command->footer(
       "Examples:\n  taut fabrics\n  taut fabrics denim > my.toml\n  taut fabrics --output fabrics.png\n"
       "  taut render tshirt-wind-1 --fabric denim\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
 /// Of a command line that cannot be understood.
@@ -419,42 +413,35 @@ void show_help_first(CLI::App& app) {
 
 }  // namespace
 
-Command parse_command_line(int argument_count, const char* const* arguments) {
+int run_command_line(std::span<const char* const> arguments) {
   CLI::App app("Taut simulates garments that do not over-stretch and draws them.", "taut");
   app.set_version_flag("--version", "taut " + program_version());
   app.require_subcommand(1);
   app.footer(
       "taut help COMMAND says more. Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a promised bound was "
       "exceeded, a frame could not be made without a crossing, a frame did not keep what --verify checks or "
-      "the run diverged, 75 stopped, but saved: it "
-      "can be resumed.");
-  const std::vector<std::function<Command()>> commands = {
-      add_figures(app), add_render(app),       add_simulate(app), add_view(app),    add_inspect(app),
-      add_fit(app),     add_bench(app),        add_scenes(app),   add_fabrics(app),
-      add_sweep(app),   add_import_model(app), add_help(app)};
+      "the run diverged, 75 stopped, but saved: it can be resumed.");
+  const std::vector<std::function<int()>> commands = {add_figures(app),  add_render(app, arguments),
+                                                      add_simulate(app), add_view(app),
+                                                      add_inspect(app),  add_fit(app),
+                                                      add_bench(app),    add_scenes(app),
+                                                      add_fabrics(app),
+                                                      add_sweep(app),    add_import_model(app),
+                                                      add_help(app)};
   show_help_first(app);
-  require_command(app, std::span(arguments, static_cast<std::size_t>(argument_count)));
+  require_command(app, arguments);
   try {
-    app.parse(argument_count, arguments);
+    app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {
-      return Answered{app.exit(error)};
+      return app.exit(error);
     }
-    throw UsageError(what_is_wrong(app, error, {arguments, static_cast<std::size_t>(argument_count)}));
+    throw UsageError(what_is_wrong(app, error, arguments));
   }
   const std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i]->parsed()) {
-      Command command = commands[i]();
-      if (auto* render = std::get_if<RenderOptions>(&command)) {
-        render->arguments.assign(arguments + 1, arguments + argument_count);
-        // A resumed run makes the same bytes as one that was never interrupted.
-        std::erase(render->arguments, "--resume");
-      }
-      return command;
-    }
-  }
-  return Answered{};
+  const auto asked =
+      std::find_if(all.begin(), all.end(), [](const CLI::App* command) { return command->parsed(); });
+  return asked != all.end() ? commands[static_cast<std::size_t>(asked - all.begin())]() : 0;
 }
 
 }  // namespace taut::app

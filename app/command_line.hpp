@@ -1,10 +1,11 @@
 #pragma once
 
-#include "app/commands/options.hpp"
+#include <span>
 
 namespace taut::app {
 
-/// Returns what the arguments ask for. Prints the answer to --help and --version itself. Throws UsageError.
-Command parse_command_line(int argument_count, const char* const* arguments);
+/// Does what the arguments of the program ask for, the first of which is its name. Returns the exit code
+/// (errors.hpp). Throws UsageError, and what the commands throw.
+int run_command_line(std::span<const char* const> arguments);
 
 }  // namespace taut::app

@@ -1,11 +1,11 @@
-#include "app/command_line_bench.hpp"
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/base/suggest.hpp"
+#include "app/command_line_parts.hpp"
 namespace taut::app {
 
-std::function<Command()> add_bench(CLI::App& app) {
+std::function<int()> add_bench(CLI::App& app) {
   auto options = std::make_shared<BenchOptions>();
   CLI::App* command = app.add_subcommand(
       "bench", "Measure the time of a frame, its stretch, and whether any frame breaks a promise");
@@ -35,7 +35,7 @@ std::function<Command()> add_bench(CLI::App& app) {
       "  taut bench                                   whether a shirt keeps up with the clock\n"
       "  taut bench --bounds 0.05,0.01,0.001 --scenes wind-10   time against stretch\n"
       "  taut bench --contact --runs 10               whether cloth crosses, stretches or does neither\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
 }  // namespace taut::app

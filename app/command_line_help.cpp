@@ -1,4 +1,4 @@
-#include "app/command_line_help.hpp"
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,7 +8,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/command_line_parts.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/output/run_report.hpp"
 
 namespace taut::app {
@@ -47,13 +48,16 @@ std::string help_about(CLI::App& app, const std::string& topic) {
 
 }  // namespace
 
-std::function<Command()> add_help(CLI::App& app) {
+std::function<int()> add_help(CLI::App& app) {
   auto topic = std::make_shared<std::string>();
   CLI::App* command =
       app.add_subcommand("help", "Explain a command, the keys of scene files or the statistics");
   command->add_option("TOPIC", *topic, "a command, scene or stats (default: what commands there are)");
   command->footer("Examples:\n  taut help render\n  taut help scene\n  taut help stats\n");
-  return [&app, topic] { return Command(HelpOptions{help_about(app, *topic)}); };
+  return [&app, topic] {
+    fmt::print("{}", help_about(app, *topic));
+    return 0;
+  };
 }
 
 void require_command(const CLI::App& app, std::span<const char* const> arguments) {

@@ -1,5 +1,3 @@
-#include "app/command_line_picture.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,11 +7,11 @@
 #include <numbers>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
-#include "app/drawing/sides.hpp"
+#include "app/command_line_parts.hpp"
+#include "app/drawing/drawn_scene.hpp"
 
 namespace taut::app {
 namespace {
@@ -97,16 +95,6 @@ void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
     overrides.push_back({"picture.height", std::to_string(size.height_px), "--resolution " + text});
   };
   command.add_option_function<std::string>("--resolution", set, size_help);
-}
-
-void add_background(CLI::App& command, std::vector<Override>& overrides) {
-  const auto set = [&overrides](const std::string& text) {
-    overrides.push_back({"picture.background", text, "--background " + text});
-  };
-  command.add_option_function<std::string>(
-      "--background", set,
-      "what is behind: studio (default), none (transparent, with the shadow), or a colour such as white or "
-      "#rrggbb");
 }
 
 void add_side(CLI::App& command, std::vector<Override>& overrides) {

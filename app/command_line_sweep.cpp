@@ -1,8 +1,8 @@
-#include "app/command_line_sweep.hpp"
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/base/suggest.hpp"
+#include "app/command_line_parts.hpp"
 namespace taut::app {
 namespace {
 
@@ -105,7 +105,7 @@ void add_rest(CLI::App& sweep, const Options& options) {
 
 }  // namespace
 
-std::function<Command()> add_sweep(CLI::App& app) {
+std::function<int()> add_sweep(CLI::App& app) {
   auto options = std::make_shared<SweepOptions>();
   CLI::App* sweep = app.add_subcommand("sweep", "Simulate a scene with every combination of some values");
   sweep->require_subcommand(1);
@@ -117,7 +117,7 @@ std::function<Command()> add_sweep(CLI::App& app) {
   sweep->footer(
       "taut sweep COMMAND --help says more.\n\nExamples:\n  taut sweep plan study.toml -o sweep\n"
       "  taut sweep run sweep --all\n  taut sweep merge sweep\n");
-  return [options] { return Command(*options); };
+  return [options] { return run(*options); };
 }
 
 }  // namespace taut::app

@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <exception>
 #include <system_error>
-#include <variant>
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
@@ -26,8 +25,7 @@ int main(int argument_count, char** arguments) {
   using namespace taut::app;
   try {
     watch_for_interruption();
-    const Command command = parse_command_line(argument_count, arguments);
-    const int exit_code = std::visit([](const auto& options) { return run(options); }, command);
+    const int exit_code = run_command_line({arguments, static_cast<std::size_t>(argument_count)});
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw std::system_error(errno, std::generic_category(), "cannot write to the standard output");
     }

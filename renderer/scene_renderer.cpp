@@ -4,18 +4,14 @@
 #include <future>
 
 #include "renderer/frame_check.hpp"
-#include "renderer/gl/bindings.hpp"
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/gl/picture_target.hpp"
-#include "renderer/gl/visibility_buffer.hpp"
+#include "renderer/gl/shader.hpp"
 #include "renderer/light/studio_light.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
+#include "renderer/passes/covered_squares.hpp"
 #include "renderer/passes/mark_pass.hpp"
-#include "renderer/passes/merged_spheres.hpp"
-#include "renderer/passes/resolve_pass.hpp"
-#include "renderer/passes/screen_bounds.hpp"
 #include "renderer/passes/surface_pass.hpp"
-#include "renderer/warm_up_frame.hpp"
 
 namespace taut::renderer {
 
@@ -57,6 +53,53 @@ std::vector<Tile> tiles_of(const Tile& area, int supersampling) {
     }
   }
   return tiles;
+}
+
+/// A frame whose picture needs every shader that pictures of cloth need: a small sheet above a larger one and
+/// a floor. Drawn once to compile them.
+class WarmUpFrame {
+ public:
+  /// Returns the frame, valid while this object lives. `scalars`: the sheets show scalars instead of cloth.
+  FrameView view(bool scalars) const;
+  /// Returns the settings for a small and quick picture with the same shaders.
+  static PictureSettings small(const PictureSettings& settings);
+
+ private:
+  std::array<glm::vec3, 8> positions_{{{-1, 0, 1},
+                                       {1, 0, 1},
+                                       {1, 0, -1},
+                                       {-1, 0, -1},
+                                       {-0.5F, 0.5F, 0.5F},
+                                       {0.5F, 0.5F, 0.5F},
+                                       {0.5F, 0.5F, -0.5F},
+                                       {-0.5F, 0.5F, -0.5F}}};
+  std::array<glm::vec3, 8> normals_{
+      {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}}};
+  std::array<std::uint32_t, 12> triangles_{0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+  std::array<float, 8> scalars_{};
+};
+
+FrameView WarmUpFrame::view(bool scalars) const {
+  FrameView frame;
+  SurfaceView surface;
+  surface.positions = positions_;
+  surface.normals = normals_;
+  surface.triangles = triangles_;
+  surface.material_coordinates = positions_;
+  if (scalars) surface.scalars = ScalarColours{scalars_};
+  frame.surfaces.push_back(surface);
+  frame.ground_height_m = -0.5F;
+  frame.camera.eye = {0.0F, 3.0F, 4.0F};
+  frame.camera.target = {0.0F, 0.0F, 0.0F};
+  return frame;
+}
+
+PictureSettings WarmUpFrame::small(const PictureSettings& settings) {
+  PictureSettings less = settings;
+  less.width_px = less.height_px = 64;
+  less.shadow_map_px = 256;
+  less.sky_directions = std::min(settings.sky_directions, 2);
+  return less;
 }
 
 }  // namespace

@@ -10,13 +10,13 @@
 #include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
 #include "app/output/csv.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "app/output/run_start.hpp"
-#include "app/scene/promise.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/scene/scene_lookup.hpp"
+#include "app/drawing/drawn_scene.hpp"
+#include "app/scene/scene.hpp"
+#include "app/scene/scene_file.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {

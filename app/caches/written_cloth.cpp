@@ -2,9 +2,9 @@
 
 #include <numeric>
 
-#include "app/drawing/mesh_arrays.hpp"
+#include "app/drawing/framing.hpp"
 #include "app/models/obj_writing.hpp"
-#include "renderer/mesh_normals.hpp"
+#include "renderer/primitives.hpp"
 #include "sim/mesh/welding.hpp"
 
 namespace taut::app {

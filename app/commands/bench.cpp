@@ -11,9 +11,9 @@
 #include "app/base/suggest.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/scene/promise.hpp"
+#include "app/scene/scene.hpp"
 
 namespace taut::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/inspection_picture.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "app/models/import_process.hpp"
@@ -36,31 +35,30 @@ struct BenchOptions {
   bool quiet = false;
 };
 
-/// Options of `taut render`.
-struct RenderOptions {
-  std::string scene;   ///< a scene, a garment file, or a picture that is to be made again
-  std::string output;  ///< empty: SCENE_NAME.png
-  std::string frames;  ///< As in frame_range.hpp. Empty: the last frame, or all frames for a video.
+/// Options of a run, of `taut render` and `taut simulate` alike.
+struct RunOptions {
+  std::string scene;   ///< a scene or a garment file
+  std::string frames;  ///< as in frame_range.hpp; empty: what the command usually takes
+  std::string shapes;  ///< what to export to (app/caches/frame_sink.hpp); empty: nothing
   std::vector<Override> overrides;
   std::filesystem::path statistics;  ///< file for --stats; empty: none
+  bool verify = false;               ///< hold every frame to its promises (frame_verifier.hpp)
+};
+
+/// Options of `taut render`. The scene may be a picture that is to be made again; the last frame is drawn, or
+/// all frames for a video.
+struct RenderOptions : RunOptions {
+  std::string output;  ///< empty: SCENE_NAME.png
   std::string backend = "auto";
-  std::string shapes;   ///< as in SimulateOptions
   bool resume = false;  ///< only frames whose file does not exist yet
-  bool verify = false;  ///< hold every frame to its promises (frame_verifier.hpp)
   /// Arguments of the program without --resume. Every picture stores them.
   std::vector<std::string> arguments;
 };
 
-/// Options of `taut simulate`.
-struct SimulateOptions {
-  std::string scene;   ///< a scene or a garment file
-  std::string frames;  ///< as in frame_range.hpp; empty: all from 1 on
-  std::string shapes;  ///< what to export to (app/caches/frame_sink.hpp); empty: nothing
+/// Options of `taut simulate`. All frames from 1 on are usual.
+struct SimulateOptions : RunOptions {
   bool json = false;
   bool quiet = false;
-  bool verify = false;  ///< hold every frame to its promises (frame_verifier.hpp)
-  std::vector<Override> overrides;
-  std::filesystem::path statistics;  ///< file for --stats; empty: none
   std::filesystem::path checkpoint;  ///< file the run is saved to; empty: that of `resume`
   int checkpoint_every = 60;         ///< frames from one saving to the next
   std::filesystem::path resume;      ///< file an earlier run was saved to; empty: start of the scene
@@ -145,21 +143,6 @@ struct SweepOptions {
   std::vector<std::string> sbatch;  ///< more arguments of sbatch
 };
 
-/// The topic of `taut help`.
-struct HelpOptions {
-  std::string text;  ///< the answer
-};
-
-/// The command line has been answered while it was read, as for --version.
-struct Answered {
-  int exit_code = 0;
-};
-
-/// The command and its options.
-using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions,
-                             ViewOptions, InspectOptions, FitOptions, ImportModelOptions, ScenesOptions,
-                             FabricsOptions, SweepOptions, HelpOptions>;
-
 /// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
 /// UsageError, Interrupted and what the parts it uses throw.
 int run(const BenchOptions& options);
@@ -169,13 +152,11 @@ int run(const SimulateOptions& options);
 int run(const ViewOptions& options);
 int run(const InspectOptions& options);
 int run(const FitOptions& options);
-int run(const ImportModelOptions& options);
+inline int run(const ImportModelOptions& options) {
+  return serve_import(options.model, options.limits, static_cast<ReadParts>(options.parts));
+}
 int run(const ScenesOptions& options);
 int run(const FabricsOptions& options);
 int run(const SweepOptions& options);
-int run(const HelpOptions& options);
-inline int run(const Answered& answered) {
-  return answered.exit_code;
-}
 
 }  // namespace taut::app

@@ -2,29 +2,16 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <future>
 #include <memory>
 #include <numeric>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/progress.hpp"
 #include "app/base/stopwatch.hpp"
 #include "app/base/version.hpp"
-#include "app/bodies/body_loading.hpp"
-#include "app/bodies/wearing.hpp"
-#include "app/caches/frame_sink.hpp"
-#include "app/commands/blocked_run.hpp"
-#include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
-#include "app/drawing/fitted_view.hpp"
+#include "app/commands/run.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/drawing/garment_painter.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
-#include "app/frame_loop.hpp"
-#include "app/models/garment_loading.hpp"
-#include "app/models/garment_remarks.hpp"
 #include "app/models/model_fitting.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/output/output_pattern.hpp"
@@ -67,7 +54,6 @@ RenderJob render_job_of(const RenderOptions& options) {
   } else {
     job.scene = find_scene(options.scene, options.overrides);
   }
-  print_body_remarks(job.scene, load_bodies(job.scene), stdout);
   // Made again, a picture never takes the place of the one it is made from unasked.
   const std::string name = job.scene.name + (job.again ? "-again.png" : ".png");
   job.output = options.output.empty() ? name : options.output;
@@ -148,33 +134,20 @@ class PictureOutput {
 };
 
 // A picture made again may differ where the program, the garment's file or OpenGL has changed since.
-void compare_with_record(const RenderJob& job, const std::vector<FrameRecord>& records,
+void compare_with_record(const PictureRecord& again, const std::vector<FrameRecord>& records,
                          const std::string& gl_renderer) {
   const auto same_frame = std::find_if(records.begin(), records.end(),
-                                       [&](const auto& record) { return record.frame == job.again->frame; });
-  if (same_frame != records.end() && same_frame->state_hash != job.again->state_hash) {
+                                       [&](const auto& record) { return record.frame == again.frame; });
+  if (same_frame != records.end() && same_frame->state_hash != again.state_hash) {
     fmt::print(stderr,
                "taut: warning: the cloth is not where it was in the picture (state {:016x}, then {:016x}): "
                "made by {}, or from another garment file\n",
-               same_frame->state_hash, job.again->state_hash, job.again->program);
+               same_frame->state_hash, again.state_hash, again.program);
   }
-  if (gl_renderer != job.again->gl_renderer) {
+  if (gl_renderer != again.gl_renderer) {
     fmt::print(stderr, "taut: warning: drawn by '{}', then by '{}': pixels may differ\n", gl_renderer,
-               job.again->gl_renderer);
+               again.gl_renderer);
   }
-}
-
-PictureOrigin origin_of(const RenderOptions& options, const RenderJob& job, OffscreenRenderer& offscreen) {
-  return {command_text(options.arguments), scene_text(job.scene), offscreen.gl_renderer()};
-}
-
-void show_frame(Progress& progress, const std::string& done, const FrameRecord& record, const RenderJob& job,
-                const Stopwatch& since_start) {
-  const int last = job.frames.back();
-  progress.show(fmt::format("frame {} of {}{}{}{}, stretch {:.2f} %, of the surface {:.2f} %", record.frame,
-                            last, done.empty() ? "" : " ", done,
-                            time_left(1e-3 * since_start.elapsed_ms(), record.frame, last),
-                            100.0 * record.stretch.max, 100.0 * record.surface_stretch.max));
 }
 
 [[noreturn]] void fail_to_resume(const std::string& obstacle) {
@@ -196,9 +169,10 @@ std::string obstacle_to_resuming(const std::filesystem::path& file, int frame, c
 
 // The frames a run that was cut short left to be drawn. Files are renamed into place when they are complete,
 // so those that exist are; but they have to show this very scene.
-std::vector<int> frames_left(const RenderJob& job, const PictureOutput& output, const PictureOrigin& origin) {
+std::vector<int> frames_left(std::span<const int> frames, const PictureOutput& output,
+                             const PictureOrigin& origin) {
   std::vector<int> left;
-  for (const int frame : job.frames) {
+  for (const int frame : frames) {
     const std::filesystem::path file = output.path_of(frame);
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
@@ -214,18 +188,18 @@ std::vector<int> frames_left(const RenderJob& job, const PictureOutput& output, 
 }
 
 // A run that goes on keeps the camera of the pictures that are there.
-void take_camera_of_existing(RenderJob& job, const PictureOutput& output) {
+void take_camera_of_existing(std::span<const int> frames, DrawnScene& scene, const PictureOutput& output) {
   std::error_code error;
-  const auto there = std::find_if(job.frames.begin(), job.frames.end(), [&](int frame) {
+  const auto there = std::find_if(frames.begin(), frames.end(), [&](int frame) {
     return std::filesystem::exists(output.path_of(frame), error);
   });
-  if (there == job.frames.end() || !is_fitted(job.scene)) {
+  if (there == frames.end() || !is_fitted(scene)) {
     return;
   }
   try {
     const DrawnScene made = read_picture_record(output.path_of(*there), {}).scene;
-    job.scene.camera = made.camera;
-    job.scene.picture.ground = made.picture.ground;
+    scene.camera = made.camera;
+    scene.picture.ground = made.picture.ground;
   } catch (const InputError& unreadable) {
     fail_to_resume(unreadable.what());
   }
@@ -265,170 +239,159 @@ class LostGarment {
   int first_ = 0;
 };
 
-ExportSettings exported(const RenderOptions& options, const RenderJob& job) {
-  return {options.shapes, {job.frames.front(), job.frames.back()}, job.scene.simulation.frame_rate_hz};
-}
+/// Pictures of a run.
+class Render {
+ public:
+  Render(const RenderOptions& options, RenderJob job)
+      : options_(options), run_(options, job.scene, stdout), job_(std::move(job)), output_(job_) {}
 
-std::vector<FrameRecord> draw(const RenderOptions& options, RenderJob& job, sim::Simulation& simulation,
-                              OffscreenRenderer& offscreen, const DrawnColours& colours,
-                              PictureOutput& output, FrameSink* shapes, std::span<const int> frames,
-                              std::optional<StatisticsFile>& statistics, FrameVerifier* verifier,
-                              Progress& progress) {
-  progress.begin("preparing the first frame");
-  const Stopwatch since_start;
-  std::optional<GarmentPainter> painter;
-  PictureOrigin origin;
-  LostGarment lost(frames);
-  const auto begin_drawing = [&] {
-    painter.emplace(offscreen.renderer(), job.scene, simulation.garment(), simulation.pins().vertices,
-                    colours);
-    origin = origin_of(options, job, offscreen);
-  };
-  FrameOutputs outputs;
-  if (is_fitted(job.scene) && can_gather(frames.size(), simulation.garment().mesh.positions.size())) {
-    outputs.before_drawing = [&](std::span<const FrameInWork> gathered) {
-      FittedView fitted(job.scene, simulation.garment());
-      for (const FrameInWork& frame : gathered) {
-        if (!frame.positions.empty()) {
-          fitted.add(frame.positions, frame.record.time_s);
-        }
+  /// Returns the exit code.
+  int go() {
+    const ExportSettings exported = {
+        options_.shapes, {job_.frames.front(), job_.frames.back()}, run_.scene.simulation.frame_rate_hz};
+    run_.require_outputs(exported);
+    // Starting OpenGL and compiling shaders takes as long as reading a model.
+    run_.load([this] {
+      offscreen_.emplace(options_.backend);
+      const PictureStyle& style = run_.scene.picture;
+      offscreen_->renderer().prepare(settings_of(style), style.surface == SurfaceLook::stretch);
+    });
+    face_front(run_.loaded, run_.scene);
+    colours_ = drawn_colours(run_.scene, run_.loaded);
+    for (const std::string& remark : colours_.remarks) {
+      fmt::print(stderr, "taut: warning: {}: {}\n", run_.scene.garment.file.filename().string(), remark);
+    }
+    choose_frames();
+    run_.open_statistics({run_.scene, run_.simulation->garment(), run_.simulation->pins().vertices.size(),
+                          offscreen_->gl_renderer(), options_.verify},
+                         std::nullopt);
+    if (!options_.shapes.empty()) {
+      run_.shapes = open_sink(exported, run_.loaded, *run_.simulation);
+    }
+    run_.progress.begin("preparing the first frame");
+    LostGarment lost(frames_);
+    connect(lost);
+    const std::vector<FrameRecord> records = run_.go(job_.frames.back(), job_.output, &*offscreen_);
+    run_.progress.hide();
+    lost.tell(run_.scene.name);
+    return finish(records);
+  }
+
+ private:
+  PictureOrigin origin() {
+    return {command_text(options_.arguments), scene_text(run_.scene), offscreen_->gl_renderer()};
+  }
+
+  void choose_frames() {
+    frames_ = job_.frames;
+    if (!options_.resume) {
+      return;
+    }
+    take_camera_of_existing(job_.frames, run_.scene, output_);
+    frames_ = frames_left(job_.frames, output_, origin());
+    if (frames_.size() < job_.frames.size()) {
+      fmt::print("there already: {} of {}\n", job_.frames.size() - frames_.size(),
+                 counted(job_.frames.size(), "frame"));
+    }
+  }
+
+  void begin_drawing() {
+    painter_.emplace(offscreen_->renderer(), run_.scene, run_.simulation->garment(),
+                     run_.simulation->pins().vertices, colours_);
+    origin_ = origin();
+  }
+
+  // Rows come with the frames, which all are simulated before the first is drawn where the camera is fitted.
+  void report(const std::string& done, const FrameRecord& record) {
+    const int last = job_.frames.back();
+    if (run_.statistics && done != "drawn") {
+      run_.statistics->add(record);
+    }
+    run_.progress.show(fmt::format("frame {} of {}{}{}{}, stretch {:.2f} %, of the surface {:.2f} %",
+                                   record.frame, last, done.empty() ? "" : " ", done,
+                                   time_left(1e-3 * since_start_.elapsed_ms(), record.frame, last),
+                                   100.0 * record.stretch.max, 100.0 * record.surface_stretch.max));
+  }
+
+  void fit_camera(std::span<const FrameInWork> gathered) {
+    FittedView fitted(run_.scene, run_.simulation->garment());
+    for (const FrameInWork& frame : gathered) {
+      if (!frame.positions.empty()) {
+        fitted.add(frame.positions, frame.record.time_s);
       }
-      fitted.place_camera(job.scene);
-      begin_drawing();
-    };
-    // Rows come with the frames, which all are simulated before the first is drawn.
-    outputs.simulated = [&](const FrameRecord& record) {
-      if (statistics) {
-        statistics->add(record);
-      }
-      show_frame(progress, "simulated", record, job, since_start);
-    };
-  } else {
+    }
+    fitted.place_camera(run_.scene);
     begin_drawing();
   }
-  outputs.pictures = frames;
-  outputs.start_frame = go_to_start(job.scene, simulation);
-  require_begun(outputs.start_frame, job.frames.front());
-  if (shapes != nullptr) {
-    outputs.with_start = outputs.start_frame == job.frames.front();
-    outputs.write_shape = [&](int frame, const auto& moment) { shapes->write(frame, moment); };
-  }
-  outputs.draw_positions = [&](const std::vector<sim::Vec3>& positions, double time_s) {
-    renderer::Image picture = painter->draw(positions, time_s);
-    lost.look(painter->camera(), aspect_of(job.scene.picture.settings), positions);
-    return picture;
-  };
-  outputs.write_frame = [&](const FrameRecord& record, const renderer::Image& picture) {
-    output.write(origin, record, picture);
-  };
-  outputs.report = [&](const FrameRecord& record) {
-    if (statistics && !outputs.before_drawing) {
-      statistics->add(record);
+
+  // Puts the simulation where it begins, and says where its frames go.
+  void connect(LostGarment& lost) {
+    FrameOutputs& outputs = run_.outputs;
+    const bool is_gathered =
+        is_fitted(run_.scene) && can_gather(frames_.size(), run_.simulation->garment().mesh.positions.size());
+    if (is_gathered) {
+      outputs.before_drawing = [this](std::span<const FrameInWork> gathered) { fit_camera(gathered); };
+      outputs.simulated = [this](const FrameRecord& record) { report("simulated", record); };
+    } else {
+      begin_drawing();
     }
-    show_frame(progress, outputs.before_drawing ? "drawn" : "", record, job, since_start);
-  };
-  if (verifier != nullptr) {
-    const std::string crossings = verifier->begin(simulation);
-    if (!job.scene.checkpoint.empty() && !crossings.empty()) {
-      fmt::print("{}: at the start {}\n", job.scene.name, crossings);
+    outputs.report = [this, is_gathered](const FrameRecord& record) {
+      report(is_gathered ? "drawn" : "", record);
+    };
+    outputs.pictures = frames_;
+    outputs.draw_positions = [this, &lost](const std::vector<sim::Vec3>& positions, double time_s) {
+      renderer::Image picture = painter_->draw(positions, time_s);
+      lost.look(painter_->camera(), aspect_of(run_.scene.picture.settings), positions);
+      return picture;
+    };
+    outputs.write_frame = [this](const FrameRecord& record, const renderer::Image& picture) {
+      output_.write(origin_, record, picture);
+    };
+    run_.keep = [this] { output_.keep(); };
+    outputs.start_frame = run_.begin();
+    require_begun(outputs.start_frame, job_.frames.front());
+    outputs.with_start = run_.shapes && outputs.start_frame == job_.frames.front();
+  }
+
+  int finish(const std::vector<FrameRecord>& records) {
+    RunSummary summary;
+    for (const FrameRecord& record : records) {
+      summary.add(record);
     }
-    outputs.verify = [&](const auto& moment, FrameRecord& record) { return verifier->check(moment, record); };
+    run_.progress.begin("finishing " + job_.output);
+    const std::string written = output_.finish() + '\n' + run_.finish_shapes();
+    run_.progress.hide();
+    if (job_.again && options_.overrides.empty()) {
+      compare_with_record(*job_.again, records, offscreen_->gl_renderer());
+    }
+    if (run_.statistics) {
+      run_.statistics->finish(summary);
+      fmt::print("wrote {}\n", options_.statistics.string());
+    }
+    fmt::print("{}{}", written, options_.verify ? run_.verifier.summary() + '\n' : "");
+    for (const std::string& line :
+         {describe_crossings(summary), describe_following(run_.loaded, run_.simulation->state().current)}) {
+      fmt::print("{}", line.empty() ? "" : line + '\n');
+    }
+    return judge_bound(run_.scene, summary);
   }
-  const auto keep = [&] {
-    progress.hide();
-    output.keep();
-    fmt::print("{}", shapes != nullptr ? shapes->finish() + '\n' : "");
-  };
-  try {
-    std::vector<FrameRecord> records = run_frames(simulation, job.frames.back(), outputs);
-    progress.hide();
-    lost.tell(job.scene.name);
-    return records;
-  } catch (const FrameBlocked& error) {
-    keep();
-    end_blocked(error, job.scene, simulation, job.output, offscreen);
-  } catch (const PromiseBroken&) {
-    keep();
-    throw;
-  } catch (const sim::Diverged&) {
-    keep();
-    throw;
-  }
-}
+
+  const RenderOptions& options_;
+  SceneRun run_;
+  RenderJob job_;
+  PictureOutput output_;
+  std::optional<OffscreenRenderer> offscreen_;
+  DrawnColours colours_;
+  std::vector<int> frames_;
+  std::optional<GarmentPainter> painter_;
+  PictureOrigin origin_;
+  Stopwatch since_start_;
+};
 
 }  // namespace
 
 int run(const RenderOptions& options) {
-  RenderJob job = render_job_of(options);
-  PictureOutput output(job);
-  if (!options.shapes.empty()) {
-    require_export(exported(options, job), job.scene.garment.file);
-  }
-  if (!options.statistics.empty()) {
-    statistics_format(options.statistics);
-    prepare_folder_of(options.statistics);
-  }
-
-  Progress progress(job.scene.name);
-  // Starting OpenGL and compiling shaders takes as long as reading a model.
-  std::future<LoadedGarment> garment = std::async(std::launch::async, [&] {
-    return load_garment(job.scene, [&](const std::string& stage) { progress.begin(stage); });
-  });
-  OffscreenRenderer offscreen(options.backend);
-  const PictureStyle& style = job.scene.picture;
-  offscreen.renderer().prepare(settings_of(style), style.surface == SurfaceLook::stretch);
-  LoadedGarment loaded = garment.get();
-  progress.hide();
-  print_body_remarks(job.scene, put_where_it_begins(loaded, job.scene), stdout);
-  print_remarks(job.scene, loaded);
-  face_front(loaded, job.scene);
-  const DrawnColours colours = drawn_colours(job.scene, loaded);
-  for (const std::string& remark : colours.remarks) {
-    fmt::print(stderr, "taut: warning: {}: {}\n", job.scene.garment.file.filename().string(), remark);
-  }
-  sim::Simulation simulation = make_simulation(job.scene, loaded);
-  if (options.resume) {
-    take_camera_of_existing(job, output);
-  }
-  const std::vector<int> frames =
-      options.resume ? frames_left(job, output, origin_of(options, job, offscreen)) : job.frames;
-  if (frames.size() < job.frames.size()) {
-    fmt::print("there already: {} of {}\n", job.frames.size() - frames.size(),
-               counted(job.frames.size(), "frame"));
-  }
-  std::optional<StatisticsFile> statistics;
-  if (!options.statistics.empty()) {
-    const RunDescription description = {job.scene, simulation.garment(), simulation.pins().vertices.size(),
-                                        offscreen.gl_renderer(), options.verify};
-    statistics.emplace(options.statistics, description, std::nullopt);
-  }
-  FrameVerifier verifier;
-  const std::unique_ptr<FrameSink> shapes =
-      options.shapes.empty() ? nullptr : open_sink(exported(options, job), loaded, simulation);
-  const std::vector<FrameRecord> records =
-      draw(options, job, simulation, offscreen, colours, output, shapes.get(), frames, statistics,
-           options.verify ? &verifier : nullptr, progress);
-  RunSummary summary;
-  for (const FrameRecord& record : records) {
-    summary.add(record);
-  }
-  progress.begin("finishing " + job.output);
-  const std::string written = output.finish() + (shapes ? '\n' + shapes->finish() : "");
-  progress.hide();
-
-  if (job.again && options.overrides.empty()) {
-    compare_with_record(job, records, offscreen.gl_renderer());
-  }
-  if (statistics) {
-    statistics->finish(summary);
-    fmt::print("wrote {}\n", options.statistics.string());
-  }
-  fmt::print("{}\n{}", written, options.verify ? verifier.summary() + '\n' : "");
-  for (const std::string& line :
-       {describe_crossings(summary), describe_following(loaded, simulation.state().current)}) {
-    fmt::print("{}", line.empty() ? "" : line + '\n');
-  }
-  return judge_bound(job.scene, summary);
+  return Render(options, render_job_of(options)).go();
 }
 
 }  // namespace taut::app

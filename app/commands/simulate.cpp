@@ -2,23 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
-#include <utility>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/progress.hpp"
 #include "app/base/stopwatch.hpp"
-#include "app/bodies/body_loading.hpp"
-#include "app/bodies/wearing.hpp"
-#include "app/caches/frame_sink.hpp"
-#include "app/commands/blocked_run.hpp"
-#include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
-#include "app/frame_loop.hpp"
-#include "app/models/garment_loading.hpp"
-#include "app/models/garment_remarks.hpp"
+#include "app/commands/run.hpp"
 #include "app/models/model_fitting.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/output/output_pattern.hpp"
@@ -68,241 +57,157 @@ void print_summary(const RunSummary& summary) {
       describe_crossings(summary).empty() ? "" : "; " + describe_crossings(summary));
 }
 
-bool is_told(const SimulateOptions& options) {
-  return !options.quiet && !options.json;
-}
-
-/// The scene's garment, with the hanger that it asks for, with what was guessed and repaired said on
-/// `remarks`, where there is one.
-LoadedGarment load(DrawnScene& scene, Progress& progress, std::FILE* remarks) {
-  LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
-  progress.hide();
-  print_body_remarks(scene, put_where_it_begins(loaded, scene), remarks);
-  if (remarks != nullptr) {
-    print_remarks(scene, loaded, remarks);
-  }
-  progress.begin("frame 1");
-  return loaded;
-}
-
-/// Crossing pairs in the checkpoint that a scene begins with. Of other starts it was said as a remark.
-void say_start(const SimulateOptions& options, const DrawnScene& scene, const std::string& crossings) {
-  if (is_told(options) && !scene.checkpoint.empty() && !crossings.empty()) {
-    fmt::print("{}: at the start {}\n", scene.name, crossings);
-  }
-}
-
 /// The run as it begins or goes on; puts the simulation there.
-RunCheckpoint begin(const SimulateOptions& options, const DrawnScene& scene, FrameVerifier& verifier,
-                    sim::Simulation& simulation) {
-  RunCheckpoint run;
+RunCheckpoint begin(const SimulateOptions& options, SceneRun& run) {
+  RunCheckpoint begun;
   if (!options.resume.empty()) {
     if (options.verify) {
-      verifier.begin(simulation);  // where the run began, which is not where it goes on
+      run.verifier.begin(*run.simulation);  // where the run began, which is not where it goes on
     }
-    run = read_run_checkpoint(options.resume);
-    require_same_scene(options.resume, run, scene.name, scene_text(scene));
-    restore(options.resume, run, simulation);
+    begun = read_run_checkpoint(options.resume);
+    require_same_scene(options.resume, begun, run.scene.name, scene_text(run.scene));
+    restore(options.resume, begun, *run.simulation);
   } else {
-    run.scene_name = scene.name;
-    run.scene = scene_text(scene);
-    run.frame = go_to_start(scene, simulation);
-    if (options.verify) {
-      say_start(options, scene, verifier.begin(simulation));
-    }
+    begun.scene_name = run.scene.name;
+    begun.scene = scene_text(run.scene);
+    begun.frame = run.begin();
   }
-  return run;
-}
-
-/// The statistics of the run, new or gone on with.
-std::optional<StatisticsFile> statistics_of(const SimulateOptions& options, const RunDescription& description,
-                                            const RunCheckpoint& run) {
-  if (options.statistics.empty()) {
-    return std::nullopt;
-  }
-  const bool goes_on = !options.resume.empty() && run.summary.frames > 0;
-  return StatisticsFile(options.statistics, description, goes_on ? std::optional(run.frame) : std::nullopt);
-}
-
-// The end of a run: said, printed for programs, written.
-void hand_over(const SimulateOptions& options, const RunSummary& summary,
-               const std::unique_ptr<FrameSink>& shapes, std::optional<StatisticsFile>& statistics) {
-  const std::string written = shapes ? shapes->finish() + '\n' : "";
-  if (is_told(options)) {
-    print_summary(summary);
-    fmt::print("{}", written);
-  }
-  if (options.json) {
-    fmt::print("{}", statistics_end(StatisticsFormat::json_lines, summary));
-  }
-  if (statistics) {
-    statistics->finish(summary);
-    fmt::print("{}", is_told(options) ? "wrote " + options.statistics.string() + '\n' : "");
-  }
-}
-
-void try_outputs(const SimulateOptions& options) {
-  for (const std::filesystem::path& file : {options.statistics, options.saved_to()}) {
-    if (!file.empty()) {
-      prepare_folder_of(file);
-    }
-  }
-}
-
-/// Where shapes go, once it is known where the run begins; none if nobody asks for them.
-std::unique_ptr<FrameSink> shapes_of(const SimulateOptions& options, ExportSettings settings,
-                                     const DrawnScene& scene, const GarmentInScene& loaded,
-                                     const sim::Simulation& simulation, int begun) {
-  if (options.shapes.empty()) {
-    return nullptr;
-  }
-  const bool goes_on = !options.resume.empty();
-  settings.frames.first = std::max(settings.frames.first, goes_on ? start_frame(scene) : begun);
-  settings.last_kept = goes_on ? std::optional(begun) : std::nullopt;
-  return open_sink(settings, loaded, simulation);
+  return begun;
 }
 
 /// A run under way.
 struct Running {
   const SimulateOptions& options;
-  const sim::Simulation& simulation;
-  Progress& progress;
+  SceneRun& run;
   FrameLines lines;
-  RunCheckpoint run;
-  std::optional<StatisticsFile> statistics;
-  std::unique_ptr<FrameSink> shapes;
-  int first_frame = 0;
+  RunCheckpoint saved;
   int last_frame = 0;
+  int first_frame = saved.frame;
   Stopwatch since_start = {};
 
   /// Counts, files and messages of a frame, as it comes.
   void report(const FrameRecord& record) {
-    run.frame = record.frame;
-    run.summary.add(record);
-    if (statistics) {
-      statistics->add(record);
+    saved.frame = record.frame;
+    saved.summary.add(record);
+    if (run.statistics) {
+      run.statistics->add(record);
     }
     if (options.json) {
       fmt::print("{}", statistics_line(StatisticsFormat::json_lines, record));
     }
-    if (is_told(options)) {
-      progress.hide();
+    if (run.is_told) {
+      run.progress.hide();
       lines.print(record);
     }
     if (record.frame % options.checkpoint_every == 0) {
       save();
     }
-    progress.begin(fmt::format(
+    run.progress.begin(fmt::format(
         "frame {} of {}{}", record.frame + 1, last_frame,
         time_left(1e-3 * since_start.elapsed_ms(), record.frame - first_frame, last_frame - first_frame)));
   }
 
   void save() {
     if (!options.saved_to().empty()) {
-      if (shapes) {
-        shapes->keep();
+      if (run.shapes) {
+        run.shapes->keep();
       }
-      run.simulation = sim::encode(simulation.save(), simulation.garment());
-      write_run_checkpoint(options.saved_to(), run);
+      saved.simulation = sim::encode(run.simulation->save(), run.simulation->garment());
+      write_run_checkpoint(options.saved_to(), saved);
     }
-  }
-
-  /// Of a run that ends early: completes the shapes before.
-  void finish_shapes() {
-    progress.hide();
-    const std::string written = shapes ? shapes->finish() + '\n' : "";
-    fmt::print("{}", is_told(options) ? written : "");
   }
 
   /// Saves the run and says how it goes on. Returns the exit code.
   int stop() {
     save();
-    progress.hide();
+    run.progress.hide();
     std::fflush(stdout);
     fmt::print(stderr,
                "taut: stopped after frame {0}, saved in '{1}': the same command with --resume {1} goes on\n",
-               run.frame, options.saved_to().string());
+               saved.frame, options.saved_to().string());
     return exit_can_be_resumed;
   }
+
+  /// The end of a run: said, printed for programs, written. Returns the exit code.
+  int finish() {
+    run.progress.hide();
+    save();
+    const std::string written = run.finish_shapes();
+    if (run.is_told) {
+      print_summary(saved.summary);
+      fmt::print("{}", written);
+    }
+    if (options.json) {
+      fmt::print("{}", statistics_end(StatisticsFormat::json_lines, saved.summary));
+    }
+    if (run.statistics) {
+      run.statistics->finish(saved.summary);
+      fmt::print("{}", run.is_told ? "wrote " + options.statistics.string() + '\n' : "");
+    }
+    if (run.is_told) {
+      const std::string following = describe_following(run.loaded, run.simulation->state().current);
+      fmt::print("{}{}", following.empty() ? "" : following + '\n',
+                 options.verify ? run.verifier.summary() + '\n' : "");
+    }
+    return judge_bound(run.scene, saved.summary);
+  }
 };
+
+/// Opens where shapes go, once it is known where the run begins.
+void open_shapes(const SimulateOptions& options, ExportSettings settings, int begun, SceneRun& run) {
+  if (!options.shapes.empty()) {
+    const bool goes_on = !options.resume.empty();
+    settings.frames.first = std::max(settings.frames.first, goes_on ? start_frame(run.scene) : begun);
+    settings.last_kept = goes_on ? std::optional(begun) : std::nullopt;
+    run.shapes = open_sink(settings, run.loaded, *run.simulation);
+  }
+}
 
 }  // namespace
 
 int run(const SimulateOptions& options) {
-  DrawnScene scene = find_scene(options.scene, options.overrides);
-  std::FILE* const remarks = options.quiet ? nullptr : options.json ? stderr : stdout;
-  print_body_remarks(scene, load_bodies(scene), remarks);
+  SceneRun run(options, find_scene(options.scene, options.overrides),
+               options.quiet  ? nullptr
+               : options.json ? stderr
+                              : stdout);
+  run.is_told = !options.quiet && !options.json;
   const FrameRange range =
-      options.frames.empty() ? FrameRange{1, scene.frames}
-                             : frame_range(options.frames, scene.frames,
+      options.frames.empty() ? FrameRange{1, run.scene.frames}
+                             : frame_range(options.frames, run.scene.frames,
                                            is_clip(options.shapes) ? NumberMeans::count : NumberMeans::frame);
-  const ExportSettings exported = {options.shapes, range, scene.simulation.frame_rate_hz,
+  const ExportSettings exported = {options.shapes, range, run.scene.simulation.frame_rate_hz,
                                    !options.saved_to().empty()};
-  FrameOutputs outputs;
-  if (!options.shapes.empty()) {
-    require_export(exported, scene.garment.file);
+  run.require_outputs(exported);
+  if (!options.saved_to().empty()) {
+    prepare_folder_of(options.saved_to());
   }
-  statistics_format(options.statistics);
-  try_outputs(options);
-
-  Progress progress(scene.name);
-  const LoadedGarment loaded = load(scene, progress, remarks);
-  sim::Simulation simulation = make_simulation(scene, loaded);
-  FrameVerifier verifier;
-  RunCheckpoint begun = begin(options, scene, verifier, simulation);
-  require_begun(begun.frame, range.last);
-  outputs.start_frame = begun.frame;
-  outputs.with_start = options.resume.empty() && range.first <= begun.frame;
-  const RunDescription description = {scene, simulation.garment(), simulation.pins().vertices.size(), "",
-                                      options.verify};
-  std::optional<StatisticsFile> statistics = statistics_of(options, description, begun);
+  run.load();
+  run.progress.begin("frame 1");
+  Running running{options, run, FrameLines(range), begin(options, run), range.last};
+  const int begun = running.first_frame;
+  require_begun(begun, range.last);
+  const RunDescription description = {run.scene, run.simulation->garment(),
+                                      run.simulation->pins().vertices.size(), "", options.verify};
+  const bool goes_on = !options.resume.empty() && running.saved.summary.frames > 0;
+  run.open_statistics(description, goes_on ? std::optional(begun) : std::nullopt);
   if (options.json) {
     fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
   }
-  Running running{options,
-                  simulation,
-                  progress,
-                  FrameLines(range),
-                  {},
-                  std::move(statistics),
-                  shapes_of(options, exported, scene, loaded, simulation, begun.frame)};
-  running.first_frame = begun.frame;
-  running.last_frame = range.last;
-  running.run = std::move(begun);
-  if (running.shapes) {
-    outputs.write_shape = [&](int frame, const auto& moment) { running.shapes->write(frame, moment); };
-  }
-  const bool is_read = !options.quiet || options.json || running.statistics || !options.saved_to().empty();
-  outputs.measured = is_read ? Measured::all : Measured::promises;
-  outputs.report = [&](const FrameRecord& record) { running.report(record); };
-  if (options.verify) {
-    outputs.verify = [&](const auto& moment, FrameRecord& record) { return verifier.check(moment, record); };
-  }
+  open_shapes(options, exported, begun, run);
+  run.outputs.start_frame = begun;
+  run.outputs.with_start = options.resume.empty() && range.first <= begun;
+  const bool is_read = !options.quiet || options.json || run.statistics || !options.saved_to().empty();
+  run.outputs.measured = is_read ? Measured::all : Measured::promises;
+  run.outputs.report = [&](const FrameRecord& record) { running.report(record); };
   try {
-    run_frames(simulation, range.last, outputs);
+    run.go(range.last, options.shapes, nullptr);
   } catch (const Interrupted&) {
     if (options.saved_to().empty()) {
       throw;
     }
     return running.stop();
-  } catch (const FrameBlocked& error) {
-    running.finish_shapes();
-    end_blocked(error, scene, simulation, options.shapes);
-  } catch (const PromiseBroken&) {
-    running.finish_shapes();
-    throw;
-  } catch (const sim::Diverged&) {
-    running.finish_shapes();
-    throw;
   }
-  progress.hide();
-  running.save();
-  hand_over(options, running.run.summary, running.shapes, running.statistics);
-  if (is_told(options)) {
-    const std::string following = describe_following(loaded, simulation.state().current);
-    fmt::print("{}{}", following.empty() ? "" : following + '\n', options.verify ? verifier.summary() + '\n' : "");
-  }
-  return judge_bound(scene, running.run.summary);
+  return running.finish();
 }
 
 }  // namespace taut::app

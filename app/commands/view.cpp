@@ -4,9 +4,9 @@
 #include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/headless_viewer.hpp"
-#include "app/viewer/window_viewer.hpp"
+#include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {

@@ -1,11 +1,11 @@
 #include "app/drawing/drawn_bodies.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/drawing/framing.hpp"
-#include "app/drawing/mesh_arrays.hpp"
 
 namespace taut::app {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 const renderer::Colour body_colour = renderer::rgb(0xB9B4AC);
 
 // Share of an edge that the surface may leave its triangles by, where no cloth is near.
-constexpr float most_bulge = 0.2F;
+constexpr float most_body_bulge = 0.2F;
 
 float mean_edge_m(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles) {
   double sum_m = 0.0;
@@ -55,6 +55,18 @@ struct RoundMaker {
   }
 };
 
+// Wind with the longest arrows.
+constexpr float fastest_m_per_s = 20.0F;
+// Shares of the box's radius: of the shortest and the longest arrow, from arrow to arrow, and of the gap
+// between their heads and the box.
+constexpr float shortest = 0.25F;
+constexpr float longest = 1.0F;
+constexpr float apart = 0.4F;
+constexpr float gap = 0.15F;
+// Length of a head, share of the box's radius, and its half width, share of that.
+constexpr float head = 0.1F;
+constexpr float head_width = 0.4F;
+
 }  // namespace
 
 DrawnBodies::DrawnBodies(std::vector<sim::Body> bodies)
@@ -84,7 +96,7 @@ void DrawnBodies::set_detail(float pixels_per_m, std::optional<float> shortest_e
     if (!mesh.surface || levels != mesh.levels) {
       mesh.levels = levels;
       mesh.surface.emplace(mesh.rest_positions, mesh.triangles, levels,
-                           renderer::SurfaceFreedom{most_bulge * mesh.edge_m});
+                           renderer::SurfaceFreedom{most_body_bulge * mesh.edge_m});
       placed_s_.reset();
     }
   }
@@ -122,6 +134,35 @@ std::vector<renderer::SurfaceView> DrawnBodies::views() const {
     }
   }
   return views;
+}
+
+std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions) {
+  std::vector<glm::vec3> lines;
+  const auto speed = static_cast<float>(wind.speed_m_per_s);
+  if (speed <= 0.0F) {
+    return lines;
+  }
+  const glm::vec3 along = glm::normalize(glm::vec3(wind.direction));
+  const glm::vec3 up_ish = std::abs(along.y) < 0.9F ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
+  const glm::vec3 right = glm::normalize(glm::cross(along, up_ish));
+  const glm::vec3 up = glm::cross(right, along);
+  const renderer::Box around = renderer::bounding_box(to_float(positions));
+  const glm::vec3 middle = 0.5F * (around.lower + around.upper);
+  const glm::vec3 half = 0.5F * (around.upper - around.lower);
+  const float radius = glm::length(half);
+  const float reach = glm::dot(glm::abs(along), half);
+  const float length = radius * std::clamp(longest * speed / fastest_m_per_s, shortest, longest);
+  for (const float row : {-1.0F, 0.0F, 1.0F}) {
+    for (const float column : {-0.5F, 0.5F}) {
+      const glm::vec3 tip =
+          middle - along * (reach + gap * radius) + apart * radius * (row * up + column * right);
+      lines.insert(lines.end(), {tip - length * along, tip});
+      for (const glm::vec3& side : {right, -right, up, -up}) {
+        lines.insert(lines.end(), {tip, tip - head * radius * (along - head_width * side)});
+      }
+    }
+  }
+  return lines;
 }
 
 }  // namespace taut::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <map>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include "renderer/primitives.hpp"
 #include "renderer/surface/smooth_surface.hpp"
 #include "sim/contact/bodies.hpp"
+#include "sim/wind.hpp"
 
 namespace taut::app {
 
@@ -43,5 +45,10 @@ class DrawnBodies {
   std::vector<std::vector<renderer::TriangleMesh>> round_;  ///< of each body: its balls and capsules
   std::optional<double> placed_s_;
 };
+
+/// Arrows of a wind that blows at a garment with these positions, in metres: line segments, two points each,
+/// on the side it comes from. Twice as long for twice the speed, up to the size of the garment. Without wind
+/// there are none. Gusts are not shown.
+std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions);
 
 }  // namespace taut::app

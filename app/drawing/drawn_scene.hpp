@@ -3,8 +3,11 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "app/scene/scene.hpp"
+#include "app/scene/scene_file.hpp"
 #include "renderer/camera.hpp"
 #include "renderer/frame_view.hpp"
 
@@ -165,5 +168,41 @@ const char* name_of(StretchOf shown);
 
 /// The title of the colours' legend.
 const char* legend_title(StretchOf shown);
+
+template <class S>
+struct SceneFormat;
+
+/// All keys of a scene file, those of the picture included.
+SceneFormat<DrawnScene> drawn_scene_format();
+
+// The functions of scene_format.hpp and scene_text.hpp for that format.
+
+DrawnScene read_scene_file(const std::filesystem::path& path, std::span<const Override> overrides = {});
+DrawnScene read_scene_text(const std::string& text, const std::string& name,
+                           std::span<const Override> overrides = {});
+DrawnScene find_scene(const std::string& name, std::span<const Override> overrides);
+void apply_overrides(std::span<const Override> overrides, DrawnScene& scene);
+/// As that of a Scene, but drawn without balls at its pins.
+void set_garment(const std::filesystem::path& file, DrawnScene& scene);
+nlohmann::ordered_json scene_settings(const DrawnScene& scene);
+std::string scene_text(const DrawnScene& scene, GarmentNaming naming = GarmentNaming::in_assets);
+
+/// All keys with unit, default, range and meaning, as text for people.
+std::string scene_help();
+
+/// From where a scene is seen. Angles as those of camera.azimuth and camera.elevation, in degrees.
+struct Side {
+  const char* name;
+  double azimuth_deg;
+  double elevation_deg;
+};
+
+/// The sides that have a name. The window has keys for the first four.
+inline constexpr std::array<Side, 6> sides = {{{"front", 0.0, 5.0},
+                                               {"side", 90.0, 5.0},
+                                               {"back", 180.0, 5.0},
+                                               {"three-quarter", 38.0, 15.0},
+                                               {"left", -90.0, 5.0},
+                                               {"top", 0.0, 85.0}}};
 
 }  // namespace taut::app

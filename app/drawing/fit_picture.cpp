@@ -9,7 +9,7 @@
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
+#include "app/drawing/inspection_marks.hpp"
 #include "renderer/page/legend.hpp"
 
 namespace taut::app {
@@ -43,11 +43,7 @@ renderer::Image draw_side(OffscreenRenderer& offscreen, const WornGarment& worn,
   style.ground.kind = GroundKind::none;
   style.legend = false;
   style.show_pins = false;
-  GarmentPainter painter(offscreen.renderer(), scene, worn.garment, {});
-  renderer::FrameView frame = painter.view(worn.positions_m, worn.time_s);
-  frame.backdrop.plain = true;
-  frame.backdrop.lower_colour = renderer::rgb(0xFFFFFF);
-  return offscreen.renderer().draw(frame, style.settings);
+  return draw_marked(offscreen.renderer(), scene, worn.garment, {}, worn.positions_m, worn.time_s, {}, true);
 }
 
 void draw_table(renderer::Canvas& canvas, const WornGarment& worn, float top_px) {

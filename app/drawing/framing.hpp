@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -9,8 +10,19 @@
 #include "renderer/camera.hpp"
 #include "sim/contact/bodies.hpp"
 #include "sim/garment.hpp"
+#include "sim/mesh/types.hpp"
 
 namespace taut::app {
+
+/// Three vertices for each triangle.
+inline std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(triangles.size() * 3);
+  for (const sim::Triangle& t : triangles) {
+    indices.insert(indices.end(), t.begin(), t.end());
+  }
+  return indices;
+}
 
 struct LoadedGarment;
 
@@ -62,5 +74,36 @@ renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reac
 
 /// Height of the floor in metres. Empty if there is no floor.
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach);
+
+/// Whether the camera of the scene's pictures is fitted to what they show: neither its place nor a box is
+/// given, and camera.fit asks for it.
+bool is_fitted(const DrawnScene& scene);
+
+/// Gathers what a run's pictures show, then places the camera so that all of it fills the picture.
+class FittedView {
+ public:
+  /// `scene` and `garment` must outlive this object.
+  FittedView(const DrawnScene& scene, const sim::Garment& garment);
+
+  /// Adds the garment at these positions, in metres, and the bodies at this time.
+  void add(const std::vector<sim::Vec3>& positions, double time_s);
+
+  /// Sets camera.eye and camera.target, and picture.ground where it is automatic and no level plane is there:
+  /// the same scene then draws the same pictures, alone or in another range of frames. Changes nothing if
+  /// nothing was added.
+  void place_camera(DrawnScene& scene) const;
+
+ private:
+  const DrawnScene& scene_;
+  const sim::Garment& garment_;
+  renderer::Framing framing_;
+  float aspect_;
+  std::vector<glm::vec3> outermost_;  ///< of every frame the points that decide the fit
+  float lowest_m_ = INFINITY;
+  float highest_m_ = -INFINITY;
+};
+
+/// Share of the garment's vertices that the camera sees within the picture, 0 to 1.
+float share_in_picture(const renderer::Camera& camera, float aspect, std::span<const sim::Vec3> positions);
 
 }  // namespace taut::app

@@ -2,6 +2,10 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "app/drawing/drawn_bodies.hpp"
@@ -9,16 +13,61 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/garment_surface.hpp"
 #include "app/drawing/spring_lines.hpp"
-#include "app/drawing/surface_rooms.hpp"
+#include "renderer/context/context.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"
 #include "renderer/page/legend.hpp"
 #include "renderer/primitives.hpp"
 #include "renderer/scene_renderer.hpp"
+#include "renderer/surface/smooth_surface.hpp"
 #include "sim/contact/bodies.hpp"
 #include "sim/garment.hpp"
+#include "sim/solvers/bounded/contact/clearances.hpp"
 
 namespace taut::app {
+
+/// How far the surface that is drawn of a garment may leave its triangles without meeting another layer or a
+/// body where the simulation keeps those apart.
+class SurfaceRooms {
+ public:
+  /// edge_m: mean length of the garment's edges.
+  SurfaceRooms(const DrawnScene& scene, const sim::Garment& garment, float edge_m);
+
+  /// Where nothing is near.
+  const renderer::SurfaceFreedom& freedom() const { return freedom_; }
+
+  /// Returns the room of each vertex of the garment at these positions, in metres, and then of all bodies
+  /// that are meshes: what renderer::SmoothSurface asks for. None if nothing is kept apart. Valid until the
+  /// next call.
+  std::span<const float> find(const std::vector<sim::Vec3>& positions, double time_s);
+
+ private:
+  void keep_off_shapes(double time_s);
+
+  renderer::SurfaceFreedom freedom_;
+  float most_clearance_m_;
+  std::vector<sim::Body> bodies_;
+  std::optional<sim::bounded::Clearances> clearances_;
+  std::size_t garment_vertices_;
+  std::vector<sim::Vec3> positions_m_;  ///< of the garment and of bodies that are meshes
+  std::vector<float> rooms_m_;
+};
+
+/// An OpenGL context without a window, and the scene renderer in it.
+class OffscreenRenderer {
+ public:
+  /// `backend` as in renderer::create_context. Throws renderer::ContextError.
+  explicit OffscreenRenderer(const std::string& backend)
+      : context_(renderer::create_context(backend)), renderer_(*context_) {}
+
+  renderer::SceneRenderer& renderer() { return renderer_; }
+  /// The name OpenGL gives its renderer (GL_RENDERER).
+  const std::string& gl_renderer() const { return context_->renderer(); }
+
+ private:
+  std::unique_ptr<renderer::Context> context_;
+  renderer::SceneRenderer renderer_;
+};
 
 /// Radius of the balls that show pins, for a scene with this reach.
 float pin_radius_m(const renderer::Box& reach);
@@ -43,7 +92,8 @@ class GarmentPainter {
   /// The camera of the picture drawn last.
   const renderer::Camera& camera() const { return frame_.camera; }
 
-  /// The frame that `draw` hands to the renderer. It refers to data of the painter and is valid until the next call.
+  /// The frame that `draw` hands to the renderer. It refers to data of the painter and is valid until the
+  /// next call.
   const renderer::FrameView& view(const std::vector<sim::Vec3>& positions, double time_s);
 
  private:

@@ -1,15 +1,84 @@
 #include "app/drawing/garment_surface.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "app/drawing/cloth_coordinates.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/drawing/mesh_arrays.hpp"
+#include "app/models/garment_measures.hpp"
+#include "app/models/garment_parts.hpp"
+#include "renderer/surface/lines.hpp"
+#include "renderer/surface/refined_mesh.hpp"
+#include "sim/mesh/groups.hpp"
+#include "sim/mesh/mesh.hpp"
 
 namespace taut::app {
 namespace {
+
+sim::Groups pieces_of(const sim::Garment& garment, std::span<const glm::vec2> corner_uv) {
+  const std::vector<std::uint32_t> triangles = flat(garment.mesh.triangles);
+  const std::vector<renderer::VertexPair> seams =
+      renderer::seam_edges(to_float(garment.mesh.positions), triangles, corner_uv);
+  const std::vector<renderer::TriangleSide> sides = renderer::sorted_sides(triangles);
+  sim::Groups pieces(garment.mesh.triangles.size());
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    if (sides[i].ends == sides[i + 1].ends &&
+        !std::binary_search(seams.begin(), seams.end(), sides[i].ends)) {
+      pieces.join(sides[i].number / 3, sides[i + 1].number / 3);
+    }
+  }
+  return pieces;
+}
+
+struct Areas {
+  double in_m2 = 0.0;
+  double in_uv = 0.0;  ///< below 0: mirrored
+};
+
+// Of a garment for an adult; others have a share of it.
+constexpr float hem_m = 0.02F;
+constexpr float neckband_m = 0.018F;
+constexpr double diagonal_of_adult_m = 0.8;
+constexpr float least_share = 0.25F;
+// A hem is no wider than this share of its length: small holes have narrow ones.
+constexpr float most_of_length = 1.0F / 12.0F;
+
+// Sharp edges shorter than this, stitches, are folds of the model and no seams.
+constexpr float shortest_seam = 25.0F;
+
+std::vector<renderer::VertexPair> long_ones(std::span<const renderer::VertexPair> edges,
+                                            std::span<const glm::vec3> rest_positions, float shortest_m) {
+  const renderer::Lines lines = renderer::lines_of(edges, rest_positions);
+  std::vector<renderer::VertexPair> kept;
+  for (const renderer::Lines::Segment& segment : lines.segments) {
+    if (lines.chains[segment.chain].length >= shortest_m) {
+      kept.push_back(segment.ends);
+    }
+  }
+  return kept;
+}
+
+bool is_around_neck(const Opening& opening, const GarmentMarks& marks) {
+  return marks.top && !marks.is_worn_at_waist && opening.range.lower == marks.top->lower &&
+         opening.range.upper == marks.top->upper;
+}
+
+std::vector<renderer::BorderBand> bands_of(const sim::Garment& garment, float share) {
+  const GarmentMarks marks = marks_of(garment, garment.mesh.positions, {});
+  std::vector<renderer::BorderBand> bands(garment.mesh.positions.size());
+  for (const GarmentPart& part : parts_of(garment.mesh, garment.adjacency)) {
+    for (const Opening& opening : part.openings) {
+      const bool ribbed = is_around_neck(opening, marks);
+      const float width_m = std::min(share * (ribbed ? neckband_m : hem_m),
+                                     most_of_length * static_cast<float>(opening.length_m));
+      for (const sim::Index vertex : opening.vertices) {
+        bands[vertex] = {width_m, ribbed};
+      }
+    }
+  }
+  return bands;
+}
 
 // A rim that is thinner in the picture, and stitches that are shorter, pixels, are not drawn.
 constexpr float least_rim_px = 0.7F;
@@ -25,6 +94,55 @@ float mean_edge_m(const sim::Garment& garment) {
 }
 
 }  // namespace
+
+std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<const glm::vec2> corner_uv) {
+  if (corner_uv.empty()) {
+    return {};
+  }
+  const sim::Mesh& mesh = garment.mesh;
+  sim::Groups pieces = pieces_of(garment, corner_uv);
+  std::vector<Areas> areas(mesh.triangles.size());
+  for (sim::Index t = 0; t < mesh.triangles.size(); ++t) {
+    const glm::dvec2 a(corner_uv[3 * t]);
+    const glm::dvec2 ab = glm::dvec2(corner_uv[3 * t + 1]) - a, ac = glm::dvec2(corner_uv[3 * t + 2]) - a;
+    Areas& own = areas[pieces.find(t)];
+    own.in_m2 += 0.5 * glm::length(sim::doubled_area_vector(mesh.positions, mesh.triangles[t]));
+    own.in_uv += 0.5 * (ab.x * ac.y - ab.y * ac.x);
+  }
+  std::vector<glm::vec2> coordinates;
+  coordinates.reserve(corner_uv.size());
+  for (sim::Index t = 0; t < mesh.triangles.size(); ++t) {
+    const Areas& own = areas[pieces.find(t)];
+    const double scale = std::sqrt(own.in_m2 / std::abs(own.in_uv));
+    if (!std::isfinite(scale)) {
+      return {};
+    }
+    for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
+      coordinates.emplace_back(std::copysign(scale, own.in_uv) * corner_uv[corner].x,
+                               scale * corner_uv[corner].y);
+    }
+  }
+  return coordinates;
+}
+
+GarmentSewing sewing_of(const sim::Garment& garment, std::span<const glm::vec2> corner_coordinates) {
+  GarmentSewing sewing;
+  sewing.rim_radius_m = 0.5F * static_cast<float>(garment.material.thickness_m);
+  if (!garment.mesh.quads.empty()) {
+    return sewing;
+  }
+  const double diagonal_m = glm::length(sim::extent_of(garment.mesh.positions).size());
+  const float share = std::clamp(static_cast<float>(diagonal_m / diagonal_of_adult_m), least_share, 1.0F);
+  sewing.stitch_m *= share;
+  sewing.rim_radius_m *= 2.0F;
+  sewing.bands = bands_of(garment, share);
+  const std::vector<glm::vec3> rest_positions = to_float(garment.mesh.positions);
+  sewing.seams = renderer::seam_edges(rest_positions, flat(garment.mesh.triangles), corner_coordinates);
+  if (corner_coordinates.empty()) {
+    sewing.seams = long_ones(sewing.seams, rest_positions, shortest_seam * sewing.stitch_m);
+  }
+  return sewing;
+}
 
 GarmentSurface::GarmentSurface(const sim::Garment& garment, std::vector<glm::vec2> corner_coordinates,
                                std::vector<std::uint32_t> colour_of_triangle)

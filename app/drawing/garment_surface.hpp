@@ -7,12 +7,31 @@
 #include <span>
 #include <vector>
 
-#include "app/drawing/garment_sewing.hpp"
 #include "renderer/frame_view.hpp"
+#include "renderer/surface/lines.hpp"
 #include "renderer/surface/smooth_surface.hpp"
 #include "sim/garment.hpp"
 
 namespace taut::app {
+
+/// Returns where on its flat piece of cloth each corner of the garment's triangles lies, three each, in
+/// metres: v along the warp, u to the right of it seen from outside. Each run of triangles without a seam has
+/// the scale that gives its texture coordinates its area at rest, and is turned over if they are mirrored.
+/// Returns none without coordinates, or if a run has no area in them.
+std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<const glm::vec2> corner_uv);
+
+/// How the edges of a garment are finished and where it has seams. It is drawn, not simulated.
+struct GarmentSewing {
+  std::vector<renderer::BorderBand> bands;  ///< one per vertex, or none
+  std::vector<renderer::VertexPair> seams;
+  float stitch_m = 0.004F;
+  float rim_radius_m = 0.0005F;  ///< half of the thickness at the border
+};
+
+/// Finds it by the garment at rest. Openings get hems, and one around the neck a ribbed band: narrower ones
+/// where the garment is small. A grid is plain cloth without any. corner_coordinates: texture coordinates,
+/// three for each triangle; they differ at seams. Without them, long sharp edges are seams.
+GarmentSewing sewing_of(const sim::Garment& garment, std::span<const glm::vec2> corner_coordinates = {});
 
 /// The surface that is drawn of a garment: finer than what is simulated, and along its vertices. All that
 /// is measured stays with the simulated triangles. Its borders are as thick as cloth, with hems and seams.

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/colour.hpp"
+#include "renderer/scene_renderer.hpp"
 
 namespace taut::app {
 
@@ -27,8 +30,11 @@ inline const renderer::Colour crossing_colour = renderer::rgb(0x00B140);
 /// The width of the dark outline that dots have.
 inline constexpr float mark_outline_px = 2.0F;
 
-/// Adds what is marked to a picture. It refers to `all`, which has to last until it is drawn.
-void add_marks(const std::vector<InspectionMarks>& all, renderer::FrameView& frame);
+/// Draws a garment at these positions with marks; `is_page`: on a white page.
+renderer::Image draw_marked(renderer::SceneRenderer& renderer, const DrawnScene& scene,
+                            const sim::Garment& garment, std::span<const sim::Index> pins,
+                            const std::vector<sim::Vec3>& positions_m, double time_s,
+                            const std::vector<InspectionMarks>& marks, bool is_page);
 
 /// Sizes of marks.
 struct MarkWidths {
@@ -41,5 +47,22 @@ struct MarkWidths {
 std::vector<InspectionMarks> inspection_marks(const LoadedGarment& loaded,
                                               std::span<const CrossingPair> crossings,
                                               const MarkWidths& widths);
+
+constexpr int inspection_panel_px = 1000;  ///< width of one view
+
+/// Two views of the garment as it was modelled, of one size and one scale.
+struct InspectionViews {
+  struct Side {
+    const char* name;
+    DrawnScene scene;
+  };
+  std::array<Side, 2> sides;
+  float px_per_m = 0.0F;  ///< at the distance of the garment's middle
+  int height_px = 0;      ///< of each view; as small as the garment allows
+};
+
+/// Makes the views from the scene that was asked for.
+InspectionViews inspection_views(const DrawnScene& asked, const sim::Garment& garment,
+                                 std::span<const sim::Index> pins);
 
 }  // namespace taut::app

@@ -5,16 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <sstream>
+#include <vector>
 
 #include "app/base/counted.hpp"
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/inspection_marks.hpp"
-#include "app/drawing/inspection_views.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
-#include "app/drawing/spring_colours.hpp"
+#include "app/drawing/spring_lines.hpp"
 #include "app/models/model_fitting.hpp"
 
 namespace taut::app {
@@ -36,12 +35,8 @@ renderer::Image draw_side(OffscreenRenderer& offscreen, DrawnScene& scene, const
   scene.picture.cloth.outside_colour = pale_outside;
   scene.picture.cloth.inside_colour = pale_inside;
   scene.picture.smooth = false;
-  GarmentPainter painter(offscreen.renderer(), scene, *loaded.garment, loaded.pins);
-  renderer::FrameView frame = painter.view(loaded.garment->mesh.positions, 0.0);
-  frame.backdrop.plain = true;
-  frame.backdrop.lower_colour = renderer::rgb(0xFFFFFF);
-  add_marks(all, frame);
-  return offscreen.renderer().draw(frame, scene.picture.settings);
+  return draw_marked(offscreen.renderer(), scene, *loaded.garment, loaded.pins,
+                     loaded.garment->mesh.positions, 0.0, all, true);
 }
 
 // The longest of 1, 2 and 5 times a power of ten that takes at most a quarter of a panel.
@@ -173,6 +168,50 @@ MarkWidths mark_widths(const Inspection& inspection, float px_per_m) {
           .dot_px = std::clamp(0.4F * edge_px, 5.0F, 13.0F)};
 }
 
+constexpr float dot_px = 13.0F;
+/// From near by, so many mean edges can be seen to each side of the place.
+constexpr double edges_around = 3.0;
+
+DrawnScene from_near(const DrawnScene& asked, const sim::Simulation& simulation, const sim::Vec3& place_m) {
+  DrawnScene scene = asked;
+  const glm::vec3 centre(place_m);
+  const glm::vec3 around(static_cast<float>(edges_around * sim::mean_edge_m(simulation.garment().springs)));
+  scene.camera.eye.reset();
+  scene.camera.target.reset();
+  scene.camera.box = renderer::Box{centre - around, centre + around};
+  return scene;
+}
+
+std::vector<InspectionMarks> marks_of(const sim::Simulation& simulation, const sim::BlockedContact& blocked) {
+  InspectionMarks outlines{.meaning = "", .colour = crossing_colour, .width_px = 5.0F, .seen_through = true};
+  InspectionMarks dots{
+      .meaning = "", .colour = crossing_colour, .width_px = dot_px, .dots = true, .seen_through = true};
+  dots.points.emplace_back(blocked.place_m);
+  for (const sim::ContactSide& side : blocked.sides) {
+    const std::vector<sim::Index>& v = side.vertices;
+    for (std::size_t k = 0; k < v.size() && v.size() > 1; ++k) {
+      outlines.points.emplace_back(simulation.state().current[v[k]]);
+      outlines.points.emplace_back(simulation.state().current[v[(k + 1) % v.size()]]);
+    }
+  }
+  return {outlines, dots};
+}
+
+std::vector<std::string> wrapped(const renderer::Canvas& canvas, const std::string& text,
+                                 const renderer::TextStyle& style, float most_px) {
+  std::vector<std::string> lines(1);
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::string longer = lines.back() + (lines.back().empty() ? "" : " ") + word;
+    if (canvas.measure(longer, style).width_px > most_px && !lines.back().empty()) {
+      lines.push_back(word);
+    } else {
+      lines.back() = longer;
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded,
@@ -206,6 +245,32 @@ renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarmen
   }
   draw_bar(canvas, border_px + 12.0F, below_px + row_px, views.px_per_m);
   draw_legend_rows(canvas, legend, legend_top_px);
+  return canvas.to_image();
+}
+
+renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene& scene,
+                             const sim::Simulation& simulation, const sim::BlockedContact& blocked,
+                             const std::string& text) {
+  const std::vector<InspectionMarks> marks = marks_of(simulation, blocked);
+  const auto draw = [&](DrawnScene seen) {
+    seen.picture.smooth = false;
+    return draw_marked(renderer, seen, simulation.garment(), simulation.pins().vertices,
+                       simulation.state().current, simulation.state().time_s, marks, false);
+  };
+  const auto width_px = static_cast<float>(scene.picture.settings.width_px);
+  const renderer::TextStyle style = text_style(0.02F * width_px);
+  const float border_px = style.size_px;
+  const float row_px = 1.5F * style.size_px;
+  const std::vector<std::string> lines =
+      wrapped(renderer::Canvas(1, 1), text, style, 2.0F * (width_px - border_px));
+  const float header_px = static_cast<float>(lines.size()) * row_px + border_px;
+  renderer::Canvas canvas(2 * scene.picture.settings.width_px,
+                          static_cast<int>(header_px) + scene.picture.settings.height_px);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    canvas.text(border_px, row_px * static_cast<float>(k + 1), lines[k], style);
+  }
+  canvas.image(0.0F, header_px, draw(scene));
+  canvas.image(width_px, header_px, draw(from_near(scene, simulation, blocked.place_m)));
   return canvas.to_image();
 }
 

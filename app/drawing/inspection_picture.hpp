@@ -6,6 +6,8 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/inspection.hpp"
 #include "renderer/page/image.hpp"
+#include "renderer/scene_renderer.hpp"
+#include "sim/simulation.hpp"
 
 namespace taut::app {
 
@@ -15,5 +17,11 @@ namespace taut::app {
 /// renderer::create_context. Throws renderer::ContextError.
 renderer::Image draw_inspection(const Inspection& inspection, const LoadedGarment& loaded,
                                 const DrawnScene& scene, const std::string& backend);
+
+/// Returns a page that shows the simulation as it is, with what was blocked outlined and its place marked: as
+/// the scene is looked at, and from near by. `text` is written above.
+renderer::Image draw_blocked(renderer::SceneRenderer& renderer, const DrawnScene& scene,
+                             const sim::Simulation& simulation, const sim::BlockedContact& blocked,
+                             const std::string& text);
 
 }  // namespace taut::app

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "app/drawing/spring_colours.hpp"
 #include "renderer/page/colour.hpp"
 
 namespace taut::app {

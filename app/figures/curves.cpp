@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/plots/plot_sheet.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "app/figures/figures.hpp"

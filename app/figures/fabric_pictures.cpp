@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include <algorithm>
+#include <numeric>
+#include "app/drawing/drawn_scene.hpp"
 
 namespace taut::app {
 Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions,

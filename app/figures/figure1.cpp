@@ -4,7 +4,7 @@
 #include <array>
 #include <glm/common.hpp>
 
-#include "app/drawing/plots/strokes.hpp"
+#include "app/drawing/plots/axis.hpp"
 #include "app/figures/figures.hpp"
 
 namespace taut::app {

@@ -11,10 +11,10 @@
 #include <memory>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/wind_arrows.hpp"
+#include "app/drawing/drawn_bodies.hpp"
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/csv.hpp"

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "app/library/structs.hpp"
+#include "app/library/border.hpp"
 
 namespace taut::library {
 namespace {

@@ -1,16 +1,64 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/bodies/placed_frames.hpp"
 #include "app/library/taut.h"
 #include "app/scene/scene.hpp"
+#include "sim/contact/bodies.hpp"
 
 namespace taut::library {
+
+/// A body that goes from one shape to another within one frame of the run, each vertex in a straight line.
+/// Its frames are counted from 0 s, as those of a file's motion are: the bits are the same.
+class WayOfBody final : public sim::BodyFrames {
+ public:
+  WayOfBody(std::vector<sim::Vec3> from_m, std::vector<sim::Vec3> to_m, double from_s, double rate_hz)
+      : from_m_(std::move(from_m)),
+        to_m_(std::move(to_m)),
+        frame_(static_cast<std::size_t>(std::max(std::round(from_s * rate_hz), 0.0))),
+        rate_hz_(rate_hz) {
+    // A state that was saved at another rate is between two frames.
+    const double off = from_s * rate_hz - static_cast<double>(frame_);
+    first_s_ = std::abs(off) > 1e-6 ? off / rate_hz : 0.0;
+  }
+
+  std::size_t count() const override { return frame_ + 2; }
+  double rate_hz() const override { return rate_hz_; }
+  double first_s() const override { return first_s_; }
+  void positions_in(std::size_t frame, std::span<sim::Vec3> positions_m) const override {
+    const std::vector<sim::Vec3>& shape_m = frame <= frame_ ? from_m_ : to_m_;
+    std::copy(shape_m.begin(), shape_m.end(), positions_m.begin());
+  }
+
+ private:
+  std::vector<sim::Vec3> from_m_, to_m_;
+  std::size_t frame_;  ///< of the run, with which the way begins
+  double rate_hz_;
+  double first_s_ = 0.0;
+};
+
+/// A body that stays in a shape.
+class StillBody final : public sim::BodyFrames {
+ public:
+  explicit StillBody(std::vector<sim::Vec3> shape_m) : shape_m_(std::move(shape_m)) {}
+
+  std::size_t count() const override { return 1; }
+  double rate_hz() const override { return 1.0; }
+  void positions_in(std::size_t /*frame*/, std::span<sim::Vec3> positions_m) const override {
+    std::copy(shape_m_.begin(), shape_m_.end(), positions_m.begin());
+  }
+
+ private:
+  std::vector<sim::Vec3> shape_m_;
+};
 
 /// A mesh of a caller that is a body.
 struct LentBody {

@@ -1,11 +1,9 @@
-#include <fmt/core.h>
 
-#include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/library/arrays.hpp"
+#include "app/library/border.hpp"
 #include "app/library/session.hpp"
-#include "app/library/structs.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/solvers/bounded/settings.hpp"

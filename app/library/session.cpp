@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "app/library/arrays.hpp"
-#include "app/library/way_of_body.hpp"
+#include "app/library/given_body.hpp"
 #include "app/models/model_fitting.hpp"
 #include "app/output/run_start.hpp"
+#include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/scene/scene_text.hpp"
 #include "sim/checkpoint.hpp"
 #include "sim/mesh/welding.hpp"
 

@@ -6,9 +6,8 @@
 
 #include "app/base/version.hpp"
 #include "app/library/border.hpp"
-#include "app/library/structs.hpp"
 #include "app/scene/fabric.hpp"
-#include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_file.hpp"
 #include "sim/solvers/bounded/kernels/vector_unit.hpp"
 
 namespace taut::library {

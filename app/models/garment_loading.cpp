@@ -17,7 +17,7 @@
 #include "app/models/pins.hpp"
 #include "app/models/trims.hpp"
 #include "app/models/up_by_hanging.hpp"
-#include "app/scene/promise.hpp"
+#include "app/scene/scene.hpp"
 #include "sim/mesh/extent.hpp"
 #include "sim/mesh/subdivide.hpp"
 #include "sim/mesh/welding.hpp"

@@ -9,7 +9,7 @@
 #include "app/models/file_faces.hpp"
 #include "app/models/rig.hpp"
 #include "app/models/surface_colours.hpp"
-#include "app/scene/model_units.hpp"
+#include "app/scene/scene.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::app {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "app/scene/model_units.hpp"
+#include "app/scene/scene.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/mesh/mesh.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/scene/model_units.hpp"
+#include "app/scene/scene.hpp"
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::app {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/output/frame_record.hpp"
 #include "renderer/page/png.hpp"
 

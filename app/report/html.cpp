@@ -6,6 +6,7 @@
 #include "app/base/base64.hpp"
 #include "app/report/report.hpp"
 #include "app/report/report_texts.hpp"
+#include "app/scene/scene.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {

@@ -13,7 +13,7 @@
 #include "app/base/counted.hpp"
 #include "app/base/version.hpp"
 #include "app/drawing/drawing.hpp"
-#include "app/scene/promise.hpp"
+#include "app/scene/scene.hpp"
 
 namespace taut::app {
 namespace {

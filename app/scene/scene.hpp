@@ -1,20 +1,78 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "app/scene/model_units.hpp"
-#include "app/scene/run_settings.hpp"
 #include "sim/material.hpp"
 #include "sim/mesh/grid.hpp"
+#include "sim/simulation.hpp"
 #include "sim/springs.hpp"
 #include "sim/surroundings.hpp"
 
 namespace taut::app {
+
+/// A unit of length.
+struct Unit {
+  const char* symbol;  ///< as the option --units takes it
+  const char* name;
+  double metres;  ///< length of the unit
+};
+
+/// Units a model may be in.
+inline constexpr std::array units = {Unit{"m", "metre", 1.0},         Unit{"cm", "centimetre", 0.01},
+                                     Unit{"mm", "millimetre", 0.001}, Unit{"dm", "decimetre", 0.1},
+                                     Unit{"in", "inch", 0.0254},      Unit{"ft", "foot", 0.3048}};
+
+/// A direction in a model's own coordinates.
+enum class ModelAxis { x, minus_x, y, minus_y, z, minus_z };
+
+/// Names of the directions, indexed by ModelAxis.
+inline constexpr std::array axis_names = {"x", "-x", "y", "-y", "z", "-z"};
+
+/// Settings of all solvers, and which solver is used. All are kept because a scene file may name the solver
+/// after its settings.
+struct SolverChoice {
+  sim::SolverKind kind = sim::SolverKind::bounded;
+  std::optional<int> substeps;                            ///< time steps per frame; empty: the solver chooses
+  int max_substeps = sim::SolverSettings{}.max_substeps;  ///< the most that a solver may choose
+  /// `provot`, `vassilev` and `fast-projection` use these springs too.
+  sim::IdealSettings ideal;
+  sim::StrongSettings strong;
+  /// `provot`, `vassilev` and `fast-projection` use this largest stretch too.
+  sim::BoundedSettings bounded;
+  sim::FastProjectionSettings fast_projection;  ///< without what is used of the others
+  sim::ImplicitSettings implicit;
+
+  bool operator==(const SolverChoice&) const = default;
+};
+
+/// The settings of the solver that is used.
+sim::SolverSettings solver_settings(const SolverChoice& choice);
+
+/// The same settings for another solver. Time steps that are short enough for one solver may make another fly
+/// apart: a number of them stands for the solver that the scene has it for, and any other chooses its own.
+SolverChoice with_solver(SolverChoice choice, sim::SolverKind kind, const SolverChoice& of_scene);
+
+/// The solver that has this name; empty if none has.
+std::optional<sim::SolverKind> solver_named(std::string_view name);
+
+/// How a scene is simulated.
+struct RunSettings {
+  double frame_rate_hz = sim::SimulationSettings{}.frame_rate_hz;
+  SolverChoice solver;
+  sim::RestSettings rest;
+
+  bool operator==(const RunSettings&) const = default;
+};
+
+/// The same settings as the simulation takes them.
+sim::SimulationSettings simulation_settings(const RunSettings& run);
 
 struct ImportedModel;
 struct Wearer;
@@ -107,5 +165,22 @@ struct Scene {
   /// Returns how many frames are simulated before frame 0, while bodies grow into the clothes.
   int dressing_frames() const;
 };
+
+/// Says why the `bounded` solver cannot promise its bound for this scene. Empty if it promises the bound, if
+/// the scene has no bound, or if the scene allows exceeding it.
+std::optional<std::string> beyond_promise(const Scene& scene);
+
+/// Says why the `bounded` solver does not keep layers of this scene's cloth apart: it is too thin, or too
+/// thick for its mesh. Empty if it keeps them apart or is not asked to.
+std::optional<std::string> beyond_contact(const Scene& scene, const sim::Garment& garment);
+
+/// The largest stretch that the scene's solver tries to keep, a fraction. Empty if it has none.
+std::optional<double> stretch_bound(const Scene& scene);
+
+/// The lengths that the bound holds: springs for every solver other than `bounded`.
+sim::BoundKind bound_kind(const Scene& scene);
+
+/// "bound" if the solver keeps it; "threshold" if springs are only pulled back to it.
+const char* bound_word(const Scene& scene);
 
 }  // namespace taut::app

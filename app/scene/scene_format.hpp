@@ -11,10 +11,12 @@
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_key.hpp"
-#include "app/scene/scene_lookup.hpp"
 #include "app/scene/scene_value.hpp"
 
 namespace taut::app {
+
+/// All keys that the simulation needs. Scene files, `--set` and `taut help scene` all use this table.
+std::vector<Key<Scene>> scene_keys();
 
 /// How scenes of type S are read and written. S is Scene or a type derived from it.
 template <class S>

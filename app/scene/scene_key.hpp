@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,8 +46,9 @@ inline constexpr Range positive = {.lowest = 0.0, .above_lowest = true};  ///< a
 /// The range in words: "a whole number from 1 to 1000". `what` is "a number" or "a whole number".
 std::string describe(const std::string& what, const Range& range);
 
-/// The content of a value: a finite number, a whole number, a list of three finite numbers. Empty for anything
-/// else. A number may be a text that ends in a unit of the same kind as `unit`, which it then is in: "1 mm".
+/// The content of a value: a finite number, a whole number, a list of three finite numbers. Empty for
+/// anything else. A number may be a text that ends in a unit of the same kind as `unit`, which it then is in:
+/// "1 mm".
 std::optional<double> finite_number(const toml::node& value, std::string_view unit = "");
 std::optional<std::int64_t> whole_number(const toml::node& value);
 std::optional<std::array<double, 3>> three_numbers(const toml::node& value, std::string_view unit = "");
@@ -86,56 +90,87 @@ bool store(const std::optional<Found>& found, Member& member) {
   return found.has_value();
 }
 
-// Makers of keys. `access` returns a reference to the member of the T it is given, const or not. A number is
-// stored times `factor`: degrees in files, radians in code.
+// Makers of keys. `access` returns a reference to the member of the T it is given, const or not.
 
+/// `read(value, member)` or `read(value, source, member)` stores a value and returns false if it is not as
+/// expected; `write(member)` returns it.
+template <class T, class Access, class Read, class Write>
+Key<T> member_key(std::string name, std::string unit, std::string expected, Access access,
+                  std::string meaning, Read read, Write write) {
+  auto read_member = [=](const toml::node& value, const Source& source, T& target) -> bool {
+    if constexpr (std::is_invocable_v<Read, const toml::node&, const Source&, decltype(access(target))>) {
+      return read(value, source, access(target));
+    } else {
+      return read(value, access(target));
+    }
+  };
+  auto write_member = [=](const T& target) -> Json { return write(access(target)); };
+  return {std::move(name),    std::move(unit), std::move(expected),
+          std::move(meaning), read_member,     write_member};
+}
+
+/// A number is stored times `factor`: degrees in files, radians in code.
 template <class T, class Access>
 Key<T> number_key(std::string name, std::string unit, const Range& range, Access access, std::string meaning,
                   double factor = 1.0) {
-  auto read = [=](const toml::node& value, const Source&, T& target) {
+  auto read = [=](const toml::node& value, auto& member) {
     const std::optional<double> number = finite_number(value, unit);
-    if (!number || !range.contains(*number)) {
-      return false;
+    const bool is_within = number && range.contains(*number);
+    if (is_within) {
+      store(*number * factor, member);
     }
-    store(*number * factor, access(target));
-    return true;
+    return is_within;
   };
-  auto write = [=](const T& source) { return Json(stored(access(source)) / factor); };
-  return {std::move(name), std::move(unit), describe("a number", range), std::move(meaning), read, write};
+  return member_key<T>(std::move(name), unit, describe("a number", range), access, std::move(meaning), read,
+                       [=](const auto& member) { return stored(member) / factor; });
 }
 
 template <class T, class Access>
 Key<T> whole_key(std::string name, const Range& range, Access access, std::string meaning,
                  std::string unit = "") {
-  auto read = [=](const toml::node& value, const Source&, T& target) {
+  auto read = [=](const toml::node& value, auto& member) {
     const std::optional<std::int64_t> number = whole_number(value);
-    if (!number || !range.contains(static_cast<double>(*number))) {
-      return false;
+    const bool is_within = number && range.contains(static_cast<double>(*number));
+    if (is_within) {
+      store(static_cast<double>(*number), member);
     }
-    store(static_cast<double>(*number), access(target));
-    return true;
+    return is_within;
   };
-  auto write = [=](const T& source) { return Json(static_cast<std::int64_t>(stored(access(source)))); };
-  return {
-      std::move(name), std::move(unit), describe("a whole number", range), std::move(meaning), read, write};
+  return member_key<T>(std::move(name), std::move(unit), describe("a whole number", range), access,
+                       std::move(meaning), read,
+                       [](const auto& member) { return static_cast<std::int64_t>(stored(member)); });
 }
 
 template <class T, class Access>
 Key<T> switch_key(std::string name, Access access, std::string meaning) {
-  auto read = [=](const toml::node& value, const Source&, T& target) {
-    return store(value.value_exact<bool>(), access(target));
-  };
-  auto write = [=](const T& source) { return Json(access(source)); };
-  return {std::move(name), "", "true or false", std::move(meaning), read, write};
+  return member_key<T>(
+      std::move(name), "", "true or false", access, std::move(meaning),
+      [](const toml::node& value, bool& member) { return store(value.value_exact<bool>(), member); },
+      [](bool member) { return member; });
 }
 
 template <class T, class Access>
-Key<T> text_key(std::string name, Access access, std::string meaning) {
-  auto read = [=](const toml::node& value, const Source&, T& target) {
-    return store(text_in(value), access(target));
+Key<T> text_key(std::string name, Access access, std::string meaning, std::string expected = "a text") {
+  return member_key<T>(
+      std::move(name), "", std::move(expected), access, std::move(meaning),
+      [](const toml::node& value, std::string& member) { return store(text_in(value), member); },
+      [](const std::string& member) { return member; });
+}
+
+/// The member is a path, empty while no file is named.
+template <class T, class Access>
+Key<T> file_key(std::string name, Access access, std::string meaning, bool may_be_empty = false) {
+  auto read = [=](const toml::node& value, const Source& source, std::filesystem::path& member) {
+    const std::optional<std::string> text = text_in(value);
+    if (!text || (text->empty() && !may_be_empty)) {
+      return false;
+    }
+    member = text->empty() ? std::filesystem::path() : beside(source, *text);
+    return true;
   };
-  auto write = [=](const T& source) { return Json(access(source)); };
-  return {std::move(name), "", "a text", std::move(meaning), read, write};
+  return member_key<T>(
+      std::move(name), "", "a file name", access, std::move(meaning), read,
+      [](const std::filesystem::path& member) { return member.empty() ? Json() : Json(member.string()); });
 }
 
 /// The range of a vector of three numbers.
@@ -148,41 +183,31 @@ struct VectorLimits {
 std::string describe(const VectorLimits& limits);
 bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers);
 
-/// Makes a key for a point or a direction. `access` returns a vector type with members x, y and z.
+/// Makes a key for a point or a direction: a vector type with members x, y and z.
 template <class T, class Access>
 Key<T> vector_key(std::string name, std::string unit, Access access, std::string meaning,
                   VectorLimits limits = {}) {
-  auto read = [=](const toml::node& value, const Source&, T& target) {
+  auto read = [=](const toml::node& value, auto& member) {
     const auto numbers = three_numbers(value, unit);
-    if (!numbers || !allows(limits, *numbers)) {
-      return false;
+    const bool is_allowed = numbers && allows(limits, *numbers);
+    if (is_allowed) {
+      member = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     }
-    auto& member = access(target);
-    using Vector = std::remove_reference_t<decltype(member)>;
-    using Scalar = typename Vector::value_type;
-    member = Vector(static_cast<Scalar>((*numbers)[0]), static_cast<Scalar>((*numbers)[1]),
-                    static_cast<Scalar>((*numbers)[2]));
-    return true;
+    return is_allowed;
   };
-  auto write = [=](const T& source) {
-    const auto& v = access(source);
-    return Json::array({v.x, v.y, v.z});
-  };
-  return {std::move(name), std::move(unit), describe(limits), std::move(meaning), read, write};
+  return member_key<T>(std::move(name), unit, describe(limits), access, std::move(meaning), read,
+                       [](const auto& v) {
+                         return Json::array({v.x, v.y, v.z});
+                       });
 }
 
 /// The member is a colour, or an optional one.
 template <class T, class Access>
 Key<T> colour_key(std::string name, Access access, std::string meaning) {
-  auto read = [=](const toml::node& value, const Source&, T& target) {
-    return store(colour_value(value), access(target));
-  };
-  auto write = [=](const T& source) {
-    const std::optional<glm::vec3> colour = access(source);
-    return colour ? Json(colour_text(*colour)) : Json();
-  };
-  return {std::move(name),    "",   "a colour, \"#rrggbb\" or a name such as \"navy\"",
-          std::move(meaning), read, write};
+  return member_key<T>(
+      std::move(name), "", "a colour, \"#rrggbb\" or a name such as \"navy\"", access, std::move(meaning),
+      [](const toml::node& value, auto& member) { return store(colour_value(value), member); },
+      [](const std::optional<glm::vec3>& colour) { return colour ? Json(colour_text(*colour)) : Json(); });
 }
 
 /// The choices by their names, for choice_key.
@@ -203,25 +228,40 @@ Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> 
   for (const auto& [text, choice] : choices) {
     expected += (expected.empty() ? "\"" : " or \"") + text + '"';
   }
-  auto read = [=](const toml::node& value, const Source&, T& target) {
+  auto read = [=](const toml::node& value, Choice& member) {
     const auto found = text_in(value);
-    for (const auto& [text, choice] : choices) {
-      if (found == text) {
-        access(target) = choice;
-        return true;
-      }
-    }
+    const auto chosen =
+        std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.first == found; });
+    return chosen != choices.end() && store(std::optional(chosen->second), member);
+  };
+  auto write = [=](const Choice& member) {
+    const auto chosen =
+        std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.second == member; });
+    return chosen != choices.end() ? Json(chosen->first) : Json();
+  };
+  return member_key<T>(std::move(name), "", std::move(expected), access, std::move(meaning), read, write);
+}
+
+/// The key, written only where it is in use.
+template <class T, class IsUsed>
+Key<T> written_if(Key<T> key, IsUsed is_used) {
+  key.write = [write = std::move(key.write), is_used](const T& entry) {
+    return is_used(entry) ? write(entry) : Json();
+  };
+  return key;
+}
+
+/// Reads a list of tables, each into an entry that `read` returns.
+template <class Read>
+bool read_list(const toml::node& value, const Read& read) {
+  const toml::array* list = value.as_array();
+  if (list == nullptr || !(list->empty() || list->is_homogeneous<toml::table>())) {
     return false;
-  };
-  auto write = [=](const T& source) {
-    for (const auto& [text, choice] : choices) {
-      if (access(source) == choice) {
-        return Json(text);
-      }
-    }
-    return Json();
-  };
-  return {std::move(name), "", std::move(expected), std::move(meaning), read, write};
+  }
+  for (const toml::node& item : *list) {
+    read(*item.as_table());
+  }
+  return true;
 }
 
 /// The values of an entry of a list, nested as in a file; those that are not set are left out.

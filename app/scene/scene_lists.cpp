@@ -1,11 +1,23 @@
 #include "app/scene/scene_lists.hpp"
 
-#include <filesystem>
+#include <fmt/core.h>
 
-#include "app/scene/scene_keys.hpp"
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/scene/scene_format.hpp"
+
+// `access` of a key of a body that has the shape.
+#define MEMBER_OF(Shape, member)                      \
+  [](auto& b) -> auto& {                              \
+    return std::get<sim::Shape>(b.body.shape).member; \
+  }
 
 namespace taut::app {
 namespace {
+
+constexpr double largest_offset_m = 1e6;
+constexpr Range friction = {.lowest = 0.0, .highest = 10.0};
 
 std::optional<NearestTo> nearest_of(const toml::node& value) {
   const toml::table* table = value.as_table();
@@ -27,14 +39,6 @@ std::optional<PinSelector> pin_of(const toml::node& value) {
   return std::nullopt;
 }
 
-bool read_pins(const toml::node& value, const Source&, Scene& scene) {
-  const auto pins = text_in(value) == "none" ? std::vector<PinSelector>{} : pins_in(value);
-  if (pins) {
-    scene.pins = *pins;
-  }
-  return pins.has_value();
-}
-
 struct PinWriter {
   Json operator()(const std::string& name) const { return name; }
   Json operator()(sim::Index vertex) const { return vertex; }
@@ -43,51 +47,6 @@ struct PinWriter {
     return Json::object({{"nearest", {p.x, p.y, p.z}}});
   }
 };
-
-Json write_pins(const Scene& scene) {
-  return scene.pins ? json_of(*scene.pins) : Json();
-}
-
-bool read_forces(const toml::node& value, const Source& source, Scene& scene) {
-  if (!is_list_of_tables(value)) {
-    return false;
-  }
-  const auto keys = force_keys();
-  scene.surroundings.forces.artificial_forces.clear();
-  for (const toml::node& item : *value.as_array()) {
-    sim::PointForce force;
-    KeyReader(keys, source, force).read(*item.as_table());
-    scene.surroundings.forces.artificial_forces.push_back(force);
-  }
-  return true;
-}
-
-Json write_forces(const Scene& scene) {
-  Json list = Json::array();
-  for (const sim::PointForce& force : scene.surroundings.forces.artificial_forces) {
-    list.push_back(write_entry(force_keys(), force));
-  }
-  return list;
-}
-
-Key<Scene> file_name_key(std::string name, std::filesystem::path GarmentSource::*member,
-                         std::string meaning) {
-  auto read = [member](const toml::node& value, const Source& source, Scene& scene) {
-    const auto text = text_in(value);
-    if (!text || text->empty()) {
-      return false;
-    }
-    scene.garment.*member = beside(source, *text);
-    return true;
-  };
-  auto write = [member](const Scene& scene) {
-    const std::filesystem::path& file = scene.garment.*member;
-    return file.empty() ? Json() : Json(file.string());
-  };
-  return {std::move(name), "", "a file name", std::move(meaning), read, write};
-}
-
-}  // namespace
 
 std::optional<std::vector<PinSelector>> pins_in(const toml::node& value) {
   if (const auto text = text_in(value)) {
@@ -115,83 +74,424 @@ Json json_of(const std::vector<PinSelector>& pins) {
   return list;
 }
 
-Key<Scene> file_key() {
-  return file_name_key("garment.file", &GarmentSource::file,
-                       "a 3D model, relative to the scene file; without it: a grid");
-}
-
-Key<Scene> start_key() {
-  return file_name_key("garment.start", &GarmentSource::start,
-                       "where the cloth begins, which keeps the rest shape above: a model of its vertices in "
-                       "their order, in metres with y up, as taut simulate --export writes it");
-}
-
-Key<Scene> checkpoint_key() {
-  auto read = [](const toml::node& value, const Source& source, Scene& scene) {
-    const auto text = text_in(value);
-    if (text) {
-      scene.checkpoint = text->empty() ? std::filesystem::path() : beside(source, *text);
-    }
-    return text.has_value();
-  };
-  auto write = [](const Scene& scene) {
-    return scene.checkpoint.empty() ? Json() : Json(scene.checkpoint.string());
-  };
-  return {"start.checkpoint",
-          "",
-          "a file name",
-          "the run begins with this saved moment, relative to the scene file; without it: as modelled",
-          read,
-          write};
-}
-
-std::vector<std::pair<std::string, std::optional<ModelAxis>>> up_choices() {
-  std::vector<std::pair<std::string, std::optional<ModelAxis>>> choices = {{"auto", std::nullopt}};
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    choices.emplace_back(axis_names[i], static_cast<ModelAxis>(i));
+template <class T>
+Json write_list(const std::vector<Key<T>>& keys, const std::vector<T>& entries) {
+  Json list = Json::array();
+  for (const T& entry : entries) {
+    list.push_back(write_entry(keys, entry));
   }
-  return choices;
+  return list;
+}
+
+/// The keys of an entry of [[forces]].
+std::vector<Key<sim::PointForce>> force_keys() {
+  using F = sim::PointForce;
+  return {whole_key<F>("vertex", {0, 4294967294.0}, MEMBER(vertex),
+                       "the vertex that is pulled, as numbered in pins.at"),
+          vector_key<F>("force", "N", MEMBER(force_n), "the pull")};
+}
+
+std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
+  std::vector<sim::PathPoint> path;
+  for (const toml::node& item : value.is_array() ? *value.as_array() : toml::array{}) {
+    const toml::array* row = item.as_array();
+    std::array<double, 4> numbers{};
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const auto number = row != nullptr && row->size() == 4 ? finite_number((*row)[k]) : std::nullopt;
+      if (!number || std::abs(*number) > largest_offset_m) {
+        return std::nullopt;
+      }
+      numbers[k] = *number;
+    }
+    if (!path.empty() && !(numbers[0] > path.back().time_s)) {
+      return std::nullopt;
+    }
+    path.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}});
+  }
+  return path.empty() ? std::nullopt : std::optional(path);
+}
+
+/// Makes a direction one of length 1. What has it already keeps its bits, so that what is written reads back
+/// as the same.
+void normalise(sim::Vec3& direction) {
+  constexpr double rounded_off = 4e-15;
+  constexpr double least_squared = 1e-200;  // below it squares are lost
+  if (glm::dot(direction, direction) < least_squared) {
+    direction *= 1.0 / least_squared;
+  }
+  if (std::abs(glm::dot(direction, direction) - 1.0) > rounded_off) {
+    direction = glm::normalize(direction);
+  }
+}
+
+template <class Part>
+void require_order(const char* part_name, const Part& part, const Source& source, int line) {
+  if (!(part.until_s > part.from_s)) {
+    fail(source, line,
+         fmt::format("{0}.until: found {1:g} s, expected a time after {0}.from, {2:g} s", part_name,
+                     part.until_s, part.from_s));
+  }
+}
+
+/// Completes a motion after all its keys were read. Throws by `fail` if it ends before it begins.
+void check_motion(const Source& source, int line, sim::RigidMotion& motion) {
+  require_order("shift", motion.shift, source, line);
+  require_order("spin", motion.spin, source, line);
+  normalise(motion.spin.axis);
+}
+
+/// A key for a path.
+template <class T, class Access>
+Key<T> path_key(std::string name, std::string unit, Access access, std::string meaning) {
+  auto write = [](const std::vector<sim::PathPoint>& path) {
+    Json list;
+    for (const sim::PathPoint& point : path) {
+      list.push_back({point.time_s, point.offset.x, point.offset.y, point.offset.z});
+    }
+    return list;
+  };
+  return member_key<T>(
+      std::move(name), "s, " + unit, "a list of [time, x, y, z], the times rising", access,
+      meaning + "; straight in between, held before and after",
+      [](const toml::node& value, auto& path) { return store(path_in(value), path); }, write);
+}
+
+/// Adds the keys of a motion; `motion` returns the one of an entry, const or not.
+template <class T, class Access>
+void add_motion(std::vector<Key<T>>& keys, Access motion) {
+#define MOTION(member)           \
+  [=](auto& entry) -> auto& {    \
+    return motion(entry).member; \
+  }
+  constexpr Range time = {.lowest = 0.0, .highest = 1e6};
+  const std::string begins = "when it begins; not set: at 0", ends = "when it ends; not set: never";
+  const auto shifts = [=](const T& e) { return motion(e).shift != sim::Shift{}; };
+  const auto spins = [=](const T& e) { return motion(e).spin != sim::Spin{}; };
+  const auto ends_shift = [=](const T& e) { return std::isfinite(motion(e).shift.until_s); };
+  const auto ends_spin = [=](const T& e) { return std::isfinite(motion(e).spin.until_s); };
+  keys.insert(
+      keys.end(),
+      {written_if(
+           vector_key<T>("shift.velocity", "m/s", MOTION(shift.velocity_m_per_s), "it moves along a line"),
+           shifts),
+       written_if(number_key<T>("shift.from", "s", time, MOTION(shift.from_s), begins), shifts),
+       written_if(number_key<T>("shift.until", "s", time, MOTION(shift.until_s), ends), ends_shift),
+       written_if(vector_key<T>("spin.about", "m", MOTION(spin.about_m),
+                                "it turns about the line through this point, before it is moved"),
+                  spins),
+       written_if(vector_key<T>("spin.axis", "", MOTION(spin.axis),
+                                "the line's direction, of any length; not set: up", {.may_be_zero = false}),
+                  spins),
+       written_if(number_key<T>("spin.turns_per_second", "", {-1000.0, 1000.0}, MOTION(spin.turns_per_s),
+                                "counter-clockwise seen from where the axis points"),
+                  spins),
+       written_if(number_key<T>("spin.from", "s", time, MOTION(spin.from_s), begins), spins),
+       written_if(number_key<T>("spin.until", "s", time, MOTION(spin.until_s), ends), ends_spin),
+       path_key<T>("path", "m", MOTION(path), "how far it is from where it was modelled")});
+#undef MOTION
+}
+
+std::vector<Key<MovingPinsInScene>> moving_pins_keys() {
+  using P = MovingPinsInScene;
+  std::vector<Key<P>> keys = {member_key<P>(
+      "at", "", "a list as of pins.at", MEMBER(at), "vertices that are held and led",
+      [](const toml::node& value, auto& at) { return store(pins_in(value), at); },
+      [](const auto& at) { return at.empty() ? Json() : json_of(at); })};
+  add_motion(keys, MEMBER(motion));
+  return keys;
+}
+
+/// The shapes as an entry has them before it is read, and their names in files.
+const std::array<std::pair<const char*, sim::Shape>, 4> shapes = {{{"plane", sim::Plane{}},
+                                                                   {"sphere", sim::Sphere{}},
+                                                                   {"capsule", sim::Capsule{}},
+                                                                   {"mesh", sim::BodyMesh{}}}};
+constexpr const char* shape_names = "\"plane\" or \"sphere\" or \"capsule\" or \"mesh\"";
+
+const char* name_of(const sim::Shape& shape) {
+  return shapes[shape.index()].first;
+}
+
+struct BodyInScene {
+  sim::Body body;
+  BodySource source;
+};
+
+/// What a scene file names is written with its full path.
+Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySource::*member,
+                               std::string meaning) {
+  Key<BodyInScene> key = file_key<BodyInScene>(
+      std::move(name), [member](auto& entry) -> auto& { return entry.source.*member; }, std::move(meaning));
+  key.write = [member](const BodyInScene& entry) {
+    const std::filesystem::path& file = entry.source.*member;
+    return file.empty() ? Json() : Json(std::filesystem::absolute(file).lexically_normal().string());
+  };
+  return key;
+}
+
+std::vector<Key<BodyInScene>> common_keys() {
+  using B = BodyInScene;
+  std::vector<Key<B>> keys = {
+      {"shape", "", shape_names, "", [](const toml::node&, const Source&, B&) { return true; },
+       [](const B& entry) { return Json(name_of(entry.body.shape)); }},
+      text_key<B>("name", MEMBER(body.name), "for messages"),
+      // Of a body 0 is a friction as good as any other.
+      member_key<B>(
+          "friction", "", describe("a number", friction), MEMBER(body.friction),
+          "Coulomb's coefficient; not set: cloth.friction",
+          [](const toml::node& value, std::optional<double>& member) {
+            member = finite_number(value);
+            return member && friction.contains(*member);
+          },
+          [](const std::optional<double>& member) { return member ? Json(*member) : Json(); })};
+  add_motion(keys, MEMBER(body.motion));
+  return keys;
+}
+
+std::vector<Key<BodyInScene>> shape_keys(const sim::Shape& shape) {
+  using B = BodyInScene;
+  if (std::holds_alternative<sim::Plane>(shape)) {
+    return {vector_key<B>("point", "m", MEMBER_OF(Plane, point_m), "any point of it"),
+            vector_key<B>("normal", "", MEMBER_OF(Plane, normal), "points to the cloth's side, of any length",
+                          {.may_be_zero = false})};
+  }
+  if (std::holds_alternative<sim::Sphere>(shape)) {
+    return {vector_key<B>("centre", "m", MEMBER_OF(Sphere, centre_m), "of the ball"),
+            number_key<B>("radius", "m", positive, MEMBER_OF(Sphere, radius_m), "of the ball")};
+  }
+  if (std::holds_alternative<sim::Capsule>(shape)) {
+    return {vector_key<B>("start", "m", MEMBER_OF(Capsule, start_m), "one end"),
+            vector_key<B>("end", "m", MEMBER_OF(Capsule, end_m), "the other end"),
+            number_key<B>("start_radius", "m", positive, MEMBER_OF(Capsule, start_radius_m), "at the start"),
+            number_key<B>("end_radius", "m", positive, MEMBER_OF(Capsule, end_radius_m), "at the end")};
+  }
+  return {
+      body_file_key("file", &BodySource::file, "a closed 3D model, relative to the scene file"),
+      number_key<B>("scale", "m", not_negative, MEMBER(source.scale),
+                    "the model's unit of length; 0: what the file says, or else metres"),
+      up_key<B>("up", MEMBER(source.up),
+                "the model's direction that is up; auto: what the file says, or else y"),
+      body_file_key("motion", &BodySource::motion,
+                    "where its vertices or joints are over time: a PC2, MDD or BVH file, or OBJ files, as a "
+                    "folder or a pattern such as body-%04d.obj"),
+      // The name of `motion` when it was PC2 alone.
+      written_if(body_file_key("frames", &BodySource::motion, "another name of motion"),
+                 [](const B&) { return false; }),
+      written_if(text_key<B>("clip", MEMBER(source.clip),
+                             "which animation of the model is played; not set: the first; \"all\": all at "
+                             "once; \"none\": none",
+                             "a name"),
+                 [](const B& entry) { return !entry.source.clip.empty(); }),
+      number_key<B>("frame_rate", "Hz", {.lowest = 0.0, .highest = 1e5}, MEMBER(source.frame_rate_hz),
+                    "of the motion, and how often a clip is looked at; in between vertices go straight; "
+                    "0: what the file says, or else 60"),
+      number_key<B>("start", "s", not_negative, MEMBER(source.start_s),
+                    "the time of the motion with which the run begins, rounded to a frame"),
+      written_if(switch_key<B>("loop", MEMBER(source.loop),
+                               "the motion repeats after its last frame: from the earliest frame that is "
+                               "the same, or else its first; false: it stays in its last"),
+                 [](const B& entry) { return entry.source.loop; }),
+      written_if(whole_key<B>("dress", {.lowest = 0.0, .highest = 10000.0}, MEMBER(source.dress),
+                              "so many frames are simulated before frame 0, without gravity and wind, in "
+                              "which the body grows from its bones to its shape, into what it wears; a "
+                              "garment that lies elsewhere is moved to it first; it needs joints, or arms "
+                              "off its trunk",
+                              "frames"),
+                 [](const B& entry) { return entry.source.dress != 0; })};
+}
+
+std::vector<Key<BodyInScene>> body_keys(const sim::Shape& shape) {
+  std::vector<Key<BodyInScene>> keys = common_keys();
+  const std::vector<Key<BodyInScene>> own = shape_keys(shape);
+  keys.insert(keys.end(), own.begin(), own.end());
+  return keys;
+}
+
+sim::Shape shape_of(const toml::table& entry, const Source& source) {
+  const std::string expected = std::string("expected a shape, ") + shape_names;
+  const toml::node* shape = entry.get("shape");
+  if (shape == nullptr) {
+    fail(source, line_of(entry), "an entry of bodies has no shape; " + expected);
+  }
+  for (const auto& [name, found] : shapes) {
+    if (text_in(*shape) == name) {
+      return found;
+    }
+  }
+  fail(source, line_of(*shape), "bodies.shape: found " + to_text(*shape) + ", " + expected);
+}
+
+BodyInScene read_body(const toml::table& table, const Source& source) {
+  BodyInScene entry{.body = {.shape = shape_of(table, source)}, .source = {}};
+  const auto keys = body_keys(entry.body.shape);
+  KeyReader(keys, source, entry).read(table);
+  check_motion(source, line_of(table), entry.body.motion);
+  if (auto* plane = std::get_if<sim::Plane>(&entry.body.shape)) {
+    normalise(plane->normal);
+  }
+  if (std::holds_alternative<sim::BodyMesh>(entry.body.shape) && entry.source.file.empty()) {
+    fail(source, line_of(table),
+         "a body of shape \"mesh\" has no file; expected file = \"...\", a closed 3D model");
+  }
+  return entry;
+}
+
+template <class T>
+std::string entry_help(const std::string& title, const std::vector<Key<T>>& keys, const T& defaults) {
+  std::string text = '\n' + title + ":\n";
+  for (const Key<T>& key : keys) {
+    text += describe_key(key, defaults);
+  }
+  return text;
+}
+
+}  // namespace
+
+int Scene::dressing_frames() const {
+  int most = 0;
+  for (const BodySource& source : body_sources) {
+    most = std::max(most, source.dress);
+  }
+  return most;
+}
+
+bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene) {
+  constexpr std::string_view section = "body.";
+  if (!name.starts_with(section)) {
+    return false;
+  }
+  std::vector<sim::Body>& bodies = scene.surroundings.bodies;
+  scene.body_sources.resize(bodies.size());
+  if (name == "body.file") {
+    bodies.push_back({.shape = sim::BodyMesh{}});
+    scene.body_sources.emplace_back();
+  }
+  const auto is_model = [](const sim::Body& body) {
+    return std::holds_alternative<sim::BodyMesh>(body.shape);
+  };
+  const auto last = std::find_if(bodies.rbegin(), bodies.rend(), is_model);
+  if (last == bodies.rend()) {
+    fail(source, 0, name + ": the scene has no body that is a model; expected one, as --body FILE adds");
+  }
+  const auto k = static_cast<std::size_t>(bodies.rend() - last - 1);
+  BodyInScene entry{bodies[k], scene.body_sources[k]};
+  const std::vector<Key<BodyInScene>> keys = body_keys(entry.body.shape);
+  KeyReader(keys, source, entry).read_value(name.substr(section.size()), value);
+  if (name == "body.file") {
+    entry.body.name = entry.source.file.stem().string();
+  }
+  bodies[k] = std::move(entry.body);
+  scene.body_sources[k] = std::move(entry.source);
+  return true;
 }
 
 Key<Scene> pins_key() {
-  return {"pins.at",
-          "",
-          "\"none\" or \"hanger\" or a list of landmark names, grid names (\"top-left\", ...), vertex "
-          "numbers and "
-          "{ nearest = [x, y, z] }",
-          "vertices that are held; not set: the upper edge of a grid, each part of a model by its top. "
-          "\"hanger\": "
-          "none, but two bars below its shoulders. Numbers "
-          "count from 0: a grid's vertices row by row from the top left; the v lines of an OBJ file; the "
-          "vertices of other files, mesh after mesh; where a format shares no vertices between faces (STL, "
-          "FBX, Collada) the corners of its faces. taut inspect says which, and how many",
-          read_pins,
-          write_pins};
+  return member_key<Scene>(
+      "pins.at", "",
+      "\"none\" or \"hanger\" or a list of landmark names, grid names (\"top-left\", ...), vertex numbers "
+      "and "
+      "{ nearest = [x, y, z] }",
+      MEMBER(pins),
+      "vertices that are held; not set: the upper edge of a grid, each part of a model by its top. "
+      "\"hanger\": "
+      "none, but two bars below its shoulders. Numbers count from 0: a grid's vertices row by row from the "
+      "top "
+      "left; the v lines of an OBJ file; the vertices of other files, mesh after mesh; where a format shares "
+      "no "
+      "vertices between faces (STL, FBX, Collada) the corners of its faces. taut inspect says which, and how "
+      "many",
+      [](const toml::node& value, auto& pins) {
+        return store(text_in(value) == "none" ? std::vector<PinSelector>{} : pins_in(value), pins);
+      },
+      [](const auto& pins) { return pins ? json_of(*pins) : Json(); });
 }
 
 Key<Scene> weld_key() {
   constexpr Range range = {0.0, 0.05};
-  auto read = [range](const toml::node& value, const Source&, Scene& scene) {
+  auto read = [range](const toml::node& value, std::optional<double>& weld_m) {
     const std::optional<double> number = finite_number(value, "m");
-    const bool is_number = number && range.contains(*number);
-    if (is_number || text_in(value) == "auto") {
-      scene.garment.weld_m = number;
-      return true;
-    }
-    return false;
+    const bool is_right = (number && range.contains(*number)) || text_in(value) == "auto";
+    weld_m = is_right ? number : weld_m;
+    return is_right;
   };
-  auto write = [](const Scene& scene) { return scene.garment.weld_m ? Json(*scene.garment.weld_m) : Json(); };
-  return {"garment.weld",
-          "m",
-          "\"auto\" or " + describe("a number", range),
-          "borders of the model nearer to each other than this are sewn together; auto: borders of different "
-          "parts within 1 mm, where it is beyond doubt what belongs together; 0: none",
-          read,
-          write};
+  return member_key<Scene>(
+      "garment.weld", "m", "\"auto\" or " + describe("a number", range), MEMBER(garment.weld_m),
+      "borders of the model nearer to each other than this are sewn together; auto: borders of different "
+      "parts "
+      "within 1 mm, where it is beyond doubt what belongs together; 0: none",
+      read, [](const std::optional<double>& weld_m) { return weld_m ? Json(*weld_m) : Json(); });
+}
+
+Key<Scene> gravity_path_key() {
+  return path_key<Scene>("gravity.path", "m/s2", MEMBER(surroundings.forces.gravity_path),
+                         "what is added to gravity over time");
 }
 
 Key<Scene> forces_key() {
-  return {"forces", "", "a list of tables [[forces]]", "pulls on single vertices", read_forces, write_forces};
+  auto read = [](const toml::node& value, const Source& source, std::vector<sim::PointForce>& forces) {
+    const auto keys = force_keys();
+    forces.clear();
+    return read_list(
+        value, [&](const toml::table& table) { KeyReader(keys, source, forces.emplace_back()).read(table); });
+  };
+  return member_key<Scene>("forces", "", "a list of tables [[forces]]",
+                           MEMBER(surroundings.forces.artificial_forces), "pulls on single vertices", read,
+                           [](const auto& forces) { return write_list(force_keys(), forces); });
+}
+
+Key<Scene> bodies_key() {
+  auto read = [](const toml::node& value, const Source& source, Scene& scene) {
+    scene.surroundings.bodies.clear();
+    scene.body_sources.clear();
+    return read_list(value, [&](const toml::table& table) {
+      BodyInScene entry = read_body(table, source);
+      scene.surroundings.bodies.push_back(std::move(entry.body));
+      scene.body_sources.push_back(std::move(entry.source));
+    });
+  };
+  auto write = [](const Scene& scene) {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < scene.surroundings.bodies.size(); ++k) {
+      const BodyInScene entry{scene.surroundings.bodies[k],
+                              k < scene.body_sources.size() ? scene.body_sources[k] : BodySource{}};
+      list.push_back(write_entry(body_keys(entry.body.shape), entry));
+    }
+    return list;
+  };
+  return {"bodies", "", "a list of tables [[bodies]]", "what cloth cannot enter", read, write};
+}
+
+Key<Scene> moving_pins_key() {
+  auto read = [](const toml::node& value, const Source& source, std::vector<MovingPinsInScene>& groups) {
+    const auto keys = moving_pins_keys();
+    groups.clear();
+    return read_list(value, [&](const toml::table& table) {
+      MovingPinsInScene& entry = groups.emplace_back();
+      KeyReader(keys, source, entry).read(table);
+      check_motion(source, line_of(table), entry.motion);
+      if (entry.at.empty()) {
+        fail(source, line_of(table),
+             "an entry of pins.moving has no vertices; expected at = [...], a list as of pins.at");
+      }
+    });
+  };
+  return member_key<Scene>(
+      "pins.moving", "", "a list of tables [[pins.moving]]", MEMBER(moving_pins),
+      "groups of vertices that are held, each led by a motion of its own, besides those of pins.at", read,
+      [](const auto& groups) { return write_list(moving_pins_keys(), groups); });
+}
+
+std::string list_entries_help() {
+  std::string text = entry_help("Each [[forces]]", force_keys(), sim::PointForce{}) +
+                     entry_help("Each [[pins.moving]]", moving_pins_keys(), MovingPinsInScene{}) +
+                     entry_help("Each [[bodies]]", common_keys(), BodyInScene{});
+  for (const auto& [name, shape] : shapes) {
+    text += entry_help(std::string("Each [[bodies]] with shape = \"") + name + "\" also", shape_keys(shape),
+                       BodyInScene{.body = {.shape = shape}, .source = {}});
+  }
+  return text +
+         "\nOn the command line, --set body.file=FILE adds a body with shape = \"mesh\", and --set "
+         "body.KEY=VALUE sets\nany key of the last one; --body, --body-motion and others stand for them.\n";
 }
 
 }  // namespace taut::app

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "app/base/errors.hpp"
-#include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_file.hpp"
 
 namespace taut::app {
 namespace {
@@ -118,11 +118,6 @@ std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::ta
   std::stable_sort(entries.begin(), entries.end(),
                    [](const auto& a, const auto& b) { return line_of(*a.second) < line_of(*b.second); });
   return entries;
-}
-
-bool is_list_of_tables(const toml::node& value) {
-  const toml::array* list = value.as_array();
-  return list != nullptr && (list->empty() || list->is_homogeneous<toml::table>());
 }
 
 std::filesystem::path beside(const Source& source, const std::filesystem::path& file) {

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,9 +40,6 @@ std::optional<std::string> text_in(const toml::node& value);
 /// The entries of a table, in the order of their lines. toml++ sorts them by name, but a message should name
 /// the first mistake of the file. Valid as long as the table.
 std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table);
-
-/// Whether the value is a list that holds tables alone, or nothing.
-bool is_list_of_tables(const toml::node& value);
 
 /// The path of a file that a scene names: relative to the scene file, or where the command line runs; if
 /// there is none, that of a garment, a body or a motion that comes with the program (find_asset).

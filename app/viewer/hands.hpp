@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/viewer/simulation/simulation_command.hpp"
-#include "app/viewer/state/picking.hpp"
+#include "app/viewer/state/orbit_camera.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 #include "renderer/context/window_event.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
-#include "app/viewer/simulation/stepped_simulation.hpp"
+#include "app/viewer/simulation/simulation_host.hpp"
 
 namespace taut::app {
 

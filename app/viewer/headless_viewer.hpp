@@ -2,10 +2,10 @@
 
 #include <memory>
 
+#include "app/viewer/picture/viewer_picture.hpp"
 #include "app/viewer/simulation/simulation_host.hpp"
 #include "app/viewer/viewer.hpp"
-#include "app/viewer/viewer_context.hpp"
-#include "renderer/gl/colour_target.hpp"
+#include "renderer/gl/picture_target.hpp"
 
 namespace taut::app {
 

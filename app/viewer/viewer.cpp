@@ -4,13 +4,10 @@
 #include <utility>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
-#include "app/drawing/fitted_view.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/viewer/state/choices.hpp"
-#include "app/viewer/state/key_bindings.hpp"
-#include "app/viewer/state/lost_cloth.hpp"
-#include "app/viewer/state/motion_choices.hpp"
+#include "app/viewer/state/orbit_camera.hpp"
+#include "app/viewer/state/viewer_state.hpp"
 
 namespace taut::app {
 namespace {

@@ -4,8 +4,7 @@
 #include <set>
 #include <string>
 
-#include "app/drawing/sides.hpp"
-#include "app/viewer/clip_recorder.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/hands.hpp"
 #include "app/viewer/keeping.hpp"
 #include "app/viewer/panel/panel.hpp"
@@ -145,5 +144,11 @@ class Viewer {
   std::unique_ptr<ClipRecorder> clip_;
   std::string clipboard_;
 };
+
+/// Opens a window and returns when the user closes it. All input is recorded to `record_to` unless that is
+/// empty. Throws renderer::ContextError without a display or OpenGL, InputError if a file cannot be written,
+/// Interrupted.
+void view_in_window(const DrawnScene& scene, const SessionStart& start,
+                    const std::filesystem::path& keep_folder, const std::filesystem::path& record_to);
 
 }  // namespace taut::app

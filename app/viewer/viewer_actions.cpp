@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/models/hanger.hpp"
-#include "app/viewer/state/motion_choices.hpp"
+#include "app/viewer/state/viewer_state.hpp"
 #include "app/viewer/viewer.hpp"
 
 // Actions of the viewer's keys and buttons.

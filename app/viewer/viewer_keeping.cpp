@@ -5,7 +5,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/caches/written_cloth.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
 

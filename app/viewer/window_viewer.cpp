@@ -1,19 +1,15 @@
-#include "app/viewer/window_viewer.hpp"
-
 #include <fmt/core.h>
 
-#include <chrono>
 #include <optional>
 #include <thread>
 #include <utility>
 
-#include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
-#include "app/viewer/session/input_queue.hpp"
-#include "app/viewer/simulation/simulation_thread.hpp"
+#include "app/viewer/picture/viewer_picture.hpp"
+#include "app/viewer/session/session.hpp"
+#include "app/viewer/simulation/simulation_host.hpp"
 #include "app/viewer/viewer.hpp"
-#include "app/viewer/viewer_context.hpp"
 #include "renderer/context/window.hpp"
 
 namespace taut::app {

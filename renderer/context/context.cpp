@@ -2,8 +2,6 @@
 
 #include <glad/gl.h>
 
-#include "renderer/context/loaders.hpp"
-
 namespace taut::renderer {
 
 namespace {

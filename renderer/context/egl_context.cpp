@@ -3,8 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "renderer/context/dynamic_library.hpp"
-#include "renderer/context/loaders.hpp"
+#include "renderer/context/context.hpp"
 
 namespace taut::renderer {
 

@@ -2,8 +2,7 @@
 
 #include <array>
 
-#include "renderer/context/dynamic_library.hpp"
-#include "renderer/context/loaders.hpp"
+#include "renderer/context/context.hpp"
 
 namespace taut::renderer {
 

@@ -2,8 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
 

@@ -1,11 +1,62 @@
 #pragma once
 
+#include <glm/vec4.hpp>
+#include <memory>
 #include <optional>
 
+#include "renderer/context/context.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/page/image.hpp"
 
 namespace taut::renderer {
+
+/// A visibility buffer (Burns and Hunt 2013): the number of the visible triangle and its depth, for each
+/// sample of a tile. Surfaces are shaded from it afterwards. Also holds the colours of the marks, which share
+/// its depth.
+class VisibilityBuffer {
+ public:
+  /// The context must be current and outlive this object.
+  explicit VisibilityBuffer(const GladGLContext& context);
+
+  /// Clears the buffer at a size in drawn pixels and binds it for triangle numbers. More than one sample
+  /// counts as four, or as one where the context has no four. Throws ContextError.
+  void begin(int width_px, int height_px, int wanted_samples);
+  /// Returns the samples per pixel: 1 or 4.
+  int samples() const { return samples_; }
+  /// Return the x and the y of the four samples in a pixel, 0 to 1 from its lower left corner.
+  const glm::vec4& samples_x() const { return sample_places_x_; }
+  const glm::vec4& samples_y() const { return sample_places_y_; }
+  /// Binds the texture of triangle numbers to visibility_unit.
+  void bind() const;
+
+  /// Binds an empty colour buffer for marks, with the surfaces' depth. Its colours are sRGB-encoded and were
+  /// premultiplied in linear light. Throws ContextError.
+  void begin_marks();
+  /// Returns the marks' colours; begin_marks() must have been called.
+  const Texture& marks() const { return *marks_colour_; }
+
+  /// Largest side, drawn pixels. Larger needs more memory, smaller cuts a large picture into more tiles.
+  static constexpr int max_side_px = 2048;
+
+ private:
+  int usable_samples(int wanted) const;
+  void allocate(int width_px, int height_px, int samples);
+  void ask_sample_places();
+  void allocate_texture(const Texture& texture, GLenum format) const;
+
+  const GladGLContext* gl_;
+  std::optional<Texture> triangle_ids_;
+  std::optional<Renderbuffer> depth_;
+  std::optional<Texture> marks_colour_;
+  Framebuffer triangle_framebuffer_;
+  Framebuffer marks_framebuffer_;
+  int width_px_ = 0;
+  int height_px_ = 0;
+  int samples_ = 0;
+  int most_samples_ = 1;
+  glm::vec4 sample_places_x_{0.5F};
+  glm::vec4 sample_places_y_{0.5F};
+};
 
 /// A picture: one sample a pixel, sRGB-encoded bytes. Eight bits are enough because the encoding spends them
 /// where the eye does.
@@ -47,5 +98,37 @@ class PictureTarget {
 /// Returns the lower left width_px by height_px of a framebuffer as RGB, top row first. The context must be
 /// current.
 Image read_framebuffer(const GladGLContext& gl, GLuint framebuffer, int width_px, int height_px);
+
+/// A framebuffer object of sRGB-encoded colours in a plain RGBA8 texture, to be drawn to by
+/// SceneRenderer::draw_to.
+class ColourTarget {
+ public:
+  /// Makes the context current. The context must outlive the target. Throws ContextError.
+  explicit ColourTarget(Context& context);
+  ~ColourTarget();
+  ColourTarget(const ColourTarget&) = delete;
+  ColourTarget& operator=(const ColourTarget&) = delete;
+
+  /// Returns the framebuffer's name. Its texture is reallocated when the size differs. Throws ContextError.
+  unsigned framebuffer(int width_px, int height_px);
+
+  /// Copies a rectangle to the same place of another framebuffer (0: the window). (x_px, y_px) is the lower
+  /// left corner of the rectangle, counted from that of the picture. Throws ContextError.
+  void copy_part_to(unsigned framebuffer, int x_px, int y_px, int width_px, int height_px) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Returns the lower left width_px by height_px of a framebuffer (0: the window) as RGB, top row first.
+/// Throws ContextError.
+Image read_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px);
+
+/// Fills a framebuffer with grey, 0 black to 1 white.
+void clear_framebuffer(Context& context, unsigned framebuffer, int width_px, int height_px, float grey);
+
+/// Waits until all drawing commands have been executed (glFinish), e.g. before a clock is read.
+void finish_drawing(Context& context);
 
 }  // namespace taut::renderer

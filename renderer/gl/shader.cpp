@@ -6,7 +6,6 @@
 #include <utility>
 
 namespace taut::renderer {
-
 namespace {
 
 // A stage's source with the names of its files; the index of a name is the source number in #line.
@@ -173,6 +172,34 @@ void Program::set(const char* uniform, const glm::ivec4& value) const {
 void Program::bind_block(const char* block, unsigned binding) const {
   const GLuint index = gl_->GetUniformBlockIndex(program_, block);
   if (index != GL_INVALID_INDEX) gl_->UniformBlockBinding(program_, index, binding);
+}
+
+void bind_shared_inputs(const Program& program) {
+  program.bind_block("Frame", frame_block_binding);
+  program.use();
+  program.set("shadow_compare", static_cast<int>(shadow_compare_unit));
+  program.set("shadow_depth", static_cast<int>(shadow_depth_unit));
+  program.set("ground_light", static_cast<int>(ground_light_unit));
+  program.set("scalar_maps", static_cast<int>(scalar_maps_unit));
+  program.set("drawn", static_cast<int>(drawn_unit));
+  program.set("visibility_buffer", static_cast<int>(visibility_unit));
+  program.set("halved", static_cast<int>(halved_unit));
+  program.set("base_colour_maps", static_cast<int>(base_colour_maps_unit));
+  program.set("corner_data", static_cast<int>(corner_data_unit));
+  program.set("floor_shadow", static_cast<int>(floor_shadow_unit));
+  program.set("vertex_data", static_cast<int>(vertex_data_unit));
+  program.set("triangle_data", static_cast<int>(triangle_data_unit));
+  program.set("material_data", static_cast<int>(material_data_unit));
+  program.set("trim_data", static_cast<int>(trim_data_unit));
+}
+
+const Program& LazyProgram::use() {
+  if (!program_) {
+    program_.emplace(*gl_, files_, vertex_, fragment_, defines_);
+    bind_shared_inputs(*program_);
+  }
+  program_->use();
+  return *program_;
 }
 
 }  // namespace taut::renderer

@@ -3,11 +3,10 @@
 #include <glad/gl.h>
 
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace taut::renderer {
 
@@ -49,6 +48,54 @@ class Program {
  private:
   const GladGLContext* gl_;
   GLuint program_ = 0;
+};
+
+// The binding point of the uniform block and the texture unit of each sampler that several passes share.
+
+inline constexpr unsigned frame_block_binding = 0;
+
+inline constexpr unsigned shadow_compare_unit = 0;
+inline constexpr unsigned shadow_depth_unit = 1;
+inline constexpr unsigned ground_light_unit = 2;
+inline constexpr unsigned scalar_maps_unit = 3;
+inline constexpr unsigned drawn_unit = 4;
+inline constexpr unsigned visibility_unit = 5;
+inline constexpr unsigned vertex_data_unit = 6;
+inline constexpr unsigned triangle_data_unit = 7;
+inline constexpr unsigned material_data_unit = 8;
+inline constexpr unsigned floor_shadow_unit = 9;
+inline constexpr unsigned halved_unit = 10;
+inline constexpr unsigned base_colour_maps_unit = 11;
+inline constexpr unsigned corner_data_unit = 12;
+inline constexpr unsigned trim_data_unit = 13;
+inline constexpr unsigned unit_count = 14;
+
+/// Sets the uniform block and the samplers of a program to these bindings and leaves the program in use.
+void bind_shared_inputs(const Program& program);
+
+/// A Program that is compiled at its first use, since a picture needs few of all programs. The arguments are
+/// as those of Program; what they point at must outlive this object.
+class LazyProgram {
+ public:
+  LazyProgram(const GladGLContext& context, std::span<const ShaderFile> shader_files,
+              std::string_view vertex_file, std::string_view fragment_file,
+              std::span<const std::string_view> define_names = {})
+      : gl_(&context),
+        files_(shader_files),
+        vertex_(vertex_file),
+        fragment_(fragment_file),
+        defines_(define_names) {}
+
+  /// Returns the program, bound as in bindings.hpp and in use. Throws ShaderError.
+  const Program& use();
+
+ private:
+  const GladGLContext* gl_;
+  std::span<const ShaderFile> files_;
+  std::string_view vertex_;
+  std::string_view fragment_;
+  std::span<const std::string_view> defines_;
+  std::optional<Program> program_;
 };
 
 }  // namespace taut::renderer

@@ -12,9 +12,9 @@
 #include <numbers>
 
 #include "renderer/gl/frame_block.hpp"
-#include "renderer/light/rasterise_triangle.hpp"
 #include "renderer/light/shadow_map.hpp"
-#include "renderer/page/whole_number.hpp"
+#include "renderer/light/surface_buffers.hpp"
+#include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {
 

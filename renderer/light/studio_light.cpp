@@ -3,7 +3,7 @@
 #include <future>
 #include <glm/common.hpp>
 
-#include "renderer/gl/bindings.hpp"
+#include "renderer/gl/shader.hpp"
 
 namespace taut::renderer {
 

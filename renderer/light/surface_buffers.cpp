@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "renderer/context/context.hpp"
-#include "renderer/gl/bindings.hpp"
+#include "renderer/gl/shader.hpp"
 #include "renderer/surface/refined_mesh.hpp"
 
 namespace taut::renderer {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <stdexcept>
 #include <vector>
 
 namespace taut::renderer {
@@ -29,6 +29,13 @@ struct Image {
 
 /// Returns a black (with four channels, transparent) image. Throws std::invalid_argument unless both sizes
 /// are positive and there are 3 or 4 channels.
-Image make_image(int width_px, int height_px, int channels = 3);
+inline Image make_image(int width_px, int height_px, int channels = 3) {
+  if (width_px <= 0 || height_px <= 0) throw std::invalid_argument("an image needs a positive size");
+  if (channels != 3 && channels != 4) throw std::invalid_argument("an image has 3 or 4 channels");
+  Image image{width_px, height_px, channels, {}};
+  image.pixels.resize(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) *
+                      static_cast<std::size_t>(channels));
+  return image;
+}
 
 }  // namespace taut::renderer

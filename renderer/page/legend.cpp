@@ -1,6 +1,5 @@
 #include "renderer/page/legend.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "renderer/page/ticks.hpp"

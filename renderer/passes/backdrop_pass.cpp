@@ -7,8 +7,8 @@
 #include <glm/matrix.hpp>
 #include <stdexcept>
 
-#include "renderer/gl/bindings.hpp"
-#include "renderer/page/whole_number.hpp"
+#include "renderer/gl/shader.hpp"
+#include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {
 

@@ -5,7 +5,7 @@
 
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/gl/gl_objects.hpp"
-#include "renderer/gl/lazy_program.hpp"
+#include "renderer/gl/shader.hpp"
 
 namespace taut::renderer {
 

@@ -1,10 +1,18 @@
 #include "renderer/passes/mark_pass.hpp"
 
-#include "renderer/gl/bindings.hpp"
+#include <array>
+
+#include "renderer/gl/shader.hpp"
 
 namespace taut::renderer {
-
 namespace {
+
+// Segments of each sphere. A few large ones need a round outline, many small ones need to be cheap: a row of
+// pins has more triangles than the garment it holds.
+int segments_of_each(std::size_t count) {
+  if (count <= 8) return 64;
+  return count <= 24 ? 20 : 12;
+}
 
 // How far marks are moved towards the eye, as a share of the distance. Less lets the surface eat into them,
 // more shows them through a layer of cloth in front.
@@ -24,7 +32,36 @@ const Colour& pick(std::span<const Colour> colours, std::size_t i) {
   return colours.size() == 1 ? colours.front() : colours[i];
 }
 
+constexpr std::array<std::string_view, 1> multisampled{"MULTISAMPLED"};
+
 }  // namespace
+
+TriangleMesh merged_spheres(const SphereView& spheres) {
+  const TriangleMesh one =
+      make_sphere(glm::vec3{0.0F}, spheres.radius_m, segments_of_each(spheres.centres.size()));
+  TriangleMesh all;
+  for (const glm::vec3& centre : spheres.centres) {
+    const auto first = static_cast<std::uint32_t>(all.positions.size());
+    for (const glm::vec3& position : one.positions) all.positions.push_back(position + centre);
+    all.normals.insert(all.normals.end(), one.normals.begin(), one.normals.end());
+    for (const std::uint32_t index : one.triangles) all.triangles.push_back(first + index);
+  }
+  return all;
+}
+
+SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres) {
+  SurfaceView view;
+  view.positions = mesh.positions;
+  view.normals = mesh.normals;
+  view.triangles = mesh.triangles;
+  view.style.outside_colour = spheres.colour;
+  view.style.inside_colour = spheres.colour;
+  view.style.roughness = 0.45F;
+  view.style.sheen = 0.0F;
+  view.style.translucency = 0.0F;
+  view.casts_shadow = spheres.casts_shadow;
+  return view;
+}
 
 MarkPass::MarkPass(const GladGLContext& context, std::span<const ShaderFile> files)
     : gl_(&context),
@@ -86,6 +123,24 @@ void MarkPass::draw_points(const PointView& points) {
   upload(*gl_, GL_ARRAY_BUFFER, point_buffer_, std::span<const Point>(marks_));
   point_.use().set("mark", glm::vec4{points.diameter_px, 1.0F, point_lift, 0.0F});
   gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(marks_.size()));
+}
+
+ResolvePass::ResolvePass(const GladGLContext& context, std::span<const ShaderFile> files)
+    : gl_(&context),
+      one_(context, files, "fullscreen.vert", "resolve.frag"),
+      many_(context, files, "fullscreen.vert", "resolve.frag", multisampled),
+      no_arrays_(context) {}
+
+void ResolvePass::draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px) {
+  bind_texture(*gl_, drawn_unit, samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, drawn);
+  const Program& program = (samples > 1 ? many_ : one_).use();
+  program.set("resolve", glm::ivec4{samples, supersampling, corner_px});
+  gl_->Disable(GL_DEPTH_TEST);
+  begin_blending_over(*gl_);
+  gl_->BindVertexArray(no_arrays_.name());
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  end_blending_over(*gl_);
+  gl_->Enable(GL_DEPTH_TEST);
 }
 
 }  // namespace taut::renderer

@@ -1,13 +1,21 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <span>
 #include <vector>
 
 #include "renderer/frame_view.hpp"
 #include "renderer/gl/gl_objects.hpp"
-#include "renderer/gl/lazy_program.hpp"
+#include "renderer/gl/shader.hpp"
+#include "renderer/primitives.hpp"
 
 namespace taut::renderer {
+
+/// Returns the spheres of one group as one mesh.
+TriangleMesh merged_spheres(const SphereView& spheres);
+
+/// Returns the mesh as a surface with the group's colour. The mesh must outlive the view.
+SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres);
 
 /// Draws marks: lines, wireframes and points of constant width in pixels, with antialiased edges.
 class MarkPass {
@@ -43,6 +51,24 @@ class MarkPass {
   Buffer point_buffer_;
   std::vector<Segment> segments_;  // scratch
   std::vector<Point> marks_;       // scratch
+};
+
+/// Averages samples and supersampled pixels and blends the result over the bound framebuffer.
+class ResolvePass {
+ public:
+  /// The context must be current and outlive this object. `files`: all shaders.
+  ResolvePass(const GladGLContext& context, std::span<const ShaderFile> files);
+
+  /// Averages `drawn` in linear light over its `samples` and over squares of `supersampling` pixels. `drawn`
+  /// is sRGB-encoded and was premultiplied in linear light. The viewport must be its place in the
+  /// framebuffer; `corner_px` is the viewport's lower left corner.
+  void draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px);
+
+ private:
+  const GladGLContext* gl_;
+  LazyProgram one_;
+  LazyProgram many_;
+  VertexArray no_arrays_;
 };
 
 }  // namespace taut::renderer

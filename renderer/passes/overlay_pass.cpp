@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "renderer/gl/bindings.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/gl/shader.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <glm/common.hpp>
 
-#include "renderer/gl/bindings.hpp"
+#include "renderer/gl/shader.hpp"
 
 namespace taut::renderer {
 

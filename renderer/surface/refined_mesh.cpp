@@ -1,12 +1,12 @@
 #include "renderer/surface/refined_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 namespace taut::renderer {
-
 namespace {
 
 // Cosine of the turn of a border at rest from which it has a corner.
@@ -54,6 +54,35 @@ void connect(std::vector<BorderEdge>& border, std::span<const glm::vec3> rest_po
     };
     edge.corners = {turns(edge.previous), turns(edge.next)};
   }
+}
+
+constexpr float sharp_cosine = 0.6428F;  // of 50 degrees
+// Coordinates that differ by less were written with few digits.
+constexpr float same_coordinate = 1e-5F;
+
+bool differ(const glm::vec2& a, const glm::vec2& b) {
+  return std::abs(a.x - b.x) > same_coordinate || std::abs(a.y - b.y) > same_coordinate;
+}
+
+// A vertex of a ring: where it is, in radii along the cloth's normal and out of the cloth, and where it
+// faces.
+struct RingVertex {
+  float up;
+  float out;
+  float facing_up;
+  float facing_out;
+};
+
+// Half a circle below the cloth that starts on its outside, and a slope back to its inside, which closes it.
+// It ends a little before the cloth, so that it never comes out on the other side.
+constexpr std::array<RingVertex, 4> ring{{{-0.5F, 0.866F, 0.5F, 0.866F},
+                                          {-1.5F, 0.866F, -0.5F, 0.866F},
+                                          {-2.0F, 0.0F, -1.0F, 0.0F},
+                                          {-0.4F, -4.0F, -0.9F, -0.436F}}};
+
+glm::vec3 normalised(const glm::vec3& v) {
+  const float squared = glm::dot(v, v);
+  return squared > 0.0F && std::isfinite(squared) ? v / std::sqrt(squared) : glm::vec3{0.0F};
 }
 
 }  // namespace
@@ -176,6 +205,88 @@ int refinement_levels(float edge_px, std::size_t triangles, float shortest_px) {
     ++levels;
   }
   return levels;
+}
+
+std::vector<VertexPair> seam_edges(std::span<const glm::vec3> rest_positions,
+                                   std::span<const std::uint32_t> triangles,
+                                   std::span<const glm::vec2> corner_coordinates) {
+  assert(corner_coordinates.empty() || corner_coordinates.size() == triangles.size());
+  const auto normal = [&](std::uint32_t side) {
+    const std::uint32_t* corners = &triangles[side - side % 3];
+    const glm::vec3& a = rest_positions[corners[0]];
+    return glm::cross(rest_positions[corners[1]] - a, rest_positions[corners[2]] - a);
+  };
+  const auto is_sharp = [&](std::uint32_t one, std::uint32_t other) {
+    const glm::vec3 a = normal(one), b = normal(other);
+    return glm::dot(a, b) < sharp_cosine * std::sqrt(glm::dot(a, a) * glm::dot(b, b));
+  };
+  const auto is_cut = [&](std::uint32_t one, std::uint32_t other) {
+    const bool same_way = triangles[one] == triangles[other];
+    const std::uint32_t start = same_way ? other : next_corner(other);
+    const std::uint32_t end = same_way ? next_corner(other) : other;
+    return differ(corner_coordinates[one], corner_coordinates[start]) ||
+           differ(corner_coordinates[next_corner(one)], corner_coordinates[end]);
+  };
+  const std::vector<TriangleSide> sides = sorted_sides(triangles);
+  std::vector<VertexPair> seams;
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const std::uint32_t one = sides[i].number, other = sides[i + 1].number;
+    if (sides[i].ends != sides[i + 1].ends || (!seams.empty() && seams.back() == sides[i].ends)) continue;
+    if (corner_coordinates.empty() ? is_sharp(one, other) : is_cut(one, other))
+      seams.push_back(sides[i].ends);
+  }
+  return seams;
+}
+
+Rim::Rim(const RefinedMesh& mesh, float radius)
+    : first_vertex_(static_cast<std::uint32_t>(mesh.vertex_count())), radius_(radius) {
+  std::vector<std::uint32_t> ring_of(mesh.vertex_count(), BorderEdge::none);
+  for (const BorderEdge& border : mesh.border()) {
+    Edge& edge = edges_.emplace_back(Edge{border.ends, {}});
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::uint32_t& own = ring_of[border.ends[i]];
+      if (own == BorderEdge::none) {
+        own = static_cast<std::uint32_t>(bases_.size());
+        bases_.push_back(border.ends[i]);
+        parents_.insert(parents_.end(), ring.size(), {border.ends[i], border.ends[i]});
+      }
+      edge.rings[i] = own;
+    }
+    add_triangles(edge, border.side / 3);
+  }
+  ways_.resize(bases_.size());
+}
+
+void Rim::add_triangles(const Edge& edge, std::uint32_t at_triangle) {
+  std::array<std::uint32_t, 2> upper = edge.ends;
+  for (std::uint32_t i = 0; i < ring.size(); ++i) {
+    std::array<std::uint32_t, 2> lower{};
+    for (std::size_t end = 0; end < 2; ++end) {
+      lower[end] = first_vertex_ + static_cast<std::uint32_t>(ring.size()) * edge.rings[end] + i;
+    }
+    triangles_.insert(triangles_.end(), {upper[0], lower[0], lower[1], upper[0], lower[1], upper[1]});
+    at_triangles_.insert(at_triangles_.end(), 2, at_triangle);
+    upper = lower;
+  }
+}
+
+void Rim::place(std::span<glm::vec3> positions, std::span<glm::vec3> normals) {
+  std::fill(ways_.begin(), ways_.end(), glm::vec3{0.0F});
+  for (const Edge& edge : edges_) {
+    const glm::vec3 way = normalised(positions[edge.ends[1]] - positions[edge.ends[0]]);
+    for (const std::uint32_t own : edge.rings) ways_[own] += way;
+  }
+  std::size_t vertex = first_vertex_;
+  for (std::size_t i = 0; i < bases_.size(); ++i) {
+    const glm::vec3& place = positions[bases_[i]];
+    const glm::vec3& up = normals[bases_[i]];
+    const glm::vec3 out = normalised(glm::cross(ways_[i], up));
+    for (const RingVertex& own : ring) {
+      positions[vertex] = place + radius_ * (own.up * up + own.out * out);
+      normals[vertex] = normalised(own.facing_up * up + own.facing_out * out);
+      ++vertex;
+    }
+  }
 }
 
 }  // namespace taut::renderer

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "renderer/mesh_normals.hpp"
+#include "renderer/primitives.hpp"
 
 namespace taut::renderer {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "renderer/surface/refined_mesh.hpp"
-#include "renderer/surface/rim.hpp"
 
 namespace taut::renderer {
 

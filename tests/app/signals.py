@@ -21,7 +21,7 @@ COMMANDS = {
     'bench': ['bench', '--contact', '--scenes', 'fine-wind-10'],
     'view': ['view', '--headless', '--script', 'session.txt', *LONG_FRAME],
 }
-SESSION = 'taut-session 1\nscene tshirt-gravity\nwindow 320 240 1\nframe 10\n'
+SESSION = '["taut-session", 2]\n["scene", "tshirt-gravity"]\n["window", 320, 240, 1]\n["frame", 10]\n'
 
 
 def seconds_of(process):

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/drawing/cloth_coordinates.hpp"
 #include "app/drawing/garment_surface.hpp"
 
 namespace taut::app {

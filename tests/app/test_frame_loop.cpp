@@ -5,7 +5,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_record.hpp"

@@ -1,11 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "app/drawing/fitted_view.hpp"
+#include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
 #include "app/drawing/spring_lines.hpp"
-#include "app/drawing/wind_arrows.hpp"
 #include "sim/measures.hpp"
 #include "sim/mesh/grid.hpp"
 

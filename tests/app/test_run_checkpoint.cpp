@@ -3,7 +3,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/run_start.hpp"

@@ -10,7 +10,7 @@
 #include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/simulation.hpp"
 

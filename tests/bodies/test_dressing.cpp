@@ -7,7 +7,7 @@
 
 #include "app/bodies/dressing.hpp"
 #include "app/bodies/room_for_cloth.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/scene_crossings.hpp"
@@ -164,7 +164,8 @@ std::optional<RoomForCloth> room_between(double gap_m) {
   for (const double side : {0.0, 1.0}) {
     const auto node = static_cast<sim::Index>(rig.nodes.size());
     const sim::Vec3 middle(side * (0.2 + gap_m), 0.5, 0.0);
-    rig.nodes.push_back({side > 0.0 ? "LeftLeg" : "RightLeg", no_node, glm::translate(glm::dmat4(1.0), middle)});
+    rig.nodes.push_back(
+        {side > 0.0 ? "LeftLeg" : "RightLeg", no_node, glm::translate(glm::dmat4(1.0), middle)});
     rig.bones.push_back({node, glm::translate(glm::dmat4(1.0), -middle)});
     const auto first = static_cast<sim::Index>(rig.in_part.size());
     for (sim::Index k = 0; k < 44; ++k) {

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/bodies/looping.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "gltf_text.hpp"
 #include "loading.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "app/bench/bench.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "sim/solvers/bounded/kernels/kernels.hpp"
 #include "temporary_folder.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/figures.hpp"
 #include "app/figures/pictures.hpp"
 #include "app/output/csv.hpp"

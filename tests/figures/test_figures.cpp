@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"

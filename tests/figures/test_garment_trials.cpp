@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/models/garment_loading.hpp"
 #include "temporary_folder.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/drawing/drawing.hpp"
+#include "app/drawing/plots/axis.hpp"
 #include "app/drawing/plots/plot_sheet.hpp"
 #include "app/output/csv.hpp"
 

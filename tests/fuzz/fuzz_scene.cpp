@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 
 using namespace taut::app;
 

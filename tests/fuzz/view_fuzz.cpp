@@ -13,9 +13,9 @@
 #include <fstream>
 #include <random>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/headless_viewer.hpp"
-#include "app/viewer/state/key_bindings.hpp"
+#include "app/viewer/state/viewer_state.hpp"
 
 namespace {
 

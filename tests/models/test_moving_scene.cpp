@@ -6,7 +6,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "temporary_folder.hpp"
 

@@ -2,15 +2,13 @@
 #include <functional>
 #include <limits>
 
-#include "renderer/light/rasterise_triangle.hpp"
-#include "renderer/light/shadow_classifier.hpp"
 #include "renderer/light/shadow_map.hpp"
 #include "renderer/light/sky_light.hpp"
-#include "renderer/mesh_normals.hpp"
+#include "renderer/light/surface_buffers.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
 #include "renderer/passes/covered_squares.hpp"
-#include "renderer/passes/merged_spheres.hpp"
-#include "renderer/passes/screen_bounds.hpp"
+#include "renderer/passes/mark_pass.hpp"
+#include "renderer/primitives.hpp"
 #include "scene_support.hpp"
 
 // Cloth that flew apart: every part of the renderer that looks at positions is handed some that are anywhere

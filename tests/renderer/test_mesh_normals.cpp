@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "renderer/mesh_normals.hpp"
 #include "renderer/primitives.hpp"
 
 namespace taut::renderer {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "renderer/gl/colour_target.hpp"
+#include "renderer/gl/picture_target.hpp"
 #include "renderer/primitives.hpp"
 #include "scene_support.hpp"
 
@@ -278,7 +278,7 @@ TEST_F(SceneRendererTest, SkyDarkensTheFloorUnderneath) {
   const Sheet sheet;
   FrameView frame = sheet.frame();
   frame.lighting.towards_key = {-1.0F, 0.05F, 0.0F};  // its shadow falls far outside the picture
-  frame.camera.eye = {0.0F, 0.35F, 4.0F};  // looks under the sheet
+  frame.camera.eye = {0.0F, 0.35F, 4.0F};             // looks under the sheet
   frame.camera.target = {0.0F, 0.25F, 0.0F};
   PictureSettings settings = small_picture();
   const glm::ivec2 below = pixel_of({0.0F, 0.0F, 0.0F}, frame.camera, settings);

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "renderer/passes/screen_bounds.hpp"
+#include "renderer/passes/covered_squares.hpp"
 
 namespace taut::renderer {
 namespace {

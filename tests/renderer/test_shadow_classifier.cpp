@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/light/shadow_classifier.hpp"
+#include "renderer/light/shadow_map.hpp"
 #include "renderer/passes/backdrop_pass.hpp"
 #include "scene_support.hpp"
 

@@ -5,8 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "renderer/surface/lines.hpp"
-#include "renderer/surface/seams.hpp"
-#include "renderer/surface/trims.hpp"
+#include "renderer/surface/refined_mesh.hpp"
 #include "scene_support.hpp"
 
 namespace taut::renderer {

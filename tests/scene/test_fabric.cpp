@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/scene/fabric.hpp"
 #include "app/scene/scene_format.hpp"
 #include "temporary_folder.hpp"

@@ -3,10 +3,9 @@
 #include <numbers>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
-#include "app/scene/promise.hpp"
+#include "app/drawing/drawn_scene.hpp"
+#include "app/scene/scene.hpp"
 #include "app/scene/scene_format.hpp"
-#include "app/scene/scene_keys.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"
-#include "app/viewer/state/choices.hpp"
+#include "app/viewer/state/viewer_state.hpp"
 
 // What a person can choose in the window's lists, in the way the window does it.
 

@@ -9,7 +9,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/sweeps/farm.hpp"
 #include "app/sweeps/run_lock.hpp"
 #include "app/sweeps/sweep.hpp"

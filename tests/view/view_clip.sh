@@ -8,22 +8,25 @@ rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
 
-click() { printf 'at %s 0.5 0.5\nbutton left down\nframe\nbutton left up\nframe 2\n' "$1"; }
-press() { printf 'key %s down\nframe\nkey %s up\n' "$1" "$1"; }
+click() { printf '["at", "%s", 0.5, 0.5]\n["button", "left", true]\n["frame"]\n["button", "left", false]\n["frame", 2]\n' "$1"; }
+press() { printf '["key", %s, true]\n["frame"]\n["key", %s, false]\n' "$1" "$1"; }
+space=32
+r=82
+x=88
 {
-  printf 'taut-session 1\nscene pinned-9x9-5\nwindow 1000 780 1\nframe 2\n'
-  press space
+  printf '["taut-session", 2]\n["scene", "pinned-9x9-5"]\n["window", 1000, 780, 1]\n["frame", 2]\n'
+  press $space
   for format in PC2 MDD glTF VTK OBJ; do
-    press r
+    press $r
     click keep.clip_format
     click keep.clip_format.$format
-    press x
-    press space
-    echo frame 20
-    press space
-    press x
+    press $x
+    press $space
+    echo '["frame", 20]'
+    press $space
+    press $x
   done
-  echo frame
+  echo '["frame"]'
 } >session.txt
 "$taut" view --headless --script session.txt --keep . >view.log
 

@@ -26,7 +26,7 @@ window=$!
 wait_for_file session.txt
 sleep 1
 drop() { "$drop_file" Taut "$@" 2>>window.log || fail "the window took no file"; }
-recorded() { grep -q "^drop .*$1" session.txt; }
+recorded() { grep -q "^\[\"drop\",.*$1" session.txt; }
 
 drop broken.obj notes.txt
 wait_for "drop of broken.obj in the record" recorded broken.obj
@@ -46,9 +46,9 @@ kill -INT $window
 wait $window || true
 
 grep -q '^columns = 9$' pinned-9x9-5-1.toml || fail "a broken file replaced the garment"
-grep -q '^state ' session.txt || fail "the record has no end"
+grep -q '^\["state",' session.txt || fail "the record has no end"
 # What was told right after the drop of two files that cannot be read.
-awk '/^key s/ { exit } { print }' session.txt >begin.txt
+awk '/^\["key",83,/ { exit } { print }' session.txt >begin.txt
 "$taut" view --headless --script begin.txt >begin.log
 grep -q "^error: .*broken.obj" begin.log || fail "nothing was said about broken.obj"
 grep -q "^error: .*notes.txt" begin.log || fail "nothing was said about notes.txt"

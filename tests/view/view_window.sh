@@ -54,5 +54,5 @@ kill -INT $window
 wait $window || true
 
 ! cmp -s cloth-fall-1.png cloth-fall-2.png || fail "the wind changes nothing"
-grep -q '^state ' session.txt || fail "the record has no end"
+grep -q '^\["state",' session.txt || fail "the record has no end"
 "$taut" view --headless --script session.txt --keep replayed >replay.log 2>&1 || { cat replay.log; fail "the replay ends in another state"; }

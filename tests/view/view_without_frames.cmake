@@ -1,7 +1,9 @@
 # A script that ends before its first frame shows what a window without a script shows.
 #   cmake -DPROGRAM=... -DDIR=... -P view_without_frames.cmake
 file(REMOVE_RECURSE ${DIR})
-file(WRITE ${DIR}/script.txt "taut-session 1\nscene pinned-9x9-5\n")
+file(WRITE ${DIR}/script.txt [=[["taut-session", 2]
+["scene", "pinned-9x9-5"]
+]=])
 foreach(picture scripted plain)
   if(picture STREQUAL scripted)
     set(what --script ${DIR}/script.txt)

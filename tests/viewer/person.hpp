@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing/drawn_scene_file.hpp"
-#include "app/viewer/simulation/stepped_simulation.hpp"
+#include "app/drawing/drawn_scene.hpp"
+#include "app/viewer/simulation/simulation_host.hpp"
 #include "app/viewer/viewer.hpp"
 
 namespace taut::test {

@@ -2,8 +2,8 @@
 
 #include "app/base/errors.hpp"
 #include "app/viewer/headless_viewer.hpp"
-#include "app/viewer/panel/panel_hints.hpp"
-#include "app/viewer/simulation/simulation_pair.hpp"
+#include "app/viewer/panel/panel.hpp"
+#include "app/viewer/simulation/simulation_host.hpp"
 #include "person.hpp"
 #include "temporary_folder.hpp"
 
@@ -269,10 +269,18 @@ TEST(Comparison, IsDrawnSideBySideAndInPicturesToo) {
 }
 
 TEST(Comparison, ASessionSaysIt) {
-  const Session session = parse_session("taut-session 1\nscene pinned-9x9-5\ncompare provot\nframe 1\n", "s");
+  const Session session = parse_session(R"(["taut-session", 2]
+["scene", "pinned-9x9-5"]
+["compare", "provot"]
+["frame", 1])",
+                                        "s");
   EXPECT_EQ(session.start.compared_with, sim::SolverKind::provot);
-  EXPECT_CONTAINS(session_head(session.start), "\ncompare provot\n");
-  EXPECT_THROW(parse_session("taut-session 1\ncompare provo\nframe 1\n", "s"), InputError);
+  EXPECT_CONTAINS(session_head(session.start), R"(["compare","provot"])");
+  EXPECT_THROW(parse_session(R"(["taut-session", 2]
+["compare", "provo"]
+["frame", 1])",
+                             "s"),
+               InputError);
 }
 
 }  // namespace

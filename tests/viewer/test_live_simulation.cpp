@@ -5,9 +5,8 @@
 #include <random>
 #include <thread>
 
-#include "app/drawing/drawn_scene_file.hpp"
-#include "app/viewer/simulation/simulation_thread.hpp"
-#include "app/viewer/simulation/stepped_simulation.hpp"
+#include "app/drawing/drawn_scene.hpp"
+#include "app/viewer/simulation/simulation_host.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -211,7 +210,9 @@ TEST(LiveSimulation, ANewBoundHoldsBeforeTheNextFrame) {
 TEST(LiveSimulation, ComingBackFromASolverWithoutContactPartsWhatCrossed) {
   const std::vector<Override> small = {parse_override("garment.file=\"tshirt_1028\"")};
   const DrawnScene scene = find_scene("tshirt-wind-10", small);
-  const auto crossing = [](LiveSimulation& live) { return live.take_snapshot()->record.contact.crossing_pairs; };
+  const auto crossing = [](LiveSimulation& live) {
+    return live.take_snapshot()->record.contact.crossing_pairs;
+  };
   LiveSimulation live(scene);
   advance(live, 10);
   ASSERT_EQ(crossing(live), 0U);

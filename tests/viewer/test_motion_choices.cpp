@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/viewer/keeping.hpp"
-#include "app/viewer/panel/panel_hints.hpp"
-#include "app/viewer/state/motion_choices.hpp"
+#include "app/viewer/panel/panel.hpp"
+#include "app/viewer/state/viewer_state.hpp"
 #include "bodies/gltf_text.hpp"
 #include "person.hpp"
 #include "temporary_folder.hpp"

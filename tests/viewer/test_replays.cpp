@@ -3,8 +3,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "app/drawing/drawn_scene_file.hpp"
-#include "app/scene/promise.hpp"
+#include "app/drawing/drawn_scene.hpp"
+#include "app/scene/scene.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "sim/measures.hpp"

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "app/base/errors.hpp"
-#include "app/viewer/session/input_queue.hpp"
 #include "app/viewer/session/session.hpp"
 
 namespace taut::app {
@@ -63,32 +62,61 @@ TEST(Session, WhatIsWrittenReadsBackTheSame) {
 TEST(Session, EveryKeyReadsBackTheSame) {
   for (int key = 0; key <= renderer::keys::last; ++key) {
     const SessionFrame frame{{WindowEvent(KeyChanged{key, true})}, 1.0 / 60.0, std::nullopt, std::nullopt};
-    const Session read = parse_session("taut-session 1\n" + session_lines(frame), "s.txt");
+    const Session read = parse_session("[\"taut-session\", 2]\n" + session_lines(frame), "s.txt");
     EXPECT_EQ(read.frames.front(), frame) << key;
   }
 }
 
 TEST(Session, CountsFramesAndGivesLastEventsOne) {
-  const Session read = parse_session("taut-session 1\n# a remark\n\nframe 3\nkey h down\n", "s.txt");
+  const Session read =
+      parse_session("[\"taut-session\", 2]\n# a remark\n\n[\"frame\", 3]\n[\"key\", 72, true]\n", "s.txt");
   ASSERT_EQ(read.frames.size(), 4U);
   EXPECT_TRUE(read.frames[2].events.empty());
   EXPECT_EQ(read.frames[3].events.size(), 1U);
 }
 
 TEST(Session, SaysWhereWhatIsWrong) {
-  EXPECT_EQ(message_of(""), "s.txt: is empty, expected taut-session 1");
-  EXPECT_EQ(message_of("taut-session 2\n"), "s.txt:1: found 'taut-session 2', expected taut-session 1");
-  const std::string head = "taut-session 1\n";
-  EXPECT_NE(message_of(head + "key nokey down\n").find("s.txt:2: found 'key nokey down', expected key"),
+  EXPECT_EQ(message_of(""), R"(s.txt: is empty, expected ["taut-session", 2])");
+  EXPECT_EQ(message_of("taut-session 1\n"),
+            R"(s.txt:1: found 'taut-session 1', expected ["taut-session", 2])");
+  EXPECT_EQ(message_of(R"(["taut-session", 3])"),
+            R"(s.txt:1: found '["taut-session", 3]', expected ["taut-session", 2])");
+  const std::string head = "[\"taut-session\", 2]\n";
+  const std::string wrong_key = R"(["key", "h", true])";
+  EXPECT_NE(message_of(head + wrong_key).find("s.txt:2: found '" + wrong_key + "', expected [\"key\", CODE"),
             std::string::npos);
-  for (const char* line :
-       {"key a",       "button up left", "move 1",  "move 1 x",      "wheel 1",   "drop",
-        "resize -1 4", "resize 99999 4", "scale 0", "scale nan",     "at",        "at item 1",
-        "text 41",     "text U+110000",  "frame 0", "frame 9999999", "paced 1 2", "state 12",
-        "jump",        "move inf 0"}) {
+  for (const char* line : {R"(["key", 65])",
+                           R"(["key", 999, true])",
+                           R"(["key", 65, 1])",
+                           R"(["button", "up", true])",
+                           R"(["move", 1])",
+                           R"(["move", 1, "x"])",
+                           R"(["move", 1, 2, 3])",
+                           R"(["wheel", 1])",
+                           R"(["drop"])",
+                           R"(["drop", ""])",
+                           R"(["resize", -1, 4])",
+                           R"(["resize", 99999, 4])",
+                           R"(["resize", 1.5, 4])",
+                           R"(["scale", 0])",
+                           R"(["scale", null])",
+                           R"(["at"])",
+                           R"(["at", "item", 1])",
+                           R"(["text", -1])",
+                           R"(["text", 1114112])",
+                           R"(["frame", 0])",
+                           R"(["frame", 9999999])",
+                           R"(["paced", 1, 2])",
+                           R"(["paced", 1, 2, 184467440737095516160])",
+                           R"(["state", 12])",
+                           R"(["jump"])",
+                           R"(["move", 1e999, 0])",
+                           R"([])",
+                           R"({"move": [1, 2]})",
+                           "frame 1"}) {
     EXPECT_NE(message_of(head + line + '\n').find("s.txt:2: found '"), std::string::npos) << line;
   }
-  EXPECT_NE(message_of(head + "frame\nscene x\n").find("s.txt:3"), std::string::npos);
+  EXPECT_NE(message_of(head + "[\"frame\"]\n[\"scene\", \"x\"]\n").find("s.txt:3"), std::string::npos);
 }
 
 TEST(InputQueue, SpreadsAClickThatIsShorterThanAFrame) {

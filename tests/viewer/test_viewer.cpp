@@ -2,11 +2,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_import.hpp"
 #include "app/viewer/headless_viewer.hpp"
-#include "app/viewer/panel/panel_hints.hpp"
-#include "app/viewer/picture/hand_thread.hpp"
+#include "app/viewer/panel/panel.hpp"
+#include "app/viewer/picture/scene_picture.hpp"
 #include "person.hpp"
 #include "picture_reading.hpp"
 #include "temporary_folder.hpp"

@@ -4,16 +4,14 @@
 #include <glm/geometric.hpp>
 
 #include "app/base/errors.hpp"
-#include "app/scene/promise.hpp"
+#include "app/scene/scene.hpp"
 #include "app/viewer/keeping.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/picture/picture_quality.hpp"
-#include "app/viewer/simulation/grip.hpp"
-#include "app/viewer/simulation/timeline.hpp"
-#include "app/viewer/state/lost_cloth.hpp"
+#include "app/viewer/simulation/simulation_command.hpp"
+#include "app/viewer/simulation/snapshot.hpp"
 #include "app/viewer/state/measurements.hpp"
 #include "app/viewer/state/orbit_camera.hpp"
-#include "app/viewer/state/picking.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/mesh/welding.hpp"
 

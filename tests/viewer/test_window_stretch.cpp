@@ -2,7 +2,7 @@
 
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/keeping.hpp"
-#include "app/viewer/panel/panel_hints.hpp"
+#include "app/viewer/panel/panel.hpp"
 #include "person.hpp"
 #include "sim/measures.hpp"
 #include "temporary_folder.hpp"

@@ -5,11 +5,11 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/ranking.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/scene/scene_lookup.hpp"
+#include "app/scene/scene_file.hpp"
 
 namespace taut::app {
 namespace {

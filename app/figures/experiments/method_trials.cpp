@@ -8,7 +8,7 @@
 #include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
-#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/models/garment_loading.hpp"
 #include "sim/measures.hpp"

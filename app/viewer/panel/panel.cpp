@@ -1,11 +1,16 @@
 #include "app/viewer/panel/panel.hpp"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "app/viewer/panel/panel_hints.hpp"
+#include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
+#include "app/viewer/panel/user_interface.hpp"
+#include "app/viewer/state/orbit_camera.hpp"
+
+// The choice of a second garment, and what stands over both: to the right, where no legend is.
 
 namespace taut::app {
 namespace {
@@ -50,6 +55,54 @@ void explain(ViewerState& state, const std::string& name) {
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+}
+
+constexpr ImU32 between_colour = IM_COL32(0, 0, 0, 56);
+
+// By what the panel plots, for both.
+std::string measured_of(const Snapshot& garment, const ViewerState& state) {
+  const bool of_springs = bound_kind(state.scene) == sim::BoundKind::springs;
+  const FrameRecord& record = garment.record;
+  const double largest = of_springs ? record.stretch.max : record.surface_stretch.max;
+  const std::string stretch = fmt::format("largest stretch {} %", in_little_room(100.0 * largest, 2));
+  return state.measurements.shows_times
+             ? fmt::format("{}, {} ms a frame", stretch, few_digits(static_cast<float>(record.sim_ms)))
+             : stretch;
+}
+
+std::string lost_of(const Snapshot& garment, const ViewerState& state, const ViewArea& area) {
+  return garment.stopped
+             ? fmt::format("stopped at {:.2f} s: R starts both again", garment.record.time_s)
+             : lost_cloth(garment.positions(), garment.loaded->garment->mesh.triangles, state.camera, area);
+}
+
+void lay_out_label(const char* name, const Snapshot& garment, const ViewerState& state, const ViewArea& area,
+                   const ImVec2& corner) {
+  ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1.0F, 0.0F});
+  ImGui::SetNextWindowBgAlpha(0.85F);
+  if (ImGui::Begin(name, nullptr, untouchable)) {
+    ImGui::PushTextWrapPos(std::max(0.8F * static_cast<float>(area.width_px), 16.0F));
+    ImGui::TextUnformatted(solver_of(garment));
+    ImGui::TextUnformatted(measured_of(garment, state).c_str());
+    if (const std::string lost = lost_of(garment, state, area); !lost.empty()) {
+      ImGui::TextColored({0.70F, 0.12F, 0.10F, 1.0F}, "%s", lost.c_str());
+    }
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::End();
+}
+
+// The list of formats makes way for how far it is.
+void lay_out_clip(ViewerState& state, float button_px) {
+  action_button(state, state.clip ? "Stop X" : "Clip X", Action::record_clip, "keep.clip", button_px);
+  ImGui::SameLine();
+  if (state.clip) {
+    ImGui::Text("%d to %s", state.clip->frames, state.clip->file.c_str());
+    note_place(state, "keep.clip_frames");
+    return;
+  }
+  ImGui::SetNextItemWidth(button_px);
+  kind_list(state, "of shapes", "keep.clip_format", all_clip_formats, state.clip_format);
 }
 
 }  // namespace
@@ -98,14 +151,21 @@ void note_place(ViewerState& state, const char* name) {
   }
 }
 
-bool begin_list(const char* label, const char* chosen) {
-  if (!ImGui::BeginCombo(label, chosen)) {
-    return false;
+std::optional<std::size_t> list_of(ViewerState& state, const char* label, const std::string& name,
+                                   const std::string& closed, const std::vector<ListEntry>& entries) {
+  std::optional<std::size_t> clicked;
+  if (ImGui::BeginCombo(label, closed.c_str())) {
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+      ImGui::CloseCurrentPopup();
+    }
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      clicked = ImGui::Selectable(entries[k].label.c_str(), entries[k].is_chosen) ? k : clicked;
+      note_place(state, (name + '.' + entries[k].name).c_str());
+    }
+    ImGui::EndCombo();
   }
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-    ImGui::CloseCurrentPopup();
-  }
-  return true;
+  note_place(state, name.c_str());
+  return clicked;
 }
 
 bool is_hint_due(const ViewerState& state) {
@@ -135,6 +195,61 @@ bool whole_slider(ViewerState& state, const char* label, const char* name, int& 
                                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   note_place(state, name);
   return changed;
+}
+
+void lay_out_comparison(ViewerState& state) {
+  std::optional<sim::SolverKind>& with = state.compared_with;
+  std::vector<ListEntry> entries = {{"none", "none", !with}};
+  for (const sim::SolverKind kind : sim::all_solver_kinds) {
+    entries.push_back({sim::name_of(kind), sim::name_of(kind), with == kind});
+  }
+  if (const auto clicked =
+          list_of(state, "compare with", "compare", with ? sim::name_of(*with) : "none", entries)) {
+    with = *clicked == 0 ? std::nullopt : std::optional(sim::all_solver_kinds[*clicked - 1]);
+  }
+}
+
+void lay_out_labels(const ViewerState& state, const ViewArea& area, float scale) {
+  const Snapshot* second = compared(state);
+  if (second == nullptr) {
+    return;
+  }
+  const auto width = static_cast<float>(area.width_px);
+  const auto height = static_cast<float>(area.height_px);
+  const float gap = 10.0F * scale;
+  lay_out_label("legends, left", *state.shown, state, area, {width - gap, gap});
+  lay_out_label("legends, right", *second, state, area, {2.0F * width - gap, gap});
+  if (ImGui::Begin("legends, right")) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    list.AddLine({width, -1.0F}, {width, height}, between_colour, scale);
+    list.PopClipRect();
+  }
+  ImGui::End();
+}
+
+void lay_out_keeping(ViewerState& state) {
+  ImGui::Separator();
+  const float width = (ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
+  action_button(state, "Picture F12", Action::screenshot, "keep.screenshot", width);
+  ImGui::SameLine();
+  action_button(state, "Scene S", Action::save_scene, "keep.scene", width);
+  ImGui::SameLine();
+  action_button(state, "Camera C", Action::copy_camera, "keep.camera", width);
+  action_button(state, state.is_recording ? "Stop F10" : "Record F10", Action::record, "keep.record", width);
+  ImGui::SameLine();
+  if (ImGui::RadioButton("video", state.recording_kind == RecordingKind::video)) {
+    state.recording_kind = RecordingKind::video;
+  }
+  note_place(state, "keep.video");
+  ImGui::SameLine();
+  if (ImGui::RadioButton("PNG", state.recording_kind == RecordingKind::pictures)) {
+    state.recording_kind = RecordingKind::pictures;
+  }
+  note_place(state, "keep.pictures");
+  ImGui::SameLine();
+  action_button(state, "Shape E", Action::export_shape, "keep.shape", ImGui::GetContentRegionAvail().x);
+  lay_out_clip(state, width);
 }
 
 }  // namespace taut::app

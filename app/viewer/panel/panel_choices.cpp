@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/scene/promise.hpp"
+#include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
-#include "app/viewer/state/motion_choices.hpp"
+#include "app/viewer/state/viewer_state.hpp"
 
 namespace taut::app {
 namespace {
@@ -30,51 +30,37 @@ void lay_out_presets(ViewerState& state) {
   }
 }
 
-void lay_out_scene_list(ViewerState& state) {
-  if (begin_list("scene", state.scene.name.c_str())) {
-    for (const Choice& scene : state.scenes) {
-      if (ImGui::Selectable(scene.name.c_str(), scene.name == state.scene.name)) {
-        state.scene_asked = scene.name;
-      }
-      note_place(state, ("scene." + scene.name).c_str());
-    }
-    ImGui::EndCombo();
+std::vector<ListEntry> entries_of(const std::vector<Choice>& choices, const std::string& chosen) {
+  std::vector<ListEntry> entries;
+  for (const Choice& choice : choices) {
+    entries.push_back({choice.name, choice.name, choice.name == chosen});
   }
-  note_place(state, "scene");
+  return entries;
+}
+
+void lay_out_scene_list(ViewerState& state) {
+  const std::string& name = state.scene.name;
+  if (const auto clicked = list_of(state, "scene", "scene", name, entries_of(state.scenes, name))) {
+    state.scene_asked = state.scenes[*clicked].name;
+  }
 }
 
 void lay_out_garment_list(ViewerState& state) {
   const std::filesystem::path& file = state.scene.garment.file;
   const std::string name = file.empty() ? "grid" : file.stem().string();
-  if (begin_list("garment", name.c_str())) {
-    for (const Choice& garment : state.garments) {
-      if (ImGui::Selectable(garment.name.c_str(), garment.name == name)) {
-        state.garment_asked = garment.file;
-      }
-      note_place(state, ("garment." + garment.name).c_str());
-    }
-    ImGui::EndCombo();
+  if (const auto clicked = list_of(state, "garment", "garment", name, entries_of(state.garments, name))) {
+    state.garment_asked = state.garments[*clicked].file;
   }
-  note_place(state, "garment");
 }
 
 void lay_out_fabric_list(ViewerState& state) {
   const std::string name = std::filesystem::path(state.scene.fabric).stem().string();
-  constexpr const char* own = "the scene's own";
-  if (begin_list("fabric", name.empty() ? own : name.c_str())) {
-    if (ImGui::Selectable(own, name.empty())) {
-      state.fabric_asked = "";
-    }
-    note_place(state, "fabric.own");
-    for (const Choice& fabric : state.fabrics) {
-      if (ImGui::Selectable(fabric.name.c_str(), fabric.name == name)) {
-        state.fabric_asked = fabric.name;
-      }
-      note_place(state, ("fabric." + fabric.name).c_str());
-    }
-    ImGui::EndCombo();
+  const std::string own = "the scene's own";
+  std::vector<ListEntry> entries = entries_of(state.fabrics, name);
+  entries.insert(entries.begin(), {own, "own", name.empty()});
+  if (const auto clicked = list_of(state, "fabric", "fabric", name.empty() ? own : name, entries)) {
+    state.fabric_asked = *clicked == 0 ? "" : entries[*clicked].name;
   }
-  note_place(state, "fabric");
 }
 
 void lay_out_motion_list(ViewerState& state) {
@@ -83,19 +69,17 @@ void lay_out_motion_list(ViewerState& state) {
     return;
   }
   const BodySource& source = state.scene.body_sources.at(body);
-  const auto chosen = std::find_if(choices.begin(), choices.end(),
-                                   [&](const Choice& motion) { return is_chosen(motion, source); });
-  const std::string other = source.motion.empty() ? "none" : source.motion.stem().string();
-  if (begin_list("motion", chosen == choices.end() ? other.c_str() : chosen->label.c_str())) {
-    for (auto motion = choices.begin(); motion != choices.end(); ++motion) {
-      if (ImGui::Selectable(motion->label.c_str(), motion == chosen)) {
-        state.motion_asked = *motion;
-      }
-      note_place(state, ("motion." + motion->name).c_str());
-    }
-    ImGui::EndCombo();
+  std::string shown = source.motion.empty() ? "none" : source.motion.stem().string();
+  std::vector<ListEntry> entries;
+  for (const Choice& motion : choices) {
+    const bool is_first =
+        std::none_of(entries.begin(), entries.end(), [](const auto& e) { return e.is_chosen; });
+    entries.push_back({motion.label, motion.name, is_first && is_chosen(motion, source)});
+    shown = entries.back().is_chosen ? motion.label : shown;
   }
-  note_place(state, "motion");
+  if (const auto clicked = list_of(state, "motion", "motion", shown, entries)) {
+    state.motion_asked = choices[*clicked];
+  }
 }
 
 // Colours that ended at the bound go on ending there; others have to show where it is.
@@ -165,41 +149,39 @@ void lay_out_solver_list(ViewerState& state) {
   solver = with_solver(solver, kind, state.newest->loaded->scene.simulation.solver);
 }
 
-// Of the fabric, side by side: against bending, and against crumpling.
+// Two sliders side by side; the second one's label stands for both.
+struct Slider {
+  const char* label;
+  const char* name;
+  double& value;
+  double lowest;
+  double highest;
+  const char* format;
+  bool logarithmic = false;
+};
+
+void slider_pair(ViewerState& state, const Slider& left, const Slider& right) {
+  const Halves halves;
+  const auto lay_out = [&](const Slider& s) {
+    number_slider(state, s.label, s.name, s.value, s.lowest, s.highest, s.format, s.logarithmic);
+  };
+  halves.begin_left();
+  lay_out(left);
+  halves.begin_right();
+  lay_out(right);
+}
+
+// Of the fabric: against bending, and against crumpling.
 void lay_out_stiffness(ViewerState& state) {
   sim::Material& fabric = state.scene.material;
-  const Halves halves;
-  double bending_un_m = 1e6 * fabric.bending_rigidity_n_m;
-  halves.begin_left();
-  if (number_slider(state, "##flexural", "fabric.bending", bending_un_m, 0.0, 200.0, "%.1f µN m", true)) {
+  const double before_un_m = 1e6 * fabric.bending_rigidity_n_m;
+  double bending_un_m = before_un_m;
+  slider_pair(
+      state, {"##flexural", "fabric.bending", bending_un_m, 0.0, 200.0, "%.1f µN m", true},
+      {"stiffness", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0, "%.0f N/m"});
+  if (bending_un_m != before_un_m) {
     fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
   }
-  halves.begin_right();
-  number_slider(state, "stiffness", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0,
-                "%.0f N/m");
-}
-
-// Of Hooke's springs, side by side: against bending, and their damping.
-void lay_out_springs(ViewerState& state) {
-  sim::SpringStiffness& springs = state.scene.simulation.solver.ideal.stiffness;
-  const Halves halves;
-  halves.begin_left();
-  number_slider(state, "##flexural", "solver.stiffness.flexural", springs.flexural_n_per_m, 0.0, 100.0,
-                "%.1f N/m", true);
-  halves.begin_right();
-  number_slider(state, "bend, damp", "solver.stiffness.damping", springs.damping_n_s_per_m, 0.0, 0.2,
-                "%.3f N s/m");
-}
-
-// Of the surface, side by side: against stretch, and its damping.
-void lay_out_implicit(ViewerState& state) {
-  sim::ImplicitSettings& implicit = state.scene.simulation.solver.implicit;
-  const Halves halves;
-  halves.begin_left();
-  number_slider(state, "##stretch stiffness", "solver.implicit.stretch", implicit.stretch_n_per_m, 1.0,
-                10000.0, "%.0f N/m", true);
-  halves.begin_right();
-  number_slider(state, "stretch, damp", "solver.implicit.damping", implicit.damping_s, 0.0, 0.05, "%.4f s");
 }
 
 void lay_out_solver(ViewerState& state) {
@@ -225,10 +207,17 @@ void lay_out_solver(ViewerState& state) {
     lay_out_stiffness(state);
   }
   if (hooke) {
-    lay_out_springs(state);
+    sim::SpringStiffness& springs = solver.ideal.stiffness;
+    slider_pair(
+        state,
+        {"##flexural", "solver.stiffness.flexural", springs.flexural_n_per_m, 0.0, 100.0, "%.1f N/m", true},
+        {"bend, damp", "solver.stiffness.damping", springs.damping_n_s_per_m, 0.0, 0.2, "%.3f N s/m"});
   }
   if (solver.kind == sim::SolverKind::implicit) {
-    lay_out_implicit(state);
+    slider_pair(state,
+                {"##stretch stiffness", "solver.implicit.stretch", solver.implicit.stretch_n_per_m, 1.0,
+                 10000.0, "%.0f N/m", true},
+                {"stretch, damp", "solver.implicit.damping", solver.implicit.damping_s, 0.0, 0.05, "%.4f s"});
   }
   number_slider(state, "air drag", "air.drag", state.scene.surroundings.forces.air_drag_per_s, 0.0, 10.0,
                 "%.2f /s");

@@ -1,4 +1,4 @@
-#include "app/viewer/panel/panel_hints.hpp"
+#include "app/viewer/panel/panel.hpp"
 
 #include <array>
 #include <string_view>
@@ -25,7 +25,8 @@ constexpr std::array hints = {
          "p99: 99 of 100 are stretched no more. A spring is stretched along itself, the surface along any"
          " direction in a triangle."},
     Hint{"measured.contact",
-         "The distance of the two nearest triangles, or from a body, and how many cross: measured at each frame's end. "
+         "The distance of the two nearest triangles, or from a body, and how many cross: measured at each "
+         "frame's end. "
          "What crosses since the start is left out of contact until it is apart."},
     Hint{"measured.convergence",
          "The longest way of a mass point in the last frame, |p(t) - p(t - dt)|, in"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/promise.hpp"
+#include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 
 namespace taut::app {

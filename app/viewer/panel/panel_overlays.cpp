@@ -5,12 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "app/drawing/spring_colours.hpp"
 #include "app/drawing/spring_lines.hpp"
-#include "app/scene/promise.hpp"
+#include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 #include "app/viewer/panel/user_interface.hpp"
-#include "app/viewer/state/key_bindings.hpp"
+#include "app/viewer/state/viewer_state.hpp"
 #include "renderer/page/colour.hpp"
 
 // Overlays of the scene: the time bar, messages, legends and the sheet of keys.
@@ -28,19 +27,16 @@ ImU32 packed(const renderer::Colour& colour) {
 }
 
 void lay_out_speed(ViewerState& state) {
-  const auto current = std::find_if(speeds.begin(), speeds.end(),
-                                    [&](const auto& speed) { return speed.second == state.speed; });
-  ImGui::SetNextItemWidth(4.2F * ImGui::GetFontSize());
-  if (begin_list("##speed", current == speeds.end() ? "?" : current->first)) {
-    for (const auto& [label, factor] : speeds) {
-      if (ImGui::Selectable(label, factor == state.speed)) {
-        state.speed = factor;
-      }
-      note_place(state, (std::string("speed.") + label).c_str());
-    }
-    ImGui::EndCombo();
+  std::string shown = "?";
+  std::vector<ListEntry> entries;
+  for (const auto& [label, factor] : speeds) {
+    entries.push_back({label, label, factor == state.speed});
+    shown = factor == state.speed ? label : shown;
   }
-  note_place(state, "speed");
+  ImGui::SetNextItemWidth(4.2F * ImGui::GetFontSize());
+  if (const auto clicked = list_of(state, "##speed", "speed", shown, entries)) {
+    state.speed = speeds[*clicked].second;
+  }
 }
 
 void lay_out_timeline(ViewerState& state, float width) {

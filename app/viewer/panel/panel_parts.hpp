@@ -35,24 +35,28 @@ std::string few_digits(float milliseconds);
 
 /// Notes the rectangle of the last item under this name. Shows its hint if the pointer rests on it.
 void note_place(ViewerState& state, const char* name);
-/// Begins a list of choices. If it returns true the list is open and ImGui::EndCombo must be called. Escape
-/// closes it.
-bool begin_list(const char* label, const char* chosen);
-/// A list of the kinds; each entry is placed at the name of the list, a full stop and its own name. `closed`
-/// is shown instead of the one that is chosen.
+/// An entry of a list.
+struct ListEntry {
+  std::string label;
+  std::string name;  ///< it is placed at the name of the list, a full stop and this
+  bool is_chosen = false;
+};
+/// A list, which shows `closed` while it is not open; Escape closes it. Returns the number of the entry that
+/// was clicked.
+std::optional<std::size_t> list_of(ViewerState& state, const char* label, const std::string& name,
+                                   const std::string& closed, const std::vector<ListEntry>& entries);
+/// A list of the kinds. `closed` is shown instead of the one that is chosen.
 template <class Kinds, class Kind>
 void kind_list(ViewerState& state, const char* label, const char* name, const Kinds& kinds, Kind& chosen,
                const char* closed = nullptr) {
-  if (begin_list(label, closed != nullptr ? closed : name_of(chosen))) {
-    for (const Kind kind : kinds) {
-      if (ImGui::Selectable(name_of(kind), kind == chosen)) {
-        chosen = kind;
-      }
-      note_place(state, (std::string(name) + '.' + name_of(kind)).c_str());
-    }
-    ImGui::EndCombo();
+  std::vector<ListEntry> entries;
+  for (const Kind kind : kinds) {
+    entries.push_back({name_of(kind), name_of(kind), kind == chosen});
   }
-  note_place(state, name);
+  if (const auto clicked =
+          list_of(state, label, name, closed != nullptr ? closed : name_of(chosen), entries)) {
+    chosen = kinds[*clicked];
+  }
 }
 /// A button that asks for an action.
 void action_button(ViewerState& state, const char* label, Action action, const char* name,

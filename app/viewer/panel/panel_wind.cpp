@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <numbers>
 
 #include "app/viewer/panel/panel_parts.hpp"
 

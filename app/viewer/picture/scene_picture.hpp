@@ -1,15 +1,30 @@
 #pragma once
 
+#include <array>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 
 #include "app/drawing/garment_painter.hpp"
-#include "app/viewer/picture/hand_thread.hpp"
 #include "app/viewer/picture/picture_quality.hpp"
 #include "app/viewer/state/viewer_state.hpp"
+#include "renderer/frame_view.hpp"
 #include "renderer/scene_renderer.hpp"
 
 namespace taut::app {
+
+/// From the held vertex to the hand, in metres.
+using HandThread = std::array<glm::vec3, 2>;
+
+/// The thread between cloth and a hand that it cannot follow, because it is held elsewhere or would have to
+/// cross something. Empty if nothing is held, or if the two are so near to each other that the cloth is in
+/// the hand. `garment` is one of those that the hand holds.
+std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment,
+                                      const ViewArea& area);
+
+/// Adds the thread to what is drawn: in front of everything, faint where surfaces hide it. `thread` must live
+/// as long as `frame` is used.
+void add_thread(const HandThread& thread, renderer::FrameView& frame);
 
 /// One garment in its surroundings, and where in the window it is drawn. Refers to what it was made of.
 struct GarmentSight {
@@ -36,36 +51,6 @@ class ScenePicture {
   }
 
  private:
-  // Inputs of the scene's picture.
-  struct SceneLook {
-    std::shared_ptr<const LoadedScene> loaded;
-    std::shared_ptr<const std::vector<sim::Index>> pins;
-    std::shared_ptr<const sim::Checkpoint> checkpoint;
-    OrbitCamera camera;
-    SurfaceLook surface = SurfaceLook::shaded;
-    StretchOf stretch_of = StretchOf::springs;
-    std::array<double, 2> stretch_range = {0.0, 0.0};
-    std::string fabric;
-    bool wireframe = false;
-    bool shadows = true;
-    ShownSprings springs;
-    bool normals = false;
-    std::optional<HandThread> thread;
-    int width_px = 0;
-    int height_px = 0;
-    int left_px = 0;
-
-    bool operator==(const SceneLook&) const = default;
-  };
-
-  static SceneLook look_of(const GarmentSight& sight);
-  bool is_drawn(const SceneLook& look, std::size_t level) const {
-    return drawn_level_ <= level && look == drawn_look_;
-  }
-  void draw_anew(unsigned framebuffer, const GarmentSight& sight, const PictureQuality& quality, bool keep);
-  GarmentPainter& painter_for(const GarmentSight& sight);
-  void add_normals(const Snapshot& garment, renderer::FrameView& frame);
-
   // Inputs that a painter was made for.
   struct PaintedAs {
     std::shared_ptr<const LoadedScene> loaded;
@@ -80,6 +65,29 @@ class ScenePicture {
 
     bool operator==(const PaintedAs&) const = default;
   };
+
+  // Inputs of the scene's picture.
+  struct SceneLook {
+    PaintedAs painted;
+    std::shared_ptr<const sim::Checkpoint> checkpoint;
+    OrbitCamera camera;
+    bool shadows = true;
+    bool normals = false;
+    std::optional<HandThread> thread;
+    int width_px = 0;
+    int left_px = 0;
+
+    bool operator==(const SceneLook&) const = default;
+  };
+
+  static PaintedAs painted_as(const GarmentSight& sight);
+  static SceneLook look_of(const GarmentSight& sight);
+  bool is_drawn(const SceneLook& look, std::size_t level) const {
+    return drawn_level_ <= level && look == drawn_look_;
+  }
+  void draw_anew(unsigned framebuffer, const GarmentSight& sight, const PictureQuality& quality, bool keep);
+  GarmentPainter& painter_for(const GarmentSight& sight);
+  void add_normals(const Snapshot& garment, renderer::FrameView& frame);
 
   renderer::SceneRenderer renderer_;
   std::optional<SceneLook> drawn_look_;

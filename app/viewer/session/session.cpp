@@ -1,80 +1,282 @@
 #include "app/viewer/session/session.hpp"
 
-#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <type_traits>
+#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/viewer/session/key_names.hpp"
 
 namespace taut::app {
 namespace {
 
-const char* name_of(renderer::PointerButton button) {
-  constexpr std::array names = {"left", "right", "middle"};
-  return names[static_cast<std::size_t>(button)];
-}
+using Json = nlohmann::json;
+using renderer::ButtonChanged;
+using renderer::KeyChanged;
+using renderer::PointerMoved;
+using renderer::WindowEvent;
+
+// Limits on what a session may ask for, so that a damaged one ends with an error.
+constexpr int most_frames = 1000000;
+constexpr int largest_side_px = 16384;
+constexpr double far_px = 1e6;
+
+constexpr std::array button_names = {"left", "right", "middle"};
+
+/// How each line has to be; its verb comes first.
+constexpr std::array<std::pair<std::string_view, const char*>, 17> forms = {{
+    {"taut-session", R"(["taut-session", 2])"},
+    {"scene", R"(["scene", SCENE])"},
+    {"set", R"(["set", "KEY=VALUE"])"},
+    {"compare", R"(["compare", SOLVER], such as "provot")"},
+    {"window", R"(["window", WIDTH, HEIGHT, SCALE])"},
+    {"key", R"(["key", CODE, true|false], with an ASCII code or one of GLFW)"},
+    {"text", R"(["text", CODE], the number of a character)"},
+    {"move", R"(["move", X, Y] in pixels)"},
+    {"button", R"(["button", "left"|"right"|"middle", true|false])"},
+    {"wheel", R"(["wheel", X, Y] in notches)"},
+    {"drop", R"(["drop", PATH])"},
+    {"resize", R"(["resize", WIDTH, HEIGHT] in pixels)"},
+    {"scale", R"(["scale", SCALE], 0.25 to 8)"},
+    {"at", R"(["at", ITEM, X, Y], with X and Y across it from 0 to 1)"},
+    {"frame", R"(["frame", COUNT], no more than a million in all)"},
+    {"paced", R"(["paced", SECONDS, ADVANCES, SNAPSHOT])"},
+    {"state", R"(["state", HASH] after a frame)"},
+}};
 
 struct EventWriter {
-  std::string operator()(const renderer::KeyChanged& event) const {
-    return fmt::format("key {} {}", key_name(event.key), event.down ? "down" : "up");
+  Json operator()(const KeyChanged& event) const { return Json::array({"key", event.key, event.down}); }
+  Json operator()(const renderer::TextTyped& event) const {
+    return Json::array({"text", static_cast<std::uint32_t>(event.character)});
   }
-  std::string operator()(const renderer::TextTyped& event) const {
-    return fmt::format("text U+{:04X}", static_cast<std::uint32_t>(event.character));
+  Json operator()(const PointerMoved& event) const { return Json::array({"move", event.x_px, event.y_px}); }
+  Json operator()(const ButtonChanged& event) const {
+    return Json::array({"button", button_names[static_cast<std::size_t>(event.button)], event.down});
   }
-  std::string operator()(const renderer::PointerMoved& event) const {
-    return fmt::format("move {} {}", event.x_px, event.y_px);
+  Json operator()(const renderer::WheelTurned& event) const {
+    return Json::array({"wheel", event.x, event.y});
   }
-  std::string operator()(const renderer::ButtonChanged& event) const {
-    return fmt::format("button {} {}", name_of(event.button), event.down ? "down" : "up");
+  Json operator()(const renderer::FileDropped& event) const { return Json::array({"drop", event.path}); }
+  Json operator()(const renderer::Resized& event) const {
+    return Json::array({"resize", event.width_px, event.height_px});
   }
-  std::string operator()(const renderer::WheelTurned& event) const {
-    return fmt::format("wheel {} {}", event.x, event.y);
-  }
-  std::string operator()(const renderer::FileDropped& event) const { return "drop " + event.path; }
-  std::string operator()(const renderer::Resized& event) const {
-    return fmt::format("resize {} {}", event.width_px, event.height_px);
-  }
-  std::string operator()(const renderer::ScaleChanged& event) const {
-    return fmt::format("scale {}", event.scale);
-  }
-  std::string operator()(const renderer::WindowEvent& event) const { return std::visit(*this, event); }
-  std::string operator()(const PointAt& event) const {
-    return fmt::format("at {} {} {}", event.item, event.x, event.y);
-  }
-  std::string operator()(const ContextLost&) const { return "lose-context"; }
+  Json operator()(const renderer::ScaleChanged& event) const { return Json::array({"scale", event.scale}); }
+  Json operator()(const WindowEvent& event) const { return std::visit(*this, event); }
+  Json operator()(const PointAt& event) const { return Json::array({"at", event.item, event.x, event.y}); }
+  Json operator()(const ContextLost&) const { return Json::array({"lose-context"}); }
 };
+
+std::string json_line(const Json& values) {
+  return values.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// One line, whose values are taken one after the other.
+class Line {
+ public:
+  Line(const std::string& file, int number, const std::string& text)
+      : file_(file), number_(number), text_(text), values_(Json::parse(text, nullptr, false)) {
+    if (!values_.is_array() || values_.empty() || !values_[0].is_string()) {
+      fail(number == 1 ? forms[0].second : R"(a list [VERB, ...])");
+    }
+  }
+
+  std::string verb() const { return values_[0]; }
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw InputError(file_ + ':' + std::to_string(number_) + ": found '" + text_ + "', expected " + expected);
+  }
+  [[noreturn]] void fail() const {
+    const auto* const form =
+        std::find_if(forms.begin(), forms.end(), [&](const auto& f) { return f.first == verb(); });
+    fail(form != forms.end() ? form->second
+                             : "an event, frame, paced or state; scene, set, compare and window stand before "
+                               "the first frame");
+  }
+
+  template <class Number>
+  Number number(Number lowest, Number highest) {
+    const Json& value = next();
+    const bool is_right = std::is_integral_v<Number> ? value.is_number_integer() : value.is_number();
+    const double found = is_right ? value.get<double>() : NAN;
+    if (!(found >= static_cast<double>(lowest) && found <= static_cast<double>(highest))) {
+      fail();
+    }
+    return value.get<Number>();
+  }
+  bool flag() {
+    const Json& value = next();
+    return value.is_boolean() ? value.get<bool>() : (fail(), false);
+  }
+  std::string text() {
+    const Json& value = next();
+    return value.is_string() && !value.get_ref<const std::string&>().empty() ? value.get<std::string>()
+                                                                             : (fail(), "");
+  }
+  bool has_more() const { return taken_ < values_.size(); }
+
+ private:
+  const Json& next() { return has_more() ? values_[taken_++] : (fail(), values_[0]); }
+
+  const std::string& file_;
+  int number_;
+  const std::string& text_;
+  Json values_;
+  std::size_t taken_ = 1;
+};
+
+renderer::Resized read_size(Line& line) {
+  const int width = line.number(0, largest_side_px);
+  return {width, line.number(0, largest_side_px)};
+}
+
+renderer::PointerButton read_button(Line& line) {
+  const auto* const name = std::find(button_names.begin(), button_names.end(), line.text());
+  return name != button_names.end() ? static_cast<renderer::PointerButton>(name - button_names.begin())
+                                    : (line.fail(), renderer::PointerButton::left);
+}
+
+// Values are taken in the order in which they stand in braces.
+std::optional<SessionEvent> read_event(Line& line) {
+  const std::string verb = line.verb();
+  if (verb == "key") return WindowEvent(KeyChanged{line.number(0, renderer::keys::last), line.flag()});
+  if (verb == "button") return WindowEvent(ButtonChanged{read_button(line), line.flag()});
+  if (verb == "text") return WindowEvent(renderer::TextTyped{line.number<std::uint32_t>(0, 0x10FFFF)});
+  if (verb == "drop") return WindowEvent(renderer::FileDropped{line.text()});
+  if (verb == "resize") return WindowEvent(read_size(line));
+  if (verb == "lose-context") return ContextLost{};
+  if (verb == "scale") return WindowEvent(renderer::ScaleChanged{line.number(0.25, 8.0)});
+  if (verb == "move") {
+    return WindowEvent(PointerMoved{line.number(-far_px, far_px), line.number(-far_px, far_px)});
+  }
+  if (verb == "wheel") {
+    return WindowEvent(renderer::WheelTurned{line.number(-far_px, far_px), line.number(-far_px, far_px)});
+  }
+  if (verb == "at") return PointAt{line.text(), line.number(-10.0, 10.0), line.number(-10.0, 10.0)};
+  return std::nullopt;
+}
+
+bool read_start(Line& line, SessionStart& start) {
+  const std::string verb = line.verb();
+  if (verb == "scene") {
+    start.scene = line.text();
+  } else if (verb == "set") {
+    start.overrides.push_back(parse_override(line.text()));
+  } else if (verb == "compare") {
+    start.compared_with = solver_named(line.text());
+    if (!start.compared_with) line.fail();
+  } else if (verb == "window") {
+    start.size = read_size(line);
+    start.scale = line.number(0.25, 8.0);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void read_line(Line& line, Session& session, SessionFrame& frame) {
+  const std::string verb = line.verb();
+  const auto finish_frame = [&] { session.frames.push_back(std::exchange(frame, {})); };
+  if (verb == "frame") {
+    const int count =
+        line.has_more() ? line.number(1, most_frames - static_cast<int>(session.frames.size())) : 1;
+    for (int i = 0; i < count; ++i) finish_frame();
+  } else if (verb == "paced") {
+    frame.elapsed_s = line.number(0.0, 1e6);
+    frame.pace = Pace{line.number<std::uint64_t>(0, UINT64_MAX), line.number<std::uint64_t>(0, UINT64_MAX)};
+    finish_frame();
+  } else if (verb == "state") {
+    if (session.frames.empty() || !frame.events.empty()) line.fail();
+    session.frames.back().expected_state = line.number<std::uint64_t>(0, UINT64_MAX);
+  } else if (auto event = read_event(line)) {
+    frame.events.push_back(std::move(*event));
+  } else if (!session.frames.empty() || !read_start(line, session.start)) {
+    line.fail("an event, frame, paced or state; scene, set, compare and window stand before the first frame");
+  }
+  if (line.has_more()) line.fail();
+}
+
+template <class Event>
+const Event* as(const SessionEvent& event) {
+  const auto* from_window = std::get_if<WindowEvent>(&event);
+  return from_window != nullptr ? std::get_if<Event>(from_window) : nullptr;
+}
+
+bool moves_pointer(const SessionEvent& event) {
+  return as<PointerMoved>(event) != nullptr || std::holds_alternative<PointAt>(event);
+}
+
+// Whether the events of a frame hide from it that `next` came after them. What is let go would never have
+// seen the last place it was dragged to.
+bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& taken) {
+  return std::any_of(taken.begin(), taken.end(), [&](const SessionEvent& before) {
+    const auto* button = as<ButtonChanged>(before);
+    const auto* key = as<KeyChanged>(before);
+    const auto* next_button = as<ButtonChanged>(next);
+    const auto* next_key = as<KeyChanged>(next);
+    // Files are loaded one after the other, and what is wrong with each is said.
+    const bool drops_two =
+        as<renderer::FileDropped>(before) != nullptr && as<renderer::FileDropped>(next) != nullptr;
+    const bool lets_go = next_button != nullptr && !next_button->down;
+    return drops_two || (lets_go && moves_pointer(before)) ||
+           (button != nullptr && (moves_pointer(next) || next_button != nullptr)) ||
+           (key != nullptr && next_key != nullptr && key->key == next_key->key &&
+            key->down != next_key->down);
+  });
+}
 
 }  // namespace
 
 std::string session_head(const SessionStart& start) {
-  std::string text = "taut-session 1\nscene " + start.scene + '\n';
+  std::string text = json_line({"taut-session", 2}) + json_line({"scene", start.scene});
   for (const Override& changed : start.overrides) {
-    text += "set " + changed.key + '=' + changed.value + '\n';
+    text += json_line({"set", changed.key + '=' + changed.value});
   }
   if (start.compared_with) {
-    text += std::string("compare ") + sim::name_of(*start.compared_with) + '\n';
+    text += json_line({"compare", sim::name_of(*start.compared_with)});
   }
-  return text + fmt::format("window {} {} {}\n", start.size.width_px, start.size.height_px, start.scale);
+  return text + json_line({"window", start.size.width_px, start.size.height_px, start.scale});
 }
 
 std::string session_lines(const SessionFrame& frame) {
   std::string text;
   for (const SessionEvent& event : frame.events) {
-    text += std::visit(EventWriter{}, event) + '\n';
+    text += json_line(std::visit(EventWriter{}, event));
   }
-  if (frame.pace) {
-    text += fmt::format("paced {} {} {}\n", frame.elapsed_s, frame.pace->advances, frame.pace->shown);
-  } else {
-    text += "frame 1\n";
-  }
-  if (frame.expected_state) {
-    text += fmt::format("state {:016x}\n", *frame.expected_state);
-  }
-  return text;
+  text += frame.pace ? json_line({"paced", frame.elapsed_s, frame.pace->advances, frame.pace->shown})
+                     : json_line({"frame", 1});
+  return frame.expected_state ? text + json_line({"state", *frame.expected_state}) : text;
 }
 
 Session read_session(const std::filesystem::path& file) {
   return parse_session(read_text_file(file), file.string());
+}
+
+Session parse_session(const std::string& text, const std::string& name) {
+  if (text.empty()) {
+    throw InputError(name + ": is empty, expected " + forms[0].second);
+  }
+  std::istringstream lines(text);
+  Session session;
+  SessionFrame frame;
+  int number = 0;
+  for (std::string content; std::getline(lines, content);) {
+    if (++number == 1) {
+      Line line(name, number, content);
+      if (line.verb() != forms[0].first || line.number(0, 1000) != 2) line.fail(forms[0].second);
+    } else if (!content.empty() && content.front() != '#') {
+      Line line(name, number, content);
+      read_line(line, session, frame);
+    }
+  }
+  // Events that no frame follows get one.
+  if (!frame.events.empty()) {
+    session.frames.push_back(std::move(frame));
+  }
+  return session;
 }
 
 SessionRecorder::SessionRecorder(const std::filesystem::path& file, const SessionStart& start) : path_(file) {
@@ -91,6 +293,19 @@ void SessionRecorder::add(const SessionFrame& frame) {
   if (!file_) {
     throw InputError("cannot write '" + path_.string() + "': is the disk full?");
   }
+}
+
+std::vector<SessionEvent> InputQueue::take_frame() {
+  std::vector<SessionEvent> taken;
+  while (!waiting_.empty() && !has_to_wait(waiting_.front(), taken)) {
+    const bool replaces = !taken.empty() && moves_pointer(taken.back()) && moves_pointer(waiting_.front());
+    if (replaces) {
+      taken.pop_back();
+    }
+    taken.push_back(std::move(waiting_.front()));
+    waiting_.pop_front();
+  }
+  return taken;
 }
 
 }  // namespace taut::app

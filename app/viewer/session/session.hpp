@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -59,27 +60,28 @@ struct SessionStart {
   std::optional<sim::SolverKind> compared_with;
 };
 
-/// Input to a window from its start: recorded, written by hand or made at random. A text file, one event a
-/// line; the events of a frame stand before its `frame` or `paced`:
+/// Input to a window from its start: recorded, written by hand or made at random. JSON lines, one event a
+/// line; the events of a frame stand before its `frame` or `paced`. Keys and characters are numbers, those of
+/// renderer::keys and Unicode:
 ///
-///     taut-session 1
-///     scene tshirt-gravity
-///     set wind.speed=4
-///     compare provot                 a second garment beside the first
-///     window 1280 720 1              width and height in pixels, content scale
-///     move 640 360                   pixels from the upper left corner
-///     at wind.speed 0.5 0.5          a named thing of the panel, and where on it
-///     button left down
-///     wheel 0 1
-///     key space down
-///     text U+0034
-///     drop /path/of/a/file
-///     resize 800 600
-///     scale 1.5
-///     lose-context
-///     frame 30                       thirty frames of the window, 1/60 s each
-///     paced 0.01667 12 13            one frame as it was recorded: seconds, advances, snapshot
-///     state 0123456789abcdef         what the hash of the newest state has to be
+///     ["taut-session", 2]
+///     ["scene", "tshirt-gravity"]
+///     ["set", "wind.speed=4"]
+///     ["compare", "provot"]                a second garment beside the first
+///     ["window", 1280, 720, 1]             width and height in pixels, content scale
+///     ["move", 640, 360]                   pixels from the upper left corner
+///     ["at", "wind.speed", 0.5, 0.5]       a named thing of the panel, and where on it
+///     ["button", "left", true]             it goes down
+///     ["wheel", 0, 1]
+///     ["key", 32, true]
+///     ["text", 52]
+///     ["drop", "/path/of/a/file"]
+///     ["resize", 800, 600]
+///     ["scale", 1.5]
+///     ["lose-context"]
+///     ["frame", 30]                        thirty frames of the window, 1/60 s each
+///     ["paced", 0.01667, 12, 13]           one frame as it was recorded: seconds, advances, snapshot
+///     ["state", 81985529216486895]         what the hash of the newest state has to be
 struct Session {
   SessionStart start;
   std::vector<SessionFrame> frames;
@@ -106,6 +108,21 @@ class SessionRecorder {
  private:
   std::filesystem::path path_;
   std::ofstream file_;
+};
+
+/// Events that wait for the next frame of the window. The user interface reads pointer, buttons and keys once
+/// per frame. So a click that begins and ends between two frames has to be split over two frames.
+class InputQueue {
+ public:
+  void add(SessionEvent event) { waiting_.push_back(std::move(event)); }
+  bool empty() const { return waiting_.empty(); }
+
+  /// Removes and returns as many events as one frame can tell apart. Of several moves in a row only the last
+  /// is kept.
+  std::vector<SessionEvent> take_frame();
+
+ private:
+  std::deque<SessionEvent> waiting_;
 };
 
 }  // namespace taut::app

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "app/base/counted.hpp"
@@ -33,10 +32,11 @@ bool keeps_apart(const sim::SimulationSettings& settings) {
 }
 
 std::string describe_now(const Untangling& u) {
-  return fmt::format("{} crossed: {}", counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
-                     u.pairs_left == 0
-                         ? fmt::format("parted, no vertex was moved by more than {:.3g} mm", 1e3 * u.largest_move_m)
-                         : fmt::format("{} left, around which contact is off until they are apart", u.pairs_left));
+  return fmt::format(
+      "{} crossed: {}", counted(u.pairs_before, "pair of triangles", "pairs of triangles"),
+      u.pairs_left == 0
+          ? fmt::format("parted, no vertex was moved by more than {:.3g} mm", 1e3 * u.largest_move_m)
+          : fmt::format("{} left, around which contact is off until they are apart", u.pairs_left));
 }
 
 // The outer third on one side of what the pins extend over, across.
@@ -75,20 +75,20 @@ void LiveSimulation::start(std::shared_ptr<const LoadedScene> loaded) {
   const DrawnScene& scene = loaded->scene;
   sim::Simulation simulation = make_simulation(scene, *loaded);
   start_frame_ = frame_ = go_to_start(scene, simulation);
-  record_ = measure_frame(simulation, frame_);
+  now_.record = measure_frame(simulation, frame_);
   simulation_.emplace(std::move(simulation));
-  loaded_ = std::move(loaded);
+  now_.loaded = std::move(loaded);
   surroundings_ = simulation_->surroundings();
-  pins_ = std::make_shared<const std::vector<sim::Index>>(loaded_->pins);
+  now_.pins = std::make_shared<const std::vector<sim::Index>>(now_.loaded->pins);
   note_shape();
   grip_.reset();
   steps_left_ = 0;
-  stopped_ = false;
-  pristine_ = true;
+  now_.stopped = false;
+  now_.pristine = true;
 }
 
 void LiveSimulation::note_shape() {
-  checkpoint_ = std::make_shared<const sim::Checkpoint>(simulation_->save());
+  now_.checkpoint = std::make_shared<const sim::Checkpoint>(simulation_->save());
 }
 
 void LiveSimulation::apply(const SimulationCommand& command) {
@@ -97,31 +97,31 @@ void LiveSimulation::apply(const SimulationCommand& command) {
   } catch (const std::exception& error) {
     tell(error.what(), true);
   }
-  if (!stopped_) {
+  if (!now_.stopped) {
     note_shape();  // whatever was done of the command; most wake cloth that slept
   }
 }
 
 void LiveSimulation::perform(const LoadScene& asked) {
-  start(load(*asked.scene, loaded_->generation + 1));
+  start(load(*asked.scene, now_.loaded->generation + 1));
   tell("loaded " + asked.scene->name, false);
   tell_of_start();
 }
 
 void LiveSimulation::tell_of_start() {
-  for (const std::string& remark : loaded_->drawn_colours.remarks) {
+  for (const std::string& remark : now_.loaded->drawn_colours.remarks) {
     tell(remark, false);
   }
-  for (const std::string& remark : remarks_on_start(loaded_->scene, *loaded_).lines) {
+  for (const std::string& remark : remarks_on_start(now_.loaded->scene, *now_.loaded).lines) {
     tell(remark, false);
   }
 }
 
 void LiveSimulation::perform(const ChangeSettings& change) {
-  if (stopped_) {
-    start(loaded_);  // there is nothing left to go on from
+  if (now_.stopped) {
+    start(now_.loaded);  // there is nothing left to go on from
   }
-  pristine_ = pristine_ && frame_ == start_frame_;
+  now_.pristine = now_.pristine && frame_ == start_frame_;
   const sim::SimulationSettings settings = simulation_settings(change.simulation);
   if (settings != simulation_->settings() || change.material != simulation_->garment().material) {
     const bool was_kept_apart = keeps_apart(simulation_->settings());
@@ -131,16 +131,16 @@ void LiveSimulation::perform(const ChangeSettings& change) {
       untangle(change.simulation);
     }
     // Another bound may move the cloth before another frame.
-    measure_stretches(*simulation_, record_);
+    measure_stretches(*simulation_, now_.record);
   }
-  surroundings_ = settled(change.surroundings, *loaded_);
+  surroundings_ = settled(change.surroundings, *now_.loaded);
   simulation_->set_surroundings(surroundings_);
 }
 
 // Triangles that crossed while nothing kept them apart.
 void LiveSimulation::untangle(const RunSettings& simulation) {
   sim::Checkpoint now = simulation_->save();
-  Scene scene = loaded_->scene;
+  Scene scene = now_.loaded->scene;
   scene.simulation = simulation;
   std::vector<sim::Vec3> positions_m = now.state.current;
   const std::optional<Untangling> untangling =
@@ -157,10 +157,10 @@ void LiveSimulation::untangle(const RunSettings& simulation) {
 }
 
 void LiveSimulation::perform(const TogglePin& toggle) {
-  if (toggle.vertex >= loaded_->garment->mesh.positions.size()) {
+  if (toggle.vertex >= now_.loaded->garment->mesh.positions.size()) {
     return;  // aimed at a garment that has been replaced since
   }
-  std::vector<sim::Index> pins = *pins_;
+  std::vector<sim::Index> pins = *now_.pins;
   const auto place = std::lower_bound(pins.begin(), pins.end(), toggle.vertex);
   if (place != pins.end() && *place == toggle.vertex) {
     pins.erase(place);
@@ -171,20 +171,20 @@ void LiveSimulation::perform(const TogglePin& toggle) {
 }
 
 void LiveSimulation::perform(const ReleasePins& release) {
-  if (!pins_->empty()) {
-    set_pins(without_side(simulation_->garment(), *pins_, release.right));
+  if (!now_.pins->empty()) {
+    set_pins(without_side(simulation_->garment(), *now_.pins, release.right));
   }
 }
 
 void LiveSimulation::set_pins(std::vector<sim::Index> pins) {
   simulation_->set_pins(pins);
-  pins_ = std::make_shared<const std::vector<sim::Index>>(std::move(pins));
-  pristine_ = pristine_ && frame_ == start_frame_;
+  now_.pins = std::make_shared<const std::vector<sim::Index>>(std::move(pins));
+  now_.pristine = now_.pristine && frame_ == start_frame_;
 }
 
 void LiveSimulation::perform(const TakeHold& hold) {
   for (const GripVertex& held : hold.grip.vertices) {
-    if (held.vertex >= loaded_->garment->mesh.positions.size()) {
+    if (held.vertex >= now_.loaded->garment->mesh.positions.size()) {
       return;  // aimed at a garment that has been replaced since
     }
   }
@@ -203,7 +203,7 @@ void LiveSimulation::perform(const Reset&) {
   const sim::SimulationSettings settings = simulation_->settings();
   const sim::Surroundings surroundings = surroundings_;
   const sim::Material material = simulation_->garment().material;
-  start(loaded_);
+  start(now_.loaded);
   simulation_->set_settings(settings);
   simulation_->set_material(material);
   surroundings_ = surroundings;
@@ -212,23 +212,23 @@ void LiveSimulation::perform(const Reset&) {
 
 void LiveSimulation::perform(const GoBack& back) {
   const Snapshot& past = *back.to;
-  if (past.loaded != loaded_) {
+  if (past.loaded != now_.loaded) {
     return;  // of a garment that has been replaced since
   }
   grip_.reset();
   simulation_.emplace(
       gone_on_from(past, simulation_->settings(), simulation_->garment().material, surroundings_));
-  pins_ = past.pins;
-  record_ = past.record;
+  now_.pins = past.pins;
+  now_.record = past.record;
   frame_ = past.record.frame;
-  measure_stretches(*simulation_, record_);
+  measure_stretches(*simulation_, now_.record);
   steps_left_ = 0;
-  stopped_ = false;
-  pristine_ = frame_ == start_frame_;
+  now_.stopped = false;
+  now_.pristine = frame_ == start_frame_;
 }
 
 void LiveSimulation::perform(const SetPaused& pause) {
-  paused_ = pause.paused;
+  now_.paused = pause.paused;
   steps_left_ = 0;
 }
 
@@ -237,13 +237,13 @@ void LiveSimulation::pull() {
   hand_m_ = moved_hand(hand_m_, grip_->target_m, frame_time_s());
   pulled.forces.held_vertices = held_vertices(*grip_, hand_m_, simulation_->garment());
   simulation_->set_surroundings(pulled);
-  pristine_ = false;
+  now_.pristine = false;
 }
 
 void LiveSimulation::advance(const std::function<void()>& poll) {
-  ++advances_;
+  ++now_.advances;
   steps_left_ = std::max(0, steps_left_ - 1);
-  if (stopped_) {
+  if (now_.stopped) {
     return;
   }
   try {
@@ -253,8 +253,8 @@ void LiveSimulation::advance(const std::function<void()>& poll) {
     Stopwatch simulating;
     simulation_->advance_frame(poll);
     const double sim_ms = simulating.elapsed_ms();
-    record_ = measure_frame(*simulation_, ++frame_);
-    record_.sim_ms = sim_ms;
+    now_.record = measure_frame(*simulation_, ++frame_);
+    now_.record.sim_ms = sim_ms;
     note_shape();
   } catch (const Interrupted&) {
     throw;
@@ -266,37 +266,27 @@ void LiveSimulation::advance(const std::function<void()>& poll) {
 }
 
 void LiveSimulation::stop(const std::string& reason) {
-  stopped_ = true;
+  now_.stopped = true;
   tell(reason + "; " + way_on_, true);
 }
 
 SnapshotPtr LiveSimulation::take_snapshot(SnapshotPtr compared) {
-  Snapshot snapshot;
-  snapshot.serial = ++serial_;
-  snapshot.advances = advances_;
-  snapshot.loaded = loaded_;
-  snapshot.pins = pins_;
-  snapshot.garment = simulation_->shared_garment();
-  snapshot.checkpoint = checkpoint_;
-  snapshot.settings = simulation_->settings();
-  snapshot.surroundings = simulation_->surroundings();
-  snapshot.record = record_;
-  snapshot.notices = notices_;
-  snapshot.compared = std::move(compared);
-  snapshot.paused = paused_;
-  snapshot.stopped = stopped_;
-  snapshot.pristine = pristine_;
-  return std::make_shared<const Snapshot>(std::move(snapshot));
+  ++now_.serial;
+  now_.garment = simulation_->shared_garment();
+  now_.settings = simulation_->settings();
+  now_.surroundings = simulation_->surroundings();
+  now_.compared = std::move(compared);
+  return std::make_shared<const Snapshot>(now_);
 }
 
 void LiveSimulation::tell(const std::string& text, bool is_error) {
   constexpr std::size_t most = 8;
-  std::vector<Notice> notices = *notices_;
+  std::vector<Notice> notices = *now_.notices;
   notices.push_back({text, is_error, notices.empty() ? 1 : notices.back().number + 1});
   if (notices.size() > most) {
     notices.erase(notices.begin());
   }
-  notices_ = std::make_shared<const std::vector<Notice>>(std::move(notices));
+  now_.notices = std::make_shared<const std::vector<Notice>>(std::move(notices));
 }
 
 }  // namespace taut::app

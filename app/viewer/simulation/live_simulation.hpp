@@ -23,10 +23,10 @@ class LiveSimulation {
   void apply(const SimulationCommand& command);
 
   /// Whether the next frame is wanted: the simulation is not paused, or a single step was asked for.
-  bool wants_to_advance() const { return !stopped_ && (!paused_ || steps_left_ > 0); }
+  bool wants_to_advance() const { return !now_.stopped && (!now_.paused || steps_left_ > 0); }
   double speed() const { return speed_; }
   double frame_time_s() const { return simulation_->frame_time_s(); }
-  std::uint64_t advances() const { return advances_; }
+  std::uint64_t advances() const { return now_.advances; }
 
   /// Computes one frame. Does nothing after the simulation has diverged or was blocked. Throws Interrupted
   /// where `poll`, which is called often, does; the cloth is then as it was.
@@ -35,9 +35,9 @@ class LiveSimulation {
   /// The state of now, with that of a garment beside it. Each call returns a serial number larger by 1.
   SnapshotPtr take_snapshot(SnapshotPtr compared = nullptr);
 
-  const std::shared_ptr<const LoadedScene>& loaded() const { return loaded_; }
-  bool is_stopped() const { return stopped_; }
-  const std::vector<Notice>& notices() const { return *notices_; }
+  const std::shared_ptr<const LoadedScene>& loaded() const { return now_.loaded; }
+  bool is_stopped() const { return now_.stopped; }
+  const std::vector<Notice>& notices() const { return *now_.notices; }
   void tell(const std::string& text, bool is_error);
 
   std::uint64_t state_hash() const { return sim::hash(simulation_->state()); }
@@ -52,7 +52,7 @@ class LiveSimulation {
   void perform(const Reset&);
   void perform(const GoBack& back);
   void perform(const SetPaused& pause);
-  void perform(const StepOnce&) { steps_left_ += paused_ ? 1 : 0; }
+  void perform(const StepOnce&) { steps_left_ += now_.paused ? 1 : 0; }
   void perform(const SetSpeed& speed) { speed_ = speed.factor; }
   void perform(const Compare&) {}  // of a SimulationPair
 
@@ -64,25 +64,16 @@ class LiveSimulation {
   void stop(const std::string& reason);
   void pull();
 
-  std::shared_ptr<const LoadedScene> loaded_;
+  Snapshot now_;  ///< but for what the simulation knows itself
   std::optional<sim::Simulation> simulation_;
   sim::Surroundings surroundings_;  ///< without the hand
   std::optional<Grip> grip_;
-  sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};  ///< on its way to the grip's target
-  std::shared_ptr<const std::vector<sim::Index>> pins_;
-  std::shared_ptr<const sim::Checkpoint> checkpoint_;
-  FrameRecord record_;
-  std::shared_ptr<const std::vector<Notice>> notices_ = std::make_shared<const std::vector<Notice>>();
+  sim::Vec3 hand_m_ = {0.0, 0.0, 0.0};                          ///< on its way to the grip's target
   const char* way_on_ = "R or any other setting starts again";  ///< after it has stopped
-  std::uint64_t serial_ = 0;
-  std::uint64_t advances_ = 0;
-  int start_frame_ = 0;  ///< the frame that the scene begins with
+  int start_frame_ = 0;                                         ///< the frame that the scene begins with
   int frame_ = 0;
   int steps_left_ = 0;
   double speed_ = 1.0;
-  bool paused_ = false;
-  bool stopped_ = false;
-  bool pristine_ = true;
 };
 
 }  // namespace taut::app

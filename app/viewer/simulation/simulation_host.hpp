@@ -1,12 +1,18 @@
 #pragma once
 
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
 #include <optional>
+#include <thread>
 #include <vector>
 
 #include "app/viewer/session/session.hpp"
+#include "app/viewer/simulation/live_simulation.hpp"
 #include "app/viewer/simulation/simulation_command.hpp"
 #include "app/viewer/simulation/snapshot.hpp"
-#include "app/viewer/simulation/timeline.hpp"
 
 namespace taut::app {
 
@@ -27,6 +33,119 @@ class SimulationHost {
 
   /// Hash of the newest state. Waits for a simulated frame that is being computed.
   virtual std::uint64_t state_hash() = 0;
+};
+
+/// A live simulation, and beside it a second one of the same garment by another solver if one is asked for.
+/// Both get the same commands and advance frame by frame together; the slower one holds both back. One that
+/// has stopped does not stop the other. The states are those of each solver alone.
+class SimulationPair {
+ public:
+  /// One garment. Throws InputError if it cannot be loaded.
+  explicit SimulationPair(const DrawnScene& scene);
+
+  void apply(const SimulationCommand& command);
+
+  bool wants_to_advance() const {
+    return first_.wants_to_advance() || (second_ && second_->wants_to_advance());
+  }
+  // Of the first.
+  double speed() const { return first_.speed(); }
+  double frame_time_s() const { return first_.frame_time_s(); }
+  std::uint64_t advances() const { return first_.advances(); }
+  std::uint64_t state_hash() const { return first_.state_hash(); }
+
+  /// Computes one frame of each, as LiveSimulation does.
+  void advance(const std::function<void()>& poll = {});
+
+  /// The state of now; the second garment's is within. Each call returns a serial number larger by 1.
+  SnapshotPtr take_snapshot();
+
+ private:
+  void compare(const Compare& asked);
+  void begin_second();
+  void pass_on(const SimulationCommand& command);
+  void pass_on_notices();
+  ChangeSettings own_settings() const;
+
+  LiveSimulation first_;
+  std::optional<sim::SolverKind> kind_;  ///< of the second
+  std::optional<LiveSimulation> second_;
+  ChangeSettings settings_;  ///< in force
+  bool paused_ = false;
+  std::uint64_t told_notice_ = 0;  ///< of the second
+};
+
+/// Simulates on a thread of its own, in step with the clock where it can keep up. How fast the window draws
+/// has no influence on the states but through the moments its commands come in, which `post` tells.
+class SimulationThread : public SimulationHost {
+ public:
+  /// Throws InputError if the garment cannot be loaded.
+  explicit SimulationThread(const DrawnScene& scene);
+  /// As end().
+  ~SimulationThread() override;
+
+  SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;
+  std::uint64_t post(std::vector<SimulationCommand> commands) override;
+  SnapshotPtr past_frame(const SnapshotPtr& now, int frame) override;
+  std::uint64_t state_hash() override;
+
+  /// Stops the simulation. Waits for posted commands, and half a second for the frame that is being computed,
+  /// which is given up then.
+  void end();
+  bool gave_up_frame() const { return gives_up_; }  ///< after `end`
+  /// Simulated time that was given up since the last call because other work had the processors; 0 where
+  /// the simulation could not have kept up anyway.
+  double take_given_up_ms();
+  /// Processor time of the last frame.
+  double worked_ms();
+  std::uint64_t advances() const { return simulation_.advances(); }  ///< after `end`
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void run();
+  void wait_until_due(std::unique_lock<std::mutex>& lock);
+  void perform_posted(std::unique_lock<std::mutex>& lock);
+  void advance(std::unique_lock<std::mutex>& lock);
+
+  SimulationPair simulation_;  ///< used only by the thread while `busy_`
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  Timeline timeline_;
+  std::deque<std::vector<SimulationCommand>> posted_;  ///< one entry for each frame of the window
+  std::uint64_t begun_ = 0;
+  Clock::duration given_up_{};
+  Clock::duration worked_{};  ///< processor time of the last frame
+  bool busy_ = false;
+  bool is_in_frame_ = false;
+  bool ending_ = false;
+  std::atomic<bool> gives_up_ = false;
+  Clock::time_point due_;
+  std::thread thread_;
+};
+
+/// Simulates on the caller's thread, by the window's own clock or as it was recorded: the same session gives
+/// the same states.
+class SteppedSimulation : public SimulationHost {
+ public:
+  /// Throws InputError if the garment cannot be loaded.
+  explicit SteppedSimulation(const DrawnScene& scene);
+
+  /// Throws InputError if `pace` is not possible after the frames before it.
+  SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;
+  std::uint64_t post(std::vector<SimulationCommand> commands) override;
+  SnapshotPtr past_frame(const SnapshotPtr& now, int frame) override {
+    return timeline_.of_frame(now, frame);
+  }
+  std::uint64_t state_hash() override { return simulation_.state_hash(); }
+
+ private:
+  void advance();
+  void follow_clock(double elapsed_s);
+
+  SimulationPair simulation_;
+  Timeline timeline_;
+  double owed_s_ = 0.0;  ///< simulated time that is due
 };
 
 }  // namespace taut::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,7 +43,7 @@ struct Snapshot {
   sim::Surroundings surroundings;
   FrameRecord record;
   /// The latest, oldest first; never null. A window that missed a snapshot must not miss what it said.
-  std::shared_ptr<const std::vector<Notice>> notices;
+  std::shared_ptr<const std::vector<Notice>> notices = std::make_shared<const std::vector<Notice>>();
   std::shared_ptr<const Snapshot> compared;  ///< the second garment, at the same time; null: none
   bool paused = false;
   bool stopped = false;   ///< diverged or blocked: nothing moves until a reset
@@ -63,5 +64,33 @@ sim::Simulation gone_on_from(const Snapshot& past, const sim::SimulationSettings
                              const sim::Material& material, const sim::Surroundings& surroundings);
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+/// The last snapshots, of ten simulated seconds or as many as memory allows. What a snapshot can look back on
+/// depends on that snapshot alone, not on what has been added since: the window may be some frames behind.
+class Timeline {
+ public:
+  void add(SnapshotPtr snapshot);
+
+  const SnapshotPtr& newest() const { return kept_.back(); }
+  /// The snapshot with this serial number, or the nearest one that is kept.
+  const SnapshotPtr& with_serial(std::uint64_t serial) const;
+  /// The last snapshot of a frame in the past of `now`, or of the nearest frame that is kept; `now` itself
+  /// where it has no past. What was gone back from, before a reset or of another garment, is not its past.
+  SnapshotPtr of_frame(const SnapshotPtr& now, int frame) const;
+
+  std::size_t count() const { return kept_.size(); }
+
+  static constexpr double span_s = 10.0;
+
+ private:
+  void forget_what_is_past();
+
+  std::deque<SnapshotPtr> kept_;  ///< by serial number
+  int added_ = 0;                 ///< since snapshots were last dropped
+};
+
+/// The first frame that can be gone back to from `newest`; the same whatever a timeline happens to keep
+/// beyond.
+int first_frame_in_reach(const Snapshot& newest);
 
 }  // namespace taut::app

@@ -19,6 +19,42 @@ constexpr float closer_by_notch = 0.88F;
 // Fraction of the picture that `fit` leaves free around the box.
 constexpr float fit_margin = 0.06F;
 
+struct Hit {
+  double distance_m = 0.0;
+  glm::dvec3 weights{0.0};  // of the three corners
+};
+
+// Moeller and Trumbore 1997.
+std::optional<Hit> meet(const glm::dvec3& origin, const glm::dvec3& direction, const sim::Vec3& a,
+                        const sim::Vec3& b, const sim::Vec3& c) {
+  const glm::dvec3 ab = b - a;
+  const glm::dvec3 ac = c - a;
+  const glm::dvec3 p = glm::cross(direction, ac);
+  const double determinant = glm::dot(ab, p);
+  if (determinant == 0.0) {
+    return std::nullopt;
+  }
+  const glm::dvec3 from_a = origin - a;
+  const double u = glm::dot(from_a, p) / determinant;
+  const glm::dvec3 q = glm::cross(from_a, ab);
+  const double v = glm::dot(direction, q) / determinant;
+  const double distance = glm::dot(ac, q) / determinant;
+  if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 && std::isfinite(distance))) {
+    return std::nullopt;
+  }
+  return Hit{distance, {1.0 - u - v, u, v}};
+}
+
+// One bit for each side of what the camera sees that a point is beyond; a lost point is beyond all of them.
+unsigned sides_beyond(const sim::Vec3& position, const glm::dmat4& to_clip) {
+  const glm::dvec4 clip = to_clip * glm::dvec4(position, 1.0);
+  unsigned sides = 0;
+  for (const int axis : {0, 1, 2}) {
+    sides = sides << 2U | (clip[axis] >= -clip.w ? 0U : 1U) | (clip[axis] <= clip.w ? 0U : 2U);
+  }
+  return sides;
+}
+
 }  // namespace
 
 OrbitCamera::OrbitCamera(const renderer::Camera& camera)
@@ -108,6 +144,55 @@ std::optional<glm::vec2> OrbitCamera::pixel_of(const glm::vec3& point, const Vie
   }
   return glm::vec2{(0.5F + 0.5F * clip.x / clip.w) * static_cast<float>(area.width_px),
                    (0.5F - 0.5F * clip.y / clip.w) * static_cast<float>(area.height_px)};
+}
+
+std::optional<PickedPoint> pick(const Ray& ray, std::span<const sim::Vec3> positions,
+                                std::span<const sim::Triangle> triangles) {
+  const glm::dvec3 origin(ray.origin);
+  const glm::dvec3 direction(ray.direction);
+  std::optional<PickedPoint> nearest;
+  for (const sim::Triangle& t : triangles) {
+    const auto hit = meet(origin, direction, positions[t[0]], positions[t[1]], positions[t[2]]);
+    if (hit && (!nearest || hit->distance_m < nearest->distance_m)) {
+      const glm::dvec3& w = hit->weights;
+      const int corner = w.x >= w.y && w.x >= w.z ? 0 : (w.y >= w.z ? 1 : 2);
+      nearest = {t[static_cast<std::size_t>(corner)], origin + hit->distance_m * direction, hit->distance_m};
+    }
+  }
+  return nearest;
+}
+
+std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through,
+                                     const renderer::Camera& camera) {
+  const glm::dvec3 facing(glm::normalize(camera.target - camera.eye));
+  const glm::dvec3 origin(ray.origin);
+  const glm::dvec3 direction(ray.direction);
+  const double slant = glm::dot(direction, facing);
+  const double distance = glm::dot(through - origin, facing) / slant;
+  if (!(slant > 1e-6) || !std::isfinite(distance) || distance <= 0.0) {
+    return std::nullopt;
+  }
+  return origin + distance * direction;
+}
+
+std::string lost_cloth(std::span<const sim::Vec3> positions, std::span<const sim::Triangle> triangles,
+                       const OrbitCamera& camera, const ViewArea& area) {
+  const renderer::Camera seen = camera.camera();
+  const glm::dmat4 to_clip(seen.projection(area.aspect()) * seen.view());
+  // By triangles: seen from near by, one may fill the picture with its corners outside.
+  const bool is_seen = std::any_of(triangles.begin(), triangles.end(), [&](const sim::Triangle& triangle) {
+    const auto beyond = [&](int corner) { return sides_beyond(positions[triangle[corner]], to_clip); };
+    return (beyond(0) & beyond(1) & beyond(2)) == 0U;
+  });
+  if (is_seen) {
+    return "";
+  }
+  const bool is_in_reach = std::any_of(positions.begin(), positions.end(), [](const sim::Vec3& position) {
+    const auto is_near = [](double coordinate) { return std::abs(coordinate) < OrbitCamera::farthest_m; };
+    return is_near(position.x) && is_near(position.y) && is_near(position.z);
+  });
+  return is_in_reach ? "the cloth has left the picture: F looks at it, R starts again"
+                     : "the cloth has left the world: R starts again";
 }
 
 }  // namespace taut::app

@@ -2,6 +2,13 @@
 
 #include <algorithm>
 
+#include "app/base/errors.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/bodies/motion_opening.hpp"
+#include "app/bodies/rig_frames.hpp"
+#include "app/drawing/drawn_scene.hpp"
+#include "renderer/context/window_event.hpp"
+
 namespace taut::app {
 namespace {
 
@@ -10,6 +17,84 @@ constexpr double short_message_s = 4.0;
 constexpr double error_message_s = 12.0;
 // With more messages the oldest disappears.
 constexpr std::size_t most_messages = 4;
+
+namespace fs = std::filesystem;
+
+// "Figure 5, right: the T-shirt" is labelled "5, right".
+std::string figure_label(const std::string& title) {
+  const std::string figure = "Figure ";
+  const std::size_t colon = title.find(':');
+  return title.starts_with(figure) && colon != std::string::npos
+             ? title.substr(figure.size(), colon - figure.size())
+             : "";
+}
+
+BodySource moved_by(BodySource source, const Choice& motion) {
+  source.motion = motion.file;
+  source.clip = motion.file.empty() ? motion.name : "";
+  source.frame_rate_hz.reset();
+  source.start_s = 0.0;
+  source.loop = true;
+  return source;
+}
+
+bool fits(const BodySource& source, const std::shared_ptr<const Rig>& rig, const Choice& motion) {
+  try {
+    open_motion(moved_by(source, motion), rig, ModelAxis::y);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::vector<Choice> choices_for(const BodySource& source, const std::shared_ptr<const Rig>& rig) {
+  std::vector<Choice> choices = files_in("motions", ".bvh");
+  for (Choice& motion : choices) {
+    motion.label = motion.name;
+    std::replace(motion.label.begin(), motion.label.end(), '_', ' ');
+  }
+  for (const std::string& clip : names_of_clips(*rig)) {
+    choices.push_back({clip, clip + " (its own)", ""});
+  }
+  std::erase_if(choices, [&](const Choice& motion) { return !fits(source, rig, motion); });
+  return choices;
+}
+
+namespace keys = renderer::keys;
+
+constexpr std::array<KeyBinding, 31> bindings = {{
+    {"Left drag", "on cloth: pull it; elsewhere: orbit"},
+    {"Right drag", "move the view"},
+    {"Wheel", "nearer to what is under the pointer, farther"},
+    {"Up, Down", "more wind, less wind", keys::up, Action::more_wind, true},
+    {"", "", keys::down, Action::less_wind, true},
+    {"Left, Right", "turn the wind", keys::left, Action::turn_wind_left, true},
+    {"", "", keys::right, Action::turn_wind_right, true},
+    {"Space", "pause, go on", keys::space, Action::pause},
+    {".", "one frame", keys::period, Action::step, true},
+    {"Time bar", "back in time; Space goes on from there"},
+    {"R", "start again, with the scene's pins", 'R', Action::reset},
+    {"P", "pin or free the cloth under the pointer", 'P', Action::toggle_pin},
+    {"J, K", "let go the left, the right corner", 'J', Action::release_left},
+    {"", "", 'K', Action::release_right},
+    {"F", "look at the whole garment", 'F', Action::show_whole_garment},
+    {"1, 3, 7, 9", "from the front, the side, behind, three quarters", '1', Action::see_front},
+    {"", "", '3', Action::see_side},
+    {"", "", '7', Action::see_back},
+    {"", "", '9', Action::see_three_quarters},
+    {"F12", "picture of the scene, without the panel", keys::f12, Action::screenshot},
+    {"F10", "record the scene, stop recording", keys::f10, Action::record},
+    {"S", "save the settings as a scene file", 'S', Action::save_scene},
+    {"E", "export the cloth as it is, as OBJ", 'E', Action::export_shape},
+    {"X", "export a clip: every frame from now on; end it", 'X', Action::record_clip},
+    {"C", "copy the camera as TOML", 'C', Action::copy_camera},
+    {"Tab", "panel on, off", keys::tab, Action::show_panel},
+    {"H", "this sheet", 'H', Action::show_keys},
+    {"Esc", "close a list, or this sheet", keys::escape, Action::close_keys},
+    {"Ctrl + Q", "end", 'Q', Action::quit, false, true},
+    {"Ctrl + click", "on a number: type it"},
+    {"Drop a file", "a model, or a scene file: load it"},
+}};
 
 }  // namespace
 
@@ -42,6 +127,80 @@ void tell(ViewerState& state, const std::string& text, bool is_error) {
     state.messages.erase(state.messages.begin());
   }
   state.messages.push_back({text, is_error, is_error ? error_message_s : short_message_s});
+}
+
+std::vector<Choice> scene_choices() {
+  std::vector<Choice> choices;
+  std::size_t count_without_contact = 0;
+  for (const BuiltInScene& scene : built_in_scenes()) {
+    try {
+      choices.push_back({scene.name, figure_label(read_scene_file(scene.file).title), scene.file});
+      count_without_contact += scene.is_of_contact ? 0 : 1;
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  std::stable_sort(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(count_without_contact),
+                   [](const Choice& a, const Choice& b) { return a.label < b.label; });
+  return choices;
+}
+
+std::vector<Choice> files_in(const std::string& folder, const std::string& ending) {
+  std::vector<Choice> choices;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(assets_folder() / folder, error)) {
+    if (entry.path().extension() == ending) {
+      choices.push_back({entry.path().stem().string(), "", entry.path()});
+    }
+  }
+  std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.name < b.name; });
+  return choices;
+}
+
+MotionChoices motion_choices(const DrawnScene& scene, const MotionChoices& known) {
+  for (std::size_t body = 0; body < scene.body_sources.size(); ++body) {
+    const BodySource& source = scene.body_sources[body];
+    if (source.file.empty()) {
+      continue;
+    }
+    if (source.file == known.of) {
+      return {body, known.of, known.choices};
+    }
+    try {
+      const std::shared_ptr<const Rig> rig = read_rig(source.file);
+      if (!rig->influences.empty()) {
+        return {body, source.file, choices_for(source, rig)};
+      }
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  return {};
+}
+
+bool is_chosen(const Choice& motion, const BodySource& source) {
+  return motion.file.empty() ? source.motion.empty() && source.clip == motion.name
+                             : source.motion.lexically_normal() == motion.file.lexically_normal();
+}
+
+DrawnScene with_motion(const DrawnScene& scene, std::size_t body, const Choice& motion,
+                       std::vector<std::string>& remarks) {
+  DrawnScene moved = scene;
+  moved.checkpoint.clear();
+  BodySource& source = moved.body_sources.at(body);
+  source = moved_by(source, motion);
+  std::get<sim::BodyMesh>(moved.surroundings.bodies.at(body).shape) = {};
+  try {
+    remarks = load_bodies(moved);
+  } catch (const InputError&) {
+    source.loop = false;
+    remarks = load_bodies(moved);
+  }
+  return moved;
+}
+
+std::span<const KeyBinding> key_bindings() {
+  return bindings;
 }
 
 }  // namespace taut::app

@@ -5,12 +5,12 @@
 #include <glm/vec2.hpp>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/simulation/snapshot.hpp"
-#include "app/viewer/simulation/timeline.hpp"
 #include "app/viewer/state/measurements.hpp"
 #include "app/viewer/state/orbit_camera.hpp"
 
@@ -153,5 +153,43 @@ const Snapshot& pointed_at(const ViewerState& state);
 
 /// Shows a message for some seconds.
 void tell(ViewerState& state, const std::string& text, bool is_error = false);
+
+/// The built-in scenes, those about contact last. Those that belong to a figure of the paper have its label.
+/// A scene that cannot be read is left out.
+std::vector<Choice> scene_choices();
+
+/// The files with this ending in a folder of those that come with the program, sorted by name.
+std::vector<Choice> files_in(const std::string& folder, const std::string& ending);
+
+/// The garments that come with the program.
+inline std::vector<Choice> garment_choices() {
+  return files_in("garments", ".obj");
+}
+
+/// Motions for the first body of the scene that has joints: those that come with the program and fit
+/// it, then its own animations. None if there is no such body or it cannot be read. `known` is returned if it
+/// is of that body's file.
+MotionChoices motion_choices(const DrawnScene& scene, const MotionChoices& known);
+
+/// Returns whether a body moves as the choice says.
+bool is_chosen(const Choice& motion, const BodySource& source);
+
+/// Returns the scene with its body moved as the choice says, over and over unless its end is too far from its
+/// begin, and begun anew. `remarks` gets what load_bodies() says. Throws InputError.
+DrawnScene with_motion(const DrawnScene& scene, std::size_t body, const Choice& motion,
+                       std::vector<std::string>& remarks);
+
+/// A key, or a gesture of the pointer, and what it does.
+struct KeyBinding {
+  const char* label;
+  const char* meaning;
+  int key = 0;  ///< 0: a gesture
+  std::optional<Action> action = std::nullopt;
+  bool repeats = false;        ///< repeats while the key stays down
+  bool needs_control = false;  ///< With Ctrl. Other keys have no function together with Ctrl.
+};
+
+/// All bindings, in the order in which the window lists them.
+std::span<const KeyBinding> key_bindings();
 
 }  // namespace taut::app

@@ -1,13 +1,24 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "app/scene/scene_file.hpp"
-#include "renderer/context/window_event.hpp"
+#include "app/commands/options.hpp"
 
 namespace taut::app {
+
+// Each adds a command to the arguments of the program. Call the result after these were parsed.
+
+std::function<int()> add_bench(CLI::App& app);
+std::function<int()> add_help(CLI::App& app);
+std::function<int()> add_sweep(CLI::App& app);
+
+/// Throws UsageError, with a list of the commands, if the arguments begin neither with a command nor with an
+/// option.
+void require_command(const CLI::App& app, std::span<const char* const> arguments);
 
 // Options that stand for keys of the scene, written as a person would say them. Each call adds one to the
 // command; `overrides` must live as long as it does.
@@ -16,8 +27,6 @@ namespace taut::app {
 void add_wind(CLI::App& command, std::vector<Override>& overrides);
 /// `--view NAME`: from where.
 void add_side(CLI::App& command, std::vector<Override>& overrides);
-/// `--background NAME`.
-void add_background(CLI::App& command, std::vector<Override>& overrides);
 /// `--resolution SIZE`, as parse_size reads it.
 void add_resolution(CLI::App& command, std::vector<Override>& overrides);
 

@@ -1,11 +1,41 @@
-#include "app/library/handles.hpp"
+#include "app/library/border.hpp"
 
+#include <algorithm>
+#include <cstring>
 #include <map>
 #include <mutex>
+#include <new>
+#include <stdexcept>
 #include <utility>
+
+#include "app/base/errors.hpp"
+#include "sim/blocked_contact.hpp"
+#include "sim/bytes.hpp"
+#include "sim/simulation.hpp"
 
 namespace taut::library {
 namespace {
+
+template <class... Errors>
+bool is_any(const std::exception& error) {
+  return (... || (dynamic_cast<const Errors*>(&error) != nullptr));
+}
+
+TautResult result_of(const std::exception& error) {
+  if (is_any<app::UsageError, std::invalid_argument>(error)) {
+    return TAUT_ERROR_ARGUMENT;
+  }
+  if (is_any<app::InputError, sim::BadBytes>(error)) {
+    return TAUT_ERROR_INPUT;
+  }
+  if (is_any<app::PromiseBroken, sim::ContactBlocked>(error)) {
+    return TAUT_ERROR_PROMISE;
+  }
+  if (is_any<sim::Diverged>(error)) {
+    return TAUT_ERROR_DIVERGED;
+  }
+  return is_any<std::bad_alloc, std::length_error>(error) ? TAUT_ERROR_MEMORY : TAUT_ERROR_INTERNAL;
+}
 
 struct Table {
   std::mutex mutex;
@@ -28,6 +58,24 @@ std::uint64_t scattered(std::uint64_t number) {
 }
 
 }  // namespace
+
+void put_text(const char* from, std::span<char> text) noexcept {
+  const std::size_t length = std::min(std::strlen(from), text.size() - 1);
+  std::memcpy(text.data(), from, length);
+  text[length] = '\0';
+}
+
+TautResult describe_failure(std::span<char> text) noexcept {
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    put_text(error.what(), text);
+    return result_of(error);
+  } catch (...) {
+    put_text("something was thrown that is no error", text);
+    return TAUT_ERROR_INTERNAL;
+  }
+}
 
 std::uint64_t keep(std::shared_ptr<Held> held) {
   Table& all = table();

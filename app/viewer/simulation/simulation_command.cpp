@@ -1,4 +1,4 @@
-#include "app/viewer/simulation/grip.hpp"
+#include "app/viewer/simulation/simulation_command.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

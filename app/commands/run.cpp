@@ -1,0 +1,129 @@
+#include "app/commands/run.hpp"
+
+#include <fmt/core.h>
+
+#include <future>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/bodies/wearing.hpp"
+#include "app/drawing/inspection_picture.hpp"
+#include "app/models/garment_remarks.hpp"
+#include "app/output/output_pattern.hpp"
+#include "app/output/run_start.hpp"
+#include "renderer/page/png.hpp"
+
+namespace taut::app {
+namespace {
+
+std::filesystem::path folder_beside(const std::string& pattern, int frame) {
+  const std::filesystem::path name = pattern;
+  const bool is_sequence = pattern.find('{') != std::string::npos;
+  return is_sequence ? OutputPattern(pattern, name.extension().string()).path_of(frame).parent_path() : "";
+}
+
+}  // namespace
+
+SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE* remarks_to)
+    : options(asked_options), remarks(remarks_to), scene(std::move(asked)), progress(scene.name) {
+  print_body_remarks(scene, load_bodies(scene), remarks);
+}
+
+void SceneRun::require_outputs(const ExportSettings& settings) const {
+  if (!options.shapes.empty()) {
+    require_export(settings, scene.garment.file);
+  }
+  if (!options.statistics.empty()) {
+    statistics_format(options.statistics);
+    prepare_folder_of(options.statistics);
+  }
+}
+
+void SceneRun::load(const std::function<void()>& meanwhile) {
+  const auto read = [this] {
+    return load_garment(scene, [this](const std::string& stage) { progress.begin(stage); });
+  };
+  std::future<LoadedGarment> garment =
+      std::async(meanwhile ? std::launch::async : std::launch::deferred, read);
+  if (meanwhile) {
+    meanwhile();
+  }
+  loaded = garment.get();
+  progress.hide();
+  print_body_remarks(scene, put_where_it_begins(loaded, scene), remarks);
+  if (remarks != nullptr) {
+    print_remarks(scene, loaded, remarks);
+  }
+  simulation.emplace(make_simulation(scene, loaded));
+}
+
+int SceneRun::begin() {
+  const int frame = go_to_start(scene, *simulation);
+  const std::string crossings = options.verify ? verifier.begin(*simulation) : "";
+  // Of other starts it was said as a remark.
+  if (is_told && !scene.checkpoint.empty() && !crossings.empty()) {
+    fmt::print("{}: at the start {}\n", scene.name, crossings);
+  }
+  return frame;
+}
+
+void SceneRun::open_statistics(const RunDescription& description, std::optional<int> last_kept) {
+  if (!options.statistics.empty()) {
+    statistics.emplace(options.statistics, description, last_kept);
+  }
+}
+
+std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern,
+                                      OffscreenRenderer* offscreen) {
+  if (shapes) {
+    outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment); };
+  }
+  if (options.verify) {
+    outputs.verify = [this](const auto& moment, FrameRecord& record) {
+      return verifier.check(moment, record);
+    };
+  }
+  const auto end_early = [this] {
+    progress.hide();
+    if (keep) {
+      keep();
+    }
+    const std::string written = finish_shapes();
+    fmt::print("{}", is_told ? written : "");
+  };
+  try {
+    return run_frames(*simulation, last_frame, outputs);
+  } catch (const FrameBlocked& error) {
+    end_early();
+    end_blocked(error, scene, *simulation, pattern, offscreen);
+  } catch (const PromiseBroken&) {
+    end_early();
+    throw;
+  } catch (const sim::Diverged&) {
+    end_early();
+    throw;
+  }
+}
+
+void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::Simulation& simulation,
+                 const std::string& pattern, OffscreenRenderer* offscreen) {
+  std::string shown;
+  try {
+    const std::filesystem::path file = free_name(folder_beside(pattern, error.frame), "blocked", ".png");
+    prepare_folder_of(file);
+    std::optional<OffscreenRenderer> own;
+    if (offscreen == nullptr) {
+      offscreen = &own.emplace("auto");
+    }
+    write_file(file, renderer::encode_png(draw_blocked(offscreen->renderer(), scene, simulation,
+                                                       error.blocked, error.what())));
+    shown = fmt::format("'{}' shows where, in the frame before", file.string());
+  } catch (const std::exception& reason) {
+    shown = fmt::format("there is no picture of it: {}", reason.what());
+  }
+  throw PromiseBroken(
+      fmt::format("{}; {}; solver.allow_exceeding = \"contact\" goes on all the same", error.what(), shown));
+}
+
+}  // namespace taut::app

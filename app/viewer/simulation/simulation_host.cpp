@@ -1,0 +1,308 @@
+#include "app/viewer/simulation/simulation_host.hpp"
+
+#include <fmt/core.h>
+#include <time.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
+
+namespace taut::app {
+namespace {
+
+// A simulation that falls behind the clock by more gives the time up: it runs slower, and never hurries to
+// catch up.
+constexpr std::chrono::milliseconds most_behind{50};
+/// Whoever closes a window waits no longer.
+constexpr std::chrono::milliseconds longest_end{500};
+
+// That the calling thread has had.
+std::chrono::nanoseconds processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+// Where a frame of the window took longer, simulated time is given up instead of caught up with.
+constexpr double most_owed_s = 0.1;
+// A frame of the window and one of the simulation are both 1/60 s: rounding must not skip one.
+constexpr double rounding_s = 1e-9;
+
+}  // namespace
+
+SimulationPair::SimulationPair(const DrawnScene& scene) : first_(scene), settings_(first_.loaded()->scene) {}
+
+void SimulationPair::apply(const SimulationCommand& command) {
+  if (const auto* asked = std::get_if<Compare>(&command)) {
+    return compare(*asked);
+  }
+  const std::shared_ptr<const LoadedScene> before = first_.loaded();
+  const bool was_stopped = first_.is_stopped();
+  const auto* change = std::get_if<ChangeSettings>(&command);
+  first_.apply(command);
+  if (change != nullptr) {
+    settings_ = *change;
+  } else if (const auto* pause = std::get_if<SetPaused>(&command)) {
+    paused_ = pause->paused;
+  } else if (first_.loaded() != before) {
+    settings_ = ChangeSettings(first_.loaded()->scene);
+  }
+  const bool restarts = std::holds_alternative<Reset>(command) || (change != nullptr && was_stopped);
+  if (restarts || first_.loaded() != before) {
+    begin_second();
+  } else if (second_) {
+    pass_on(command);
+  }
+}
+
+void SimulationPair::compare(const Compare& asked) {
+  kind_ = asked.with;
+  if (kind_) {
+    first_.apply(Reset{});
+  }
+  begin_second();
+  if (second_) {
+    first_.tell(std::string("compared with ") + sim::name_of(*kind_) + ": both begin anew", false);
+  }
+}
+
+ChangeSettings SimulationPair::own_settings() const {
+  ChangeSettings own = settings_;
+  SolverChoice& solver = own.simulation.solver;
+  solver = with_solver(solver, *kind_, first_.loaded()->scene.simulation.solver);
+  return own;
+}
+
+void SimulationPair::begin_second() {
+  second_.reset();
+  told_notice_ = 0;
+  if (!kind_) {
+    return;
+  }
+  try {
+    LoadedScene own = *first_.loaded();
+    own.scene.simulation = own_settings().simulation;
+    second_.emplace(std::make_shared<const LoadedScene>(std::move(own)));
+    second_->apply(own_settings());
+    second_->apply(SetPaused{paused_});
+    pass_on_notices();
+  } catch (const std::exception& error) {
+    first_.tell(std::string(sim::name_of(*kind_)) + ": " + error.what(), true);
+  }
+}
+
+void SimulationPair::pass_on(const SimulationCommand& command) {
+  if (std::holds_alternative<ChangeSettings>(command)) {
+    // A simulation that has stopped would begin anew, and the first one goes on.
+    if (!second_->is_stopped()) {
+      second_->apply(own_settings());
+    }
+  } else if (const auto* back = std::get_if<GoBack>(&command)) {
+    // A simulation that had stopped by then is as it was.
+    if (back->to->compared && !back->to->compared->stopped) {
+      second_->apply(GoBack{back->to->compared});
+    }
+  } else {
+    second_->apply(command);
+  }
+  pass_on_notices();
+}
+
+void SimulationPair::pass_on_notices() {
+  for (const Notice& notice : second_->notices()) {
+    if (notice.number > told_notice_) {
+      told_notice_ = notice.number;
+      first_.tell(std::string(sim::name_of(*kind_)) + ": " + notice.text, notice.is_error);
+    }
+  }
+}
+
+void SimulationPair::advance(const std::function<void()>& poll) {
+  first_.advance(poll);
+  if (second_) {
+    second_->advance(poll);
+    pass_on_notices();
+  }
+}
+
+SnapshotPtr SimulationPair::take_snapshot() {
+  return first_.take_snapshot(second_ ? second_->take_snapshot() : nullptr);
+}
+
+SimulationThread::SimulationThread(const DrawnScene& scene) : simulation_(scene), due_(Clock::now()) {
+  timeline_.add(simulation_.take_snapshot());
+  thread_ = std::thread([this] { run(); });
+}
+
+SimulationThread::~SimulationThread() {
+  end();
+}
+
+void SimulationThread::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, longest_end, [this] { return !busy_; });
+    gives_up_ = is_in_frame_;
+  }
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+SnapshotPtr SimulationThread::begin_frame(double, const std::optional<Pace>&) {
+  const std::lock_guard lock(mutex_);
+  return timeline_.newest();
+}
+
+std::uint64_t SimulationThread::post(std::vector<SimulationCommand> commands) {
+  const std::lock_guard lock(mutex_);
+  if (!commands.empty()) {
+    posted_.push_back(std::move(commands));
+    changed_.notify_all();
+  }
+  return begun_;
+}
+
+SnapshotPtr SimulationThread::past_frame(const SnapshotPtr& now, int frame) {
+  const std::lock_guard lock(mutex_);
+  return timeline_.of_frame(now, frame);
+}
+
+double SimulationThread::take_given_up_ms() {
+  const std::lock_guard lock(mutex_);
+  return std::chrono::duration<double, std::milli>(std::exchange(given_up_, {})).count();
+}
+
+double SimulationThread::worked_ms() {
+  const std::lock_guard lock(mutex_);
+  return std::chrono::duration<double, std::milli>(worked_).count();
+}
+
+std::uint64_t SimulationThread::state_hash() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !busy_ && posted_.empty(); });
+  return simulation_.state_hash();
+}
+
+void SimulationThread::run() {
+  std::unique_lock lock(mutex_);
+  while (!ending_ || !posted_.empty()) {
+    if (!posted_.empty()) {
+      perform_posted(lock);
+    } else if (simulation_.wants_to_advance()) {
+      wait_until_due(lock);
+    } else {
+      changed_.wait(lock);
+      due_ = Clock::now();
+    }
+  }
+}
+
+// Commands that come meanwhile are done first.
+void SimulationThread::wait_until_due(std::unique_lock<std::mutex>& lock) {
+  changed_.wait_until(lock, due_, [this] { return ending_ || !posted_.empty(); });
+  if (ending_ || !posted_.empty()) {
+    return;
+  }
+  const auto frame_time = std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(simulation_.frame_time_s() / simulation_.speed()));
+  const Clock::time_point next_due = due_ + frame_time;
+  due_ = std::max(next_due, Clock::now() - most_behind);
+  if (worked_ < frame_time) {
+    given_up_ += due_ - next_due;
+  }
+  advance(lock);
+}
+
+void SimulationThread::perform_posted(std::unique_lock<std::mutex>& lock) {
+  const std::vector<SimulationCommand> commands = std::move(posted_.front());
+  posted_.pop_front();
+  busy_ = true;
+  lock.unlock();
+  for (const SimulationCommand& command : commands) {
+    simulation_.apply(command);
+  }
+  SnapshotPtr snapshot = simulation_.take_snapshot();
+  lock.lock();
+  timeline_.add(std::move(snapshot));
+  busy_ = false;
+  changed_.notify_all();
+}
+
+void SimulationThread::advance(std::unique_lock<std::mutex>& lock) {
+  ++begun_;
+  busy_ = is_in_frame_ = true;
+  lock.unlock();
+  const Clock::duration before = processor_time();
+  try {
+    simulation_.advance([this] {
+      if (gives_up_) {
+        throw Interrupted(0);
+      }
+    });
+  } catch (const Interrupted&) {
+    // Of what is shown nothing has changed.
+  }
+  SnapshotPtr snapshot = simulation_.take_snapshot();
+  const Clock::duration worked = processor_time() - before;
+  lock.lock();
+  worked_ = worked;
+  timeline_.add(std::move(snapshot));
+  busy_ = is_in_frame_ = false;
+  changed_.notify_all();
+}
+
+SteppedSimulation::SteppedSimulation(const DrawnScene& scene) : simulation_(scene) {
+  timeline_.add(simulation_.take_snapshot());
+}
+
+void SteppedSimulation::advance() {
+  simulation_.advance(throw_if_interrupted);
+  timeline_.add(simulation_.take_snapshot());
+}
+
+void SteppedSimulation::follow_clock(double elapsed_s) {
+  owed_s_ = std::min(owed_s_ + elapsed_s * simulation_.speed(), most_owed_s);
+  while (simulation_.wants_to_advance() && owed_s_ + rounding_s >= simulation_.frame_time_s()) {
+    owed_s_ -= simulation_.frame_time_s();
+    advance();
+  }
+  if (!simulation_.wants_to_advance()) {
+    owed_s_ = 0.0;
+  }
+}
+
+SnapshotPtr SteppedSimulation::begin_frame(double elapsed_s, const std::optional<Pace>& pace) {
+  if (!pace) {
+    follow_clock(elapsed_s);
+    return timeline_.newest();
+  }
+  constexpr std::uint64_t most_at_once = 100000;
+  if (pace->advances < simulation_.advances() || pace->advances > simulation_.advances() + most_at_once) {
+    throw InputError(fmt::format("the session says {} simulated frames after {} of them", pace->advances,
+                                 simulation_.advances()));
+  }
+  while (simulation_.advances() < pace->advances) {
+    advance();
+  }
+  return timeline_.with_serial(pace->shown);
+}
+
+std::uint64_t SteppedSimulation::post(std::vector<SimulationCommand> commands) {
+  for (const SimulationCommand& command : commands) {
+    simulation_.apply(command);
+  }
+  if (!commands.empty()) {
+    timeline_.add(simulation_.take_snapshot());
+  }
+  return simulation_.advances();
+}
+
+}  // namespace taut::app

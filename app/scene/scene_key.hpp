@@ -232,7 +232,8 @@ Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> 
     const auto found = text_in(value);
     const auto chosen =
         std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.first == found; });
-    return chosen != choices.end() && store(std::optional(chosen->second), member);
+    member = chosen != choices.end() ? chosen->second : member;
+    return chosen != choices.end();
   };
   auto write = [=](const Choice& member) {
     const auto chosen =

@@ -74,33 +74,4 @@ Area data_area_of(const renderer::Canvas& canvas, const Plot& plot, const Area& 
 /// The part of the segment a-b within the rectangle, or nothing (Liang and Barsky 1984).
 std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::vec2& b, const Area& area);
 
-/// The names of curves in the middle of a picture, in as many rows as its width asks for.
-class LegendRows {
- public:
-  /// The first row begins with `heading`: what the curves differ in.
-  LegendRows(const std::string& heading, const std::vector<Curve>& curves, float width_px,
-             const PlotStyle& style);
-
-  /// 0 without curves.
-  float height_px() const { return row_px_ * static_cast<float>(rows_.size()); }
-  void draw(renderer::Canvas& canvas, float top_px) const;
-
- private:
-  struct Entry {
-    Curve curve;
-    float width_px;
-  };
-  struct Row {
-    std::vector<Entry> entries;
-    float width_px = 0.0F;
-  };
-
-  std::string heading_;
-  float heading_px_;  ///< its width
-  PlotStyle style_;
-  float between_px_;
-  float row_px_;
-  std::vector<Row> rows_;
-};
-
 }  // namespace taut::app

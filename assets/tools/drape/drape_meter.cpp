@@ -13,7 +13,7 @@
 #include <random>
 
 #include "app/base/interruption.hpp"
-#include "renderer/light/rasterise_triangle.hpp"
+#include "renderer/light/surface_buffers.hpp"
 #include "sim/mesh/elementary.hpp"
 #include "sim/simulation.hpp"
 

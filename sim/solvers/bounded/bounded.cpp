@@ -138,12 +138,8 @@ int BoundedSolver::substeps_for_load(const Frame& frame) const {
                         settings_.max_stretch);
 }
 
-// A load that sets in is as usual as what has been. Before the first frame nothing is known: what begins with a
-// jerk may take the most steps.
+// A load that sets in is as usual as what has been.
 double BoundedSolver::usual_work(const Frame& frame, const Memory& memory) const {
-  if (memory.median_work == 0.0) {
-    return work_for(substeps_.value_or(max_substeps_), frame.duration_s);
-  }
   return std::max(memory.median_work, work_for(substeps_for_load(frame), frame.duration_s));
 }
 
@@ -162,6 +158,7 @@ Memory BoundedSolver::first_memory(const Frame& frame) const {
                                cloth_->forces.updates_per_frame(frame.duration_s));
     memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_, frame.duration_s);
   }
+  memory.median_work = work_for(memory.control.substeps(), frame.duration_s);
   return memory;
 }
 
@@ -207,8 +204,7 @@ void BoundedSolver::follow_tension(int done, int substeps, double frame_time_s) 
   }
 }
 
-// Returns whether it came to the frame's end within its work. Where crossings are accepted, the last attempt
-// reaches it: nothing is kept apart any more from where the work is done.
+// Returns whether it came to the frame's end: only the last attempt goes on whatever it costs.
 bool BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps, bool is_last) {
   Cloth& cloth = *cloth_;
   const double dt = frame.duration_s / substeps;
@@ -230,13 +226,9 @@ bool BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
     time.wind_interval_s = substeps_per_wind * dt;
     bounded::step(frame, time, *kernels_, cloth);
     follow_tension(substep + 1, substeps, frame.duration_s);
-    if (!cloth.contacts.is_spent()) {
-      continue;
-    }
-    if (!is_last || !settings_.allow_crossing) {
+    if (!is_last && cloth.contacts.is_spent()) {
       return false;
     }
-    cloth.contacts.let_cross(cloth.layout, cloth.motion, *kernels_);
   }
   return true;
 }
@@ -304,7 +296,7 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
 
 // The time steps, and the projection of where they end onto the bound.
 BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& state, Memory memory,
-                                              int earlier_attempts, bool is_last, double allowed_work) {
+                                              int earlier_attempts, bool is_last, double contact_budget) {
   Cloth& cloth = *cloth_;
   const double end_s = state.time_s + frame.duration_s;
   const int substeps = memory.control.substeps();
@@ -314,11 +306,9 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
                                    aimed_stretch(settings_.max_stretch), frame.duration_s / substeps, *kernels_);
   }
   cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s},
-                               earlier_attempts, allowed_work - substeps);
+                               earlier_attempts, contact_budget);
   if (!run_substeps(frame, state.time_s, substeps, is_last)) {
-    cloth.contacts.give_up(cloth.layout, cloth.motion);
     Attempt unfinished;
-    unfinished.state = state;
     unfinished.memory = std::move(memory);
     unfinished.substeps = substeps;
     unfinished.blocked = cloth.contacts.blocked();
@@ -358,12 +348,13 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
 BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& state, Memory memory,
                                               Effort& effort) {
   for (int attempts = 0;; ++attempts) {
-    // Where nothing is near, more steps help in the end. Half of the work is for the last attempt.
+    // Where nothing is near, more steps help in the end.
     const double budget = most_work * usual_work(frame, memory);
-    const bool is_over = effort.contact.most_pairs > 0 && effort.work >= 0.5 * budget;
+    const bool is_over = effort.contact.most_pairs > 0 && effort.work >= budget;
     const bool is_last = memory.control.is_spent() || is_over;
-    const double allowed_work = (is_last ? 1.0 : 0.5) * budget - effort.work;
-    Attempt tried = attempt(frame, state, memory, attempts, is_last, allowed_work);
+    // One attempt alone takes no more than half of it, so that there is another.
+    const double contact_budget = is_last ? budget : std::min(0.5 * budget, budget - effort.work);
+    Attempt tried = attempt(frame, state, memory, attempts, is_last, contact_budget);
     const double contact_work = cloth_->contacts.work();
     effort.add(tried, contact_work, cloth_->contacts.report());
     effort.search.ms += cloth_->contacts.search_ms();
@@ -396,9 +387,7 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
 
   next_ = std::move(tried.memory);
   next_.control.frame_kept(tried.projected.cost, next_.shift);
-  const bool is_first = begin.median_work == 0.0;
   next_.median_work *= effort.work > begin.median_work ? tuning::more_steps : 1.0 / tuning::more_steps;
-  next_.median_work = is_first ? effort.work : next_.median_work;
   state = std::move(tried.state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   cloth.threads.frame_took(took.count(), kernels_->take_work());

@@ -45,7 +45,7 @@ class BoundedSolver : public Solver {
   bounded::ProjectionResult project(const Frame& frame, double end_s, int substeps, bool is_last,
                                     bounded::Float4Array& corrections);
   Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory, int earlier_attempts,
-                  bool is_last, double allowed_work);
+                  bool is_last, double contact_budget);
   Attempt advance(const Frame& frame, const State& state, bounded::Memory memory, Effort& effort);
   State shape_of(const Frame& frame, const State& begin, int substeps) const;
   void set_previous(State& state) const;

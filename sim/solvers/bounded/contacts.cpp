@@ -20,9 +20,6 @@ constexpr float rest_part = 0.5F;
 /// finer than single precision can tell.
 constexpr float smallest_kept_part = 1e-3F;
 
-/// Beside its triangles a sweep costs as much as so many of them: measured, 0.5 us at 1.7 ns for a triangle.
-constexpr double sweep_overhead = 300.0;
-
 /// Returns the first row that is where nothing can be found, if one is: in a frame that flies apart.
 std::optional<std::size_t> first_not_findable(const RowMoves& rows) {
   constexpr float furthest_m = 1e9F;
@@ -46,7 +43,6 @@ void Contacts::begin_attempt(const Frame& frame, const Layout& layout, const Mot
   report_ = {};
   search_ms_ = pairs_made_ = 0.0;
   most_work_ = most_work;
-  lets_cross_ = false;
   // Regions that are wrong stretch the cloth, and more time steps do not help.
   caution_ = 1.0 + earlier_attempts;
   from_s_ = until_s_ = time.from_s;
@@ -202,7 +198,7 @@ double Contacts::work() const {
     return 0.0;
   }
   const LastingPairs::Searches& searches = near_->searches();
-  const double of_mesh = pairs_made_ / (static_cast<double>(triangles_.size()) + sweep_overhead);
+  const double of_mesh = pairs_made_ / static_cast<double>(std::max<std::size_t>(triangles_.size(), 1));
   return tuning::work_of_search * (searches.all + 0.5 * searches.marked + of_mesh);
 }
 
@@ -356,10 +352,6 @@ void Contacts::collect_pairs(const Material& material, float thickness_m, std::s
 
 void Contacts::find_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const TimeSpan& time, ParallelKernels& kernels) {
-  if (lets_cross_) {
-    confine_nothing(kernels);
-    return;
-  }
   const Vec3 origin_m = motion.start_m.front();
   bodies_.add_mesh_rows(time, origin_m, rows_);
   const std::size_t lasting_rows = rows_.radii.size();
@@ -367,7 +359,8 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
     rows_.radii[row] = std::max(rows_.radii[row], memory_.deviations[row] / tuning::filled_part_of_ball);
   }
   if (const std::optional<std::size_t> row = first_not_findable(rows_)) {
-    confine_nothing(kernels);
+    std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
+    regions_.make({}, rows_, kernels);
     blocked_ = blocked_.value_or(blocked_contact({layout, bodies_, rows_, {}, origin_m}, *row));
     return;
   }
@@ -391,18 +384,6 @@ void Contacts::find_regions(const Frame& frame, const Layout& layout, const Moti
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     memory_.deviations[row] = regions_.deviation(row);
   }
-}
-
-void Contacts::confine_nothing(ParallelKernels& kernels) {
-  std::fill(rows_.radii.begin(), rows_.radii.end(), std::numeric_limits<float>::infinity());
-  regions_.make({}, rows_, kernels);
-}
-
-void Contacts::let_cross(const Layout& layout, const Motion& motion, ParallelKernels& kernels) {
-  give_up(layout, motion);
-  lets_cross_ = true;
-  until_s_ = frame_ends_s_;
-  confine_nothing(kernels);
 }
 
 void Contacts::give_up(const Layout& layout, const Motion& motion) {

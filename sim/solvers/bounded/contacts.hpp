@@ -39,10 +39,8 @@ class Contacts {
   [[nodiscard]] ContactReport report();
   /// Returns what the attempt's searches and regions cost until now, in sweeps over all of the cloth.
   double work() const;
-  /// Returns whether something is near and the attempt has cost more than it should, with so many sweeps besides.
-  bool is_spent(double sweeps = 0.0) const {
-    return report_.most_pairs > 0 && !lets_cross_ && work() + sweeps > most_work_;
-  }
+  /// Returns whether something is near and the attempt has cost more than it should.
+  bool is_spent() const { return report_.most_pairs > 0 && work() > most_work_; }
   /// Returns the processor time that the attempt's searches took, in ms.
   double search_ms() const { return search_ms_; }
 
@@ -91,8 +89,6 @@ class Contacts {
   const std::optional<BlockedContact>& blocked() const { return blocked_; }
   /// Something may cross, as the frame ends outside of its regions.
   void give_up(const Layout& layout, const Motion& motion);
-  /// Keeps nothing apart until the frame ends, and gives up.
-  void let_cross(const Layout& layout, const Motion& motion, ParallelKernels& kernels);
 
  private:
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
@@ -114,7 +110,6 @@ class Contacts {
                      const TimeSpan& time, const Vec3& origin_m, ParallelKernels& kernels);
   ContactPair contact_of(const NearPair& near, const Material& material, float thickness_m) const;
   static void let_go(std::span<const HeldBack> held_back, Motion& motion);
-  void confine_nothing(ParallelKernels& kernels);
   void note_blocked(const Layout& layout, const Vec3& origin_m, bool fits);
   float thickness_of(const NearPair& near, float thickness_m) const;
 
@@ -142,7 +137,6 @@ class Contacts {
   double search_ms_ = 0.0;
   double most_work_ = 0.0;
   double pairs_made_ = 0.0;  ///< in all regions of the attempt
-  bool lets_cross_ = false;  ///< nothing is kept apart until the frame ends
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;

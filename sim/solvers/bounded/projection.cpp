@@ -192,7 +192,7 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   double earlier_ratio = ratio;
   const auto may_go_on = [&] {
     return result.cost < largest_cost && std::isfinite(ratio) &&
-           (confinement == nullptr || !confinement->is_spent(result.cost));
+           (confinement == nullptr || !confinement->is_spent());
   };
   for (int round = 1; !(ratio <= squared_bound) && may_go_on(); ++round) {
     if (evens_out && round % tuning::most_rounds == 0) {

@@ -27,8 +27,8 @@ class Confinement {
   /// A correction of displacements `raw` begins, which is expected to be about `expected`.
   virtual void begin(const Float4Array& raw, const Float4Array& expected) = 0;
   virtual void bring_back(Float4Array& displacements) = 0;
-  /// Returns whether it has cost more than it may, with a projection of so many sweeps.
-  virtual bool is_spent(double /*sweeps*/) const { return false; }
+  /// Returns whether it has cost more than it may.
+  virtual bool is_spent() const { return false; }
 };
 
 /// Returns the factor of over-relaxed sweeps. Below 2 the distance to every shape within the bound can only fall,

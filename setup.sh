@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs every system package Taut needs, on Debian 12 or newer and its relatives. Run it again at any
 # time: when all is there it does nothing. With --blender also Blender, for the tests behind TAUT_BLENDER_TESTS, with
-# --farms GNU parallel, snakemake and a Slurm, for those on farms, the last behind TAUT_SLURM_TESTS.
+# --bench Bullet, for the race behind TAUT_BENCH, with --farms GNU parallel, snakemake and a Slurm, for those on farms, the last behind TAUT_SLURM_TESTS.
 set -euo pipefail
 
 packages=(
@@ -16,7 +16,6 @@ packages=(
   pkg-config
   # libraries
   libassimp-dev       # reads models
-  libbullet-dev       # taut bench compares with it; all else works without
   libcairo2-dev       # text and page composition
   libcli11-dev
   libdeflate-dev      # compresses PNG for stb
@@ -66,6 +65,9 @@ packages=(
 packages_of_blender=(
   blender
 )
+packages_of_bench=(
+  libbullet-dev       # what tests/bench compares with
+)
 packages_of_farms=(
   parallel
   snakemake
@@ -75,9 +77,10 @@ packages_of_farms=(
 for wanted in "$@"; do
   case $wanted in
     --blender) packages+=("${packages_of_blender[@]}") ;;
+    --bench) packages+=("${packages_of_bench[@]}") ;;
     --farms) packages+=("${packages_of_farms[@]}") ;;
     *)
-      echo "usage: setup.sh [--blender] [--farms]" >&2
+      echo "usage: setup.sh [--blender] [--bench] [--farms]" >&2
       exit 2
       ;;
   esac

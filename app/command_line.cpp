@@ -16,7 +16,7 @@
 #include "app/command_line_picture.hpp"
 #include "app/command_line_sweep.hpp"
 #include "app/figures/figures.hpp"
-#include "app/output/frame_range.hpp"
+#include "app/output/output_pattern.hpp"
 #include "app/scene/model_units.hpp"
 #include "renderer/context/context.hpp"
 
@@ -378,26 +378,6 @@ std::function<Command()> add_fabrics(CLI::App& app) {
   return [options] { return Command(*options); };
 }
 
-std::function<Command()> add_drape(CLI::App& app) {
-  auto options = std::make_shared<DrapeOptions>();
-  CLI::App* command = app.add_subcommand("drape", "Hang fabrics over a disc, as Cusick's drape meter does");
-  command
-      ->add_option("--fabric", options->fabrics, "some of taut fabrics, or files like theirs (default: all)")
-      ->delimiter(',');
-  command->add_option("--output,--picture", options->output, "PNG file: the discs from above")
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "for programs");
-  add_backend(*command, options->backend);
-  command->footer(
-      "A disc of 30 cm is clamped between two of 18 cm. The drape coefficient is how much of the ring that "
-      "hangs\n"
-      "is in its shadow from above: 0 % straight down, 100 % a board. As it depends on the mesh, three "
-      "meshes\n"
-      "are hung, irregular ones with triangles of three sizes.\n\n"
-      "Examples:\n  taut drape\n  taut drape --fabric silk,denim,my.toml --output discs.png\n");
-  return [options] { return Command(*options); };
-}
-
 /// Of a command line that cannot be understood.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error,
                           std::span<const char* const> arguments) {
@@ -450,7 +430,7 @@ Command parse_command_line(int argument_count, const char* const* arguments) {
       "can be resumed.");
   const std::vector<std::function<Command()>> commands = {
       add_figures(app), add_render(app),       add_simulate(app), add_view(app),    add_inspect(app),
-      add_fit(app),     add_bench(app),        add_scenes(app),   add_fabrics(app), add_drape(app),
+      add_fit(app),     add_bench(app),        add_scenes(app),   add_fabrics(app),
       add_sweep(app),   add_import_model(app), add_help(app)};
   show_help_first(app);
   require_command(app, std::span(arguments, static_cast<std::size_t>(argument_count)));

@@ -3,9 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/base/suggest.hpp"
-#include "app/sweeps/sweep_table.hpp"
-
 namespace taut::app {
 namespace {
 
@@ -27,10 +24,6 @@ void add_index(CLI::App& command, const Options& options, const std::string& mea
 
 void add_chunk(CLI::App& command, const Options& options, const std::string& meaning) {
   command.add_option("--chunk", options->chunk, meaning)->check(CLI::Range(1, 1000000));
-}
-
-void add_memory(CLI::App& command, const Options& options) {
-  command.add_option("--mem", options->memory, "memory of a task of Slurm")->capture_default_str();
 }
 
 void add_plan(CLI::App& sweep, const Options& options) {
@@ -70,22 +63,8 @@ void add_run(CLI::App& sweep, const Options& options) {
 
 void add_merge(CLI::App& sweep, const Options& options) {
   CLI::App* command = add(sweep, options, SweepAction::merge, "merge",
-                          "Write the table of all results, the sheet of their pictures, or a plot");
-  std::vector<std::string> measures;
-  for (const SweepMeasure& measure : sweep_measures()) {
-    measures.emplace_back(measure.name);
-  }
-  command
-      ->add_option("--plot", options->plot,
-                   "instead of all that PNG and PDF of some of " + joined(measures, ","))
-      ->delimiter(',');
-  command->add_option("--over", options->over, "the key across, and one with a curve for each value")
-      ->delimiter(',');
-  command->add_flag("--pack", options->pack,
-                    "then make one file of every thousand results, of those that are complete");
-  command->footer(
-      "Examples:\n  taut sweep merge sweep\n"
-      "  taut sweep merge sweep --plot max_stretch --over wind.speed,solver.max_stretch\n");
+                          "Write the table of all results and the sheet of their pictures");
+  command->footer("Examples:\n  taut sweep merge sweep\n");
 }
 
 void add_submit(CLI::App& sweep, const Options& options) {
@@ -94,7 +73,7 @@ void add_submit(CLI::App& sweep, const Options& options) {
   command->add_flag("--missing", options->missing, "only what is missing");
   command->add_flag("--dry-run", options->dry_run, "print what would be handed over");
   add_chunk(*command, options, "runs of a task (default: as few as make 10000 tasks)");
-  add_memory(*command, options);
+  command->add_option("--mem", options->memory, "memory of a task of Slurm")->capture_default_str();
   command->add_option("--sbatch", options->sbatch, "one more option of sbatch; can be repeated")
       ->allow_extra_args(false);
   command->footer(
@@ -102,18 +81,6 @@ void add_submit(CLI::App& sweep, const Options& options) {
       "the\ntable. What was stopped, killed or lost is handed over again with --missing.\n\n"
       "Examples:\n  taut sweep submit sweep --slurm --sbatch=--time=60 --sbatch=--partition=day\n"
       "  taut sweep submit sweep --slurm --missing\n  taut sweep submit sweep --slurm --dry-run\n");
-}
-
-void add_export(CLI::App& sweep, const Options& options) {
-  CLI::App* command =
-      add(sweep, options, SweepAction::write, "export", "Print a script for GNU parallel or snakemake");
-  CLI::Option* snakemake = command->add_flag("--snakemake", options->snakemake, "a Snakefile");
-  command->add_flag_callback("--parallel", [] {}, "a shell script (default)")->excludes(snakemake);
-  add_chunk(*command, options, "runs of a task (default: as few as make 10000 tasks)");
-  command->add_option("--output,-o", options->output, "file to write instead");
-  command->footer(
-      "Examples:\n  taut sweep export sweep --parallel -o all.sh && sh all.sh --jobs 4\n"
-      "  taut sweep export sweep --snakemake -o Snakefile && snakemake --cores 4\n");
 }
 
 void add_rest(CLI::App& sweep, const Options& options) {
@@ -126,13 +93,14 @@ void add_rest(CLI::App& sweep, const Options& options) {
   show->get_option("--index")->required();
   show->footer("Examples:\n  taut sweep show sweep --index 12 > run.toml && taut render run.toml\n");
 
-  CLI::App* check = add(sweep, options, SweepAction::check, "check",
-                        "Make one run twice, or on every node of Slurm, and compare the bits");
-  check->add_flag("--slurm", options->slurm, "on every node that takes work");
+  CLI::App* check =
+      add(sweep, options, SweepAction::check, "check",
+          "Make one run, write nothing, and print host, program and last state, to compare machines");
   add_index(*check, options, "the run (default 0)");
-  check->add_flag("--here", options->here, "once, and print host, program and state");
-  add_memory(*check, options);
-  check->footer("Examples:\n  taut sweep check sweep\n  taut sweep check sweep --slurm\n");
+  check->footer(
+      "Examples:\n  taut sweep check sweep\n"
+      "  srun --nodes=4 --ntasks-per-node=1 taut sweep check sweep   the last two words of all lines are the "
+      "same\n");
 }
 
 }  // namespace
@@ -146,7 +114,6 @@ std::function<Command()> add_sweep(CLI::App& app) {
   add_rest(*sweep, options);
   add_merge(*sweep, options);
   add_submit(*sweep, options);
-  add_export(*sweep, options);
   sweep->footer(
       "taut sweep COMMAND --help says more.\n\nExamples:\n  taut sweep plan study.toml -o sweep\n"
       "  taut sweep run sweep --all\n  taut sweep merge sweep\n");

@@ -10,7 +10,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
-#include "app/caches/sinks.hpp"
+#include "app/caches/frame_sink.hpp"
 #include "app/caches/written_cloth.hpp"
 #include "app/models/srgb.hpp"
 #include "renderer/page/png.hpp"

@@ -8,7 +8,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/seekable_file.hpp"
-#include "app/caches/sinks.hpp"
+#include "app/caches/frame_sink.hpp"
 #include "app/caches/written_cloth.hpp"
 
 namespace taut::app {

@@ -8,7 +8,7 @@
 #include "app/base/base64.hpp"
 #include "app/base/counted.hpp"
 #include "app/base/files.hpp"
-#include "app/caches/sinks.hpp"
+#include "app/caches/frame_sink.hpp"
 #include "sim/bytes.hpp"
 #include "sim/measures.hpp"
 

@@ -12,7 +12,8 @@ namespace taut::app {
 WrittenCloth::WrittenCloth(const GarmentInScene& loaded) : loaded_(loaded) {
   if (!loaded.file_faces.empty()) {
     faces_ = loaded.file_faces;
-    mesh_vertex_ = loaded.following ? loaded.following->file_vertices.mesh_vertex : loaded.file_vertices.mesh_vertex;
+    mesh_vertex_ =
+        loaded.following ? loaded.following->file_vertices.mesh_vertex : loaded.file_vertices.mesh_vertex;
     return;
   }
   faces_ = faces_of(loaded.shown_mesh(), loaded.colours.corner_uv);

@@ -12,7 +12,6 @@
 #include "app/base/job_runner.hpp"
 #include "app/base/version.hpp"
 #include "app/commands/options.hpp"
-#include "app/figures/film.hpp"
 #include "app/report/report.hpp"
 #include "renderer/page/png.hpp"
 
@@ -43,13 +42,7 @@ class FigureWriter {
   }
 
   void write_report(const Results& results) {
-    std::vector<renderer::Image> pictures = draw_film(*results.film, offscreen_.open());
-    const double rate_hz = results.film->scene.simulation.frame_rate_hz / film_slowness;
-    const Film film = {pictures.front(), write_film(options_.output / "film.mp4", pictures, rate_hz)};
-    if (!film.mp4.empty()) {
-      noted("film.mp4");
-    }
-    const Report report = make_report(results, film, drawn_, offscreen_.gl_renderer());
+    const Report report = make_report(results, drawn_, offscreen_.gl_renderer());
     write_text_file(noted("claims.json"), report.claims_json);
     write_text_file(noted("report.html"), report.html);
     tell();

@@ -13,7 +13,7 @@
 #include "app/drawing/fit_picture.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_remarks.hpp"
-#include "app/output/bound_verdict.hpp"
+#include "app/output/frame_record.hpp"
 #include "app/output/run_start.hpp"
 #include "app/scene/scene_value.hpp"
 #include "renderer/page/png.hpp"

@@ -24,25 +24,16 @@ struct FiguresOptions {
   std::string backend = "auto";  ///< as in renderer::create_context, also below
 };
 
-/// Options of `taut bench`. An empty member takes what `full` selects.
+/// Options of `taut bench`.
 struct BenchOptions {
-  std::vector<int> sizes;  ///< triangles
-  std::vector<std::string> scenes;
-  std::vector<double> bounds = {0.05, 0.01, 0.001};  ///< largest stretch, fractions
-  std::vector<std::string> engines;
-  std::optional<double> seconds;           ///< simulated time of each run
-  std::optional<double> slowest_frame_ms;  ///< a run with a larger mean is stopped
-  bool full = false;                       ///< more sizes, scenes and settings
-  bool ablation = false;                   ///< `bounded` with its parts switched off, instead of engines
-  bool contact = false;                    ///< the scenes about contact, instead of all that
-  bool quick = false;                      ///< with `contact` alone: those that decide about real time
-  // With `contact` alone:
+  std::vector<std::string> scenes;  ///< rows of the table; empty: all
+  std::vector<double> bounds;       ///< largest stretch, fractions, each a row; empty: as the scene has it
+  bool contact = false;             ///< all scenes about contact, instead of the quick ones
+  bool quick = false;               ///< those that decide about real time, whatever `contact` is
   std::optional<int> runs;    ///< of each scene, each from a start of its own; empty: one, from the scene's
-  std::optional<int> frames;  ///< of each run; empty: as many as the scene has
-  bool json = false;
+  std::optional<int> frames;  ///< of each run; empty: as the scene has it
+  bool csv = false;
   bool quiet = false;
-  std::filesystem::path output;  ///< folder for the results; empty: none
-  std::filesystem::path shapes;  ///< folder for the most stretched shape of every run; empty: none
 };
 
 /// Options of `taut render`.
@@ -133,16 +124,8 @@ struct FabricsOptions {
   std::string backend = "auto";
 };
 
-/// Options of `taut drape`.
-struct DrapeOptions {
-  std::vector<std::string> fabrics;  ///< names or files; empty: those that come with the program
-  std::filesystem::path output = "drape.png";
-  bool json = false;
-  std::string backend = "auto";
-};
-
 /// The task of `taut sweep`.
-enum class SweepAction { plan, run, status, merge, submit, write, check, show };
+enum class SweepAction { plan, run, status, merge, submit, check, show };
 
 /// Options of `taut sweep`. Each of its commands uses some.
 struct SweepOptions {
@@ -156,16 +139,10 @@ struct SweepOptions {
   bool all = false;
   unsigned jobs = 0;  ///< 0: one for each processor
   bool missing = false;
-  bool pack = false;
-  std::vector<std::string> plot;  ///< names of measures
-  std::vector<std::string> over;  ///< one or two keys
   bool slurm = false;
   bool dry_run = false;
-  bool here = false;
-  bool snakemake = false;  ///< else GNU parallel
   std::string memory = "2G";
   std::vector<std::string> sbatch;  ///< more arguments of sbatch
-  std::filesystem::path output;     ///< empty: the standard output
 };
 
 /// The topic of `taut help`.
@@ -181,13 +158,11 @@ struct Answered {
 /// The command and its options.
 using Command = std::variant<Answered, BenchOptions, FiguresOptions, RenderOptions, SimulateOptions,
                              ViewOptions, InspectOptions, FitOptions, ImportModelOptions, ScenesOptions,
-                             FabricsOptions, DrapeOptions, SweepOptions, HelpOptions>;
+                             FabricsOptions, SweepOptions, HelpOptions>;
 
 /// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
 /// UsageError, Interrupted and what the parts it uses throw.
 int run(const BenchOptions& options);
-/// `taut bench --contact`.
-int run_contact_bench(const BenchOptions& options);
 int run(const FiguresOptions& options);
 int run(const RenderOptions& options);
 int run(const SimulateOptions& options);
@@ -197,10 +172,7 @@ int run(const FitOptions& options);
 int run(const ImportModelOptions& options);
 int run(const ScenesOptions& options);
 int run(const FabricsOptions& options);
-int run(const DrapeOptions& options);
 int run(const SweepOptions& options);
-/// Those that hand work over: submit, write and check.
-int run_on_farm(const SweepOptions& options);
 int run(const HelpOptions& options);
 inline int run(const Answered& answered) {
   return answered.exit_code;

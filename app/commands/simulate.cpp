@@ -20,12 +20,12 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/output/bound_verdict.hpp"
-#include "app/output/frame_range.hpp"
+#include "app/output/frame_record.hpp"
+#include "app/output/output_pattern.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/run_start.hpp"
-#include "app/output/statistics_file.hpp"
+#include "app/output/run_report.hpp"
 
 namespace taut::app {
 namespace {

@@ -4,18 +4,18 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <thread>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/base/suggest.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/sweeps/study.hpp"
+#include "app/output/picture_record.hpp"
+#include "app/sweeps/farm.hpp"
 #include "app/sweeps/sweep_results.hpp"
 #include "app/sweeps/sweep_run.hpp"
-#include "app/sweeps/sweep_table.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -129,35 +129,79 @@ int status(const SweepOptions& options, const Sweep& sweep) {
   return 0;
 }
 
-void write_image(const std::filesystem::path& file, const renderer::Image& image) {
-  write_file(file, renderer::encode_png(image));
-  fmt::print("wrote {}\n", file.string());
-}
-
-int merge(const SweepOptions& options, const Sweep& sweep) {
-  if (options.plot.empty() != options.over.empty() || options.over.size() > 2) {
-    throw UsageError("expected --plot MEASURE with --over KEY or --over KEY,KEY");
-  }
-  if (!options.plot.empty()) {
-    const Drawing drawing =
-        draw_sweep(sweep, {options.plot, options.over[0], options.over.size() > 1 ? options.over[1] : ""});
-    const std::filesystem::path file = sweep.folder / joined(options.plot, "-");
-    write_image(file.string() + ".png", to_image(drawing));
-    write_pdf(file.string() + ".pdf", drawing, "taut sweep: " + joined(options.plot));
-    fmt::print("wrote {}.pdf\n", file.string());
-    return 0;
-  }
+int merge(const Sweep& sweep) {
   const std::filesystem::path table = sweep.folder / "table.csv";
   write_text_file(table, sweep_table(sweep));
   fmt::print("wrote {}\n", table.string());
   if (const renderer::Image sheet = sweep_sheet(sweep); sheet.width_px > 0) {
-    write_image(sweep.folder / "sheet.png", sheet);
-  }
-  if (options.pack) {
-    fmt::print("packed {} of results\n", counted(pack_results(sweep), "file"));
+    write_file(sweep.folder / "sheet.png", renderer::encode_png(sheet));
+    fmt::print("wrote {}\n", (sweep.folder / "sheet.png").string());
   }
   const SweepStatus status = status_of(sweep);
   fmt::print("{}\n", told(status, sweep));
+  return 0;
+}
+
+/// Numbers in an array of this Slurm stay below it.
+std::size_t max_array_size() {
+  std::istringstream lines(output_of({"scontrol", "show", "config"}));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("MaxArraySize")) {
+      return std::strtoull(line.c_str() + line.find('=') + 1, nullptr, 10);
+    }
+  }
+  throw InputError("'scontrol show config' does not say MaxArraySize");
+}
+
+std::string submitted(const std::vector<std::string>& command, bool is_dry_run) {
+  if (is_dry_run) {
+    fmt::print("{}\n", shell_line(command));
+    return "JOB";
+  }
+  const std::string job = output_of(command);
+  return job.substr(0, job.find_first_of(";\n"));
+}
+
+/// Writes a script, or prints it.
+void hand_out(const std::filesystem::path& file, const std::string& text, bool is_dry_run) {
+  if (is_dry_run) {
+    fmt::print("# {}\n{}\n", file.string(), text);
+    return;
+  }
+  prepare_folder_of(file);
+  write_text_file(file, text);
+}
+
+int submit(const SweepOptions& options, const Sweep& sweep) {
+  const FarmSettings settings = {options.chunk.value_or(usual_chunk(sweep.runs())), options.memory,
+                                 options.sbatch};
+  constexpr std::size_t usual_array_size = 1001;
+  const SweepStatus status = status_of(sweep);
+  if (status.missing.size() < sweep.runs() && !options.missing) {
+    throw UsageError(fmt::format("{} of {} are there already; --missing submits the others",
+                                 sweep.runs() - status.missing.size(), counted(sweep.runs(), "run")));
+  }
+  const std::filesystem::path folder = std::filesystem::absolute(sweep.folder) / "slurm";
+  hand_out(folder / "task.sh", slurm_script(sweep, settings), options.dry_run);
+  hand_out(folder / "merge.sh", merge_script(sweep), options.dry_run);
+  const std::size_t most = options.dry_run ? usual_array_size : max_array_size();
+  std::string jobs;
+  for (const ArrayJob& array : array_jobs(status.missing, settings.chunk, most)) {
+    jobs += ':' + submitted({"sbatch", "--parsable", "--array=" + array.tasks, (folder / "task.sh").string(),
+                             std::to_string(array.offset)},
+                            options.dry_run);
+  }
+  if (jobs.empty()) {
+    fmt::print("nothing is missing\n");
+    return 0;
+  }
+  const std::string merge = submitted({"sbatch", "--parsable", "--dependency=afterany" + jobs,
+                                       "--mem=" + settings.memory, (folder / "merge.sh").string()},
+                                      options.dry_run);
+  if (!options.dry_run) {
+    fmt::print("submitted {} as jobs {}, and job {} that makes the table\n",
+               counted(status.missing.size(), "run"), jobs.substr(1), merge);
+  }
   return 0;
 }
 
@@ -175,13 +219,17 @@ int run(const SweepOptions& options) {
     case SweepAction::status:
       return status(options, sweep);
     case SweepAction::merge:
-      return merge(options, sweep);
+      return merge(sweep);
+    case SweepAction::check:
+      require_index(sweep, options.index.value_or(0));
+      fmt::print("{} {} {}\n", host_name(), program_hash(), hash_of_run(sweep, options.index.value_or(0)));
+      return 0;
     case SweepAction::show:
       require_index(sweep, *options.index);
       fmt::print("{}", scene_text(sweep.scene(*options.index), GarmentNaming::full_path));
       return 0;
     default:
-      return run_on_farm(options);
+      return submit(options, sweep);
   }
 }
 

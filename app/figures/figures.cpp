@@ -11,6 +11,45 @@ void time_strong_shirts(const ProgressCallback& report_progress, Results& result
   measure_frame_times(frame_time_repeats, report_progress, results);
 }
 
+std::vector<const Recording*> falls_of(const Results& results) {
+  return {&results.fall->frames};
+}
+
+std::vector<const Recording*> pinned_of(const Results& results) {
+  return {&*results.pinned[0], &*results.pinned[1]};
+}
+
+std::vector<const Recording*> shirts_of(const Results& results) {
+  return {&*results.shirts[0], &*results.shirts[1], &*results.shirts[2]};
+}
+
+template <auto recordings_of>
+std::string moments_of(const Results& results) {
+  return moments_csv(recordings_of(results));
+}
+
+template <auto recordings_of>
+std::string shapes_of(const Results& results) {
+  return shapes_csv(recordings_of(results));
+}
+
+void read_fall(const std::filesystem::path& folder, Results& results) {
+  results.fall = results.fall ? std::move(results.fall) : StepRecording{};
+  results.fall->frames = read_recording(folder, "fig2", fall_scene);
+}
+
+void read_pinned(const std::filesystem::path& folder, Results& results) {
+  for (std::size_t i = 0; i < results.pinned.size(); ++i) {
+    results.pinned[i] = read_recording(folder, "fig4", pinned_scenes[i]);
+  }
+}
+
+void read_shirts(const std::filesystem::path& folder, Results& results) {
+  for (std::size_t i = 0; i < results.shirts.size(); ++i) {
+    results.shirts[i] = read_recording(folder, "fig5", shirt_scenes[i]);
+  }
+}
+
 void time_methods(const ProgressCallback& report_progress, Results& results) {
   results.trials_of(MethodTest::time) = make_trials(MethodTest::time, report_progress);
 }
@@ -28,24 +67,24 @@ const std::vector<Figure>& all_figures() {
        "A cloth falls under gravity, held by two corners",
        {fall},
        draw_figure2,
-       figure2_csv,
-       figure2_shapes_csv,
-       read_figure2},
+       moments_of<falls_of>,
+       shapes_of<falls_of>,
+       read_fall},
       {"fig3", "One mass point converges", {fall}, draw_figure3, figure3_csv, nullptr, read_figure3},
       {"fig4",
        "Over-stretch of up to 5 % and up to 20 %, and where it is",
        {pinned_5, pinned_20},
        draw_figure4,
-       figure4_csv,
-       figure4_shapes_csv,
-       read_figure4},
+       moments_of<pinned_of>,
+       shapes_of<pinned_of>,
+       read_pinned},
       {"fig5",
        "The T-shirt under gravity and in two winds",
        {shirt_still, shirt_wind_1, shirt_wind_10},
        draw_figure5,
-       figure5_csv,
-       figure5_shapes_csv,
-       read_figure5},
+       moments_of<shirts_of>,
+       shapes_of<shirts_of>,
+       read_shirts},
       {"fig6",
        "What a frame costs for models of different precision",
        {},

@@ -6,7 +6,7 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/figures/experiments/experiments.hpp"
-#include "app/figures/lazy_offscreen_renderer.hpp"
+#include "app/figures/pictures.hpp"
 
 namespace taut::app {
 
@@ -39,23 +39,13 @@ Drawing draw_figure7(const Results& results, LazyOffscreenRenderer& offscreen);
 Drawing draw_figure8(const Results& results, LazyOffscreenRenderer& offscreen);
 
 /// The data of a figure as table: the first line holds the names of the columns.
-std::string figure2_csv(const Results& results);
 std::string figure3_csv(const Results& results);
-std::string figure4_csv(const Results& results);
-std::string figure5_csv(const Results& results);
 std::string figure6_csv(const Results& results);
 std::string figure7_csv(const Results& results);
 std::string figure8_csv(const Results& results);
-/// The shapes of a figure as table (moment_tables.hpp).
-std::string figure2_shapes_csv(const Results& results);
-std::string figure4_shapes_csv(const Results& results);
-std::string figure5_shapes_csv(const Results& results);
 
-/// Reads the tables of a figure into the results. Throws InputError that names the file and the line.
-void read_figure2(const std::filesystem::path& folder, Results& results);
+/// Reads the table of a figure into the results. Throws InputError that names the file and the line.
 void read_figure3(const std::filesystem::path& folder, Results& results);
-void read_figure4(const std::filesystem::path& folder, Results& results);
-void read_figure5(const std::filesystem::path& folder, Results& results);
 void read_figure6(const std::filesystem::path& folder, Results& results);
 void read_figure7(const std::filesystem::path& folder, Results& results);
 void read_figure8(const std::filesystem::path& folder, Results& results);

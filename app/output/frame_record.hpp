@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 
+#include "app/scene/scene.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
 
@@ -89,5 +91,51 @@ struct RunSummary {
   double total_draw_ms = 0.0;
   double total_encode_ms = 0.0;
 };
+
+/// Calls `field` with the name and the number of every member of a summary, in the order of checkpoints. The
+/// name is the one in the statistics; null: it is not there.
+template <class Summary, class Field>
+void for_each_field(Summary& summary, const Field& field) {
+  field("frames", summary.frames);
+  field(nullptr, summary.simulated_frames);
+  field("max_stretch", summary.max_stretch);
+  field("max_stretch_frame", summary.max_stretch_frame);
+  field("max_p99_stretch", summary.max_p99_stretch);
+  field("final_max_stretch", summary.final_max_stretch);
+  field("max_surface_stretch", summary.max_surface_stretch);
+  field("max_surface_stretch_frame", summary.max_surface_stretch_frame);
+  field("max_p99_surface_stretch", summary.max_p99_surface_stretch);
+  field("final_max_surface_stretch", summary.final_max_surface_stretch);
+  field("max_raw_stretch", summary.max_raw_stretch);
+  field("frames_over_bound", summary.frames_over_bound);
+  field(nullptr, summary.first_frame_over_bound);
+  field(nullptr, summary.frames_blocked);
+  field(nullptr, summary.first_frame_blocked);
+  field(nullptr, summary.total_substeps);
+  field(nullptr, summary.followed_compression_n_per_m);
+  field("smallest_distance", summary.smallest_distance_m);
+  field("crossings_at_start", summary.crossings_at_start);
+  field("final_crossings", summary.final_crossings);
+  field("most_left_out_share", summary.most_left_out_share);
+  field("final_left_out_share", summary.final_left_out_share);
+  field("final_rms_speed", summary.final_rms_speed_m_per_s);
+  field("asleep_since_frame", summary.asleep_since_frame);
+  field("total_sim_ms", summary.total_sim_ms);
+  field("total_draw_ms", summary.total_draw_ms);
+  field("total_encode_ms", summary.total_encode_ms);
+}
+
+/// Says in how many frames the solver's bound was exceeded, in which first and by how much. Empty: in none.
+std::string describe_excess(const Scene& scene, const RunSummary& summary);
+
+/// Says how many pairs of triangles crossed at the start and cross at the end, and which part of the cloth
+/// contact leaves out around them. Empty: nothing crossed.
+std::string describe_crossings(const RunSummary& summary);
+
+/// Prints to standard error how a run differs from what the scene asks for. That is: frames exceeded the
+/// solver's bound, something may have crossed where the scene accepts that, or time steps were too long for
+/// the fabric's stiffness against compression. Returns the exit code of the command: exit_promise_broken if
+/// the bound was exceeded and the scene does not allow it, else 0.
+int judge_bound(const Scene& scene, const RunSummary& summary);
 
 }  // namespace taut::app

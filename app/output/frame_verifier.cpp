@@ -31,7 +31,8 @@ Pairs without(const Pairs& pairs, const Pairs& left_out) {
 }
 
 /// The group of every triangle of the cloth, or of a body, that contact leaves out.
-std::map<sim::Index, sim::Index> groups_of(const sim::Simulation& simulation, std::optional<std::size_t> body) {
+std::map<sim::Index, sim::Index> groups_of(const sim::Simulation& simulation,
+                                           std::optional<std::size_t> body) {
   std::map<sim::Index, sim::Index> groups;
   for (const sim::LeftOutTriangle& t : simulation.last_report().left_out) {
     if (t.body == body) {
@@ -42,7 +43,8 @@ std::map<sim::Index, sim::Index> groups_of(const sim::Simulation& simulation, st
 }
 
 /// Pairs that are not within one group of what contact leaves out.
-Pairs outside_patches(const Pairs& pairs, const sim::Simulation& simulation, std::optional<std::size_t> body) {
+Pairs outside_patches(const Pairs& pairs, const sim::Simulation& simulation,
+                      std::optional<std::size_t> body) {
   std::map<sim::Index, sim::Index> first = groups_of(simulation, {}), second = groups_of(simulation, body);
   Pairs outside = pairs;
   std::erase_if(outside, [&](const CrossingPair& pair) {
@@ -116,14 +118,13 @@ std::string FrameVerifier::check(const sim::Simulation& simulation, FrameRecord&
 }
 
 std::string FrameVerifier::summary() const {
-  return fmt::format(
-      "verified {}: 0 crossing pairs{}, largest stretch {:.4f} %, of the surface {:.4f} %",
-      counted(static_cast<std::size_t>(frames_), "frame"),
-      crossing_at_start_ + crossing_at_end_ == 0
-          ? ""
-          : fmt::format(" outside what crosses since the start: {} pairs then, {} at the end", crossing_at_start_,
-                        crossing_at_end_),
-      100.0 * largest_.springs, 100.0 * largest_.surface);
+  return fmt::format("verified {}: 0 crossing pairs{}, largest stretch {:.4f} %, of the surface {:.4f} %",
+                     counted(static_cast<std::size_t>(frames_), "frame"),
+                     crossing_at_start_ + crossing_at_end_ == 0
+                         ? ""
+                         : fmt::format(" outside what crosses since the start: {} pairs then, {} at the end",
+                                       crossing_at_start_, crossing_at_end_),
+                     100.0 * largest_.springs, 100.0 * largest_.surface);
 }
 
 }  // namespace taut::app

@@ -19,8 +19,8 @@ std::string describe_excess(const LargestStretch& stretch, const sim::SolverSett
 class FrameVerifier {
  public:
   /// Call it first, with the simulation at its start. What crosses there is left out, pair by pair, until it
-  /// is apart in a frame that is checked; so are, in each frame, pairs of two triangles of one group of what the solver
-  /// leaves out (sim::LeftOutTriangle). Returns what crosses, for people; empty: nothing.
+  /// is apart in a frame that is checked; so are, in each frame, pairs of two triangles of one group of what
+  /// the solver leaves out (sim::LeftOutTriangle). Returns what crosses, for people; empty: nothing.
   ///
   /// Of a run that is resumed the start is that of the whole run, before the checkpoint: a pair that crosses
   /// where the run is resumed counts unless it crossed at that start. That a pair was apart in the meantime

@@ -13,37 +13,6 @@ namespace {
 constexpr std::string_view magic = "TAUTRUN\n";
 constexpr std::uint32_t version = 5;
 
-template <class Summary, class Field>
-void for_each_field(Summary& summary, const Field& field) {
-  field(summary.frames);
-  field(summary.simulated_frames);
-  field(summary.max_stretch);
-  field(summary.max_stretch_frame);
-  field(summary.max_p99_stretch);
-  field(summary.final_max_stretch);
-  field(summary.max_surface_stretch);
-  field(summary.max_surface_stretch_frame);
-  field(summary.max_p99_surface_stretch);
-  field(summary.final_max_surface_stretch);
-  field(summary.max_raw_stretch);
-  field(summary.frames_over_bound);
-  field(summary.first_frame_over_bound);
-  field(summary.frames_blocked);
-  field(summary.first_frame_blocked);
-  field(summary.total_substeps);
-  field(summary.followed_compression_n_per_m);
-  field(summary.smallest_distance_m);
-  field(summary.crossings_at_start);
-  field(summary.final_crossings);
-  field(summary.most_left_out_share);
-  field(summary.final_left_out_share);
-  field(summary.final_rms_speed_m_per_s);
-  field(summary.asleep_since_frame);
-  field(summary.total_sim_ms);
-  field(summary.total_draw_ms);
-  field(summary.total_encode_ms);
-}
-
 int get_number(sim::ByteReader& in, int) {
   return in.get("a number of frames in the summary", -1, sim::most_counted);
 }
@@ -85,7 +54,7 @@ std::string bytes_of(const RunCheckpoint& checkpoint) {
   out.put_text(checkpoint.scene_name);
   out.put_text(checkpoint.scene);
   out.put(checkpoint.frame);
-  for_each_field(checkpoint.summary, [&](const auto& number) { out.put(number); });
+  for_each_field(checkpoint.summary, [&](const char*, const auto& number) { out.put(number); });
   out.put_text(checkpoint.simulation);
   out.seal();
   return out.bytes();
@@ -108,7 +77,7 @@ RunCheckpoint run_checkpoint_of(std::string_view bytes, const std::filesystem::p
     checkpoint.scene_name = in.get_text("the scene's name");
     checkpoint.scene = in.get_text("the scene");
     checkpoint.frame = in.get("the frame", 0, sim::most_counted);
-    for_each_field(checkpoint.summary, [&](auto& number) { number = get_number(in, number); });
+    for_each_field(checkpoint.summary, [&](const char*, auto& number) { number = get_number(in, number); });
     checkpoint.simulation = in.get_text("the simulation");
     in.require_seal();
   } catch (const sim::BadBytes& error) {

@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <system_error>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -26,9 +28,13 @@ struct FrameColumn {
   bool of_verified_runs = false;
 };
 
-// JSON has no infinity.
-Json distance_json(double distance_m) {
-  return std::isfinite(distance_m) ? Json(distance_m) : Json();
+// JSON has no infinity, and -1 is no frame.
+Json number_json(double number) {
+  return std::isfinite(number) ? Json(number) : Json();
+}
+
+Json number_json(int number) {
+  return number >= 0 ? Json(number) : Json();
 }
 
 const FrameColumn frame_columns[] = {
@@ -76,7 +82,7 @@ const FrameColumn frame_columns[] = {
     {"smallest_distance", "m",
      "of the two nearest triangles that share no vertex, or from a body, measured at the frame's end; null: "
      "more than twice cloth.thickness",
-     [](const auto& r) -> Json { return distance_json(r.contact.smallest_distance_m); }},
+     [](const auto& r) -> Json { return number_json(r.contact.smallest_distance_m); }},
     {"measured_crossings", "",
      "pairs of triangles that cross then, and triangles in a body: also where they are left out",
      [](const auto& r) -> Json { return r.contact.crossing_pairs; }},
@@ -125,32 +131,19 @@ Json record_json(const FrameRecord& record) {
 }
 
 Json summary_json(const RunSummary& summary) {
-  Json json = {{"frames", summary.frames},
-               {"max_stretch", summary.max_stretch},
-               {"max_stretch_frame", summary.max_stretch_frame},
-               {"max_p99_stretch", summary.max_p99_stretch},
-               {"final_max_stretch", summary.final_max_stretch},
-               {"max_surface_stretch", summary.max_surface_stretch},
-               {"max_surface_stretch_frame", summary.max_surface_stretch_frame},
-               {"max_p99_surface_stretch", summary.max_p99_surface_stretch},
-               {"final_max_surface_stretch", summary.final_max_surface_stretch},
-               {"max_raw_stretch", summary.max_raw_stretch},
-               {"frames_over_bound", summary.frames_over_bound},
-               {"smallest_distance", distance_json(summary.smallest_distance_m)},
-               {"crossings_at_start", summary.crossings_at_start},
-               {"final_crossings", summary.final_crossings},
-               {"most_left_out_share", summary.most_left_out_share},
-               {"final_left_out_share", summary.final_left_out_share},
-               {"mean_substeps", summary.mean_substeps()},
-               {"final_rms_speed", summary.final_rms_speed_m_per_s},
-               {"asleep_since_frame", nullptr},
-               {"mean_sim_ms", summary.mean_sim_ms()},
-               {"total_sim_ms", summary.total_sim_ms},
-               {"total_draw_ms", summary.total_draw_ms},
-               {"total_encode_ms", summary.total_encode_ms}};
-  if (summary.asleep_since_frame >= 0) {
-    json["asleep_since_frame"] = summary.asleep_since_frame;
-  }
+  Json json = Json::object();
+  for_each_field(summary, [&](const char* name, const auto& number) {
+    if (name == nullptr) {
+      return;
+    }
+    // Means stand before what they go with.
+    if (&number == static_cast<const void*>(&summary.final_rms_speed_m_per_s)) {
+      json["mean_substeps"] = summary.mean_substeps();
+    } else if (&number == static_cast<const void*>(&summary.total_sim_ms)) {
+      json["mean_sim_ms"] = summary.mean_sim_ms();
+    }
+    json[name] = number_json(number);
+  });
   return json;
 }
 
@@ -205,6 +198,36 @@ std::string text_of(const Json& json, int indent) {
 
 std::string line_of(const Json& json) {
   return text_of(json, -1);
+}
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail_to_write(const fs::path& path, int error_number) {
+  throw InputError("cannot write '" + path.string() + "': " + std::generic_category().message(error_number));
+}
+
+// How many bytes there are up to the end of that frame's line.
+std::uintmax_t end_of_frame(const fs::path& path, StatisticsFormat format, const RunDescription& run,
+                            int frame) {
+  if (!fs::exists(path)) {
+    throw InputError("cannot go on with '" + path.string() +
+                     "': there is no such file; the run goes on in the statistics of its first part, so name "
+                     "that file, or none");
+  }
+  const std::string text = read_text_file(path);
+  const std::string names = statistics_header(StatisticsFormat::csv, run);
+  if (format == StatisticsFormat::csv && !text.starts_with(names)) {
+    throw InputError("cannot go on with '" + path.string() + "': found the columns " +
+                     text.substr(0, text.find('\n')) + ", expected " + names.substr(0, names.size() - 1));
+  }
+  const std::string start = '\n' + statistics_line_start(format, frame);
+  const std::size_t line = text.find(start);
+  const std::size_t end = line == std::string::npos ? line : text.find('\n', line + start.size());
+  if (end == std::string::npos) {
+    throw InputError("cannot go on with '" + path.string() + "': it has no line of frame " +
+                     std::to_string(frame) + ", after which the run goes on");
+  }
+  return end + 1;
 }
 
 }  // namespace
@@ -318,12 +341,52 @@ std::string inspection_json(const Inspection& i) {
        {"crossings", crossings_json(i.crossings)},
        {"untangling", untangling_json(i.untangling)},
        {"topology", topology},
-       {"fitted", i.simulated.empty() ? Json() : Json({{"triangles", i.fitted_triangles}, {"said", i.simulated}})},
+       {"fitted",
+        i.simulated.empty() ? Json() : Json({{"triangles", i.fitted_triangles}, {"said", i.simulated}})},
        {"springs", spring_counts(i.structural_springs, i.shear_springs, i.flexural_springs)},
        {"landmarks", landmarks},
        {"vertex_numbers", i.vertex_numbers},
        {"remarks", i.remarks}},
       2);
+}
+
+StatisticsFile::StatisticsFile(const fs::path& file, const RunDescription& run, std::optional<int> last_kept)
+    : path_(file), format_(statistics_format(file)) {
+  if (last_kept) {
+    fs::resize_file(file, end_of_frame(file, format_, run, *last_kept));
+  }
+  is_plain_ = !fs::exists(file) || fs::is_regular_file(file);
+  file_.reset(std::fopen(file.c_str(), last_kept || !is_plain_ ? "ab" : "wb"));
+  if (!file_) {
+    fail_to_write(path_, errno);
+  }
+  if (!last_kept) {
+    write(statistics_header(format_, run));
+  }
+}
+
+void StatisticsFile::add(const FrameRecord& record) {
+  write(statistics_line(format_, record));
+}
+
+void StatisticsFile::finish(const RunSummary& summary) {
+  write(statistics_end(format_, summary));
+}
+
+void StatisticsFile::write(const std::string& lines) {
+  std::error_code ignored;
+  const std::uintmax_t whole = is_plain_ ? fs::file_size(path_, ignored) : 0;
+  if (std::fwrite(lines.data(), 1, lines.size(), file_.get()) == lines.size() &&
+      std::fflush(file_.get()) == 0) {
+    return;
+  }
+  const int reason = errno;
+  if (is_plain_ && whole > 0) {
+    fs::resize_file(path_, whole, ignored);
+  } else if (is_plain_) {
+    fs::remove(path_, ignored);
+  }
+  fail_to_write(path_, reason);
 }
 
 }  // namespace taut::app

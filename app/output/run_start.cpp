@@ -76,9 +76,9 @@ int start_frame(const Scene& scene) {
 
 int go_to_start(const Scene& scene, sim::Simulation& simulation) {
   if (scene.checkpoint.empty()) {
-    const std::vector<FitRow> fit =
-        scene.dressing_frames() == 0 ? std::vector<FitRow>{}
-                                     : fit_of(scene, simulation.garment(), simulation.state().current);
+    const std::vector<FitRow> fit = scene.dressing_frames() == 0
+                                        ? std::vector<FitRow>{}
+                                        : fit_of(scene, simulation.garment(), simulation.state().current);
     require_wearable(scene, fit);
     try {
       dress(scene, simulation);

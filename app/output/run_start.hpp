@@ -12,9 +12,10 @@ namespace taut::app {
 void dress(const Scene& scene, sim::Simulation& simulation);
 
 /// Puts the simulation into the state that start.checkpoint of its scene names. Returns the number of that
-/// frame. Without start.checkpoint it dresses the scene's bodies and returns 0. Throws InputError, also for a garment
-/// that is too small by its girths alone (require_wearable()), and as dress() does, and PromiseBroken if the garment crosses a body then and the solver would keep them apart;
-/// the message says where the garment is too small (app/bodies/fit.hpp).
+/// frame. Without start.checkpoint it dresses the scene's bodies and returns 0. Throws InputError, also for a
+/// garment that is too small by its girths alone (require_wearable()), and as dress() does, and PromiseBroken
+/// if the garment crosses a body then and the solver would keep them apart; the message says where the
+/// garment is too small (app/bodies/fit.hpp).
 int go_to_start(const Scene& scene, sim::Simulation& simulation);
 
 /// Returns that frame, and goes nowhere. Throws InputError where the checkpoint cannot be read.

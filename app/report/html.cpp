@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "app/base/base64.hpp"
-#include "app/base/counted.hpp"
 #include "app/report/report.hpp"
 #include "app/report/report_texts.hpp"
-#include "app/scene/promise.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -20,24 +18,12 @@ constexpr const char* bounded_label =
     "<i>With the solver bounded instead, which is not the paper&rsquo;s:</i> ";
 
 std::string escaped(const std::string& text) {
+  constexpr std::string_view special = "&<>\"";
+  constexpr std::array names = {"&amp;", "&lt;", "&gt;", "&quot;"};
   std::string result;
   for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += letter;
-    }
+    const std::size_t place = special.find(letter);
+    result += place == special.npos ? std::string(1, letter) : names[place];
   }
   return result;
 }
@@ -137,8 +123,7 @@ std::string promises_html(const std::vector<PromiseResult>& promises) {
 }
 
 std::string png_url(const renderer::Image& picture) {
-  return "data:image/png;base64," +
-         base64(renderer::encode_png(picture));
+  return "data:image/png;base64," + base64(renderer::encode_png(picture));
 }
 
 std::string figure_html(const DrawnFigure& figure) {
@@ -150,22 +135,6 @@ std::string figure_html(const DrawnFigure& figure) {
       figure.name, escaped(figure.title), png_url(scaled_to_width(figure.picture, picture_width_px)));
 }
 
-std::string film_caption(const Recording& run) {
-  const PromiseCounts& counts = *run.promises;
-  const std::optional<double> bound = stretch_bound(run.scene);
-  return fmt::format(
-      "A T-shirt of {} triangles, held at its shoulders and at the back of its neck, in a wind of {:g} m/s, "
-      "shown at half speed. Cloth bends, folds and flutters, but it is no rubber: {}. The most that was "
-      "measured in the {} frames of this run is {:.3g} %, and {} crossed. Both were measured in every frame.",
-      run.garment->mesh.triangles.size(), run.scene.surroundings.forces.wind.speed_m_per_s,
-      bound ? fmt::format("here no edge of a triangle may become more than {:g} % longer than it was cut",
-                          100.0 * *bound)
-            : "it should not become longer than it was cut",
-      counts.frames, 100.0 * counts.stretch.springs,
-      counts.crossing_pairs == 0 ? "no two triangles"
-                                 : counted(counts.crossing_pairs, "pair") + " of triangles");
-}
-
 std::string machine_html(const Machine& machine) {
   return fmt::format(
       "<p class=\"small\">Measured on {} ({} threads; {}), load {:.1f}; {}, built with {}; drawn with "
@@ -174,24 +143,35 @@ std::string machine_html(const Machine& machine) {
       escaped(machine.program), escaped(machine.compiler), escaped(machine.gl_renderer));
 }
 
-}  // namespace
-
-std::string film_html(const Film& film, const Recording& run) {
-  const std::string caption = escaped(film_caption(run));
-  const std::string still = png_url(film.still);
-  const bool is_shown = !film.mp4.empty() && film.mp4.size() <= most_film_bytes;
-  const std::span bytes(reinterpret_cast<const std::uint8_t*>(film.mp4.data()), film.mp4.size());
-  const std::string picture = is_shown ? fmt::format(
-                                             "<video autoplay loop muted playsinline poster=\"{}\" "
-                                             "src=\"data:video/mp4;base64,{}\"></video>",
-                                             still, base64(bytes))
-                                       : fmt::format("<img alt=\"A T-shirt in the wind\" src=\"{}\">", still);
-  return fmt::format("<figure id=\"film\">\n{}\n<figcaption>{}</figcaption>\n</figure>\n", picture, caption);
+std::string cell_html(const std::string& text) {
+  return fmt::format("<td class=\"number\">{}</td>", text);
 }
+
+std::string percent(double fraction) {
+  return cell_html(std::isfinite(fraction) ? fmt::format("{:.3g} %", 100.0 * fraction) : "lost");
+}
+
+std::string row_html(const Results& results, sim::SolverKind kind) {
+  const MethodTrial& fine = trial_of(results.trials_of(MethodTest::time), kind, trial_meshes.back());
+  const MethodTrials& steps = results.trials_of(MethodTest::steps);
+  const MethodTrial& usual = trial_of(steps, kind);
+  const MethodTrial& longest = trial_of(steps, kind, trial_shirt_triangles, trial_step_factors.back());
+  const double speed_m_per_s = trial_of(results.trials_of(MethodTest::rest), kind).last_speed_m_per_s();
+  return fmt::format("<tr><td>{}</td>", name_of(kind)) + cell_html(std::to_string(fine.substeps)) +
+         cell_html(fmt::format("{:.3g}", fine.ranked_ms(0.5))) +
+         cell_html(fmt::format("{:.3g} to {:.3g}", fine.ranked_ms(0.25), fine.ranked_ms(0.75))) +
+         percent(fine.largest_stretch()) + percent(fine.largest_surface_stretch()) +
+         cell_html(std::isfinite(speed_m_per_s) ? fmt::format("{:.1f}", 1e3 * speed_m_per_s) : "lost") +
+         percent(longest.largest_stretch()) +
+         cell_html(usual.is_lost ? "lost" : fmt::format("{:.1f}", 1e2 * usual.frames.back().sunk_m)) +
+         "</tr>\n";
+}
+
+}  // namespace
 
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine,
-                        const std::string& film_figure, const std::string& methods) {
+                        const std::string& methods) {
   std::string html = report_page;
   const auto put = [&html](const std::string& place, const std::string& text) {
     html.replace(html.find(place), place.size(), text);
@@ -204,12 +184,22 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
   for (const DrawnFigure& figure : figures) {
     figures_html += figure_html(figure);
   }
-  put("<!--film-->\n", film_figure);
   put("<!--machine-->\n", machine_html(machine));
   put("<!--claims-->\n", claims_html);
   put("<!--promises-->\n", promises_html(promises));
   put("<!--figures-->\n", figures_html);
   put("<!--methods-->\n", methods);
+  return html;
+}
+
+std::string methods_html(const Results& results) {
+  std::string html = methods_text;
+  const std::string place = "<!--rows-->\n";
+  std::string rows;
+  for (const sim::SolverKind kind : trial_methods) {
+    rows += row_html(results, kind);
+  }
+  html.replace(html.find(place), place.size(), rows);
   return html;
 }
 

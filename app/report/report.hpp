@@ -1,16 +1,48 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/figures/experiments/experiments.hpp"
 #include "app/report/claims.hpp"
-#include "app/report/promises.hpp"
 #include "renderer/page/image.hpp"
 
 namespace taut::app {
+
+/// The machine and the program that numbers were measured with.
+struct Machine {
+  std::string processor;
+  unsigned threads = 0;  ///< hardware threads
+  std::string system;    ///< operating system
+  double load = 0.0;     ///< processes that wanted a processor, averaged over the last minute
+  std::string compiler;  ///< name and version
+  std::string program;   ///< name and version
+  std::string gl_renderer;
+};
+
+/// Reads the description of this machine.
+Machine this_machine(const std::string& gl_renderer);
+
+/// The promises about the frames of a figure, and the counts in them.
+struct PromiseResult {
+  std::string figure;  ///< "fig5"
+  std::string scene;
+  std::optional<double> bound;  ///< the largest stretch that is promised, a fraction; empty: none is
+  bool is_apart = false;        ///< whether it is promised that nothing crosses
+  PromiseCounts counts;
+
+  bool is_bound_kept() const;
+  bool is_kept_apart() const { return counts.crossing_frames == 0; }
+};
+
+/// The results of all scenes of figures 2 to 5 whose frames were checked.
+std::vector<PromiseResult> promise_results(const Results& results);
+
+/// In a sentence or two what was promised and what came of it.
+std::string describe(const std::vector<PromiseResult>& results);
 
 /// A figure that was drawn.
 struct DrawnFigure {
@@ -19,15 +51,6 @@ struct DrawnFigure {
   renderer::Image picture;
 };
 
-/// The moving picture at the top of the report.
-struct Film {
-  renderer::Image still;  ///< stands there where no film can be shown
-  std::string mp4;        ///< the bytes of the file; empty: there is none
-};
-
-/// A film with more bytes is left out of the report, which is a page to be mailed.
-inline constexpr std::size_t most_film_bytes = 450'000;
-
 /// The report as a page for people and as JSON.
 struct Report {
   std::string html;
@@ -35,20 +58,21 @@ struct Report {
 };
 
 /// All experiments must have been made and all figures drawn.
-Report make_report(const Results& results, const Film& film, std::span<const DrawnFigure> figures,
+Report make_report(const Results& results, std::span<const DrawnFigure> figures,
                    const std::string& gl_renderer);
 
-/// The film of a checked run and what was measured in it, as a figure of the page.
-std::string film_html(const Film& film, const Recording& run);
+/// All claims, and what is promised, as one JSON object.
+std::string claims_json(const std::vector<Claim>& claims, const std::vector<PromiseResult>& promises,
+                        const Machine& machine);
 
 /// The text below figure 8: who made each of its methods for what, and a table of what was measured.
 std::string methods_html(const Results& results);
 
-/// The report as one HTML file with `film_figure` at its top and `methods` below the figures. Pictures are
+/// The report as one HTML file with `methods` below the figures. Pictures are
 /// embedded, so it opens from any folder. The PDFs that it links to are expected beside it.
 std::string report_html(std::span<const Claim> claims, const std::vector<PromiseResult>& promises,
                         std::span<const DrawnFigure> figures, const Machine& machine,
-                        const std::string& film_figure = "", const std::string& methods = "");
+                        const std::string& methods = "");
 
 /// How pictures lie on a contact sheet.
 struct SheetLayout {

@@ -4,7 +4,7 @@ namespace taut::app {
 
 // assets/report, embedded when the program is built.
 
-/// The HTML page of the report with its style. <!--film-->, <!--machine-->, <!--claims-->,
+/// The HTML page of the report with its style. <!--machine-->, <!--claims-->,
 /// <!--promises-->, <!--figures--> and <!--methods--> are replaced.
 extern const char* const report_page;
 /// The text below figure 8 as HTML. <!--rows--> is replaced by those of its table.

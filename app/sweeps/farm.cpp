@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t tasks_of(const Sweep& sweep, const FarmSettings& settings) {
-  return (sweep.runs() + settings.chunk - 1) / settings.chunk;
-}
-
 std::string full(const fs::path& path) {
   return fs::absolute(path).lexically_normal().string();
 }
@@ -45,15 +41,6 @@ std::string sbatch_log(const Sweep& sweep, const std::string& name) {
     path.append(letter == '%' ? 2 : 1, letter);
   }
   return sbatch_quoted(path + '/' + name);
-}
-
-/// As snakemake has it where names in braces stand for something.
-std::string with_plain_braces(const std::string& command) {
-  std::string text;
-  for (const char letter : command) {
-    text.append(letter == '{' || letter == '}' ? 2 : 1, letter);
-  }
-  return text;
 }
 
 }  // namespace
@@ -109,36 +96,6 @@ std::string slurm_script(const Sweep& sweep, const FarmSettings& settings) {
 std::string merge_script(const Sweep& sweep) {
   return fmt::format("#!/bin/bash\n#SBATCH --job-name=taut-merge\n#SBATCH --output={}\nexec {}\n",
                      sbatch_log(sweep, "merge.log"), this_command({"sweep", "merge", full(sweep.folder)}));
-}
-
-std::string parallel_script(const Sweep& sweep, const FarmSettings& settings) {
-  return fmt::format(
-      "#!/bin/bash\n"
-      "# Runs that are done are left alone: start it again to go on. --jobs and --sshlogin are for GNU "
-      "parallel.\n"
-      "seq 0 {} | parallel --quote --joblog {} \"$@\" {} --task '{{}}'\n"
-      "{}\n",
-      tasks_of(sweep, settings) - 1,
-      shell_line(std::vector<std::string>{full(sweep.folder / "parallel.log")}),
-      task_command(sweep, settings), this_command({"sweep", "merge", full(sweep.folder)}));
-}
-
-std::string snakefile(const Sweep& sweep, const FarmSettings& settings) {
-  const Json folder = full(sweep.folder);
-  const Json merge = with_plain_braces(this_command({"sweep", "merge", full(sweep.folder)}));
-  const Json task =
-      with_plain_braces(task_command(sweep, settings)) + " --task {wildcards.task} || [ $? = 3 ]";
-  return fmt::format(
-      "# A promise that was broken, exit code 3, is a result.\n"
-      "workdir: {}\n\n"
-      "rule table:\n"
-      "    input: expand(\"tasks/{{task}}\", task=range({}))\n"
-      "    output: \"table.csv\"\n"
-      "    shell: {}\n\n"
-      "rule task:\n"
-      "    output: touch(\"tasks/{{task}}\")\n"
-      "    shell: {}\n",
-      folder.dump(), tasks_of(sweep, settings), merge.dump(), task.dump());
 }
 
 std::string this_command(const std::vector<std::string>& arguments) {

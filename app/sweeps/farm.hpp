@@ -38,12 +38,6 @@ std::string slurm_script(const Sweep& sweep, const FarmSettings& settings);
 /// The script of the job that makes the table.
 std::string merge_script(const Sweep& sweep);
 
-/// A script that makes all runs with GNU parallel.
-std::string parallel_script(const Sweep& sweep, const FarmSettings& settings);
-
-/// A Snakefile whose tasks make all runs and whose first rule makes the table.
-std::string snakefile(const Sweep& sweep, const FarmSettings& settings);
-
 /// This program and arguments as one line for Bash, with full paths.
 std::string this_command(const std::vector<std::string>& arguments);
 

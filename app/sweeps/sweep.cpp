@@ -3,14 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
+#include "app/base/interruption.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/bytes.hpp"
 
 namespace taut::app {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -185,6 +188,219 @@ std::string program_hash() {
 
 std::string hash_text(std::uint64_t hash) {
   return fmt::format("{:016x}", hash);
+}
+
+namespace {
+
+struct Study {
+  std::string scene;
+  int frames = 0;  ///< 0: as the scene has it
+  bool pictures = false;
+};
+
+const std::vector<Key<Study>>& study_keys() {
+  static const std::vector<Key<Study>> keys = {
+      text_key<Study>("scene", MEMBER(scene), "what every run begins as"),
+      whole_key<Study>("frames", {1, 1000000}, MEMBER(frames), "length of every run"),
+      switch_key<Study>("pictures", MEMBER(pictures), "every run draws its last frame")};
+  return keys;
+}
+
+/// Keys may stand in quotes, "wind.speed", or without, which TOML reads as tables in tables.
+void read_axes(const toml::table& table, const std::string& section, const Source& source, Sweep& sweep) {
+  for (const auto& [name, node] : entries_of(table)) {
+    const std::string key = section.empty() ? name : section + '.' + name;
+    const toml::array* list = node->as_array();
+    if (const toml::table* inner = node->as_table()) {
+      read_axes(*inner, key, source, sweep);
+      continue;
+    }
+    if (list == nullptr || list->empty()) {
+      fail(source, line_of(*node), key + ": found " + to_text(*node) + ", expected a list of values");
+    }
+    SweepAxis& axis = sweep.axes.emplace_back(SweepAxis{key, {}, {}});
+    for (const toml::node& value : *list) {
+      axis.values.push_back(json_of(value));
+      axis.where.push_back(fmt::format("{}:{}", source.name, line_of(value)));
+    }
+  }
+}
+
+/// Names of files that are there become full paths, which mean the same in any folder.
+std::string full_name(const std::string& name, const Source& source) {
+  const fs::path file = beside(source, name);
+  const bool is_there = fs::exists(file) || file.string().find('%') != std::string::npos;
+  return name.empty() || !is_there ? name : fs::absolute(file).lexically_normal().string();
+}
+
+/// All that belongs to a file that a scene names: what it needs beside it, what is in it if it is a folder,
+/// the files of a pattern such as body-%04d.obj.
+std::vector<fs::path> files_of(const fs::path& named) {
+  constexpr std::array belongings = {".landmarks.toml", ".mtl", ".bin", ".png", ".jpg"};
+  std::vector<fs::path> files;
+  const std::string name = named.filename().string();
+  const std::size_t field = name.find('%');
+  if (fs::is_directory(named) || field != std::string::npos) {
+    const std::string start = fs::is_directory(named) ? "" : name.substr(0, field);
+    for (const auto& entry : fs::directory_iterator(fs::is_directory(named) ? named : named.parent_path())) {
+      if (entry.is_regular_file() && entry.path().filename().string().starts_with(start)) {
+        files.push_back(entry.path());
+      }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+  files.push_back(named);
+  for (const char* ending : belongings) {
+    const fs::path other = named.parent_path() / (named.stem().string() + ending);
+    if (other != named && fs::is_regular_file(other)) {
+      files.push_back(other);
+    }
+  }
+  return files;
+}
+
+/// Gathers the files that a sweep names.
+class Inputs {
+ public:
+  /// The name of a file in the sweep's folder; what is no file stays as it is.
+  std::string name_of(const std::string& full) {
+    if (!fs::path(full).is_absolute()) {
+      return full;
+    }
+    std::string& name = names_[full];
+    if (name.empty()) {
+      const bool is_folder = fs::is_directory(full);
+      const std::vector<fs::path> files = files_of(full);
+      std::uint64_t hash = sim::fnv1a_of_nothing;
+      for (const fs::path& file : files) {
+        hash = sim::fnv1a(sim::fnv1a(hash, file.filename().string()), read_text_file(file));
+      }
+      const fs::path folder = fs::path(inputs_folder) / hash_text(hash);
+      for (const fs::path& file : files) {
+        copies.emplace_back(file, folder / file.filename());
+      }
+      name = (is_folder ? folder : folder / fs::path(full).filename()).string();
+    }
+    return name;
+  }
+
+  std::vector<std::pair<fs::path, fs::path>> copies;
+
+ private:
+  std::map<std::string, std::string> names_;  ///< by full path
+};
+
+void require_few(const Sweep& sweep, const std::string& study) {
+  double runs = 1.0;
+  for (const SweepAxis& axis : sweep.axes) {
+    runs *= static_cast<double>(axis.values.size());
+  }
+  if (runs > static_cast<double>(most_runs)) {
+    throw InputError(
+        fmt::format("{}: the axes make {:.0f} runs, expected at most {}", study, runs, most_runs));
+  }
+}
+
+void require_valid(const Sweep& sweep, const DrawnScene& base) {
+  for (std::size_t run = 0; run < sweep.runs(); ++run) {
+    throw_if_interrupted();
+    DrawnScene scene = base;
+    set_values(sweep, run, scene);
+  }
+}
+
+std::string manifest_of(const Sweep& sweep) {
+  std::string text;
+  for (std::size_t run = 0; run < sweep.runs(); ++run) {
+    text += Json{{"index", run},
+                 {"values", sweep.values(run)},
+                 {"scene", sweep.scene_hash(run)},
+                 {"program", sweep.program}}
+                .dump() +
+            '\n';
+  }
+  return text;
+}
+
+Study read_study(const fs::path& file, Sweep& sweep) {
+  const Source source{file.string(), false};
+  toml::table table = read_toml_text(read_text_file(file), source.name);
+  const toml::table* axes = table["axes"].as_table();
+  if (axes == nullptr) {
+    fail(source, 0, "expected a table [axes], such as \"wind.speed\" = [0, 1, 10]");
+  }
+  read_axes(*axes, "", source, sweep);
+  table.erase("axes");
+  Study study;
+  KeyReader(study_keys(), source, study).read(table);
+  if (study.scene.empty()) {
+    fail(source, 0, "expected scene = \"...\", " + std::string("a scene or a garment file"));
+  }
+  const fs::path beside_study = file.parent_path() / study.scene;
+  study.scene = fs::is_regular_file(beside_study) ? beside_study.string() : study.scene;
+  return study;
+}
+
+}  // namespace
+
+PlannedSweep plan_sweep(const fs::path& file, const fs::path& folder) {
+  PlannedSweep planned;
+  Sweep& sweep = planned.sweep;
+  const Study study = read_study(file, sweep);
+  require_few(sweep, file.string());
+  DrawnScene base = find_scene(study.scene, {});
+  base.frames = study.frames > 0 ? study.frames : base.frames;
+  for (SweepAxis& axis : sweep.axes) {
+    for (Json& value : axis.values) {
+      value = with_files(axis.key, value, [&](const auto& name) { return full_name(name, {file.string()}); });
+    }
+  }
+  require_valid(sweep, base);
+
+  Inputs inputs;
+  const auto taken_in = [&](const std::string& name) { return inputs.name_of(name); };
+  for (SweepAxis& axis : sweep.axes) {
+    for (Json& value : axis.values) {
+      value = with_files(axis.key, value, taken_in);
+    }
+  }
+  Json settings = scene_settings(base);
+  if (!base.garment.file.empty()) {
+    settings["garment"].erase("grid");
+  }
+  settings = with_files("", settings, [&](const auto& name) { return full_name(name, {name, true}); });
+  sweep.scene_text = settings_text(with_files("", settings, taken_in));
+  sweep.folder = folder;
+  sweep.scene_name = base.name;
+  sweep.pictures = study.pictures;
+  sweep.program = program_hash();
+  planned.copies = std::move(inputs.copies);
+  return planned;
+}
+
+bool write_sweep(const PlannedSweep& planned) {
+  const Sweep& sweep = planned.sweep;
+  const fs::path& folder = sweep.folder;
+  if (fs::exists(folder / "sweep.json")) {
+    const Sweep there = read_sweep(folder);
+    if (sweep_text(there, false) != sweep_text(sweep, false)) {
+      throw InputError("'" + folder.string() +
+                       "' holds the sweep of another study; choose another folder, or remove it");
+    }
+    if (there.program == sweep.program && fs::exists(folder / "manifest")) {
+      return false;
+    }
+  }
+  prepare_folder_of(folder / "sweep.json");
+  for (const auto& [from, to] : planned.copies) {
+    prepare_folder_of(folder / to);
+    write_text_file(folder / to, read_text_file(from));
+  }
+  write_text_file(folder / "scene.toml", sweep.scene_text);
+  write_text_file(folder / "manifest", manifest_of(sweep));
+  write_text_file(folder / "sweep.json", sweep_text(sweep));
+  return true;
 }
 
 }  // namespace taut::app

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
@@ -49,7 +50,7 @@ struct Sweep {
   std::filesystem::path file(std::size_t run, const char* ending) const;
 };
 
-/// How many runs share a folder, and a file once they are packed.
+/// How many runs share a folder.
 inline constexpr std::size_t shard_runs = 1000;
 /// The most runs of a sweep.
 inline constexpr std::size_t most_runs = 1000000;
@@ -79,5 +80,22 @@ std::string program_hash();
 
 /// As sixteen digits.
 std::string hash_text(std::uint64_t hash);
+
+/// A sweep as a study asks for it, and the files that have to be copied into its folder.
+struct PlannedSweep {
+  Sweep sweep;
+  /// From where, and to where in the sweep's folder.
+  std::vector<std::pair<std::filesystem::path, std::filesystem::path>> copies;
+};
+
+/// Reads a study (TOML): `scene`, as the argument SCENE of other commands, or relative to the study;
+/// optionally `frames` and `pictures`; and [axes], keys of scenes with lists of values. Checks the scene of
+/// every run. Throws InputError that names file, line and key.
+PlannedSweep plan_sweep(const std::filesystem::path& study, const std::filesystem::path& folder);
+
+/// Writes the folder of a sweep, sweep.json last. Returns false if all was there already; a sweep that was
+/// planned for another program then goes on with this one. Throws InputError if the folder holds another
+/// sweep.
+bool write_sweep(const PlannedSweep& planned);
 
 }  // namespace taut::app

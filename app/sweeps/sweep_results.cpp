@@ -6,65 +6,21 @@
 #include <fstream>
 #include <set>
 
+#include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
+#include "app/models/image_reading.hpp"
+#include "app/output/csv.hpp"
+#include "app/report/report.hpp"
 
 namespace taut::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path packed_file(const Sweep& sweep, std::size_t shard) {
-  return sweep.folder / "runs" / fmt::format("{:03}.jsonl", shard);
-}
-
 bool is_as_planned(const Sweep& sweep, std::size_t run, const Json& result) {
   return result.is_object() && result.value("index", most_runs) == run &&
          result.value("scene", "") == sweep.scene_hash(run) && result.value("program", "") == sweep.program;
-}
-
-/// Empty where the file is not there or not such a result.
-std::optional<Json> read_result(const Sweep& sweep, std::size_t run) {
-  std::ifstream in(sweep.file(run, ".json"));
-  Json result = in ? Json::parse(in, nullptr, false) : Json();
-  return is_as_planned(sweep, run, result) ? std::optional(std::move(result)) : std::nullopt;
-}
-
-using Shard = std::vector<std::optional<Json>>;
-
-/// The runs of the shard, by their files or else by the packed file.
-Shard read_shard(const Sweep& sweep, std::size_t shard) {
-  const std::size_t first = shard * shard_runs;
-  Shard results(std::min(shard_runs, sweep.runs() - first));
-  std::ifstream packed(packed_file(sweep, shard));
-  for (std::string line; std::getline(packed, line);) {
-    Json result = Json::parse(line, nullptr, false);
-    const std::size_t run = result.is_object() ? result.value("index", most_runs) : most_runs;
-    if (run >= first && run - first < results.size() && is_as_planned(sweep, run, result)) {
-      results[run - first] = std::move(result);
-    }
-  }
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(sweep.file(first, "").parent_path(), error)) {
-    if (entry.path().extension() == ".json") {
-      const std::size_t run = std::strtoull(entry.path().stem().c_str(), nullptr, 10);
-      std::optional<Json> result =
-          run >= first && run - first < results.size() ? read_result(sweep, run) : std::nullopt;
-      if (result) {
-        results[run - first] = std::move(result);
-      }
-    }
-  }
-  return results;
-}
-
-std::size_t shards_of(const Sweep& sweep) {
-  return (sweep.runs() + shard_runs - 1) / shard_runs;
-}
-
-bool is_complete(const Shard& results) {
-  return std::all_of(results.begin(), results.end(),
-                     [](const auto& result) { return result && is_final(*result); });
 }
 
 /// How many files of the runs have this ending.
@@ -79,15 +35,65 @@ std::set<std::string> stems_of(const Sweep& sweep, const char* ending) {
   return stems;
 }
 
+constexpr std::array measures = {"max_stretch",
+                                 "max_surface_stretch",
+                                 "max_p99_stretch",
+                                 "max_p99_surface_stretch",
+                                 "final_max_stretch",
+                                 "frames_over_bound",
+                                 "smallest_distance",
+                                 "mean_substeps",
+                                 "mean_sim_ms",
+                                 "total_sim_ms",
+                                 "final_rms_speed",
+                                 "frames",
+                                 "vertices",
+                                 "triangles",
+                                 "state_hash",
+                                 "host",
+                                 "where"};
+
+/// Empty where the result does not say it.
+std::string cell_of(const Json* result, const char* name) {
+  const Json value = result != nullptr && result->contains(name) ? result->at(name) : Json();
+  return value.is_null() ? "" : value.is_string() ? cell(value.get<std::string>()) : value.dump();
+}
+
+/// The values of a run that differ between runs.
+std::string title_of(const Sweep& sweep, std::size_t run) {
+  std::string title;
+  const std::vector<std::size_t> choice = sweep.choice(run);
+  for (std::size_t k = 0; k < choice.size(); ++k) {
+    const SweepAxis& axis = sweep.axes[k];
+    if (const Json& value = axis.values[choice[k]]; axis.values.size() > 1) {
+      // Numbers do not say what they are.
+      const std::string name = value.is_string() ? "" : axis.key.substr(axis.key.rfind('.') + 1) + ' ';
+      title += (title.empty() ? "" : ", ") + name + value_label(value);
+    }
+  }
+  return title;
+}
+
+renderer::Image read_picture(const std::filesystem::path& file) {
+  const TextureImage image = decode_image(read_text_file(file));
+  return {static_cast<int>(image.width_px), static_cast<int>(image.height_px), 4, *image.rgba};
+}
+
+std::size_t columns_of(const Sweep& sweep) {
+  for (std::size_t k = sweep.axes.size(); k-- > 0;) {
+    if (const std::size_t values = sweep.axes[k].values.size(); values > 1) {
+      return std::min<std::size_t>(values, 10);
+    }
+  }
+  return 1;
+}
+
 }  // namespace
 
 std::optional<Json> result_of(const Sweep& sweep, std::size_t run) {
-  std::optional<Json> result = read_result(sweep, run);
-  std::error_code error;
-  if (!result && fs::exists(packed_file(sweep, run / shard_runs), error)) {
-    result = read_shard(sweep, run / shard_runs)[run % shard_runs];
-  }
-  return result;
+  std::ifstream in(sweep.file(run, ".json"));
+  Json result = in ? Json::parse(in, nullptr, false) : Json();
+  return is_as_planned(sweep, run, result) ? std::optional(std::move(result)) : std::nullopt;
 }
 
 bool is_final(const Json& result) {
@@ -96,12 +102,10 @@ bool is_final(const Json& result) {
 
 void for_each_result(const Sweep& sweep,
                      const std::function<void(std::size_t run, const Json* result)>& use) {
-  for (std::size_t shard = 0; shard < shards_of(sweep); ++shard) {
+  for (std::size_t run = 0; run < sweep.runs(); ++run) {
     throw_if_interrupted();
-    const Shard results = read_shard(sweep, shard);
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      use(shard * shard_runs + i, results[i] ? &*results[i] : nullptr);
-    }
+    const std::optional<Json> result = result_of(sweep, run);
+    use(run, result ? &*result : nullptr);
   }
 }
 
@@ -141,26 +145,45 @@ std::string ranges_text(std::span<const std::size_t> numbers) {
   return text;
 }
 
-std::size_t pack_results(const Sweep& sweep) {
-  std::size_t packed = 0;
-  for (std::size_t shard = 0; shard < shards_of(sweep); ++shard) {
-    throw_if_interrupted();
-    const Shard results = read_shard(sweep, shard);
-    if (!is_complete(results)) {
-      continue;
-    }
-    std::string lines;
-    for (const std::optional<Json>& result : results) {
-      lines += result->dump() + '\n';
-    }
-    write_text_file(packed_file(sweep, shard), lines);
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      std::error_code ignored;
-      fs::remove(sweep.file(shard * shard_runs + i, ".json"), ignored);
-    }
-    ++packed;
+std::string sweep_table(const Sweep& sweep) {
+  std::vector<std::string> columns = {"index"};
+  for (const SweepAxis& axis : sweep.axes) {
+    columns.push_back(cell(axis.key));
   }
-  return packed;
+  columns.emplace_back("end");
+  columns.insert(columns.end(), measures.begin(), measures.end());
+  CsvTable table(columns);
+  for_each_result(sweep, [&](std::size_t run, const Json* result) {
+    std::vector<std::string> row = {std::to_string(run)};
+    const Json values = sweep.values(run);
+    for (const Json& value : values) {
+      row.push_back(cell(value_label(value)));
+    }
+    row.push_back(result != nullptr ? cell_of(result, "end") : "missing");
+    for (const char* name : measures) {
+      row.push_back(cell_of(result, name));
+    }
+    table.add(std::move(row));
+  });
+  return table.text();
+}
+
+renderer::Image sweep_sheet(const Sweep& sweep) {
+  const std::size_t step = (sweep.runs() + most_on_sheet - 1) / most_on_sheet;
+  std::vector<DrawnFigure> pictures;
+  for (std::size_t run = 0; run < sweep.runs(); run += step) {
+    const std::filesystem::path file = sweep.file(run, ".png");
+    if (std::error_code error; std::filesystem::exists(file, error)) {
+      pictures.push_back({title_of(sweep, run), "", read_picture(file)});
+    }
+  }
+  if (pictures.empty()) {
+    return {};
+  }
+  // Where some are missing, what is there fills up.
+  const std::size_t columns = step == 1 ? columns_of(sweep) : 10;
+  return contact_sheet(pictures, 1.0F,
+                       {.columns = static_cast<int>(columns), .cell_px = 400, .title_px = 16.0F});
 }
 
 }  // namespace taut::app

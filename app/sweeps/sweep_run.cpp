@@ -15,7 +15,7 @@
 #include "app/drawing/offscreen_renderer.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/output/bound_verdict.hpp"
+#include "app/output/frame_record.hpp"
 #include "app/output/picture_record.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/run_report.hpp"
@@ -193,8 +193,8 @@ std::optional<Attempt> earlier(const Sweep& sweep, std::size_t run) {
              : std::nullopt;
 }
 
-/// Removes what a process left half written that was killed at the run. Requires the run's lock; others may be
-/// trying to take that.
+/// Removes what a process left half written that was killed at the run. Requires the run's lock; others may
+/// be trying to take that.
 void remove_unfinished(const Sweep& sweep, std::size_t run) {
   namespace fs = std::filesystem;
   const fs::path any = sweep.file(run, ".");
@@ -202,7 +202,8 @@ void remove_unfinished(const Sweep& sweep, std::size_t run) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(any.parent_path(), ignored)) {
     const std::string name = entry.path().filename().string();
-    const bool is_of_run = name.starts_with(any.filename().string()) && name.find(".lock") == std::string::npos;
+    const bool is_of_run =
+        name.starts_with(any.filename().string()) && name.find(".lock") == std::string::npos;
     if (is_of_run && name.find(".part-") != std::string::npos) {
       unfinished.push_back(entry.path());
     }

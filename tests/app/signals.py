@@ -18,7 +18,7 @@ COMMANDS = {
     'render': ['render', 'tshirt-gravity', '--frames', '0:2', '--resolution', '64,64', '--output', 'a-{frame}.png', *LONG_FRAME],
     'dress': ['simulate', 'tshirt-worn', '--frames', '2', *LONG_FRAME[:4]],
     'figures': ['figures', '--output', 'figures'],
-    'bench': ['bench', '--sizes', '84480', '--bounds', '0.001', '--output', 'bench'],
+    'bench': ['bench', '--contact', '--scenes', 'fine-wind-10'],
     'view': ['view', '--headless', '--script', 'session.txt', *LONG_FRAME],
 }
 SESSION = 'taut-session 1\nscene tshirt-gravity\nwindow 320 240 1\nframe 10\n'

@@ -8,8 +8,8 @@
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
-#include "app/output/bound_verdict.hpp"
-#include "app/output/frame_range.hpp"
+#include "app/output/frame_record.hpp"
+#include "app/output/output_pattern.hpp"
 #include "sim/mesh/grid.hpp"
 #include "temporary_folder.hpp"
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -147,6 +148,84 @@ TEST(Claims, EveryOneCanHoldInFullInPartAndNot) {
   }
 }
 
+TEST(Verdicts, NeedTheirQuorum) {
+  using Cases = std::vector<Case>;
+  const Case holds = {"", {}, true}, in_part = {"", {}, false, true}, fails = {"", {}},
+             shown = {"", {}, true, true, false};
+  EXPECT_EQ(verdict_of(Cases{holds, holds, shown}, Quorum::all), yes);
+  EXPECT_EQ(verdict_of(Cases{holds, in_part}, Quorum::all), partly);
+  EXPECT_EQ(verdict_of(Cases{holds, fails}, Quorum::all), no);
+  EXPECT_EQ(verdict_of(Cases{holds, fails}, Quorum::some), partly);
+  EXPECT_EQ(verdict_of(Cases{in_part, fails}, Quorum::some), no);
+  EXPECT_EQ(verdict_of(Cases{holds, holds, fails}, Quorum::most), partly);
+  EXPECT_EQ(verdict_of(Cases{holds, fails}, Quorum::most), no) << "just half";
+  EXPECT_EQ(verdict_of(Cases{holds, holds, fails}, Quorum::half), yes);
+  EXPECT_EQ(verdict_of(Cases{holds, fails}, Quorum::half), partly) << "just half";
+  for (const Quorum quorum : {Quorum::all, Quorum::some, Quorum::most, Quorum::half}) {
+    EXPECT_EQ(verdict_of(Cases{shown}, quorum), no) << "no case proves nothing";
+    EXPECT_EQ(verdict_of(Cases{fails, shown}, quorum), no);
+  }
+}
+
+Verdict verdict_after(const std::string& id, const std::function<void(Results&)>& change) {
+  Results results = results_of_the_paper();
+  change(results);
+  return claim_of(judge_claims(results), id).judgement.verdict;
+}
+
+TEST(Verdicts, ANumberThatIsLostProvesNothing) {
+  for (const double lost : {NAN, INFINITY}) {
+    EXPECT_EQ(verdict_after("stretch-bound",
+                            [=](Results& r) {
+                              r.strong_runs[0].stretch = {0.04, lost};
+                            }),
+              no);
+    EXPECT_EQ(verdict_after("stretch-bound",
+                            [=](Results& r) {
+                              r.strong_runs[0].stretch = {lost, 0.04};
+                            }),
+              no);
+    EXPECT_EQ(verdict_after("free-surface",
+                            [=](Results& r) {
+                              r.strong_runs[0].surface = {0.2, lost};
+                            }),
+              partly);
+    EXPECT_EQ(verdict_after("free-surface", [=](Results& r) { r.strong_runs[0].surface = {lost, 0.2}; }), no);
+    EXPECT_EQ(verdict_after("any-garment", [=](Results& r) { r.garments[0].strong.largest_stretch = lost; }),
+              no);
+    EXPECT_EQ(verdict_after("ideal-overstretches", [=](Results& r) { r.methods[2].max_stretch = {lost}; }),
+              no);
+  }
+  EXPECT_EQ(verdict_after("real-time", [](Results& r) { r.frame_times[0].largest_stretch = NAN; }), yes)
+      << "one setting of a model is enough";
+  EXPECT_EQ(verdict_after("any-garment", [](Results& r) { r.garments.clear(); }), no);
+}
+
+TEST(Verdicts, LieOnTheirBounds) {
+  const auto stretched = [](double on_the_way) {
+    return [=](Results& r) { r.strong_runs[0].stretch = {0.05, on_the_way}; };
+  };
+  EXPECT_EQ(verdict_after("stretch-bound", stretched(0.05)), yes);
+  EXPECT_EQ(verdict_after("stretch-bound", stretched(0.051)), partly);
+  const auto moved_last = [](double last_m) { return [=](Results& r) { r.fall->moved_m = {1.0, last_m}; }; };
+  EXPECT_EQ(verdict_after("convergence", moved_last(9e-4)), yes);
+  EXPECT_EQ(verdict_after("convergence", moved_last(2e-3)), partly);
+  EXPECT_EQ(verdict_after("convergence", moved_last(0.2)), no);
+  for (const Mapping& bad :
+       {Mapping{3, 1, 10, 9, 3, 0}, {3, 1, 10, 10, 0, 0}, {3, 1, 10, 10, 3, 1}, Mapping{}}) {
+    EXPECT_EQ(verdict_after("any-garment", [&](Results& r) { r.garments[0].mapping = bad; }), no);
+  }
+  const auto growth_like = [](double power) {
+    return [=](Results& r) {
+      for (FrameTimes& time : r.frame_times) {
+        time.frame_ms = {1e-3 * std::pow(time.triangles, power)};
+      }
+    };
+  };
+  EXPECT_EQ(verdict_after("growth", growth_like(1.21)), partly);
+  EXPECT_EQ(verdict_after("growth", growth_like(1.19)), no);
+}
+
 // What was once measured, and was called "holds with a condition".
 TEST(Claims, WhatTheLetterOfThePaperReachesIsNoBound) {
   Results results = results_of_the_paper();
@@ -207,20 +286,20 @@ TEST(Claims, FindingsSayTheNumbersThatDecide) {
         << "'";
   };
   expect_in(in_part, "stretch-bound", "2 of 3 runs keep 5 % in every frame");
-  expect_in(in_part, "stretch-bound", "6.7 % on the way");
-  expect_in(against, "stretch-bound", "848 % at the end");
+  expect_in(in_part, "stretch-bound", "on the way 6.7 %");
+  expect_in(against, "stretch-bound", "at the end 848 %");
   expect_in(in_part, "free-surface", "the most stretched triangle of every run");
-  expect_in(in_part, "free-surface", "by more than 10 % in 3 of 3 runs, one triangle in a hundred in 1.");
-  expect_in(in_part, "free-surface", "figure 4: springs 6.7 %, the surface 16 %, 99 of 100 triangles 6 %");
-  expect_in(against, "free-surface", "in 2 of 3 runs");
-  expect_in(in_part, "real-time", "for the models of 1028 and 5280 triangles");
-  expect_in(against, "real-time", "11 ms a frame with 1 step x 1 sweep and is stretched by 848 %");
-  expect_in(against, "growth", "to the power 1.00");
+  expect_in(in_part, "free-surface", "In 1 of 3 runs one triangle in a hundred");
+  expect_in(in_part, "free-surface", "springs 6.7 %, the surface 16 %, 99 of 100 triangles 6 %");
+  expect_in(in_part, "real-time", "for 1028 triangles; 5280 triangles");
+  expect_in(against, "real-time",
+            "10600 triangles, 1 step x 1 sweep: a frame 10.6 ms, largest stretch 848 %");
+  expect_in(against, "growth", "exponent of the power 1,");
   expect_in(in_part, "growth", "not by a geometric law with both settings");
   expect_in(in_part, "any-garment", "1 of 2 within the bound");
-  expect_in(against, "any-garment", "1 loose vertex.");
-  expect_in(in_part, "ideal-overstretches", "with springs of 50 N/m, not with those of 100 N/m");
-  expect_in(in_part, "threshold-vibrates", "with steps of 1/160 s, not with those of 1/640 s");
+  expect_in(against, "any-garment", "1 loose vertex");
+  expect_in(in_part, "ideal-overstretches", "with springs of 50 N/m, not with springs of 100 N/m");
+  expect_in(in_part, "threshold-vibrates", "with steps of 1/160 s, not with steps of 1/640 s");
 }
 
 TEST(Claims, WhatBoundedWasAskedToKeepFollowsFromTheScene) {
@@ -245,11 +324,18 @@ TEST(Claims, WhatWasRefusedHasNoNumbers) {
   const Judgement judgement = claim_of(judge_claims(results), "any-garment").judgement;
   EXPECT_NE(judgement.finding.text.find("refused.obj was refused: no reader"), std::string::npos);
   for (const Finding& finding : {judgement.finding, judgement.bounded}) {
-    EXPECT_EQ(finding.measured.size(), results.garments.size() - 1);
+    EXPECT_FALSE(finding.measured.empty());
     for (const MeasuredNumber& number : finding.measured) {
       EXPECT_EQ(number.name.find("refused.obj"), std::string::npos) << number.name;
     }
   }
+}
+
+TEST(Claims, APowerLawIsFittedExactly) {
+  const std::vector<std::array<double, 2>> exact = {
+      {1e3, 2e-6 * std::pow(1e3, 1.2)}, {1e4, 2e-6 * std::pow(1e4, 1.2)}, {8e4, 2e-6 * std::pow(8e4, 1.2)}};
+  EXPECT_NEAR(fit_power_law(exact).exponent, 1.2, 1e-12);
+  EXPECT_NEAR(fit_power_law(exact).factor, 2e-6, 1e-15);
 }
 
 TEST(Claims, NumbersAreWrittenAsPeopleDo) {
@@ -302,7 +388,7 @@ TEST(Report, SaysBelowFigure8WhatWasMeasuredOfEachMethod) {
   MethodTrial& longest =
       test::trial_in(results, {MethodTest::steps, ideal, trial_shirt_triangles, trial_step_factors.back()});
   longest.is_lost = true;
-  const std::string html = report_html({}, {}, {}, {}, "", methods_html(results));
+  const std::string html = report_html({}, {}, {}, {}, methods_html(results));
   EXPECT_CONTAINS(html,
                   "<tr><td>ideal</td><td class=\"number\">20</td><td class=\"number\">10</td>"
                   "<td class=\"number\">10 to 10</td><td class=\"number\">10 %</td>"
@@ -319,31 +405,6 @@ TEST(Report, LinksToTheFilesBesideIt) {
   const std::string html = report_html({}, {}, figures, {});
   EXPECT_CONTAINS(html, "<a href=\"fig1.pdf\">");
   EXPECT_CONTAINS(html, "<a href=\"fig1.png\">");
-}
-
-TEST(Report, BeginsWithAFilmOrWithAPictureInItsPlace) {
-  Recording run;
-  sim::Garment garment;
-  garment.mesh.triangles.resize(7);
-  run.garment = std::make_shared<const sim::Garment>(garment);
-  run.scene.simulation.solver.kind = sim::SolverKind::bounded;
-  run.scene.simulation.solver.bounded.max_stretch = 0.02;
-  run.promises = {101, {0.0163, 0.3}, 0, 0, 0};
-  Film film = {renderer::make_image(4, 2), "ftyp"};
-  const std::string html = report_html({}, {}, {}, {}, film_html(film, run));
-  EXPECT_LT(html.find("src=\"data:video/mp4;base64,ZnR5cA==\""), html.find("Zheng-Dong"));
-  EXPECT_CONTAINS(html, "poster=\"data:image/png;base64,iVBOR");
-  EXPECT_CONTAINS(html, "T-shirt of 7 triangles");
-  EXPECT_CONTAINS(html, "more than 2 % longer");
-  EXPECT_CONTAINS(html, "measured in the 101 frames of this run is 1.63 %, and no two triangles crossed");
-  for (const std::string& mp4 : {std::string(), std::string(most_film_bytes + 1, 'x')}) {
-    film.mp4 = mp4;
-    const std::string still = film_html(film, run);
-    EXPECT_EQ(still.find("<video"), std::string::npos) << mp4.size();
-    EXPECT_CONTAINS(still, "src=\"data:image/png;base64,iVBOR");
-  }
-  run.promises->crossing_pairs = 1;
-  EXPECT_CONTAINS(film_html(film, run), "and 1 pair of triangles crossed");
 }
 
 TEST(Report, ShowsEachVerdictAndWhatBoundedReaches) {

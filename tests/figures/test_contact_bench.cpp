@@ -2,9 +2,8 @@
 
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "app/bench/contact_output.hpp"
+#include "app/bench/bench.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "sim/solvers/bounded/kernels/kernels.hpp"
@@ -85,12 +84,11 @@ TEST(ContactBench, ARunThatBreaksAPromiseIsNamedAndGoesOn) {
   const std::string table = contact_row(trial);
   EXPECT_CONTAINS(table, "  1 of 2\n");
   EXPECT_CONTAINS(table, "\n  needles, start 5: frame 0, 0.0000 s: ");
-  const auto json = nlohmann::json::parse(contact_json({&trial, 1}, {}))["scenes"][0];
-  EXPECT_EQ(json["passed"], 1);
-  EXPECT_EQ(json["runs"][0]["passed"], true);
-  EXPECT_EQ(json["runs"][1]["passed"], false);
-  EXPECT_EQ(json["runs"][1]["seed"], 5);
-  EXPECT_EQ(json["runs"][1]["first_broken"], trial.runs[1].first_broken);
+  const std::string csv = contact_csv({&trial, 1});
+  EXPECT_CONTAINS(csv, "scene,seed,triangles,bound,frames,median_ms,");
+  EXPECT_CONTAINS(csv, "\nneedles,0,32,0.01,3,");
+  EXPECT_CONTAINS(csv, "\nneedles,5,32,0.01,3,");
+  EXPECT_CONTAINS(csv, trial.runs[1].first_broken);
 }
 
 TEST(ContactBench, HasTheScenesInWhichSomethingIsWorn) {

@@ -6,8 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "app/figures/experiments/drape_test.hpp"
-#include "app/figures/fabric_pictures.hpp"
+#include "drape_meter.hpp"
 #include "sim/mesh/adjacency.hpp"
 
 namespace taut::app {

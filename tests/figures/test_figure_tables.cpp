@@ -5,10 +5,9 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/figures/csv.hpp"
 #include "app/figures/figures.hpp"
-#include "app/figures/moment_tables.hpp"
-#include "app/figures/print.hpp"
+#include "app/figures/pictures.hpp"
+#include "app/output/csv.hpp"
 #include "figures/made_trials.hpp"
 #include "temporary_folder.hpp"
 
@@ -132,7 +131,7 @@ TEST(FigureTables, WhatIsWrongWithOneIsSaidWithItsLine) {
     folder.write("fig4.csv", moments);
     folder.write("fig4_shapes.csv", positions);
     Results results;
-    const std::string error = test::message_of<InputError>([&] { read_figure4(folder / "", results); });
+    const std::string error = test::message_of<InputError>([&] { all_figures()[3].read(folder / "", results); });
     return error.substr(error.find("fig4") == std::string::npos ? 0 : error.find("fig4"));
   };
   const std::string row = "a,pinned-9x9-5,1,0.1,0,0,0,0,0,0\n";

@@ -10,7 +10,6 @@
 
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/figures.hpp"
-#include "app/figures/film.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "figures/made_trials.hpp"
@@ -58,66 +57,6 @@ TEST(Figures, TextsAreLargeEnoughInPrint) {
     const float inches = page_width_inches * canvas.smallest_text_px() / static_cast<float>(drawing.width_px);
     EXPECT_GE(72.0F * inches, smallest_text_pt) << figure.name;
   }
-}
-
-// A pendulum of one vertex that swings once in 12 moments and slowly goes away.
-std::vector<Moment> swinging(std::size_t count) {
-  std::vector<Moment> moments(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / 12.0;
-    moments[i].positions = {{std::sin(angle) + 1e-3 * static_cast<double>(i), 0.0, 0.0}};
-  }
-  return moments;
-}
-
-TEST(Film, StartsAgainWhereTheClothGoesOnAlike) {
-  const std::vector<Moment> moments = swinging(30);
-  const std::span<const Moment> loop = find_loop(moments, 10);
-  EXPECT_EQ(loop.size(), 12U) << "half a swing earlier it is there too, but moves the other way";
-  EXPECT_EQ(find_loop(moments, 20).size(), 24U);
-  EXPECT_EQ(find_loop(moments, 40).size(), 30U) << "there are no more";
-}
-
-TEST(Film, DissolvesIntoItsBeginning) {
-  std::vector<renderer::Image> pictures(8, renderer::make_image(1, 1));
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    pictures[i].pixels[0] = static_cast<std::uint8_t>(i < 2 ? 10 * i : 100 + 10 * i);
-  }
-  const std::vector<renderer::Image> film = dissolved(pictures, 2);
-  std::vector<int> shades;
-  std::transform(film.begin(), film.end(), std::back_inserter(shades),
-                 [](const renderer::Image& picture) { return picture.pixels[0]; });
-  EXPECT_EQ(shades, (std::vector{120, 130, 140, 150, 107, 63})) << "of 160 and 0, then of 170 and 10";
-}
-
-TEST(Film, IsCroppedToWhatItShows) {
-  std::vector<renderer::Image> pictures(2, renderer::make_image(64, 48));
-  for (renderer::Image& picture : pictures) {
-    std::fill(picture.pixels.begin(), picture.pixels.end(), 255);
-  }
-  *pictures[0].at(20, 20) = 0;
-  *pictures[1].at(29, 15) = 0;
-  crop(pictures);
-  for (const renderer::Image& picture : pictures) {
-    EXPECT_EQ(picture.width_px, 34);
-    EXPECT_EQ(picture.height_px, 30);
-  }
-  EXPECT_EQ(*pictures[0].at(12, 17), 0);
-  EXPECT_EQ(*pictures[1].at(21, 12), 0);
-}
-
-TEST(Film, IsAnMp4AndWithoutFfmpegNothingAndAWarning) {
-  const test::TemporaryFolder folder;
-  const std::vector<renderer::Image> pictures(3, renderer::make_image(64, 48));
-  EXPECT_EQ(write_film(folder / "film.mp4", pictures, 30.0).substr(4, 4), "ftyp");
-  std::filesystem::remove(folder / "film.mp4");
-  const std::string path = std::getenv("PATH");
-  ::setenv("PATH", folder.write("nowhere", "").c_str(), 1);
-  testing::internal::CaptureStderr();
-  EXPECT_EQ(write_film(folder / "film.mp4", pictures, 30.0), "");
-  ::setenv("PATH", path.c_str(), 1);
-  EXPECT_CONTAINS(testing::internal::GetCapturedStderr(), "a picture instead of a film: cannot make '");
-  EXPECT_FALSE(std::filesystem::exists(folder / "film.mp4"));
 }
 
 TEST(SpringPatch, OfAWholeGridHasTheMappingsCounts) {

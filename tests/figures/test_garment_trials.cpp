@@ -7,8 +7,6 @@
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/experiments.hpp"
-#include "app/figures/experiments/samples/model_writing.hpp"
-#include "app/figures/experiments/samples/sample_garments.hpp"
 #include "app/models/garment_loading.hpp"
 #include "temporary_folder.hpp"
 
@@ -70,28 +68,26 @@ Shape shape_of(const sim::Mesh& mesh) {
 }
 
 TEST(SampleGarments, AreWhatTheySayOnceTheyAreReadBack) {
-  const TemporaryFolder folder;
   std::map<std::string, Shape> shapes;
   std::set<std::string> formats;
-  for (const SampleGarment& sample : make_sample_garments()) {
-    const auto file =
-        folder.write(sample.name + '.' + sample.format, model_text(sample.model, sample.format));
-    DrawnScene scene = find_scene(file.string(), {});
+  for (const auto& entry : std::filesystem::directory_iterator(TAUT_ASSETS_FOLDER "/garments/samples")) {
+    const std::string name = entry.path().stem().string(), format = entry.path().extension().string();
+    DrawnScene scene = find_scene(entry.path().string(), {});
     scene.garment.mesh = MeshChoice::model;
     const LoadedGarment loaded = load_garment(scene);
-    shapes[sample.name] = shape_of(loaded.garment->mesh);
-    formats.insert(sample.format);
-    EXPECT_EQ(loaded.placement->scale, sample.format == "fbx" ? 0.01 : 1.0) << sample.name;
-    EXPECT_EQ(loaded.garment->springs.count(sim::SpringKind::structural), shapes[sample.name].edges)
-        << sample.name;
-    if (sample.name == "turned") {
+    shapes[name] = shape_of(loaded.garment->mesh);
+    formats.insert(format);
+    EXPECT_EQ(loaded.placement->scale, format == ".fbx" ? 0.01 : 1.0) << name;
+    EXPECT_EQ(loaded.garment->springs.count(sim::SpringKind::structural), shapes[name].edges) << name;
+    if (name == "turned") {
       EXPECT_GT(loaded.repairs->turned_triangles, 50U);
-    } else if (sample.name == "honeycomb") {
+    } else if (name == "honeycomb") {
       EXPECT_EQ(loaded.model->file_polygons, 100U);
-    } else if (sample.name == "sheet") {
+    } else if (name == "sheet") {
       EXPECT_EQ(loaded.model->file_quads, 13U * 17U);
     }
   }
+  EXPECT_EQ(shapes.size(), 11U);
   EXPECT_EQ(formats.size(), 6U);
   EXPECT_EQ(shapes["skirt"].borders, 2U);
   EXPECT_EQ(shapes["cushion"].border_edges, 0U);
@@ -104,12 +100,9 @@ TEST(SampleGarments, AreWhatTheySayOnceTheyAreReadBack) {
 }
 
 TEST(GarmentTrials, CountWhatASolverReached) {
-  const TemporaryFolder folder;
-  const SampleGarment sample = make_sample_garments().front();
-  const auto file = folder.write("sheet.obj", model_text(sample.model, "obj"));
+  const std::string file = TAUT_ASSETS_FOLDER "/garments/samples/sheet.obj";
   double done = 0.0;
-  const GarmentTrial trial =
-      try_garment(file.string(), sample.kind, [&](double fraction) { done = fraction; });
+  const GarmentTrial trial = try_garment(file, "a sheet", [&](double fraction) { done = fraction; });
   EXPECT_EQ(trial.refusal, "");
   EXPECT_EQ(trial.file, "sheet.obj");
   EXPECT_EQ(trial.mapping.vertices, 14U * 18U);

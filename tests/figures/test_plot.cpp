@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "app/drawing/drawing.hpp"
-#include "app/drawing/plots/legend_rows.hpp"
 #include "app/drawing/plots/plot_sheet.hpp"
-#include "app/figures/csv.hpp"
+#include "app/output/csv.hpp"
 
 namespace taut::app {
 namespace {
@@ -43,47 +42,6 @@ TEST(Axis, SmallDecadesAreWrittenInFullAndManyThinnedOut) {
   EXPECT_EQ(labels_of({"", 1.0, 20.0, true}), (Labels{"1", "2", "5", "10", "20"}));
   EXPECT_LE(labels_of({"", 1e-18, 1.0, true}).size(), 8U);
   EXPECT_EQ(labels_of({"", 1.0, 9.0, true, "", {3.0, 7.0}}), (Labels{"3", "7"}));
-}
-
-TEST(Axis, NamesStandInTheirOrderAtEqualDistances) {
-  const Axis axis = axis_of_names("", {"silk", "denim", "canvas"});
-  EXPECT_EQ(labels_of(axis), (Labels{"silk", "denim", "canvas"}));
-  EXPECT_NEAR(position_on(axis, ticks_of(axis)[2].value), 5.0 / 6.0, 1e-12);
-}
-
-TEST(Plot, NamesThatHaveNoRoomBesideEachOtherGoBelow) {
-  const renderer::Canvas canvas(1, 1);
-  const Area area{0.0F, 0.0F, 960.0F, 700.0F};
-  const auto height_with = [&](const std::string& name) {
-    return data_area_of(canvas, Plot{axis_of_names("", Labels(6, name)), {}, {}}, area).height_px;
-  };
-  EXPECT_EQ(height_with("silk"), data_area_of(canvas, Plot{{}, {}, {}}, area).height_px);
-  EXPECT_LT(height_with("a longer name"), height_with("silk"));
-  const Area data = data_area_of(
-      canvas, Plot{axis_of_names("", {"a name as long as half of the plot", "b"}), {}, {}}, area);
-  EXPECT_GT(
-      data.x_px + 0.25F * data.width_px,
-      0.5F * canvas.measure("a name as long as half of the plot", text_style(PlotStyle{}.text_px)).width_px)
-      << "it would begin outside the picture";
-}
-
-TEST(Plot, LegendsAreAsWideAsThePicture) {
-  constexpr int width_px = 600;
-  std::vector<Curve> curves;
-  for (int k = 0; k < 12; ++k) {
-    curves.push_back({"garment " + std::to_string(k), {}, {palette::blue, 4.0F, {}}, Marker::disc});
-  }
-  const LegendRows legend("garment.file", curves, width_px - 20.0F, {});
-  EXPECT_GT(legend.height_px(), 4.0F * LegendRows("", {curves[0]}, width_px, {}).height_px());
-  EXPECT_EQ(LegendRows("", {}, width_px, {}).height_px(), 0.0F);
-  renderer::Canvas canvas(width_px, static_cast<int>(legend.height_px()));
-  legend.draw(canvas, 0.0F);
-  const renderer::Image image = canvas.to_image();
-  for (int y = 0; y < image.height_px; ++y) {
-    for (const int x : {4, width_px - 5}) {
-      EXPECT_EQ(image.at(x, y)[0], 255) << x << ", " << y;
-    }
-  }
 }
 
 TEST(Axis, PlacesValuesInProportionOrByTheirLogarithm) {

@@ -10,7 +10,6 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"
-#include "app/output/statistics_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

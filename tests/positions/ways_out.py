@@ -3,7 +3,6 @@
 A way is one entry of WAYS, a function of the program that yields shapes. To add one, write such a function."""
 
 import csv
-import json
 import re
 from functools import partial
 
@@ -125,19 +124,6 @@ def saved(scene, session, program):
                 [Printed.percent("the window", stretch)], program.promised(scene))
 
 
-def benched(program):
-    """The most stretched shape of every run of the benchmark."""
-    said = program.run("bench", "--sizes", 1028, "--scenes", "shaken", "--seconds", 0.5, "--limit", 1e6, "--json",
-                       "--shapes", "shapes")
-    cloth = Cloth(*read_obj(program.shirt(1028)))
-    for number, run in enumerate(json.loads(said)["heats"][0]["runs"]):
-        where = f"{run['engine']}, {run['settings']}"
-        if run["frames"] > 0:
-            yield Shape(where, cloth, *read_obj(program.folder / "shapes" / f"shaken_1028_{number}.obj"),
-                        [Printed("the JSON", run["max_stretch"])],
-                        run["bound"] if run["frames_not_certified"] == 0 else None)
-
-
 def ways_out(source):
     """By name, of the project in the folder SOURCE."""
     sessions = source / "tests" / "golden" / "sessions"
@@ -151,7 +137,6 @@ def ways_out(source):
         "remade_picture": partial(remade, "tshirt-wind-10", 20),
         "saved_scene": partial(saved, "cloth-fall", sessions / "save_scene.txt"),
         "saved_shirt": partial(saved, "tshirt-wind-10", sessions / "save_shirt.txt"),
-        "bench": benched,
     }
     for percent, bound in BOUNDS.items():
         ways[f"export_tshirt_{percent}"] = partial(exported_scene, "tshirt-gravity", bound, 30)

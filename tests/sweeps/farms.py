@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""A study handed to a farm by the file that taut sweep export writes, and run by the farm's own program.
-farms.py PROGRAM FOLDER parallel|snakemake"""
+"""A study handed to a farm by the script in app/sweeps/README.md, and run by the farm's own program.
+farms.py PROGRAM FOLDER parallel|snakemake README"""
 import csv
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -35,8 +36,9 @@ wind.speed = [0, 3]
 '''
 
 
-def run(*command):
-    done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+def run(*command, where='.'):
+    done = subprocess.run(command, cwd=folder / where, env={**os.environ, 'PATH': '%s:%s' % (folder, os.environ['PATH'])},
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode:
         sys.exit('%s ended with %d:\n%s' % (command, done.returncode, done.stdout))
     return done.stdout
@@ -54,9 +56,12 @@ folder.mkdir(parents=True)
 (folder / 'scene.toml').write_text(SCENE)
 (folder / 'study.toml').write_text(STUDY)
 run(program, 'sweep', 'plan', 'study.toml', '-o', 'sweep')
-run(program, 'sweep', 'export', 'sweep', '--' + farm, '-o', 'farm')
+(folder / 'taut').symlink_to(program)
+language = 'sh' if farm == 'parallel' else 'python'
+script = re.search('```%s\n(.*?)```' % language, pathlib.Path(sys.argv[4]).read_text(), re.DOTALL).group(1)
+(folder / 'sweep/farm').write_text(script)
 command = ['bash', 'farm', '--jobs', '2'] if farm == 'parallel' else ['snakemake', '--snakefile', 'farm', '--cores', '2']
-said = run(*command)
+said = run(*command, where='sweep')
 first = results()
 status = run(program, 'sweep', 'status', 'sweep')
 with open(folder / 'sweep/table.csv', newline='') as file:
@@ -64,6 +69,6 @@ with open(folder / 'sweep/table.csv', newline='') as file:
 if len(first) != 4 or ends != ['done', 'done', 'broken', 'broken'] or run(
         program, 'sweep', 'status', 'sweep', '--missing') != '\n':
     sys.exit('not all was run: %s\n%s\n%s' % (ends, status, said))
-run(*command)
+run(*command, where='sweep')
 if results() != first:
     sys.exit('what was there was run again')

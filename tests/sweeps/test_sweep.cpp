@@ -12,10 +12,9 @@
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/sweeps/farm.hpp"
 #include "app/sweeps/run_lock.hpp"
-#include "app/sweeps/study.hpp"
+#include "app/sweeps/sweep.hpp"
 #include "app/sweeps/sweep_results.hpp"
 #include "app/sweeps/sweep_run.hpp"
-#include "app/sweeps/sweep_table.hpp"
 #include "temporary_folder.hpp"
 
 namespace {
@@ -361,19 +360,6 @@ TEST_F(SweepTest, LocksAreTakenOnFileSystemsThatAreNotLikeThis) {
   EXPECT_EQ(folder.file_count(), 1U) << "only the scene is left";
 }
 
-TEST_F(SweepTest, PackedResultsAreFound) {
-  const Sweep sweep = planned("scene = \"scene.toml\"\nframes = 1\n[axes]\nwind.speed = [0, 1]\n");
-  attempt_run(sweep, 0);
-  EXPECT_EQ(pack_results(sweep), 0U) << "one is missing";
-  attempt_run(sweep, 1);
-  const std::string table = sweep_table(sweep);
-  EXPECT_EQ(pack_results(sweep), 1U);
-  EXPECT_FALSE(fs::exists(sweep.file(1, ".json")));
-  EXPECT_EQ(sweep_table(sweep), table);
-  EXPECT_TRUE(status_of(sweep).missing.empty());
-  EXPECT_FALSE(attempt_run(sweep, 1).is_new);
-}
-
 TEST_F(SweepTest, TheTableHasEveryRun) {
   const Sweep sweep = planned(axes);
   attempt_run(sweep, 1);
@@ -382,34 +368,6 @@ TEST_F(SweepTest, TheTableHasEveryRun) {
   EXPECT_CONTAINS(table, "\n0,0.6,0,missing,,");
   EXPECT_CONTAINS(table, "\n1,0.6,1.5,done,0.");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 7);
-}
-
-TEST_F(SweepTest, WordsGoAcrossAPlotInTheirOrder) {
-  const auto plot_over = [&](const std::string& words, const std::string& name) {
-    const Sweep sweep = planned("scene = \"scene.toml\"\nframes = 1\n[axes]\ncloth.fabric = " + words, name);
-    for (std::size_t run = 0; run < sweep.runs(); ++run) {
-      attempt_run(sweep, run);
-    }
-    return to_image(draw_sweep(sweep, {{"frames"}, "cloth.fabric", ""}), 0.2F).pixels;
-  };
-  const auto silk_first = plot_over("[\"silk\", \"denim\"]", "silk_first");
-  EXPECT_EQ(silk_first, plot_over("[\"silk\", \"denim\"]", "again"));
-  EXPECT_NE(silk_first, plot_over("[\"denim\", \"silk\"]", "denim_first"));
-}
-
-TEST_F(SweepTest, PlotsNameAxesAndMeasures) {
-  const Sweep sweep = planned(axes);
-  attempt_run(sweep, 0);
-  EXPECT_GT(to_image(draw_sweep(sweep, {{"max_stretch"}, "wind.speed", "solver.max_stretch"}), 0.2F).width_px,
-            100);
-  EXPECT_CONTAINS(message_of<UsageError>([&] {
-                    draw_sweep(sweep, {{"max_strech"}, "wind.speed", ""});
-                  }),
-                  "did you mean 'max_stretch'");
-  EXPECT_CONTAINS(message_of<UsageError>([&] {
-                    draw_sweep(sweep, {{"max_stretch"}, "wind", ""});
-                  }),
-                  "expected axes of the sweep: solver.max_stretch, wind.speed");
 }
 
 TEST(Farm, RangesAreThoseOfSlurm) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "renderer/page/ticks.hpp"
@@ -55,9 +54,8 @@ std::vector<Tick> logarithmic_ticks(const Axis& axis) {
 std::vector<Tick> ticks_of(const Axis& axis) {
   if (!axis.chosen.empty()) {
     std::vector<Tick> ticks;
-    for (std::size_t k = 0; k < axis.chosen.size(); ++k) {
-      const double value = axis.chosen[k];
-      ticks.push_back({value, axis.names.empty() ? fmt::format("{:g}", value) + axis.suffix : axis.names[k]});
+    for (const double value : axis.chosen) {
+      ticks.push_back({value, fmt::format("{:g}", value) + axis.suffix});
     }
     return ticks;
   }
@@ -69,14 +67,6 @@ double position_on(const Axis& axis, double value) {
     return std::log(value / axis.minimum) / std::log(axis.maximum / axis.minimum);
   }
   return (value - axis.minimum) / (axis.maximum - axis.minimum);
-}
-
-Axis axis_of_names(std::string label, std::vector<std::string> names) {
-  Axis axis{std::move(label), -0.5, static_cast<double>(names.size()) - 0.5};
-  axis.chosen.resize(names.size());
-  std::iota(axis.chosen.begin(), axis.chosen.end(), 0.0);
-  axis.names = std::move(names);
-  return axis;
 }
 
 Axis decades_around(std::string label, const std::vector<double>& values) {

@@ -14,11 +14,7 @@ struct Axis {
   std::string suffix = {};  ///< printed after every number, such as " %"
   /// Values to label instead of round ones, such as the sizes of models. Empty: round values.
   std::vector<double> chosen = {};
-  std::vector<std::string> names = {};  ///< of the chosen values, in the place of their numbers
 };
-
-/// An axis with a place for each of these names: their values are 0, 1, 2...
-Axis axis_of_names(std::string label, std::vector<std::string> names);
 
 /// A mark on an axis.
 struct Tick {

@@ -35,54 +35,22 @@ float widest_label_px(const Canvas& canvas, const Axis& axis, const PlotStyle& s
   return widest_px;
 }
 
-// Which line below the axis each label of it is on. Numbers share one; names that have no room there go
-// below.
-std::vector<int> label_lines(const Canvas& canvas, const Axis& axis, float width_px, const PlotStyle& style) {
-  const std::vector<Tick> ticks = ticks_of(axis);
-  std::vector<int> lines(ticks.size(), 0);
-  std::vector<float> ends_px(ticks.size(), -INFINITY);
-  for (std::size_t k = 0; k < ticks.size() && !axis.names.empty(); ++k) {
-    const float half_px = 0.5F * canvas.measure(ticks[k].label, text_style(style.text_px)).width_px;
-    const float middle_px = width_px * static_cast<float>(position_on(axis, ticks[k].value));
-    const auto line = std::find_if(ends_px.begin(), ends_px.end(),
-                                   [&](float end_px) { return end_px < middle_px - half_px; });
-    *line = middle_px + half_px + 0.5F * style.text_px;
-    lines[k] = static_cast<int>(line - ends_px.begin());
-  }
-  return lines;
-}
-
-// Room for the lines of labels beside the first.
-float lower_lines_px(const std::vector<int>& lines, const PlotStyle& style) {
-  return lines.empty()
-             ? 0.0F
-             : 1.2F * style.text_px * static_cast<float>(*std::max_element(lines.begin(), lines.end()));
-}
-
 void draw_x_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
   renderer::TextStyle text = text_style(style.text_px);
   text.horizontal = HorizontalAlign::centre;
   text.vertical = VerticalAlign::top;
   const float bottom_px = axes.area.y_px + axes.area.height_px;
-  const std::vector<Tick> ticks = ticks_of(axes.plot.x);
-  const std::vector<int> lines = label_lines(canvas, axes.plot.x, axes.area.width_px, style);
-  for (std::size_t k = 0; k < ticks.size(); ++k) {
-    const Tick& tick = ticks[k];
+  for (const Tick& tick : ticks_of(axes.plot.x)) {
     const float x_px = axes.x_of(tick.value);
     const float length_px = tick.label.empty() ? 0.5F * style.tick_px : style.tick_px;
     if (!tick.label.empty()) {
       canvas.line(x_px, axes.area.y_px, x_px, bottom_px, palette::hairline, 0.6F * style.line_px);
     }
     canvas.line(x_px, bottom_px, x_px, bottom_px + length_px, palette::ink, style.line_px);
-    if (lines[k] > 0) {
-      const float down_px = style.tick_px + 1.2F * style.text_px * static_cast<float>(lines[k]);
-      canvas.line(x_px, bottom_px + length_px, x_px, bottom_px + down_px, palette::hairline, style.line_px);
-    }
-    const float line_px = (0.15F + 1.2F * static_cast<float>(lines[k])) * style.text_px;
-    canvas.text(x_px, bottom_px + style.tick_px + line_px, tick.label, text);
+    canvas.text(x_px, bottom_px + style.tick_px + 0.15F * style.text_px, tick.label, text);
   }
   canvas.text(axes.area.x_px + 0.5F * axes.area.width_px,
-              bottom_px + style.tick_px + 1.5F * style.text_px + lower_lines_px(lines, style),
+              bottom_px + style.tick_px + 1.5F * style.text_px,
               axes.plot.x.label, text);
 }
 
@@ -241,11 +209,6 @@ void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float 
   canvas.text(left_px + sample_px + 0.5F * style.text_px, middle_px, curve.name, name);
 }
 
-float legend_entry_width(const Canvas& canvas, const Curve& curve, const PlotStyle& style) {
-  return sample_width(curve, style) + 0.5F * style.text_px +
-         canvas.measure(curve.name, text_style(style.text_px)).width_px;
-}
-
 std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::vec2& b, const Area& area) {
   const glm::vec2 along = b - a;
   float enter = 0.0F, leave = 1.0F;
@@ -269,16 +232,12 @@ std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::v
 Area data_area_of(const Canvas& canvas, const Plot& plot, const Area& area, const PlotStyle& style) {
   // The first and the last label of the x axis are centred under their ticks, and what has no room there
   // stands out.
-  const float cell_px =
-      0.75F * area.width_px / static_cast<float>(std::max<std::size_t>(plot.x.names.size(), 1));
-  const float half_px =
-      0.5F * (widest_label_px(canvas, plot.x, style) - (plot.x.names.empty() ? 0.0F : cell_px));
+  const float half_px = 0.5F * widest_label_px(canvas, plot.x, style);
   const float left_px =
       std::max(widest_label_px(canvas, plot.y, style) + style.tick_px + 0.5F * style.text_px, half_px);
-  const float right_px = std::max(half_px, 0.0F) + style.line_px;
+  const float right_px = half_px + style.line_px;
   const float top_px = 1.9F * style.text_px;
-  const std::vector<int> lines = label_lines(canvas, plot.x, area.width_px - left_px - right_px, style);
-  const float bottom_px = style.tick_px + 2.9F * style.text_px + lower_lines_px(lines, style);
+  const float bottom_px = style.tick_px + 2.9F * style.text_px;
   return {area.x_px + left_px, area.y_px + top_px, area.width_px - left_px - right_px,
           area.height_px - top_px - bottom_px};
 }

@@ -67,8 +67,6 @@ void draw_plot(renderer::Canvas& canvas, const Plot& plot, const Area& area, con
 /// Draws a sample of a curve, beginning at left_px, with its name to the right of it.
 void draw_legend_entry(renderer::Canvas& canvas, const Curve& curve, float left_px, float middle_px,
                        const PlotStyle& style = {});
-/// How wide that is, in pixels.
-float legend_entry_width(const renderer::Canvas& canvas, const Curve& curve, const PlotStyle& style = {});
 
 /// The rectangle within `area` that holds the curves, for the same arguments as draw_plot.
 Area data_area_of(const renderer::Canvas& canvas, const Plot& plot, const Area& area,

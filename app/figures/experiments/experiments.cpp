@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <tuple>
 
 #include "app/base/interruption.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
-#include "app/figures/experiments/moments.hpp"
+#include "app/figures/experiments/recording.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/pins.hpp"
 #include "sim/measures.hpp"
@@ -18,6 +20,42 @@
 
 namespace taut::app {
 namespace {
+
+struct View {
+  sim::Vec3 origin_m, right, up;
+};
+
+SpringPatch patch_of(const sim::Garment& garment, const std::vector<sim::Index>& vertices, const View& view) {
+  SpringPatch patch;
+  std::map<sim::Index, std::size_t> place;
+  for (const sim::Index vertex : vertices) {
+    place[vertex] = patch.points_m.size();
+    const sim::Vec3 from_origin = garment.mesh.positions[vertex] - view.origin_m;
+    patch.points_m.emplace_back(glm::dot(from_origin, view.right), glm::dot(from_origin, view.up));
+  }
+  const sim::Springs& springs = garment.springs;
+  for (const sim::SpringKind kind : sim::all_spring_kinds) {
+    for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
+      const auto a = place.find(springs.ends[s][0]), b = place.find(springs.ends[s][1]);
+      if (a != place.end() && b != place.end()) {
+        patch.springs.push_back({{a->second, b->second}, kind});
+      }
+    }
+  }
+  return patch;
+}
+
+sim::Vec3 normal_around(const sim::Garment& garment, const std::vector<sim::Index>& vertices) {
+  sim::Vec3 normal(0.0);
+  for (const sim::Triangle& triangle : garment.mesh.triangles) {
+    if (std::all_of(triangle.begin(), triangle.end(), [&](sim::Index corner) {
+          return std::find(vertices.begin(), vertices.end(), corner) != vertices.end();
+        })) {
+      normal += sim::doubled_area_vector(garment.mesh.positions, triangle);
+    }
+  }
+  return glm::normalize(normal);
+}
 
 void map_models(Results& results) {
   results.grid_patch = whole_patch(sim::make_garment(sim::make_grid({.columns = 5, .rows = 5})));
@@ -93,77 +131,84 @@ void run_strong_shirts(Results& results, const ProgressCallback& report_progress
   }
 }
 
-Job recording_job(const std::string& scene_name, double cost, std::optional<Recording>& place) {
-  return {scene_name, cost, [scene_name, &place](const ProgressCallback& report_progress) {
-            const DrawnScene scene = find_scene(scene_name, {});
-            place = record_frames(scene, std::array{scene.frames}, report_progress, Checking::promises);
-          }};
+// The last frame of the scene, or of so many.
+void record(const std::string& scene_name, std::optional<int> frames, std::optional<Recording>& place,
+            const ProgressCallback& report_progress) {
+  const DrawnScene scene = find_scene(scene_name, {});
+  place =
+      record_frames(scene, std::array{frames.value_or(scene.frames)}, report_progress, Checking::promises);
 }
 
-Job trials_job(MethodTest test, double cost, Results& results) {
-  return {std::string("methods: ") + name_of(test), cost,
-          [test, &results](const ProgressCallback& report_progress) {
-            results.trials_of(test) = make_trials(test, report_progress);
-          }};
+template <MethodTest test>
+void run_trials(Results& results, const ProgressCallback& report_progress) {
+  results.trials_of(test) = make_trials(test, report_progress);
 }
 
-void record_strong_wind(Results& results, const ProgressCallback& report_progress) {
-  std::vector<int> frames(strong_wind_frames - film_first_frame + 1);
-  std::iota(frames.begin(), frames.end(), film_first_frame);
-  results.film = record_frames(find_scene(shirt_scenes[2], {}), frames, report_progress, Checking::promises);
-  results.shirts[2] = results.film;
-  results.shirts[2]->moments = {results.film->last()};
-}
+struct PlannedJob {
+  const char* name;
+  double cost;
+  void (*work)(Results&, const ProgressCallback&);
+};
+
+// In the order of Experiment.
+constexpr PlannedJob planned_jobs[] = {
+    {"mapping", 0.1, [](Results& r, const ProgressCallback&) { map_models(r); }},
+    {fall_scene, 10.0, [](Results& r, const ProgressCallback& report) { r.fall = record_fall(report); }},
+    {pinned_scenes[0], 0.1, [](auto& r, auto& report) { record(pinned_scenes[0], {}, r.pinned[0], report); }},
+    {pinned_scenes[1], 0.1, [](auto& r, auto& report) { record(pinned_scenes[1], {}, r.pinned[1], report); }},
+    {shirt_scenes[0], 16.0, [](auto& r, auto& report) { record(shirt_scenes[0], {}, r.shirts[0], report); }},
+    {shirt_scenes[1], 16.0, [](auto& r, auto& report) { record(shirt_scenes[1], {}, r.shirts[1], report); }},
+    {shirt_scenes[2], 26.0,
+     [](auto& r, auto& report) { record(shirt_scenes[2], strong_wind_frames, r.shirts[2], report); }},
+    {"methods", 0.3, run_methods},
+    {"methods: energy", 12.0, run_trials<MethodTest::energy>},
+    {"methods: rest", 22.0, run_trials<MethodTest::rest>},
+    {"methods: steps", 10.0, run_trials<MethodTest::steps>},
+    {"stiffnesses", 0.2, run_stiffnesses},
+    {"shirts by the paper's method", 14.0, run_strong_shirts},
+    {"garments of many kinds", 14.0, [](auto& r, auto& report) { r.garments = try_garments(report); }},
+    {"restart", 0.05,
+     [](Results& r, const ProgressCallback&) {
+       r.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60);
+     }},
+};
 
 }  // namespace
 
-Job job_of(Experiment experiment, Results& results) {
-  switch (experiment) {
-    case Experiment::mapping:
-      return {"mapping", 0.1, [&results](const ProgressCallback&) { map_models(results); }};
-    case Experiment::fall:
-      return {fall_scene, 10.0, [&results](const ProgressCallback& report_progress) {
-                results.fall = record_fall(report_progress);
-              }};
-    case Experiment::pinned_5:
-      return recording_job(pinned_scenes[0], 0.1, results.pinned[0]);
-    case Experiment::pinned_20:
-      return recording_job(pinned_scenes[1], 0.1, results.pinned[1]);
-    case Experiment::shirt_still:
-      return recording_job(shirt_scenes[0], 16.0, results.shirts[0]);
-    case Experiment::shirt_wind_1:
-      return recording_job(shirt_scenes[1], 16.0, results.shirts[1]);
-    case Experiment::shirt_wind_10:
-      return {shirt_scenes[2], 26.0, [&results](const ProgressCallback& report_progress) {
-                record_strong_wind(results, report_progress);
-              }};
-    case Experiment::methods:
-      return {"methods", 0.3,
-              [&results](const ProgressCallback& report_progress) { run_methods(results, report_progress); }};
-    case Experiment::methods_energy:
-      return trials_job(MethodTest::energy, 12.0, results);
-    case Experiment::methods_rest:
-      return trials_job(MethodTest::rest, 22.0, results);
-    case Experiment::methods_steps:
-      return trials_job(MethodTest::steps, 10.0, results);
-    case Experiment::stiffnesses:
-      return {"stiffnesses", 0.2, [&results](const ProgressCallback& report_progress) {
-                run_stiffnesses(results, report_progress);
-              }};
-    case Experiment::strong_runs:
-      return {"shirts by the paper's method", 14.0, [&results](const ProgressCallback& report_progress) {
-                run_strong_shirts(results, report_progress);
-              }};
-    case Experiment::garments:
-      return {"garments of many kinds", 14.0, [&results](const ProgressCallback& report_progress) {
-                results.garments = try_garments(report_progress);
-              }};
-    case Experiment::restart:
-      return {"restart", 0.05, [&results](const ProgressCallback&) {
-                results.restart = run_restart(find_scene("pinned-9x9-5", {}), 30, 60);
-              }};
+std::size_t SpringPatch::count(sim::SpringKind kind) const {
+  return static_cast<std::size_t>(std::count_if(
+      springs.begin(), springs.end(), [&](const PatchSpring& spring) { return spring.kind == kind; }));
+}
+
+SpringPatch whole_patch(const sim::Garment& garment) {
+  std::vector<sim::Index> all(garment.mesh.positions.size());
+  std::iota(all.begin(), all.end(), sim::Index{0});
+  return patch_of(garment, all, {sim::Vec3(0.0), {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+}
+
+SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rings) {
+  std::vector<sim::Index> vertices = {vertex};
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<sim::Index> inner = vertices;
+    for (const sim::Index v : inner) {
+      for (const sim::Index edge : garment.adjacency.vertex_edges[v]) {
+        const sim::Index neighbour = sim::other_end(garment.adjacency.edges[edge], v);
+        if (std::find(vertices.begin(), vertices.end(), neighbour) == vertices.end()) {
+          vertices.push_back(neighbour);
+        }
+      }
+    }
   }
-  return {};
+  const sim::Vec3 normal = normal_around(garment, vertices);
+  const sim::Vec3 right = glm::normalize(glm::cross(sim::Vec3(0.0, 1.0, 0.0), normal));
+  return patch_of(garment, vertices, {garment.mesh.positions[vertex], right, glm::cross(normal, right)});
+}
+
+Job job_of(Experiment experiment, Results& results) {
+  const PlannedJob& planned = planned_jobs[static_cast<std::size_t>(experiment)];
+  return {planned.name, planned.cost, [&results, &planned](const ProgressCallback& report_progress) {
+            planned.work(results, report_progress);
+          }};
 }
 
 sim::Index followed_vertex(const DrawnScene& scene) {

@@ -1,19 +1,104 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <glm/vec2.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/base/job_runner.hpp"
-#include "app/figures/experiments/garment_trials.hpp"
 #include "app/figures/experiments/method_trials.hpp"
-#include "app/figures/experiments/power_law.hpp"
 #include "app/figures/experiments/recording.hpp"
-#include "app/figures/experiments/spring_patch.hpp"
+#include "sim/garment.hpp"
 #include "sim/solvers/make_solver.hpp"
 
 namespace taut::app {
+
+/// y = offset + slope * x.
+struct StraightLine {
+  double slope = 0.0;
+  double offset = 0.0;
+  double misfit = 0.0;  ///< root mean square distance of the points along y
+};
+
+/// Fits a line by least squares. The points need at least two different x; otherwise no member is finite.
+StraightLine fit_line(std::span<const std::array<double, 2>> points);
+
+/// y = factor * x^exponent.
+struct PowerLaw {
+  double exponent = 0.0;
+  double factor = 0.0;
+  double misfit = 0.0;  ///< root mean square distance of the logarithms of y
+};
+
+/// Fits the law by least squares on the logarithms of x and y. All coordinates must be above 0, with at least
+/// two different x; otherwise no member is finite.
+PowerLaw fit_power_law(std::span<const std::array<double, 2>> points);
+
+/// One spring of a patch.
+struct PatchSpring {
+  std::array<std::size_t, 2> ends;  ///< indices of points of the patch
+  sim::SpringKind kind;
+};
+
+/// Mass points and springs of a part of a garment, in a plane, for a diagram.
+struct SpringPatch {
+  std::vector<glm::vec2> points_m;  ///< x to the right, y up
+  std::vector<PatchSpring> springs;
+
+  /// How many springs of this kind there are.
+  std::size_t count(sim::SpringKind kind) const;
+};
+
+/// All points and springs of a garment that lies in the xy plane.
+SpringPatch whole_patch(const sim::Garment& garment);
+
+/// The vertices within `rings` edges of a vertex, with their springs. Seen along the surface's normal at the
+/// vertex.
+SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rings);
+
+/// How a model maps to springs: the number of each.
+struct Mapping {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::size_t edges = 0;
+  std::size_t structural = 0;      ///< springs
+  std::size_t flexural = 0;        ///< springs
+  std::size_t loose_vertices = 0;  ///< vertices without a spring
+};
+
+/// The result of one solver on a garment that starts as it was modelled.
+struct TrialRun {
+  double largest_stretch = 0.0;  ///< of all frames, a fraction; not finite if the run diverged
+  double median_ms = 0.0;        ///< per frame; other experiments ran at the same time
+};
+
+/// A model that was read, mapped to springs and simulated.
+struct GarmentTrial {
+  std::string file;
+  std::string kind;     ///< what is special about it
+  std::string refusal;  ///< Why it could not be read or mapped. If not empty, the members below are not set.
+  Mapping mapping;
+  TrialRun strong;   ///< the paper's method, with equation (3) in full
+  TrialRun bounded;  ///< with the bound trial_bound
+};
+
+/// Frames of each trial.
+inline constexpr int trial_frames = 45;
+// The solver's own where nothing is said.
+inline constexpr int trial_steps = 20;
+inline constexpr int trial_sweeps = 4;
+/// Bound on stretch for `bounded`, a fraction.
+inline constexpr double trial_bound = 0.05;
+
+/// Reads a model file as every command does, hangs it by its top and simulates it with both solvers.
+GarmentTrial try_garment(const std::string& file, const std::string& kind,
+                         const ProgressCallback& report_progress);
+
+/// Tries the sample garments (assets/garments/samples) and the three shirts.
+std::vector<GarmentTrial> try_garments(const ProgressCallback& report_progress);
 
 /// A run of one method on the cloth of figure 7. It is measured after every time step; vectors have one entry
 /// per step.
@@ -84,7 +169,6 @@ struct Results {
   std::optional<StepRecording> fall;
   std::array<std::optional<Recording>, 2> pinned;  ///< of pinned_scenes
   std::array<std::optional<Recording>, 3> shirts;  ///< of shirt_scenes
-  std::optional<Recording> film;   ///< the last of `shirts` with all frames from film_first_frame on
   std::vector<MethodRun> methods;  ///< compared_methods with the short step, then with the long step
   /// Ideal springs with the short step, one run for each of stiffness_factors.
   std::vector<MethodRun> ideal_stiffnesses;

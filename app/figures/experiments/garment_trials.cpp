@@ -1,48 +1,37 @@
-#include "app/figures/experiments/garment_trials.hpp"
-
-#include <fmt/core.h>
-#include <stdlib.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
-#include <system_error>
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
 #include "app/base/ranking.hpp"
 #include "app/drawing/drawn_scene_file.hpp"
 #include "app/figures/experiments/experiments.hpp"
-#include "app/figures/experiments/samples/model_writing.hpp"
-#include "app/figures/experiments/samples/sample_garments.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
+#include "app/scene/scene_lookup.hpp"
 
 namespace taut::app {
 namespace {
 
-/// A folder that goes when it is left.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "taut_models_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw InputError(fmt::format("cannot make a folder for models, '{}': {}", name,
-                                   std::generic_category().message(errno)));
-    }
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
+struct Sample {
+  const char* file;
+  const char* kind;
+};
 
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
+// One of every kind, each in one format, about 1 m large.
+constexpr std::array samples = {
+    Sample{"sheet.obj", "an open sheet of quads"},
+    Sample{"irregular.ply", "irregular triangles"},
+    Sample{"graded.off", "triangles from 6 cm down to 2 mm"},
+    Sample{"skirt.stl", "a tube of unconnected triangles"},
+    Sample{"turned.obj", "triangles that face both ways"},
+    Sample{"cushion.dae", "closed, without a border"},
+    Sample{"sleeves.dae", "three parts that are not joined"},
+    Sample{"lining.fbx", "two layers"},
+    Sample{"wings.ply", "three sheets at one edge, non-manifold"},
+    Sample{"band.stl", "a Möbius band, one-sided"},
+    Sample{"honeycomb.obj", "hexagons"},
 };
 
 Mapping mapping_of(const sim::Garment& garment) {
@@ -108,31 +97,18 @@ GarmentTrial try_garment(const std::string& file, const std::string& kind,
 }
 
 std::vector<GarmentTrial> try_garments(const ProgressCallback& report_progress) {
-  const ScratchFolder folder;
-  struct Model {
-    std::string file, kind;
-    double cost;
-  };
-  std::vector<Model> models;
-  for (const SampleGarment& sample : make_sample_garments()) {
-    const std::filesystem::path file = folder / (sample.name + '.' + sample.format);
-    write_text_file(file, model_text(sample.model, sample.format));
-    models.push_back({file.string(), sample.kind, static_cast<double>(sample.model.corners.size())});
+  std::vector<std::pair<std::string, const char*>> models;
+  for (const auto& [file, kind] : samples) {
+    models.emplace_back(find_asset(std::string("garments/samples/") + file).value_or(file).string(), kind);
   }
   for (const int triangles : model_sizes) {
-    models.push_back(
-        {shirt_scene("tshirt-gravity", triangles).garment.file.string(), "a sewn T-shirt", 3.0 * triangles});
-  }
-  double total = 0.0, done = 0.0;
-  for (const Model& model : models) {
-    total += model.cost;
+    models.emplace_back(shirt_scene("tshirt-gravity", triangles).garment.file.string(), "a sewn T-shirt");
   }
   std::vector<GarmentTrial> trials;
-  for (const Model& model : models) {
-    trials.push_back(try_garment(model.file, model.kind, [&](double fraction) {
-      report_progress((done + fraction * model.cost) / total);
+  for (const auto& [file, kind] : models) {
+    trials.push_back(try_garment(file, kind, [&](double fraction) {
+      report_progress((static_cast<double>(trials.size()) + fraction) / static_cast<double>(models.size()));
     }));
-    done += model.cost;
   }
   return trials;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -70,5 +71,19 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
 
 /// The scene with one time step per frame, where the steps keep their length. So each step becomes a frame.
 DrawnScene with_steps_as_frames(DrawnScene scene);
+
+/// Frames of the scene cloth-fall in figure 2: the fall, the swing to the far side and back, and the cloth at
+/// rest. It comes to rest some time before the last of these frames.
+inline constexpr std::array fall_frames = {0, 12, 21, 30, 40, 54, 80, 900};
+
+/// In figures 2 and 3 the cloth counts as at rest if it stays within `fall_rest_m` (root mean square over the
+/// vertices) for `fall_rest_s`. The swing shrinks to a tenth every two seconds, and such a small one cannot
+/// be seen. A larger value ends the run earlier.
+inline constexpr double fall_rest_m = 1e-4;
+inline constexpr double fall_rest_s = 0.5;
+
+/// Frames of the scene tshirt-wind-10 in figure 5. A shirt in this wind never comes to rest, so a longer run
+/// would only cost more.
+inline constexpr int strong_wind_frames = 100;
 
 }  // namespace taut::app

@@ -1,0 +1,272 @@
+#include "app/bench/bench.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "app/base/errors.hpp"
+#include "app/base/interruption.hpp"
+#include "app/base/ranking.hpp"
+#include "app/base/stopwatch.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
+#include "app/output/csv.hpp"
+#include "app/output/frame_verifier.hpp"
+#include "app/output/run_start.hpp"
+#include "app/scene/promise.hpp"
+#include "app/scene/scene_format.hpp"
+#include "app/scene/scene_lookup.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+namespace {
+
+// From -1 to 1. Distributions of the standard library differ from one to the next.
+double random_share(std::mt19937_64& random) {
+  return 2.0 * std::ldexp(static_cast<double>(random() >> 11U), -53) - 1.0;
+}
+
+/// Judges frames and keeps what comes of it in a run.
+class Judge {
+ public:
+  Judge(const Scene& scene, ContactRun& run)
+      : holds_surface_(bound_kind(scene) == sim::BoundKind::surface), run_(run) {}
+
+  ContactFrame judge(const sim::Simulation& simulation, int frame, double cpu_ms) {
+    FrameRecord record = measure_frame(simulation, frame);
+    std::string broken = verifier_.check(simulation, record);
+    if (broken.empty() && !record.bound_kept) {
+      broken = fmt::format("frame {}: the solver could not make sure of it", frame);
+    }
+    const bool is_broken = !broken.empty();
+    if (run_.first_broken.empty()) {
+      run_.first_broken = std::move(broken);
+    }
+    run_.stretch = holds_surface_ ? verifier_.largest().surface : verifier_.largest().springs;
+    return {cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(),
+            is_broken};
+  }
+
+ private:
+  bool holds_surface_;
+  ContactRun& run_;
+  FrameVerifier verifier_;
+};
+
+void end_early(const std::exception& reason, ContactRun& run) {
+  if (run.first_broken.empty()) {
+    run.first_broken = fmt::format("frame {}: {}", run.frames.size() + 1, reason.what());
+  }
+}
+
+void add(const ContactFrame& frame, ContactFacts& facts) {
+  facts.most_pairs = std::max(facts.most_pairs, frame.contact.most_pairs);
+  facts.smallest_distance_m = std::min(facts.smallest_distance_m, frame.contact.smallest_distance_m);
+  facts.crossing_pairs += frame.crossing_pairs;
+  facts.broken_frames += frame.is_broken ? 1 : 0;
+}
+
+// What lies beyond what was searched has no distance.
+std::string millimetres(double distance_m) {
+  return std::isfinite(distance_m) ? fmt::format("{:.4f}", 1e3 * distance_m) : "-";
+}
+
+std::string row_of(const ContactTrial& trial) {
+  const ContactFacts facts = facts_of(trial.runs);
+  return fmt::format(
+      "{:<30}{:>6}{:>8}{:>9.1f}{:>8.0f}{:>8.0f}{:>8.0f}{:>8.1f}{:>8.1f}{:>9}{:>10}{:>10.5f}{:>7}{:>10}{:>8}  "
+      "{}\n",
+      trial.scene, trial.triangles, facts.frames, facts.median_ms, facts.p99_ms, facts.worst_ms,
+      100.0 * facts.search_share, facts.detections, facts.partial_detections, facts.most_pairs,
+      millimetres(facts.smallest_distance_m), 100.0 * facts.stretch,
+      fmt::format("{:g} %", 100.0 * trial.bound), facts.crossing_pairs, facts.broken_frames,
+      fmt::format("{} of {}", facts.passed, trial.runs.size()));
+}
+
+std::string start_of(const ContactRun& run) {
+  return run.seed == 0 ? "" : fmt::format(", start {}", run.seed);
+}
+
+std::string failures_of(const ContactTrial& trial) {
+  std::string text;
+  for (const ContactRun& run : trial.runs) {
+    if (!run.first_broken.empty()) {
+      text += fmt::format("  {}{}: {}\n", trial.scene, start_of(run), run.first_broken);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Scene with_settings(Scene scene, const std::vector<Setting>& settings) {
+  std::vector<Override> overrides;
+  for (const auto& [key, value] : settings) {
+    overrides.push_back({key, value, fmt::format("{}={}", key, value)});
+  }
+  apply_overrides(simulation_format(), overrides, scene);
+  return scene;
+}
+
+std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickness_m, std::uint64_t seed) {
+  std::vector<sim::Vec3> start_m = cloth.start_m.value_or(cloth.garment->mesh.positions);
+  std::vector<bool> is_pinned(start_m.size(), false);
+  for (const sim::Index pin : cloth.pins) {
+    is_pinned[pin] = true;
+  }
+  std::mt19937_64 random(seed);
+  for (std::size_t v = 0; v < start_m.size(); ++v) {
+    const double x = random_share(random), y = random_share(random), z = random_share(random);
+    if (!is_pinned[v]) {
+      start_m[v] += jitter_part * thickness_m * sim::Vec3(x, y, z);
+    }
+  }
+  return start_m;
+}
+
+ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int frames, std::uint64_t seed,
+                       const std::function<void(int)>& after_frame) {
+  Scene awake = scene;
+  awake.simulation.rest.speed_m_per_s = 0.0;
+  GarmentInScene begun = cloth;
+  if (seed != 0) {
+    begun.start_m = jittered_start(cloth, cloth.garment->material.thickness_m, seed);
+  }
+  sim::Simulation simulation = make_simulation(awake, begun);
+  ContactRun run;
+  run.seed = seed;
+  Judge judge(scene, run);
+  try {
+    dress(scene, simulation);
+    run.start = judge.judge(simulation, 0, 0.0);
+    for (int frame = 1; frame <= frames; ++frame) {
+      const ProcessorStopwatch clock(CLOCK_PROCESS_CPUTIME_ID);
+      simulation.advance_frame(throw_if_interrupted);
+      run.frames.push_back(judge.judge(simulation, frame, clock.elapsed_ms()));
+      after_frame(frame);
+    }
+  } catch (const sim::Diverged& diverged) {
+    end_early(diverged, run);
+  } catch (const sim::ContactBlocked& blocked) {
+    end_early(blocked, run);
+  } catch (const PromiseBroken& undressed) {
+    end_early(undressed, run);
+  }
+  return run;
+}
+
+ContactFacts facts_of(std::span<const ContactRun> runs) {
+  ContactFacts facts;
+  std::vector<double> medians_ms;
+  double all_ms = 0.0, search_ms = 0.0;
+  for (const ContactRun& run : runs) {
+    std::vector<double> times_ms;
+    facts.passed += run.first_broken.empty() ? 1 : 0;
+    facts.stretch = std::max(facts.stretch, run.stretch);
+    add(run.start, facts);
+    for (const ContactFrame& frame : run.frames) {
+      add(frame, facts);
+      times_ms.push_back(frame.cpu_ms);
+      all_ms += frame.cpu_ms;
+      search_ms += frame.search_ms;
+      facts.detections += frame.contact.detections;
+      facts.partial_detections += frame.contact.partial_detections;
+    }
+    facts.frames += times_ms.size();
+    if (!times_ms.empty()) {
+      medians_ms.push_back(ranked(times_ms, 0.5));
+      facts.p99_ms = std::max(facts.p99_ms, ranked(times_ms, 0.99));
+      facts.worst_ms = std::max(facts.worst_ms, ranked(times_ms, 1.0));
+    }
+  }
+  if (facts.frames > 0) {
+    facts.median_ms = median(medians_ms);
+    facts.search_share = search_ms / all_ms;
+    facts.detections /= static_cast<double>(facts.frames);
+    facts.partial_detections /= static_cast<double>(facts.frames);
+  }
+  return facts;
+}
+
+std::vector<ContactCase> all_contact_cases() {
+  std::vector<ContactCase> cases;
+  for (const BuiltInScene& scene : built_in_scenes()) {
+    if (scene.is_of_contact || find_scene(scene.name, {}).dressing_frames() > 0) {
+      cases.push_back({scene.name, scene.name});
+    }
+  }
+  cases.push_back({"fine-wind-10", "tshirt-wind-10", {{{"garment.subdivisions", "1"}}}, 60});
+  return cases;
+}
+
+std::vector<ContactCase> quick_contact_cases() {
+  const Setting speed = {"wind.speed", "20"};
+  const Setting front = {"wind.direction", "[0, 0, -1]"}, side = {"wind.direction", "[-1, 0, 0]"};
+  const Setting slanting = {"wind.direction", "[0.7, 0, -0.7]"}, below = {"wind.direction", "[0, 0.5, 0.9]"};
+  std::vector<ContactCase> cases = {
+      {"hanging", "tshirt-gravity"},
+      {"wind-1", "tshirt-wind-1"},
+      {"wind-10", "tshirt-wind-10"},
+      {"wind-10-around", "tshirt-wind-10", {{front}, {side}, {slanting}, {below}}},
+      {"wind-20-front", "tshirt-wind-10", {{speed, front}}},
+      {"wind-20-side", "tshirt-wind-10", {{speed, side}}},
+      {"walking", "tshirt-walk"},
+      {"hang", "hang"}};
+  for (ContactCase& one : cases) {
+    one.frames = 60;
+    for (std::vector<Setting>& settings : one.runs) {
+      settings.push_back({"solver.threads", "1"});
+    }
+  }
+  return cases;
+}
+
+sim::VectorUnit measured_vector_unit() {
+  const std::vector<sim::VectorUnit> available = sim::available_vector_units();
+  const bool has = std::find(available.begin(), available.end(), sim::VectorUnit::avx2) != available.end();
+  return has ? sim::VectorUnit::avx2 : sim::VectorUnit::best;
+}
+
+std::string contact_head(const std::string& vector_unit) {
+  return "Processor time of a frame with contact, of all threads, with " + vector_unit +
+         ". Of several runs the median of their medians, and the worst 99th percentile and frame.\n"
+         "Searches for what is near: their part of the time, and how many a frame, through all and around "
+         "single "
+         "vertices.\n"
+         "Pairs: the most that were kept apart at a time. Distance: the smallest of these pairs when a frame "
+         "began, as the solver measured it.\n"
+         "Stretch and crossing pairs: of every frame, the start included, by a way that shares nothing with "
+         "the "
+         "solver.\n\n"
+         "                                 tri-               ms a frame           searches           most  "
+         "distance   "
+         "stretch         crossing  broken  runs\n"
+         "scene                          angles  frames   median    99 %   worst       %     all  around    "
+         "pairs        "
+         "mm         %  bound     pairs  frames  passed\n";
+}
+
+std::string contact_row(const ContactTrial& trial) {
+  return row_of(trial) + failures_of(trial);
+}
+
+std::string contact_csv(std::span<const ContactTrial> trials) {
+  CsvTable table({"scene", "seed", "triangles", "bound", "frames", "median_ms", "p99_ms", "worst_ms",
+                  "search_share", "detections", "partial_detections", "contact_pairs", "smallest_distance_m",
+                  "max_stretch", "crossing_pairs", "broken_frames", "first_broken"});
+  for (const ContactTrial& trial : trials) {
+    for (const ContactRun& run : trial.runs) {
+      const ContactFacts facts = facts_of({&run, 1});
+      table.add({trial.scene, std::to_string(run.seed), std::to_string(trial.triangles), cell(trial.bound),
+                 std::to_string(facts.frames), cell(facts.median_ms), cell(facts.p99_ms),
+                 cell(facts.worst_ms), cell(facts.search_share), cell(facts.detections),
+                 cell(facts.partial_detections), std::to_string(facts.most_pairs),
+                 cell(facts.smallest_distance_m), cell(facts.stretch), std::to_string(facts.crossing_pairs),
+                 std::to_string(facts.broken_frames), cell(run.first_broken)});
+    }
+  }
+  return table.text();
+}
+
+}  // namespace taut::app

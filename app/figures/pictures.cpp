@@ -1,0 +1,411 @@
+#include "app/figures/pictures.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+
+#include "app/base/errors.hpp"
+#include "app/drawing/drawn_scene_file.hpp"
+#include "app/drawing/framing.hpp"
+#include "app/drawing/garment_painter.hpp"
+#include "app/drawing/wind_arrows.hpp"
+#include "app/figures/figures.hpp"
+#include "app/models/garment_loading.hpp"
+#include "app/output/csv.hpp"
+
+namespace taut::app {
+namespace {
+
+// Fraction of the picture's width and height that stays free around everything.
+constexpr float print_margin = 0.045F;
+
+DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size) {
+  DrawnScene scene = moment.recording->scene;
+  renderer::PictureSettings& settings = scene.picture.settings;
+  settings.width_px = size.width_px;
+  settings.height_px = size.height_px;
+  scene.picture.show_wind = true;
+  scene.picture.quality = DrawingQuality::high;
+  scene.picture.background = {BackgroundKind::colour, renderer::rgb(0xFFFFFF)};
+  if (!moment.has_floor) {
+    scene.picture.ground.kind = GroundKind::none;
+  }
+  if (moment.shows_stretch) {
+    scene.picture.surface = SurfaceLook::stretch;
+    scene.picture.stretch_of = StretchOf::springs;  // as the paper has it
+    scene.picture.stretch_range = std::array{-printed_stretch, printed_stretch};
+    scene.picture.stretch_colours = printed_stretch_colours;
+    scene.picture.legend = false;
+  }
+  return scene;
+}
+
+// Points that the camera has to see: every vertex and where the key light throws its shadow.
+void add_points(const PrintedMoment& moment, const glm::vec3& towards_light, std::optional<float> ground_m,
+                std::vector<glm::vec3>& points) {
+  for (const glm::vec3& point : to_float(moment.moment->positions)) {
+    points.push_back(point);
+    if (ground_m) {
+      points.push_back(point - towards_light * ((point.y - *ground_m) / towards_light.y));
+    }
+  }
+}
+
+renderer::Camera camera_for(std::span<const PrintedMoment> moments, const PictureSize& size) {
+  DrawnScene scene = scene_for_print(moments.front(), size);
+  scene.camera.framing.margin = print_margin;
+  const renderer::Box reach =
+      expected_reach(scene, *moments.front().recording->garment, moments.front().recording->pins);
+  const float aspect = aspect_of(scene.picture.settings);
+  const glm::vec3 towards_light = renderer::studio_lighting(scene_camera(scene, reach, aspect)).towards_key;
+  std::vector<glm::vec3> points;
+  for (const PrintedMoment& moment : moments) {
+    const std::vector<glm::vec3> arrows = wind_arrows(moment.recording->scene.surroundings.forces.wind,
+                                                      moment.recording->garment->mesh.positions);
+    points.insert(points.end(), arrows.begin(), arrows.end());
+    add_points(moment, towards_light, ground_height(scene, reach), points);
+  }
+  return renderer::fit_camera_to_points(points, framing_of(scene, reach), aspect);
+}
+
+void draw_scale_bar(renderer::Canvas& canvas, const ScaleBar& bar, const glm::vec2& at, float text_px) {
+  const float end_px = at.x + bar.length_px;
+  canvas.line(at.x, at.y, end_px, at.y, palette::ink, 4.0F);
+  for (const float x_px : {at.x, end_px}) {
+    canvas.line(x_px, at.y - 9.0F, x_px, at.y + 9.0F, palette::ink, 4.0F);
+  }
+  renderer::TextStyle text = text_style(text_px);
+  text.horizontal = renderer::HorizontalAlign::centre;
+  canvas.text(0.5F * (at.x + end_px), at.y - 0.5F * text_px, bar.label, text);
+}
+
+const std::vector<std::string> moment_columns = {"panel",
+                                                 "scene",
+                                                 "frame",
+                                                 "time_s",
+                                                 "at_rest",
+                                                 "max_stretch",
+                                                 "p99_stretch",
+                                                 "max_surface_stretch",
+                                                 "p99_surface_stretch",
+                                                 "mean_stretch"};
+const std::vector<std::string> shape_columns = {"panel", "vertex", "x_m", "y_m", "z_m"};
+
+// The panels of a figure go on from one recording to the next.
+template <class Visit>
+void for_each_panel(std::span<const Recording* const> recordings, const Visit& visit) {
+  char letter = 'a';
+  for (const Recording* recording : recordings) {
+    for (const Moment& moment : recording->moments) {
+      visit(std::string(1, letter++), *recording, moment);
+    }
+  }
+}
+
+Moment read_moment(const CsvFile& moments, std::size_t row) {
+  Moment moment;
+  moment.record.frame = moments.whole_number(row, 2);
+  moment.record.time_s = moments.number(row, 3);
+  moment.record.asleep = moments.whole_number(row, 4) != 0;
+  return moment;
+}
+
+std::vector<sim::Vec3> read_shape(const CsvFile& shapes, const std::string& panel) {
+  std::vector<sim::Vec3> positions;
+  for (std::size_t row = 0; row < shapes.rows(); ++row) {
+    if (shapes.text(row, 0) != panel) {
+      continue;
+    }
+    if (shapes.whole_number(row, 1) != static_cast<int>(positions.size())) {
+      shapes.fail(row, fmt::format("panel {}: found vertex {}, expected {}", panel, shapes.text(row, 1),
+                                   positions.size()));
+    }
+    positions.emplace_back(shapes.number(row, 2), shapes.number(row, 3), shapes.number(row, 4));
+  }
+  return positions;
+}
+
+// With the letters from a on. Takes the pictures out of the prints.
+template <class CaptionOf>
+std::vector<Panel> panels_of(Prints& prints, std::span<const PrintedMoment> moments, CaptionOf caption_of) {
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    panels.push_back({std::move(prints.pictures[i]),
+                      caption_of(moments[i], static_cast<char>('a' + static_cast<int>(i)))});
+  }
+  return panels;
+}
+
+constexpr PictureSize pinned_size = {1180, 1120};
+
+Caption pinned_caption(const PrintedMoment& moment, char letter) {
+  if (moment.shows_stretch) {
+    return {letter, "the same, coloured by the stretch of its springs",
+            fmt::format("99 of 100 springs up to {:.4g} %, triangles up to {:.4g} %",
+                        100.0 * moment.moment->record.stretch.p99,
+                        100.0 * moment.moment->record.surface_stretch.p99)};
+  }
+  return {letter, largest_stretch_text(moment),
+          fmt::format("{} sweeps of the constraint in a step; red: at rest length",
+                      moment.recording->scene.simulation.solver.strong.iterations)};
+}
+
+renderer::Colour colour_of(double stretch) {
+  return renderer::colour_at(printed_stretch_colours,
+                             static_cast<float>(0.5 + 0.5 * stretch / printed_stretch));
+}
+
+// What the light makes of a colour, from a picture of the cloth unstretched: by the lightest pixel near the
+// middle, which lies between the lines of the springs.
+renderer::Colour shade_of(const renderer::Image& unstretched) {
+  renderer::Colour lightest{0.0F};
+  const int width_px = unstretched.width_px / 8, height_px = unstretched.height_px / 8;
+  for (int y = 0; y < height_px; ++y) {
+    for (int x = 0; x < width_px; ++x) {
+      const std::uint8_t* pixel = unstretched.at((unstretched.width_px - width_px) / 2 + x,
+                                                 (unstretched.height_px - height_px) / 2 + y);
+      const renderer::Colour colour = renderer::Colour(pixel[0], pixel[1], pixel[2]) / 255.0F;
+      lightest = colour.g > lightest.g ? colour : lightest;
+    }
+  }
+  return lightest / colour_of(0.0);
+}
+
+// The colours of the stretch as they look on the cloth, lowest last. A picture rather than rows of
+// rectangles, between which a page that is scaled shows seams.
+renderer::Image colour_bar(double lowest, double highest, const renderer::Colour& shade) {
+  renderer::Image bar = renderer::make_image(1, 256);
+  for (int y = 0; y < bar.height_px; ++y) {
+    const double up = (bar.height_px - 0.5 - y) / bar.height_px;
+    const double stretch = lowest + up * (highest - lowest);
+    const renderer::Colour colour = shade * colour_of(stretch);
+    for (int channel = 0; channel < 3; ++channel) {
+      bar.at(0, y)[channel] =
+          static_cast<std::uint8_t>(std::lround(255.0F * std::min(colour[channel], 1.0F)));
+    }
+  }
+  return bar;
+}
+
+void draw_stretch_legend(renderer::Canvas& canvas, const SheetStyle& style, const renderer::Colour& shade) {
+  constexpr double lowest = 0.0, highest = printed_stretch;
+  constexpr float width_px = 44.0F, tick_px = 10.0F;
+  const glm::vec2 corner = panel_corner(style, pinned_size, 3);
+  const float x_px = corner.x + static_cast<float>(pinned_size.width_px) + 34.0F;
+  const float y_px = corner.y + 0.12F * static_cast<float>(pinned_size.height_px);
+  const float height_px = 0.76F * static_cast<float>(pinned_size.height_px);
+  canvas.image(x_px, y_px, width_px, height_px, colour_bar(lowest, highest, shade));
+  canvas.rectangle(x_px, y_px, width_px, height_px, palette::ink, 2.0F);
+  renderer::TextStyle text = text_style(style.caption.measured_px);
+  text.vertical = renderer::VerticalAlign::middle;
+  for (const int percent : {0, 5, 10, 15, 20}) {
+    const auto up = static_cast<float>((0.01 * percent - lowest) / (highest - lowest));
+    const float tick_y_px = y_px + (1.0F - up) * height_px;
+    text.bold = percent == 5;  // the bound
+    canvas.line(x_px + width_px, tick_y_px, x_px + width_px + tick_px, tick_y_px, palette::ink, 2.0F);
+    canvas.text(x_px + width_px + 1.5F * tick_px, tick_y_px, fmt::format("{} %", percent), text);
+  }
+  canvas.text(x_px, y_px - 1.2F * style.caption.measured_px, "stretch",
+              text_style(style.caption.measured_px));
+}
+
+}  // namespace
+
+std::string largest_stretch_text(const PrintedMoment& moment) {
+  return fmt::format("largest stretch: springs {:.4g} %, surface {:.4g} %",
+                     100.0 * moment.moment->record.stretch.max,
+                     100.0 * moment.moment->record.surface_stretch.max);
+}
+
+Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
+                     const PictureSize& size) {
+  return print_moments(offscreen.open(), moments, size, offscreen.scale());
+}
+
+Prints print_moments(OffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
+                     const PictureSize& size, float scale) {
+  const auto scaled = [&](int length_px) {
+    return std::max(1, static_cast<int>(std::lround(static_cast<float>(length_px) * scale)));
+  };
+  const renderer::Camera camera = camera_for(moments, size);
+  Prints prints;
+  prints.size = size;
+  for (const PrintedMoment& moment : moments) {
+    DrawnScene scene = scene_for_print(moment, {scaled(size.width_px), scaled(size.height_px)});
+    scene.camera.eye = camera.eye;
+    scene.camera.target = camera.target;
+    GarmentPainter painter(offscreen.renderer(), scene, *moment.recording->garment, moment.recording->pins);
+    prints.pictures.push_back(painter.draw(moment.moment->positions, moment.moment->record.time_s));
+  }
+  const float seen_m =
+      2.0F * glm::distance(camera.eye, camera.target) * std::tan(0.5F * camera.vertical_fov_rad);
+  prints.metre_px = static_cast<float>(size.height_px) / seen_m;
+  return prints;
+}
+
+glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std::size_t panel) {
+  const auto column = static_cast<float>(panel % style.columns);
+  const auto row = static_cast<float>(panel / style.columns);
+  return {style.border_px + column * (static_cast<float>(picture.width_px) + style.gap_px),
+          style.border_px +
+              row * (static_cast<float>(picture.height_px) + style.caption.height_px() + style.gap_px)};
+}
+
+Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style,
+                 const ScaleBar& bar) {
+  const std::size_t columns = std::min(style.columns, panels.size());
+  const glm::vec2 last_in_row = panel_corner(style, size, columns - 1);
+  const glm::vec2 last = panel_corner(style, size, panels.size() - 1);
+  Drawing drawing;
+  drawing.width_px = size.width_px + static_cast<int>(last_in_row.x + style.right_px + style.border_px);
+  drawing.height_px =
+      size.height_px + static_cast<int>(last.y + style.caption.height_px() + 0.5F * style.border_px);
+  const auto shared = std::make_shared<const std::vector<Panel>>(std::move(panels));
+  drawing.draw = [shared, style, size, bar](renderer::Canvas& canvas) {
+    for (std::size_t i = 0; i < shared->size(); ++i) {
+      const Panel& panel = (*shared)[i];
+      const glm::vec2 corner = panel_corner(style, size, i);
+      canvas.image(corner.x, corner.y, static_cast<float>(size.width_px), static_cast<float>(size.height_px),
+                   panel.picture);
+      draw_caption(canvas, panel.caption, corner.x + 0.5F * static_cast<float>(size.width_px),
+                   corner.y + static_cast<float>(size.height_px), style.caption);
+    }
+    if (bar.length_px > 0.0F) {
+      const float inset_px = 0.045F * static_cast<float>(size.width_px);
+      const glm::vec2 corner = panel_corner(style, size, 0);
+      draw_scale_bar(canvas, bar,
+                     {corner.x + inset_px, corner.y + static_cast<float>(size.height_px) - inset_px},
+                     style.caption.measured_px);
+    }
+  };
+  return drawing;
+}
+
+std::string moments_csv(std::span<const Recording* const> recordings) {
+  CsvTable table(moment_columns);
+  for_each_panel(recordings, [&](const std::string& panel, const Recording& recording, const Moment& moment) {
+    const FrameRecord& record = moment.record;
+    const sim::SurfaceStretch& surface = moment.record.surface_stretch;
+    table.add({panel, cell(recording.scene.name), std::to_string(record.frame), cell(record.time_s),
+               record.asleep ? "1" : "0", cell(record.stretch.max), cell(record.stretch.p99),
+               cell(surface.max), cell(surface.p99), cell(record.stretch.mean)});
+  });
+  return table.text();
+}
+
+std::string shapes_csv(std::span<const Recording* const> recordings) {
+  CsvTable table(shape_columns);
+  for_each_panel(recordings, [&](const std::string& panel, const Recording&, const Moment& moment) {
+    for (std::size_t v = 0; v < moment.positions.size(); ++v) {
+      const sim::Vec3& p = moment.positions[v];
+      table.add({panel, std::to_string(v), cell(p.x), cell(p.y), cell(p.z)});
+    }
+  });
+  return table.text();
+}
+
+Recording read_recording(const std::filesystem::path& folder, const std::string& figure,
+                         const std::string& scene_name) {
+  const CsvFile moments(folder / (figure + ".csv"), moment_columns);
+  const std::filesystem::path shapes_file = folder / (figure + "_shapes.csv");
+  const CsvFile shapes(shapes_file, shape_columns);
+  Recording recording;
+  recording.scene = find_scene(scene_name, {});
+  LoadedGarment loaded = load_garment(recording.scene);
+  recording.garment = loaded.garment;
+  recording.pins = std::move(loaded.pins);
+  const std::size_t vertices = recording.garment->mesh.positions.size();
+  for (std::size_t row = 0; row < moments.rows(); ++row) {
+    if (moments.text(row, 1) != scene_name) {
+      continue;
+    }
+    Moment moment = read_moment(moments, row);
+    moment.positions = read_shape(shapes, moments.text(row, 0));
+    if (moment.positions.size() != vertices) {
+      throw InputError(fmt::format("{}: panel {}: found {} vertices, expected {}, as the garment of {} has",
+                                   shapes_file.string(), moments.text(row, 0), moment.positions.size(),
+                                   vertices, scene_name));
+    }
+    moment.record.stretch = sim::measure_stretch(recording.garment->springs, moment.positions);
+    moment.record.surface_stretch = sim::measure_surface_stretch(*recording.garment, moment.positions);
+    note_stretch(moment.record, recording);
+    recording.moments.push_back(std::move(moment));
+  }
+  if (recording.moments.empty()) {
+    throw InputError(fmt::format("{}: found no moment of the scene {}, expected one",
+                                 (folder / (figure + ".csv")).string(), scene_name));
+  }
+  return recording;
+}
+
+// Simulation of cloth falling under the effect of gravity.
+Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen) {
+  const Recording& fall = results.fall->frames;
+  std::vector<PrintedMoment> moments;
+  for (const Moment& moment : fall.moments) {
+    moments.push_back({&fall, &moment, false});
+  }
+  Prints prints = print_moments(offscreen, moments, {720, 620});
+  const auto caption_of = [](const PrintedMoment& moment, char letter) -> Caption {
+    const FrameRecord& record = moment.moment->record;
+    return {letter, fmt::format("{:.2f} s{}", record.time_s, record.asleep ? ", at rest" : ""),
+            fmt::format("largest stretch {:.4g} %", 100.0 * record.stretch.max)};
+  };
+  return sheet_of(panels_of(prints, moments, caption_of), prints.size,
+                  {.columns = 4, .caption = {.text_px = 48.0F, .measured_px = 42.0F}},
+                  {0.5F * prints.metre_px, "0.5 m"});
+}
+
+// Over-stretching: the same cloth, held by its upper corners, with two limits of stretch; below, where.
+Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen) {
+  std::vector<PrintedMoment> moments;
+  for (const bool shows_stretch : {false, true}) {
+    for (const auto& recording : results.pinned) {
+      moments.push_back({&*recording, &recording->last(), shows_stretch, false});
+    }
+  }
+  Moment unstretched;
+  unstretched.positions = results.pinned[0]->garment->mesh.positions;
+  moments.push_back({&*results.pinned[0], &unstretched, true, false});
+  Prints prints = print_moments(offscreen, moments, pinned_size);
+  const renderer::Colour shade = shade_of(prints.pictures.back());
+  moments.pop_back();
+  const SheetStyle style = {
+      .columns = 2, .caption = {.text_px = 42.0F, .measured_px = 37.0F}, .right_px = 190.0F};
+  Drawing drawing = sheet_of(panels_of(prints, moments, pinned_caption), prints.size, style,
+                             {0.25F * prints.metre_px, "25 cm"});
+  drawing.draw = [panels_drawing = drawing.draw, style, shade](renderer::Canvas& canvas) {
+    panels_drawing(canvas);
+    draw_stretch_legend(canvas, style, shade);
+  };
+  return drawing;
+}
+
+// The T-shirt without wind and in two winds.
+Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
+  std::vector<PrintedMoment> moments;
+  for (const auto& recording : results.shirts) {
+    moments.push_back({&*recording, &recording->last(), false});
+  }
+  Prints prints = print_moments(offscreen, moments, {980, 860});
+  const auto caption_of = [](const PrintedMoment& moment, char letter) -> Caption {
+    const FrameRecord& record = moment.moment->record;
+    const double speed_m_per_s = moment.recording->scene.surroundings.forces.wind.speed_m_per_s;
+    const std::string wind =
+        speed_m_per_s == 0.0 ? "gravity alone" : fmt::format("wind {:.1f} m/s", speed_m_per_s);
+    return {letter, fmt::format("{}, after {:.1f} s", wind, record.time_s),
+            fmt::format("largest stretch {:.3f} %, surface {:.3f} %", 100.0 * record.stretch.max,
+                        100.0 * record.surface_stretch.max)};
+  };
+  return sheet_of(panels_of(prints, moments, caption_of), prints.size,
+                  {.columns = 3, .caption = {.text_px = 50.0F, .measured_px = 43.0F}},
+                  {0.2F * prints.metre_px, "20 cm"});
+}
+
+}  // namespace taut::app

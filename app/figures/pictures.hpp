@@ -1,0 +1,122 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/drawing/drawing.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
+#include "app/figures/experiments/recording.hpp"
+#include "renderer/page/image.hpp"
+
+namespace taut::app {
+
+/// Makes the offscreen renderer when it is first needed. Diagrams and plots do not need it.
+class LazyOffscreenRenderer {
+ public:
+  /// `backend` is as in renderer::create_context. Pictures get `scale` times as many pixels each way as the
+  /// figures ask for.
+  LazyOffscreenRenderer(std::string backend, float scale) : backend_(std::move(backend)), scale_(scale) {}
+
+  /// The renderer. The first call makes it and may throw renderer::ContextError.
+  OffscreenRenderer& open() {
+    if (!offscreen_) {
+      offscreen_ = std::make_unique<OffscreenRenderer>(backend_);
+    }
+    return *offscreen_;
+  }
+  float scale() const { return scale_; }
+  /// The name OpenGL gives its renderer. Empty before the first `open`.
+  std::string gl_renderer() const { return offscreen_ ? offscreen_->gl_renderer() : ""; }
+
+ private:
+  std::string backend_;
+  float scale_;
+  std::unique_ptr<OffscreenRenderer> offscreen_;
+};
+
+/// Size of a picture in a figure.
+struct PictureSize {
+  int width_px = 0;
+  int height_px = 0;
+};
+
+/// One picture of a figure: a moment of a run, in the look of its scene or coloured by stretch.
+struct PrintedMoment {
+  const Recording* recording = nullptr;
+  const Moment* moment = nullptr;
+  bool shows_stretch = false;
+  bool has_floor = true;  ///< a floor with the shadow on it
+};
+
+/// "largest stretch: springs 0.97 %, surface 19 %", with four digits.
+std::string largest_stretch_text(const PrintedMoment& moment);
+
+/// Pictures taken with one camera, and the length of a metre in them.
+struct Prints {
+  /// In the figure. The images have LazyOffscreenRenderer::scale() times as many pixels each way.
+  PictureSize size;
+  std::vector<renderer::Image> pictures;
+  float metre_px = 0.0F;  ///< pixels of the figure per metre, at the distance of the cloth
+};
+
+/// Stretch at the end of the colours in pictures with `shows_stretch`, a fraction. More stretch looks the
+/// same.
+inline constexpr double printed_stretch = 0.2;
+/// Nearly white at rest length and darker with more stretch, so that it also works on a grey printer.
+inline constexpr renderer::ColourMap printed_stretch_colours = renderer::ColourMap::blue_orange;
+
+/// Draws the moments with one camera, from the direction of the first moment's scene. The camera is as near
+/// as all cloths and their shadows on the floor allow. Throws renderer::ContextError.
+Prints print_moments(LazyOffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
+                     const PictureSize& size);
+/// As above, with images that have `scale` times as many pixels each way.
+Prints print_moments(OffscreenRenderer& offscreen, std::span<const PrintedMoment> moments,
+                     const PictureSize& size, float scale);
+
+/// A picture in a figure with the caption below it.
+struct Panel {
+  renderer::Image picture;
+  Caption caption;
+};
+
+/// A bar of known length, drawn into a picture.
+struct ScaleBar {
+  float length_px = 0.0F;  ///< 0: no bar
+  std::string label;
+};
+
+/// How panels are arranged on a page.
+struct SheetStyle {
+  std::size_t columns = 3;
+  float border_px = 24.0F;
+  float gap_px = 28.0F;
+  CaptionStyle caption = {};
+  float right_px = 0.0F;  ///< kept free at the right edge, for a legend
+};
+
+/// Arranges the panels in rows. All pictures must have the size `size`. The scale bar is drawn into the first
+/// one.
+Drawing sheet_of(std::vector<Panel> panels, const PictureSize& size, const SheetStyle& style,
+                 const ScaleBar& bar);
+
+/// Upper left corner of the panel with this index, in pixels of the figure.
+glm::vec2 panel_corner(const SheetStyle& style, const PictureSize& picture, std::size_t panel);
+
+/// A table with one row per moment: its letter (from a), the scene and what was measured.
+std::string moments_csv(std::span<const Recording* const> recordings);
+
+/// A table with one row per vertex of each moment: its position in metres.
+std::string shapes_csv(std::span<const Recording* const> recordings);
+
+/// Reads the moments of one scene from FIGURE.csv and FIGURE_shapes.csv in the folder. Scene and garment are
+/// taken from their files as they are now. What the tables hold of stretch is measured again from the shapes,
+/// and the largest numbers cover only these moments. Throws InputError that names the file and the line.
+/// Reasons are a broken table, no moment of this scene, or another number of vertices than the garment has.
+Recording read_recording(const std::filesystem::path& folder, const std::string& figure,
+                         const std::string& scene_name);
+
+}  // namespace taut::app

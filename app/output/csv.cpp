@@ -1,0 +1,121 @@
+#include "app/output/csv.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+
+namespace taut::app {
+namespace {
+
+std::string line_of(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    line += (i == 0 ? "" : ",") + cells[i];
+  }
+  return line + "\n";
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool is_doubled = is_quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"';
+    if (is_doubled) {
+      cells.back() += line[++i];
+    } else if (line[i] == '"') {
+      is_quoted = !is_quoted;
+    } else if (line[i] == ',' && !is_quoted) {
+      cells.emplace_back();
+    } else if (line[i] != '\r') {
+      cells.back() += line[i];
+    }
+  }
+  return cells;
+}
+
+// The whole of the text, or nothing.
+template <class Number>
+bool read_number(const std::string& text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end;
+}
+
+}  // namespace
+
+CsvTable::CsvTable(std::vector<std::string> columns) : width_(columns.size()), text_(line_of(columns)) {}
+
+void CsvTable::add(std::vector<std::string> cells) {
+  if (cells.size() != width_) {
+    throw std::invalid_argument(
+        fmt::format("a row of {} cells in a table of {} columns", cells.size(), width_));
+  }
+  text_ += line_of(cells);
+}
+
+CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::string>& columns)
+    : name_(path.string()), columns_(columns) {
+  std::istringstream lines(read_text_file(path));
+  std::string line;
+  std::getline(lines, line);
+  if (cells_of(line) != columns_) {
+    throw InputError(fmt::format("{}:1: found the columns {}, expected {}", name_, line, line_of(columns_)));
+  }
+  while (std::getline(lines, line)) {
+    rows_.push_back(cells_of(line));
+    if (rows_.back().size() != columns_.size()) {
+      fail(rows_.size() - 1,
+           fmt::format("found {} cells, expected {}", rows_.back().size(), columns_.size()));
+    }
+  }
+  if (rows_.empty()) {
+    throw InputError(name_ + ": found no rows, expected at least one");
+  }
+}
+
+double CsvFile::number(std::size_t row, std::size_t column) const {
+  double number = 0.0;
+  if (!read_number(text(row, column), number) || !std::isfinite(number)) {
+    fail(row, fmt::format("{}: found '{}', expected a number", columns_[column], text(row, column)));
+  }
+  return number;
+}
+
+int CsvFile::whole_number(std::size_t row, std::size_t column) const {
+  int number = 0;
+  if (!read_number(text(row, column), number)) {
+    fail(row, fmt::format("{}: found '{}', expected a whole number", columns_[column], text(row, column)));
+  }
+  return number;
+}
+
+void CsvFile::fail(std::size_t row, const std::string& what) const {
+  throw InputError(fmt::format("{}:{}: {}", name_, row + 2, what));
+}
+
+std::string cell(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    quoted += letter;
+    if (letter == '"') {
+      quoted += '"';
+    }
+  }
+  return quoted + '"';
+}
+
+}  // namespace taut::app

@@ -38,7 +38,7 @@ struct BenchOptions {
 /// Options of a run, of `taut render` and `taut simulate` alike.
 struct RunOptions {
   std::string scene;   ///< a scene or a garment file
-  std::string frames;  ///< as in frame_range.hpp; empty: what the command usually takes
+  std::string frames;  ///< as in output_pattern.hpp; empty: what the command usually takes
   std::string shapes;  ///< what to export to (app/caches/frame_sink.hpp); empty: nothing
   std::vector<Override> overrides;
   std::filesystem::path statistics;  ///< file for --stats; empty: none

@@ -10,13 +10,13 @@
 #include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/output/csv.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "app/output/run_start.hpp"
-#include "app/scene/scene_format.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
+#include "app/scene/scene_format.hpp"
 #include "sim/simulation.hpp"
 
 namespace taut::app {
@@ -67,7 +67,7 @@ void add(const ContactFrame& frame, ContactFacts& facts) {
   facts.broken_frames += frame.is_broken ? 1 : 0;
 }
 
-// What lies beyond what was searched has no distance.
+// No distance is known beyond the range of the search.
 std::string millimetres(double distance_m) {
   return std::isfinite(distance_m) ? fmt::format("{:.4f}", 1e3 * distance_m) : "-";
 }

@@ -17,7 +17,7 @@ namespace taut::app {
 
 namespace {
 
-/// Of the bodies that --body names.
+/// Inspects the bodies that --body names.
 int inspect_bodies(const InspectOptions& options, const Scene& scene) {
   if (scene.body_sources.empty()) {
     throw UsageError("GARMENT is required, or --body FILE; taut inspect --help says what there is");

@@ -8,7 +8,7 @@
 #include "app/base/progress.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/commands/options.hpp"
-#include "app/drawing/garment_painter.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_verifier.hpp"

@@ -10,11 +10,11 @@
 #include "app/commands/run.hpp"
 #include "app/models/model_fitting.hpp"
 #include "app/output/frame_record.hpp"
-#include "app/output/output_pattern.hpp"
 #include "app/output/frame_verifier.hpp"
+#include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
-#include "app/output/run_start.hpp"
 #include "app/output/run_report.hpp"
+#include "app/output/run_start.hpp"
 
 namespace taut::app {
 namespace {

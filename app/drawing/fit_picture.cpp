@@ -10,6 +10,7 @@
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/inspection_marks.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
 #include "renderer/page/legend.hpp"
 
 namespace taut::app {

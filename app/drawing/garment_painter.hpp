@@ -13,7 +13,6 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/garment_surface.hpp"
 #include "app/drawing/spring_lines.hpp"
-#include "renderer/context/context.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"
 #include "renderer/page/legend.hpp"
@@ -51,22 +50,6 @@ class SurfaceRooms {
   std::size_t garment_vertices_;
   std::vector<sim::Vec3> positions_m_;  ///< of the garment and of bodies that are meshes
   std::vector<float> rooms_m_;
-};
-
-/// An OpenGL context without a window, and the scene renderer in it.
-class OffscreenRenderer {
- public:
-  /// `backend` as in renderer::create_context. Throws renderer::ContextError.
-  explicit OffscreenRenderer(const std::string& backend)
-      : context_(renderer::create_context(backend)), renderer_(*context_) {}
-
-  renderer::SceneRenderer& renderer() { return renderer_; }
-  /// The name OpenGL gives its renderer (GL_RENDERER).
-  const std::string& gl_renderer() const { return context_->renderer(); }
-
- private:
-  std::unique_ptr<renderer::Context> context_;
-  renderer::SceneRenderer renderer_;
 };
 
 /// Radius of the balls that show pins, for a scene with this reach.
@@ -123,7 +106,7 @@ class GarmentPainter {
   renderer::Camera camera_;                 ///< at rest; frame_ has the one that follows
   std::optional<glm::vec3> followed_from_;  ///< the mean of the vertices at rest; empty: it stands still
   float pin_radius_m_ = 0.0F;
-  // Of the frame at hand.
+  // Arrays of the frame at hand.
   std::vector<glm::vec3> positions_;
   std::vector<std::uint32_t> wireframe_;
   std::vector<float> stretch_;

@@ -13,6 +13,7 @@
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
 #include "app/drawing/inspection_marks.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
 #include "app/drawing/spring_lines.hpp"
 #include "app/models/model_fitting.hpp"
 

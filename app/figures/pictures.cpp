@@ -11,10 +11,11 @@
 #include <memory>
 
 #include "app/base/errors.hpp"
+#include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/drawn_bodies.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/csv.hpp"
@@ -161,8 +162,8 @@ renderer::Colour colour_of(double stretch) {
                              static_cast<float>(0.5 + 0.5 * stretch / printed_stretch));
 }
 
-// What the light makes of a colour, from a picture of the cloth unstretched: by the lightest pixel near the
-// middle, which lies between the lines of the springs.
+// Returns the shaded colour of the unstretched cloth in a picture: the lightest pixel near the middle,
+// which lies between the lines of the springs.
 renderer::Colour shade_of(const renderer::Image& unstretched) {
   renderer::Colour lightest{0.0F};
   const int width_px = unstretched.width_px / 8, height_px = unstretched.height_px / 8;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/drawing/drawing.hpp"
-#include "app/drawing/garment_painter.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "renderer/page/image.hpp"
 

@@ -12,6 +12,7 @@
 #include "app/bodies/wearing.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_record.hpp"

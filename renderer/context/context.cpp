@@ -2,6 +2,8 @@
 
 #include <glad/gl.h>
 
+#include "renderer/context/loaders.hpp"
+
 namespace taut::renderer {
 
 namespace {

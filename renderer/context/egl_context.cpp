@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "renderer/context/context.hpp"
+#include "renderer/context/loaders.hpp"
 
 namespace taut::renderer {
 

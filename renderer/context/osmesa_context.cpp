@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "renderer/context/context.hpp"
+#include "renderer/context/loaders.hpp"
 
 namespace taut::renderer {
 

@@ -11,6 +11,7 @@
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/garment_painter.hpp"
+#include "app/drawing/offscreen_renderer.hpp"
 #include "app/models/garment_loading.hpp"
 #include "support/picture_difference.hpp"
 

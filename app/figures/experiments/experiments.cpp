@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "app/base/interruption.hpp"
-#include "app/figures/experiments/recording.hpp"
 #include "app/drawing/drawn_scene.hpp"
+#include "app/figures/experiments/recording.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/pins.hpp"
 #include "sim/measures.hpp"

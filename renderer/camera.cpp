@@ -68,7 +68,7 @@ Fit fit_across(std::span<const glm::vec3> points, const glm::vec3& axis, const g
   return {0.5F * (right_most - left_most), 0.5F * (right_most + left_most) / tangent};
 }
 
-// Of the picture's height; the width has `aspect` times as much.
+// Returns the half opening as a part of the picture's height; the width has `aspect` times as much.
 float opening_of(const Framing& framing) {
   return std::tan(0.5F * framing.vertical_fov_rad) * (1.0F - 2.0F * framing.margin);
 }

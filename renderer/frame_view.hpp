@@ -30,7 +30,7 @@ const char* name_of(WeaveKind kind);
 /// The material of a surface.
 struct SurfaceStyle {
   Colour outside_colour = rgb(0x3F6FA8);  ///< of the side from which triangles are counter-clockwise
-  /// Of the other side. None: that of the outside's reverse (reverse_of).
+  /// The colour of the other side. None: the reverse of the outside's (reverse_of).
   std::optional<Colour> inside_colour;
   float roughness = 0.75F;     ///< of the highlight; 0.05 glossy to 1 matt, clamped
   float sheen = 0.4F;          ///< 0 to 1; brightness of the fringe at grazing angles, as cotton has

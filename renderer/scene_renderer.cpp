@@ -209,8 +209,8 @@ void SceneRenderer::Parts::draw_visibility(const PixelRect& place, const FrameVi
   surface_pass.draw_visibility(has_marks(frame));
 }
 
-// What draw_visibility() saw last. Marks have edges of their own between pixels: they are drawn apart and
-// blended over.
+// Shades the surfaces that draw_visibility() saw last. Marks have edges of their own between pixels: they are
+// drawn apart and blended over.
 void SceneRenderer::Parts::shade_surfaces_and_marks(GLuint framebuffer, const PixelRect& place,
                                                     const FrameBlock& block, const FrameView& frame,
                                                     const PictureSettings& settings) {
@@ -288,7 +288,7 @@ void SceneRenderer::Parts::draw_supersampled(FrameBlock& block, const FrameView&
   }
 }
 
-// What is returned gathers the light meanwhile; it has to end before the frame's spans do.
+// The future that is returned gathers the light meanwhile; it has to end before the frame's spans do.
 std::future<void> SceneRenderer::Parts::begin(FrameBlock& block, const FrameView& frame,
                                               const PictureSettings& settings) {
   reset_state();

@@ -14,7 +14,7 @@ struct HeldVertex {
   Index vertex = 0;
   /// Where the hand is.
   Vec3 point_m = {0.0, 0.0, 0.0};
-  /// Of the spring.
+  /// The stiffness of the spring.
   double stiffness_n_per_m = 0.0;
   /// The largest force of the hand. A hand slips before it tears the cloth.
   double max_force_n = 0.0;

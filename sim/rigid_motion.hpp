@@ -35,7 +35,7 @@ struct Spin {
   bool operator==(const Spin&) const = default;
 };
 
-/// What something is off where it is else, at one time: in m, or in the unit of what has the path.
+/// The offset of something from its usual place or value at one time: in m, or in the unit of that value.
 struct PathPoint {
   double time_s = 0.0;
   Vec3 offset = {0.0, 0.0, 0.0};

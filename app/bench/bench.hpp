@@ -67,7 +67,7 @@ struct ContactTrial {
   std::vector<ContactRun> runs;
 };
 
-/// What the runs of a trial have in common.
+/// The summary of all runs of a trial.
 struct ContactFacts {
   std::size_t passed = 0;           ///< runs that broke no promise
   std::size_t frames = 0;           ///< of all runs, the starts not counted

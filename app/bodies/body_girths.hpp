@@ -41,7 +41,7 @@ struct Girth {
   double height_m = 0.0;
 };
 
-/// What is measured of someone who stands upright, arms not above the shoulders, and looks along z.
+/// The measures of a body that stands upright, arms not above the shoulders, and looks along z.
 struct BodyMeasures {
   std::vector<Girth> girths;         ///< in the order above; what cannot be told is left out
   std::optional<sim::Vec3> neck_m;   ///< the middle of the base of the neck

@@ -32,7 +32,7 @@ struct CrossingFrame {
   std::string pairs;  ///< how many, and where the first is, for people
 };
 
-/// What is in the file of a body, and how it moves.
+/// The contents of a body's file, and its motion.
 struct BodyInspection {
   std::string file;
   std::string format;

@@ -9,7 +9,7 @@
 
 namespace taut::app {
 
-/// What a number of a BVH frame is.
+/// The meaning of a number of a BVH frame.
 enum class BvhChannel { x_position, y_position, z_position, x_rotation, y_rotation, z_rotation };
 
 /// A joint of a BVH file, or the end of a limb.

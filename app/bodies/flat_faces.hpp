@@ -6,7 +6,7 @@
 
 namespace taut::app {
 
-/// What became of triangles without area.
+/// Counts of triangles without area, by what became of them.
 struct FlatFaces {
   std::size_t left_out = 0;  ///< two corners or all three were at one place
   std::size_t turned = 0;    ///< the corners were in a line

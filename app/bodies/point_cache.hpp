@@ -25,7 +25,7 @@ std::unique_ptr<const FrameSource> open_mdd(const std::filesystem::path& file);
 
 enum class PointCacheFormat { pc2, mdd };
 
-/// What the header of a cache says.
+/// The header of a cache.
 struct PointCacheContent {
   std::size_t vertices = 0;
   std::size_t frames = 0;

@@ -80,7 +80,7 @@ void PointCacheSink::put(const std::string& bytes) {
   }
 }
 
-// Of the part that an earlier run left, or of what it completed.
+// Goes on from the part that an earlier run left, or from its complete file.
 void PointCacheSink::go_on(std::size_t kept, const WrittenMoment& start) {
   std::error_code error;
   const SeekableFile earlier(fs::exists(part_, error) ? part_ : path_);

@@ -22,7 +22,7 @@ constexpr float ground_gap = 0.06F;
 // A garment is drawn from the side, where it is this many times as deep as wide: its broad side is there.
 constexpr float clearly_deeper = 1.5F;
 
-// Of the direction of a front: from here on it is seen from before as it is.
+// A front whose direction has at least this component towards the camera is seen from before as it is.
 constexpr double facing_us = 0.7;
 
 // Limit on pairs of a vertex and a pin that are compared. Above it some pins are skipped, which can enlarge

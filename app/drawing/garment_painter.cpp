@@ -21,7 +21,7 @@ constexpr float most_fairing = 0.15F;
 constexpr float most_clearance = 0.45F;
 // However long the edges are, the surface goes by where the vertices are.
 constexpr float most_fairing_m = 0.004F;
-// Of the distance between two things, what each may use of it.
+// The part of the distance between two things that each of them may use.
 constexpr float share_of_clearance = 0.45F;
 // Cloth that is larger is lost, and nothing is looked for.
 constexpr double largest_m = 1e4;

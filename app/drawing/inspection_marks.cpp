@@ -162,7 +162,7 @@ glm::vec2 seen_size(std::span<const glm::vec3> points, const renderer::Camera& c
   return upper - lower;
 }
 
-/// Of the views from the garment's front and from behind.
+/// Returns the azimuths of the views of the garment's front and back, in radians.
 std::array<float, 2> azimuths_of(std::span<const glm::vec3> points) {
   const renderer::Box box = renderer::bounding_box(points);
   const float turned_rad = azimuth_of_broad_side(box.upper - box.lower);

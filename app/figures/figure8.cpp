@@ -297,7 +297,7 @@ std::string figure8_csv(const Results& results) {
       };
       std::for_each(trial.frames.begin(), trial.frames.end(), add);
       if (trial.is_lost) {
-        // Of the frame in which it was lost nothing is known.
+        // Nothing is known of the frame in which it was lost.
         add({NAN, NAN, NAN, NAN, NAN, NAN, NAN});
       }
     }

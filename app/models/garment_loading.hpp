@@ -55,8 +55,8 @@ struct GarmentInScene {
   /// Of its file, to be written again; empty of a grid and of a mesh that was subdivided.
   FileFaces file_faces = {};
   std::vector<sim::Vec3> file_rest_m = {};  ///< per vertex of the file, where `file_faces` are not empty
-  /// Of the cloth at rest, for one unit of texture coordinates: what the landmarks' file says, or the median
-  /// of the triangles; 0 without coordinates.
+  /// Metres of the cloth at rest for one unit of texture coordinates, as the landmarks' file says, or else the
+  /// median of the triangles; 0 without coordinates.
   double metres_per_uv = 0.0;
   /// Of what crossed at the start; empty if nothing did, or the scene does not ask for it.
   std::optional<Untangling> untangling = {};

@@ -13,8 +13,7 @@
 namespace taut::app {
 namespace {
 
-/// What a solver says is held against what is measured: of springs a billion times shorter than others it
-/// can be wrong.
+/// Holds the solver's word against a measurement: it can be wrong of springs a billion times shorter than others.
 bool is_bound_kept(const sim::Simulation& simulation, const FrameRecord& record) {
   const sim::FrameReport& report = simulation.last_report();
   const auto* bounded = std::get_if<sim::BoundedSettings>(&simulation.settings().solver.method);

@@ -217,7 +217,7 @@ struct BodyInScene {
   BodySource source;
 };
 
-/// What a scene file names is written with its full path.
+/// Writes the full path of a file that a scene names.
 Key<BodyInScene> body_file_key(std::string name, std::filesystem::path BodySource::*member,
                                std::string meaning) {
   Key<BodyInScene> key = file_key<BodyInScene>(

@@ -25,7 +25,7 @@ Depth outside_ball(const Vec3& p, const Vec3& centre_m, double radius_m) {
   return {glm::distance(p, centre_m) - radius_m, direction_of(p - centre_m)};
 }
 
-/// Of the part between the ends. The axis must have a length.
+/// Returns the depth below the cone between the two ends. The axis must have a length.
 Depth outside_cone(const Vec3& p, const Limb& limb) {
   const Vec3 axis = limb.end_m - limb.start_m;
   const double length_m = glm::length(axis);

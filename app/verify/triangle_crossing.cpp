@@ -151,7 +151,7 @@ bool are_one(const SidesOfCorners& s) {
   return s[0] * s[1] > 0 && s[1] * s[2] > 0;
 }
 
-/// Of the edges of `a`, whose corners are on these sides of `b`.
+/// Returns the first place where an edge of `a` pierces `b`. `sides` are those of `b` on which corners of `a` are.
 std::optional<Vec3> first_place_along_edges(const Corners& a, const SidesOfCorners& sides, const Corners& b) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (const auto place = common_place(edge_of(a, k), {sides[k], sides[(k + 1) % 3]}, b)) {

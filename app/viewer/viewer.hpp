@@ -42,7 +42,7 @@ class Viewer {
   /// InputError if it has a pace that cannot be followed, or if it points at an item that does not exist.
   SessionFrame update(SessionFrame frame);
 
-  // Of the last frame.
+  // Both are those of the last frame.
   const ViewerState& state() const { return state_; }
   const renderer::OverlayView& overlay() const { return interface_.overlay(); }
   /// The part of the overlay that belongs in a picture of the scene: the legends.

@@ -47,7 +47,7 @@ class StudioLight {
   Texture floor_texture_;
   Sampler compare_;  // how much of a neighbourhood is farther than a value
   Sampler plain_;    // the depth itself
-  // Of the frame.
+  // These belong to the frame at hand.
   std::vector<const SurfaceView*> casters_;
   std::optional<Box> casters_box_;
   int shadow_side_px_ = 0;

@@ -11,7 +11,7 @@ namespace taut::renderer {
 /// How far a smooth surface may leave the triangles of its mesh, in the unit of positions.
 struct SurfaceFreedom {
   float most_bulge = 0.0F;  ///< between the vertices; along a border within the surface it may be more
-  /// Of the vertices, so that what is uneven from edge to edge is not seen: steps of folds, teeth of borders.
+  /// The largest fairing of vertices, which hides unevenness from edge to edge: steps of folds, teeth of borders.
   float most_fairing = 0.0F;
 };
 

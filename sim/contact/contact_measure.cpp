@@ -12,7 +12,7 @@ namespace {
 
 /// A point that is less deep in a plane, sphere or capsule, in m, does not enter it.
 constexpr double least_depth_m = 5e-10;
-/// Of the squared area vector of all triangles around a vertex: by so much each faces the same way, at least.
+/// Each triangle around a vertex faces the same way by at least this part of the squared sum of area vectors.
 constexpr double least_facing = 1e-4;
 
 /// The other corners in turn.

@@ -164,7 +164,8 @@ Corners corners_in(const Triangle& t, std::span<const Vec3> positions_m) {
 
 }  // namespace
 
-// Of the face, where the point is above it, and of the edges: so it comes out right in thin triangles too.
+// The smaller of the distances from the face, where the point is above it, and from the edges: right in thin
+// triangles too.
 double point_triangle_distance_m(const Vec3& p, const Corners& t) {
   double distance_m = std::min({point_segment_distance_m(p, t[0], t[1]), point_segment_distance_m(p, t[1], t[2]),
                                 point_segment_distance_m(p, t[2], t[0])});

@@ -10,8 +10,8 @@
 
 namespace taut::app {
 
-/// What figure 8 asks of each method, hanging and without contact, in frames of 1/60 s where nothing else is
-/// said.
+/// The tests of figure 8, one of each method: hanging, without contact, in frames of 1/60 s unless a test says
+/// otherwise.
 enum class MethodTest {
   time,    ///< frames of all meshes in turn, with their processor time
   energy,  ///< the coarse shirt is let go where no air slows it down

@@ -171,7 +171,7 @@ void slider_pair(ViewerState& state, const Slider& left, const Slider& right) {
   lay_out(right);
 }
 
-// Of the fabric: against bending, and against crumpling.
+// Sliders of the fabric: its stiffness against bending, and against crumpling.
 void lay_out_stiffness(ViewerState& state) {
   sim::Material& fabric = state.scene.material;
   const double before_un_m = 1e6 * fabric.bending_rigidity_n_m;

@@ -57,7 +57,7 @@ GarmentSight first_sight(const ViewerState& state, const WindowLayout& layout) {
   return {state, *state.shown, garment_area(state, layout)};
 }
 
-// Of the right half.
+// The view of the compared garment, in the right half.
 std::optional<GarmentSight> second_sight(const ViewerState& state, const WindowLayout& layout) {
   const Snapshot* garment = compared(state);
   if (garment == nullptr) {

@@ -48,7 +48,7 @@ class SimulationPair {
   bool wants_to_advance() const {
     return first_.wants_to_advance() || (second_ && second_->wants_to_advance());
   }
-  // Of the first.
+  // Both simulations have the speed and the frame time of the first.
   double speed() const { return first_.speed(); }
   double frame_time_s() const { return first_.frame_time_s(); }
   std::uint64_t advances() const { return first_.advances(); }

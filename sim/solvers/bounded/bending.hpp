@@ -45,7 +45,7 @@ class Bending {
     std::vector<std::uint32_t> cluster_of;
     /// Each row's fraction of the mass of its cluster; by row of the next finer level.
     std::vector<float> mass_fraction;
-    /// Of the clusters, followed by as many spare rows as a block has.
+    /// One entry per cluster, followed by as many spare rows as a block has.
     Float4Array positions;
     Float4Array accelerations;
   };

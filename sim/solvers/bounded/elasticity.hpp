@@ -18,7 +18,7 @@ struct InPlane {
 /// The law of cloth in its plane: strain = tension / stiffness along warp, weft and in shear, at any length of
 /// a time step.
 ///
-/// What sweeps have pulled in some time steps, over their time, is the tension that the load asks for. The rest
+/// The tension that the load asks for is the pull of the sweeps of some time steps, over their time. The rest
 /// shapes of triangles are longer by the strain that it has by the law, low-passed: strain lags behind tension,
 /// as with a damper beside each thread, and takes energy out of motion. They are shorter by what sweeps leave:
 /// a tension that sweeps give to cloth of the right length, found little by little. All corrections are those

@@ -11,17 +11,17 @@
 
 namespace taut::sim::bounded {
 
-/// What contact keeps from frame to frame.
+/// The memory of contact from frame to frame.
 struct ContactMemory {
   RowMemory rows;  ///< empty where contact was off
   /// A crossing was accepted in the last frame, so that the next one looks for all that crosses.
   bool may_have_crossed = false;
-  /// What crosses since the cloth began among these bodies; empty: no frame began yet.
+  /// The bodies among which the cloth began, and triangles that cross since then; empty: no frame began yet.
   std::optional<std::vector<Body>> bodies = {};
   std::vector<LeftOutTriangle> left_out = {};
 };
 
-/// What the law of cloth in its plane keeps from frame to frame; empty where it has none.
+/// The memory of the law of cloth in its plane from frame to frame; empty where it has none.
 struct ElasticMemory {
   /// By block of the surface's lanes, low-passed, along warp and weft and in shear.
   std::vector<SurfaceSums> tension_n_per_m;

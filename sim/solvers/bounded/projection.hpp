@@ -12,7 +12,7 @@ namespace taut::sim::bounded {
 /// The work of one round, in sweeps: the relaxed ones, an exact one, and a look at everything.
 inline constexpr double round_sweeps = tuning::relaxed_sweeps + 2.0;
 
-/// What came of making a frame keep its bound.
+/// The result of a projection onto the bound.
 struct ProjectionResult {
   double raw_max_stretch = 0.0;  ///< of springs or triangles, before the projection
   double cost = 0.0;             ///< the work it took, in sweeps over all of them
@@ -20,7 +20,7 @@ struct ProjectionResult {
   bool kept = false;             ///< none is longer than the bound allows
 };
 
-/// What a correction has to stay within besides the bound. It has to be convex, vertex by vertex.
+/// A region for each vertex that a correction has to stay in besides the bound. It has to be convex.
 class Confinement {
  public:
   virtual ~Confinement() = default;
@@ -33,7 +33,7 @@ class Confinement {
 
 /// Returns the factor of over-relaxed sweeps. Below 2 the distance to every shape within the bound can only fall,
 /// whatever the weights (Agmon 1954).
-/// What is best for a chain of n springs is 2 / (1 + sin(pi / n)) (Young 1954); the weights make chains
+/// The best factor for a chain of n springs is 2 / (1 + sin(pi / n)) (Young 1954); the weights make chains
 /// shorter.
 float relaxation_of(const Layout& layout);
 /// Returns the stretch that the last correction of a frame aims at, a little within the bound.

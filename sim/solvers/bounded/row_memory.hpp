@@ -9,7 +9,7 @@
 
 namespace taut::sim::bounded {
 
-/// What is known of rows from earlier regions, for where to expect them next.
+/// Motion of the rows in earlier regions, from which their next positions are predicted.
 struct RowMemory {
   Float4Array velocities;         ///< lasting ones, in m/s
   Float4Array accelerations;      ///< lasting ones, no larger than a fall's, in m/s^2

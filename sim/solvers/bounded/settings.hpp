@@ -10,7 +10,7 @@ namespace taut::sim {
 /// The largest number of threads a solver accepts.
 inline constexpr int most_threads = 64;
 
-/// What the bound on stretch holds.
+/// The lengths that the bound on stretch limits.
 enum class BoundKind {
   springs,  ///< the length of every structural and shear spring, as the paper has it
   /// The length along every direction within every triangle, which holds the springs too: the largest

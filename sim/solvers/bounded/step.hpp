@@ -12,7 +12,7 @@
 
 namespace taut::sim::bounded {
 
-/// What time steps work on: the cloth, what acts on it and where it is.
+/// The cloth as time steps change it: its layout, the forces on it and its positions.
 struct SteppedCloth {
   /// Makes no tethers and sets no positions.
   SteppedCloth(const Garment& garment, const Pins& pins, const BoundedSettings& settings)

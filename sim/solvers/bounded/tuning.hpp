@@ -59,7 +59,7 @@ inline constexpr int relaxed_sweeps = 6;
 /// Cloth is relaxed as a chain of springs of its reach, but of no fewer than this. More settles faster along
 /// a chain and slower across.
 inline constexpr double shortest_chain = 16.0;
-/// What is stretched by this part of the aim may get too long by the correction of others: nearer to 1 fewer
+/// A block that is stretched by this part of the aim may get too long by the correction of others: nearer to 1 fewer
 /// blocks are swept, in more rounds.
 inline constexpr float nearly_long = 0.75F;
 /// How fast the last frame's correction fades, in 1/s. Not at all would be fewest sweeps, but shapes would
@@ -82,7 +82,7 @@ inline constexpr double remembered_s = 0.15;
 /// How often tension is averaged around vertices. More costs more; with less, strain goes by what each triangle
 /// happens to carry.
 inline constexpr int shared_times = 2;
-/// What the sweeps of a step have to correct, on average by load, as a strain. More leaves cloth under load
+/// The strain that the sweeps of a step have to correct, on average by load. More leaves cloth under load
 /// uneven; less takes more steps.
 inline constexpr double largest_strain_per_step = 0.025;
 

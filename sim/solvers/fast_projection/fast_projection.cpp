@@ -5,7 +5,7 @@ namespace {
 
 constexpr int enough_steps = 5;
 
-/// Of the linear system without the constraint, see implicit::solve.
+/// The tolerance of the linear system without the constraint, see implicit::solve.
 constexpr double tolerance = 1e-4;
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace taut::sim {
 namespace {
 
-/// What the diagonal is raised by, as a fraction of what it is at rest. More solves systems that are nearly
+/// The amount that is added to the diagonal, as a fraction of its value at rest. More solves systems that are nearly
 /// singular with smaller, safer steps; less takes fewer projections where lengths can be kept.
 constexpr double regularisation = 1e-6;
 

@@ -83,7 +83,7 @@ class Simulation:
     @contextlib.contextmanager
     def evaluation(self, frame: int):
         with without_cache(self.obj):
-            # Of the frame that is current, too: what was changed by hand since it came gives way to what is keyed.
+            # The current frame too: changes by hand since it came give way to keyed values.
             if not self.follows_timeline:
                 self.scene.frame_set(frame)
             self.view_layer.update()

@@ -113,7 +113,7 @@ void BoxHierarchy::add_levels(std::size_t height) {
   }
 }
 
-// What lies side by side in the whole tree does so in this one.
+// Neighbours in the whole tree are neighbours in this one.
 BoxHierarchy BoxHierarchy::of_marked(std::span<const std::uint8_t> marks) const {
   BoxHierarchy some;
   some.primitives_.corner_count = primitives_.corner_count;

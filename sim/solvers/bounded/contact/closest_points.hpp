@@ -9,10 +9,10 @@ namespace taut::sim::bounded {
 /// A vertex and a triangle: {1, b0, b1, b2}. Two edges: {a0, a1, b0, b1}.
 using ClosestWeights = std::array<float, 4>;
 
-/// Of the point p[0] and the triangle of the other three.
+/// Returns the weights of the nearest places of the point p[0] and the triangle of the other three.
 ClosestWeights closest_vertex_triangle(const std::array<glm::vec3, 4>& p);
 
-/// Of the segment from p[0] to p[1] and the segment from p[2] to p[3].
+/// The same for the segments from p[0] to p[1] and from p[2] to p[3].
 ClosestWeights closest_edges(const std::array<glm::vec3, 4>& p);
 
 }  // namespace taut::sim::bounded

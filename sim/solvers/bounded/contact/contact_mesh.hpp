@@ -15,7 +15,7 @@ struct Primitives {
   std::vector<Triangle> triangles;
 };
 
-/// What may touch.
+/// The vertices, edges and triangles that may touch.
 struct ContactMesh {
   Primitives cloth;
   Primitives bodies;

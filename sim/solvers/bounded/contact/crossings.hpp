@@ -9,7 +9,7 @@
 
 namespace taut::sim::bounded {
 
-/// What crosses when the cloth begins, and what is around it: patches of the triangles on both sides of each contour and
+/// Patches around crossings at the start: the triangles on both sides of each contour and
 /// two rings of triangles around them. Patches that pierce each other or overlap are one group. Two things, each a
 /// vertex, an edge or a triangle, are left out of contact where both lie in one group: all triangles that they are of
 /// belong to it. So nothing begins to cross but two triangles of one group: of two others some part that meets first is

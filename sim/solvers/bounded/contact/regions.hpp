@@ -206,7 +206,7 @@ class Regions {
   std::vector<Index> half_space_begin_;
   std::vector<HalfSpace> half_spaces_;  ///< by row
   std::vector<Touch> touches_;
-  /// What is brought back by the threads that begin at some block.
+  /// The rows that one thread brings back, from its first block on.
   struct Part {
     Lanes<std::uint32_t> rows;
     std::vector<HeldBack> held_back;

@@ -37,7 +37,7 @@ struct MovingRows {
 struct BoxLevel {
   const BoxBlock* boxes;
   const BoxBlock* around;
-  /// What the boxes are around; null if other boxes.
+  /// The primitives that the boxes enclose; null where they enclose other boxes.
   const PrimitiveLanes* primitives;
 };
 
@@ -77,8 +77,8 @@ struct ContactKernels {
   std::size_t (*overlapping)(const BoxLevel& a, const BoxLevel& b, const BlockPairs& pairs,
                              const PairLists& found);
 
-  /// Of the first `count` pairs of a vertex and a triangle, keeps those that could meet, in their order, and
-  /// returns how many these are. A pair stays apart if, along the line between its two nearest points, every
+  /// Keeps those of the first `count` pairs of a vertex and a triangle that could meet, in their order, and
+  /// returns their number. A pair stays apart if, along the line between its two nearest points, every
   /// corner of the one is ahead of every corner of the other, before and after their ways, by more than both
   /// may move besides. What both do together does not matter, and neither do ways across that line.
   /// Rounding loses nothing: pairs that are apart by 1e-5 of their radii too much, or by 1e-6 of the longest

@@ -68,8 +68,8 @@ HWY_INLINE Between vertex_from_triangle(const Triple (&p)[4]) {
   return choose(is_above, shorter(of_face, of_edges), of_edges);
 }
 
-/// Of the two lines, clamped to the one segment, then to the other (Ericson 2005, 5.1.9). Cross products
-/// instead of differences of products keep the digits of lines that are nearly parallel.
+/// Returns the shortest vector between the two lines, clamped to the one segment, then to the other (Ericson
+/// 2005, 5.1.9). Cross products instead of differences of products keep the digits of lines that are nearly parallel.
 HWY_INLINE Between edge_from_edge(const Triple (&p)[4]) {
   const Triple d = p[1] - p[0];
   const Triple e = p[3] - p[2];

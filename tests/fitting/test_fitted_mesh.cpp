@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "app/fitting/fitted_mesh.hpp"
+#include "app/fitting/remeshing.hpp"
+#include "app/fitting/sheets.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/topology.hpp"
+#include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 namespace {
@@ -260,6 +264,39 @@ TEST(FittedMesh, IsAsGoodOfAFewLargeTriangles) {
   const Judged judged = fit(model);
   EXPECT_GT(judged.fitted.mesh.triangles.size(), 1500U);
   EXPECT_NEAR(judged.area_m2, sim::surface_area(model), 0.01 * sim::surface_area(model));
+}
+
+// No collapse takes away the edges of a hole with three sides, here a micrometre long.
+TEST(Remeshing, LeavesNoEdgeWithoutLength) {
+  sim::Mesh model = sheet(20, 20, 0.5, 0.5);
+  const std::size_t hole = 2 * (10 * 20 + 10);
+  const sim::Triangle t = model.triangles[hole];
+  model.positions[t[1]] = model.positions[t[0]] + Vec3(1e-6, 0.0, 0.0);
+  model.positions[t[2]] = model.positions[t[0]] + Vec3(0.0, 1e-6, 0.0);
+  model.triangles.erase(model.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
+  constexpr double edge_m = 0.03;
+  const sim::Mesh mesh = remesh(model, edge_m);
+  for (const sim::Triangle& corners : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_GT(glm::distance(mesh.positions[corners[k]], mesh.positions[corners[(k + 1) % 3]]), 0.1 * edge_m);
+    }
+  }
+  EXPECT_NEAR(sim::surface_area(mesh), 0.25, 0.01);
+}
+
+// Two sheets that share a line, where four triangles meet at an edge, are two, and neither has a border there.
+TEST(Sheets, BothOfTwoGoOnWhereTheyCross) {
+  sim::Mesh cross = sheet(20, 20, 0.5, 0.5, Vec3(-0.25, 0.0, 0.0));
+  const auto second = static_cast<Index>(cross.positions.size());
+  add(patch(20, 20, [](double u, double v) { return Vec3(0.0, v * 0.5, u * 0.5 - 0.25); }), cross);
+  for (sim::Triangle& t : cross.triangles) {
+    for (Index& v : t) {
+      v = v >= second && (v - second) % 21 == 10 ? v - second : v;
+    }
+  }
+  const Sheets sheets = cut_into_sheets(cross);
+  EXPECT_EQ(sheets.count, 2U);
+  EXPECT_EQ(std::count(sheets.beyond.begin(), sheets.beyond.end(), sim::no_vertex), 2 * 80);
 }
 
 TEST(WhyNotFit, SaysWhatIsWrong) {

@@ -364,13 +364,14 @@ double least_height_left(const sim::Garment& now, const sim::Garment& before) {
 
 void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
   std::vector<sim::Vec3> start_m = loaded.start_m.value_or(loaded.garment->mesh.positions);
+  const bool is_cut_anew = loaded.following && !loaded.start_m;
   loaded.untangling =
-      untangle_start(scene, *loaded.garment, start_m, [&](const std::string& stage) { tell(begin, stage); });
+      untangle_start(scene, *loaded.garment, is_cut_anew, start_m, [&](const std::string& stage) { tell(begin, stage); });
   if (!loaded.untangling) {
     return;
   }
   const sim::Mesh& rest = loaded.garment->mesh;
-  if (loaded.following && !loaded.start_m) {
+  if (is_cut_anew) {
     // Parted, it is stretched up to its bound, and contact may leave it no way back: it is cut as it was parted.
     sim::Garment cut = sim::make_garment({start_m, rest.triangles, {}}, scene.mapping, loaded.garment->material);
     if (least_height_left(cut, *loaded.garment) >= least_cut_height) {

@@ -144,7 +144,7 @@ void LiveSimulation::untangle(const RunSettings& simulation) {
   scene.simulation = simulation;
   std::vector<sim::Vec3> positions_m = now.state.current;
   const std::optional<Untangling> untangling =
-      untangle_start(scene, simulation_->garment(), positions_m, [](const std::string&) {});
+      untangle_start(scene, simulation_->garment(), false, positions_m, [](const std::string&) {});
   if (!untangling) {
     return;
   }

@@ -104,7 +104,8 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
        {"--body-units", "body.scale", "of the body, as --units"},
        {"--dress", "body.dress",
         "simulate so many frames before frame 0, in which the body grows from its bones to its shape, into "
-        "what it wears (about 90); a garment that lies elsewhere is moved to it first"},
+        "what it wears (default: 90 of a body that is given together with a garment, where it can); a garment "
+        "that lies elsewhere is moved to it first"},
        {"--body-up", "body.up", "the body's direction that is up, as --up"}});
 }
 

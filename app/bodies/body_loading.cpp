@@ -287,6 +287,33 @@ std::vector<std::string> load_bodies(Scene& scene) {
   return all;
 }
 
+std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> overrides) {
+  const auto gives = [&](const char* key) {
+    return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
+  };
+  const bool is_unsaid = gives("body.file") && !gives("body.dress") && !gives("pins.at") &&
+                         scene.moving_pins.empty() && scene.dressing_frames() == 0;
+  if (!is_unsaid || scene.garment.is_grid() || scene.garment.has_start() || !scene.checkpoint.empty()) {
+    return load_bodies(scene);
+  }
+  Scene worn = scene;
+  worn.body_sources.back().dress = usual_dressing_frames;
+  worn.pins.reset();
+  try {
+    std::vector<std::string> remarks = load_bodies(worn);
+    if (worn.wearers.back() && !worn.wearers.back()->measures.girths.empty()) {
+      remarks.push_back(fmt::format("it is put on the body '{}' in {} frames before frame 0; --dress 0 leaves both "
+                                    "where they are",
+                                    worn.surroundings.bodies.back().name, usual_dressing_frames));
+      scene = std::move(worn);
+      return remarks;
+    }
+  } catch (const InputError&) {
+    // It is no one who wears clothes, or it cannot be read, which is said below.
+  }
+  return load_bodies(scene);
+}
+
 void print_body_remarks(const Scene& scene, const std::vector<std::string>& remarks, std::FILE* output) {
   for (const std::string& remark : output == nullptr ? std::vector<std::string>{} : remarks) {
     fmt::print(output, "{}: {}\n", scene.name, remark);

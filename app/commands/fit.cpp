@@ -21,8 +21,6 @@
 namespace taut::app {
 namespace {
 
-/// Frames in which a body grows into its clothes where nobody says how many.
-constexpr const char* usual_dressing = "90";
 /// Of cloth whose fabric says no limit.
 constexpr double widest_wall = 1.0;
 
@@ -32,7 +30,8 @@ DrawnScene scene_of(const FitOptions& options) {
     return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
   };
   if (sets("body.file") && !sets("body.dress")) {
-    overrides.push_back({"body.dress", usual_dressing, std::string("--dress ") + usual_dressing});
+    const std::string frames = std::to_string(usual_dressing_frames);
+    overrides.push_back({"body.dress", frames, "--dress " + frames});
   }
   DrawnScene scene = find_scene(options.scene, overrides);
   if (scene.dressing_frames() == 0) {

@@ -27,7 +27,7 @@ std::filesystem::path folder_beside(const std::string& pattern, int frame) {
 
 SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE* remarks_to)
     : options(asked_options), remarks(remarks_to), scene(std::move(asked)), progress(scene.name) {
-  print_body_remarks(scene, load_bodies(scene), remarks);
+  print_body_remarks(scene, load_bodies(scene, options.overrides), remarks);
 }
 
 void SceneRun::require_outputs(const ExportSettings& settings) const {

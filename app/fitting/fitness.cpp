@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/fitting/fitted_mesh.hpp"
+#include "app/fitting/joining.hpp"
 #include "app/fitting/sheets.hpp"
 #include "app/fitting/walls.hpp"
 #include "sim/mesh/topology.hpp"
@@ -15,7 +16,8 @@ constexpr double two_walled = 0.3;       ///< share of the area from which cloth
 constexpr std::size_t too_many = 16000;  ///< triangles
 constexpr std::size_t too_few = 1000;    ///< triangles for the folds of a garment; a piece of fewer than
 constexpr std::size_t no_garment = 24;   ///< this is none
-constexpr double needle_share = 0.01;    ///< of the triangles
+constexpr std::size_t fewest_apart = 8;  ///< vertices of borders that lie along another part
+constexpr double needle_share = 0.003;   ///< of the triangles
 constexpr double needle_sine = 0.0871557427;  ///< of 5 degrees
 
 /// The sine of the smallest angle, which lies between the two longest sides.
@@ -58,6 +60,11 @@ std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, 
     return fmt::format("more than two triangles meet at {} of its edges", fins);
   }
   Sheets sheets = cut_into_sheets(model_m);
+  sim::Mesh joined = sheets.mesh;
+  const std::size_t apart = join_parts(gap_between_parts(joined), 0.0, joined);
+  if (apart >= fewest_apart) {
+    return fmt::format("parts of it lie apart along {} vertices of their borders", apart);
+  }
   turn_outwards(sheets);
   const OtherWalls other = find_other_walls(sheets);
   const double share = share_of_two_walls(sheets, other);

@@ -19,11 +19,13 @@ namespace {
 constexpr double smallest_sheet = 0.02;           ///< share of the area; what is smaller is carried
 constexpr double smallest_beside_largest = 0.05;  ///< where all are small, of the largest
 constexpr double joined_share = 0.003;            ///< of the size, at most between borders that are joined
+constexpr double gap_share = 0.02;                ///< the same between parts that are apart
+constexpr double flat = 0.02;                     ///< thickness of patterns that lie flat, of the size
 constexpr double first_longer = 1.08;             ///< edges than those of so many equilateral triangles
 constexpr double longer = 1.02;  ///< than they would have to be, where there were too many triangles
 constexpr int most_trials = 4;
-constexpr int most_fits = 4;         ///< each of what the one before came to
-constexpr double least_left = 0.8;  ///< of the area
+constexpr int most_fits = 4;               ///< each of what the one before came to
+constexpr double least_left = 0.8;         ///< of the area
 constexpr double closed_hole_edges = 5.0;  ///< round a hole that is closed
 
 std::vector<double> areas_of_sheets(const Sheets& sheets) {
@@ -72,7 +74,10 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
   }
   wall = cut_into_sheets(wall).mesh;
   const double size_m = glm::length(sim::extent_of(wall.positions).size());
-  fitted.joined_vertices = join_borders(std::min(settings.join_distance_m, joined_share * size_m), wall);
+  const double distance_m = std::min(settings.join_distance_m, joined_share * size_m);
+  fitted.joined_vertices = join_borders(distance_m, wall);
+  wall = cut_into_sheets(wall).mesh;
+  fitted.joined_vertices += join_parts(gap_between_parts(wall, settings), distance_m, wall);
   Sheets joined = cut_into_sheets(wall);
   turn_outwards(joined);
   sim::Mesh surface = large_sheets(joined);
@@ -97,11 +102,18 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
 
 }  // namespace
 
+double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settings) {
+  const sim::Vec3 size = sim::extent_of(model_m.positions).size();
+  const bool is_flat = std::min({size.x, size.y, size.z}) < flat * glm::length(size);
+  return is_flat ? 0.0 : std::min(settings.gap_m, gap_share * glm::length(size));
+}
+
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
   FittedMesh fitted = fit_once(model_m, settings);
   for (int i = 1; i < most_fits && fitted.crossings > 0; ++i) {
     FittedMesh again = fit_once(fitted.mesh, settings);
-    if (again.crossings >= fitted.crossings || sim::surface_area(again.mesh) < least_left * sim::surface_area(fitted.mesh)) {
+    if (again.crossings >= fitted.crossings ||
+        sim::surface_area(again.mesh) < least_left * sim::surface_area(fitted.mesh)) {
       break;
     }
     again.is_simulated = std::move(fitted.is_simulated);

@@ -464,8 +464,8 @@ class Remesher {
   std::vector<char> is_corner_;   ///< by vertex
 };
 
-/// Welds the ends of edges that are shorter than this, which no collapse could take away, such as those between two
-/// corners of a border.
+/// Welds the ends of edges that are shorter than this, which no collapse could take away, such as those
+/// between two corners of a border.
 bool weld_ends(double least_m, sim::Mesh& mesh) {
   sim::Groups groups(mesh.positions.size());
   bool is_any = false;

@@ -39,8 +39,8 @@ double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Trian
   return lengths > 0.0 ? -glm::dot(x, y) / lengths : -2.0;
 }
 
-/// At an edge of more than two triangles the two between which the surface goes on most smoothly stay together, and
-/// so on with the rest: layers that were welded to each other are many.
+/// At an edge of more than two triangles the two between which the surface goes on most smoothly stay
+/// together, and so on with the rest: layers that were welded to each other are many.
 std::vector<Joint> choose_joints(const sim::Mesh& mesh) {
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
   std::vector<Joint> joints;
@@ -53,9 +53,9 @@ std::vector<Joint> choose_joints(const sim::Mesh& mesh) {
       sim::Index a = 0, b = 0;
       for (std::size_t i = 0; i < around.size(); ++i) {
         for (std::size_t k = i + 1; k < around.size(); ++k) {
-          const double found =
-              around.size() == 2 ? 0.0
-                                 : smoothness(mesh, edge, mesh.triangles[around[i]], mesh.triangles[around[k]]);
+          const double found = around.size() == 2 ? 0.0
+                                                  : smoothness(mesh, edge, mesh.triangles[around[i]],
+                                                               mesh.triangles[around[k]]);
           if (found > best) {
             best = found;
             a = around[i];

@@ -309,7 +309,8 @@ std::vector<char> choose_walls(const Sheets& sheets, const OtherWalls& other) {
   std::vector<char> kept(view.areas.size(), 0);
   for (const auto& [score, p] : order) {
     double covered = 0.0;
-    for (const sim::Index t : triangles_of[p]) {
+    const bool is_first = p == order.front().second;
+    for (const sim::Index t : is_first ? std::vector<sim::Index>{} : triangles_of[p]) {
       covered += is_covered(view, other, kept, t) ? view.areas[t] : 0.0;
     }
     if (covered < lying_share * area_of(view, triangles_of[p])) {

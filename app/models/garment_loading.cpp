@@ -362,22 +362,33 @@ double least_height_left(const sim::Garment& now, const sim::Garment& before) {
   return least;
 }
 
-void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
-  std::vector<sim::Vec3> start_m = loaded.start_m.value_or(loaded.garment->mesh.positions);
-  const bool is_cut_anew = loaded.following && !loaded.start_m;
-  loaded.untangling =
-      untangle_start(scene, *loaded.garment, is_cut_anew, start_m, [&](const std::string& stage) { tell(begin, stage); });
-  if (!loaded.untangling) {
-    return;
+/// Cuts a fitted mesh as it was parted: stretched up to its bound, contact may leave it no way back. Leaves it as it was
+/// where that makes triangles too flat.
+bool cut_as_parted(const Scene& scene, const std::vector<sim::Vec3>& parted_m, LoadedGarment& loaded) {
+  const sim::Garment& fitted = *loaded.garment;
+  sim::Garment cut = sim::make_garment({parted_m, fitted.mesh.triangles, {}}, scene.mapping, fitted.material);
+  if (least_height_left(cut, fitted) < least_cut_height) {
+    return false;
   }
+  cut.warps = fitted.warps;
+  loaded.garment = sim::share(std::move(cut));
+  return true;
+}
+
+void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
+  const auto tell_stage = [&](const std::string& stage) { tell(begin, stage); };
+  const bool may_cut = loaded.following && !loaded.start_m;
   const sim::Mesh& rest = loaded.garment->mesh;
-  if (is_cut_anew) {
-    // Parted, it is stretched up to its bound, and contact may leave it no way back: it is cut as it was parted.
-    sim::Garment cut = sim::make_garment({start_m, rest.triangles, {}}, scene.mapping, loaded.garment->material);
-    if (least_height_left(cut, *loaded.garment) >= least_cut_height) {
-      cut.warps = loaded.garment->warps;
-      loaded.garment = sim::share(std::move(cut));
+  std::vector<sim::Vec3> start_m;
+  // Parted without regard to its bound it can become too flat to be cut, but hardly so within it.
+  for (const bool is_cut_anew : {may_cut, false}) {
+    start_m = loaded.start_m.value_or(rest.positions);
+    loaded.untangling = untangle_start(scene, *loaded.garment, is_cut_anew, start_m, tell_stage);
+    if (!loaded.untangling || (may_cut && cut_as_parted(scene, start_m, loaded))) {
       return;
+    }
+    if (!is_cut_anew) {
+      break;
     }
   }
   if (!loaded.start_m || !crossing_pairs({rest.positions, rest.triangles}).empty()) {

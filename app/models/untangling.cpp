@@ -34,8 +34,9 @@ std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment&
 
 std::string describe(const Untangling& u) {
   if (u.pairs_before == 0) {
-    return fmt::format("where layers were as one it was parted and evened out, no vertex by more than {:.3g} mm",
-                       1e3 * u.largest_move_m);
+    return fmt::format(
+        "where layers were as one it was parted and evened out, no vertex by more than {:.3g} mm",
+        1e3 * u.largest_move_m);
   }
   return fmt::format(
       "of {} that crossed at the start {} left, and no vertex was moved by more than {:.3g} mm",

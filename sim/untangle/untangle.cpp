@@ -31,8 +31,8 @@ constexpr int shortening_sweeps = 10;
 /// The narrowest gap that is left and the one that narrower ones become, in parts of the distance.
 constexpr double least_gap = 0.5;
 constexpr double wider_gap = 1.0;
-/// Height over the longest side of triangles that are flat, and the cosine between the normals of two at an edge where
-/// they are folded back.
+/// Height over the longest side of triangles that are flat, and the cosine between the normals of two at an
+/// edge where they are folded back.
 constexpr double flat = 0.2;
 constexpr double folded_back = -0.9;
 /// Rounds without fewer pairs, after which there will not be.
@@ -108,7 +108,8 @@ class Attempt {
     for (int round = 0; round < settings_.most_rounds && in_vain < most_rounds_in_vain; ++round) {
       const std::vector<TrianglePair> pairs = find_crossings(positions_m_);
       const std::vector<Gap> gaps = pairs.empty() ? narrow_gaps() : std::vector<Gap>{};
-      const std::vector<Index> uneven = pairs.empty() && settings_.is_cut_anew ? uneven_vertices() : std::vector<Index>{};
+      const std::vector<Index> uneven =
+          pairs.empty() && settings_.is_cut_anew ? uneven_vertices() : std::vector<Index>{};
       const double excess_m =
           settings_.is_cut_anew ? 0.0 : largest_excess_m(garment_, settings_.bounded, positions_m_);
       in_vain = keep_least({pairs.size(), excess_m, gaps.size(), uneven.size()}) ? 0 : in_vain + 1;

@@ -206,6 +206,25 @@ TEST(FittedMesh, LeavesPanelsApartThatDoNotMeet) {
   EXPECT_EQ(fit(panels).fitted.sheets, 2U);
 }
 
+/// A skirt and what is sewn to it above a gap, with this radius and so much of its turn.
+sim::Mesh skirt_below_band(double radius, double gap, double turn = 1.0) {
+  sim::Mesh mesh = tube(60, 40, 0.2, 0.6);
+  add(patch(50, 6, [&](double u, double v) { return around(turn * u, radius, 0.6 + gap + 0.08 * v); }), mesh);
+  return sim::weld_and_validate(mesh).mesh;
+}
+
+TEST(FittedMesh, HangsTogetherWhereAPartGoesOnBeyondAGap) {
+  for (const sim::Mesh& mesh : {skirt_below_band(0.2, 0.01), skirt_below_band(0.205, 0.0)}) {
+    const Judged judged = fit(mesh);
+    EXPECT_EQ(judged.fitted.sheets, 1U);
+    EXPECT_EQ(judged.topology.boundary_loops, 2U);
+    EXPECT_TRUE(why_not_fit_for_simulation(mesh, 0)->starts_with("parts of it lie apart along "));
+  }
+  EXPECT_EQ(fit(skirt_below_band(0.2, 0.03)).fitted.sheets, 2U) << "too far";
+  EXPECT_EQ(fit(skirt_below_band(0.2, 0.01, 0.2)).fitted.sheets, 2U) << "a short piece of both borders";
+  EXPECT_EQ(fit(skirt_below_band(0.19, -0.1)).fitted.sheets, 2U) << "another hem within it";
+}
+
 TEST(FittedMesh, KeepsBordersAndTheirCornersInPlace) {
   // Needles: columns 50 times as narrow as they are high.
   const Judged judged = fit(sheet(500, 10, 0.5, 0.5));
@@ -258,9 +277,8 @@ TEST(FittedMesh, HasTheSameBitsEachTime) {
 }
 
 TEST(FittedMesh, IsAsGoodOfAFewLargeTriangles) {
-  const sim::Mesh model{{{-1.0, 0.0, -1.0}, {1.0, 0.0, -1.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, -1.5}},
-                        {{0, 2, 1}, {0, 1, 3}},
-                        {}};
+  const sim::Mesh model{
+      {{-1.0, 0.0, -1.0}, {1.0, 0.0, -1.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, -1.5}}, {{0, 2, 1}, {0, 1, 3}}, {}};
   const Judged judged = fit(model);
   EXPECT_GT(judged.fitted.mesh.triangles.size(), 1500U);
   EXPECT_NEAR(judged.area_m2, sim::surface_area(model), 0.01 * sim::surface_area(model));
@@ -278,13 +296,15 @@ TEST(Remeshing, LeavesNoEdgeWithoutLength) {
   const sim::Mesh mesh = remesh(model, edge_m);
   for (const sim::Triangle& corners : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_GT(glm::distance(mesh.positions[corners[k]], mesh.positions[corners[(k + 1) % 3]]), 0.1 * edge_m);
+      EXPECT_GT(glm::distance(mesh.positions[corners[k]], mesh.positions[corners[(k + 1) % 3]]),
+                0.1 * edge_m);
     }
   }
   EXPECT_NEAR(sim::surface_area(mesh), 0.25, 0.01);
 }
 
-// Two sheets that share a line, where four triangles meet at an edge, are two, and neither has a border there.
+// Two sheets that share a line, where four triangles meet at an edge, are two, and neither has a border
+// there.
 TEST(Sheets, BothOfTwoGoOnWhereTheyCross) {
   sim::Mesh cross = sheet(20, 20, 0.5, 0.5, Vec3(-0.25, 0.0, 0.0));
   const auto second = static_cast<Index>(cross.positions.size());

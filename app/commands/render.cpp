@@ -318,7 +318,7 @@ class Render {
     FittedView fitted(run_.scene, run_.simulation->garment());
     for (const FrameInWork& frame : gathered) {
       if (!frame.positions.empty()) {
-        fitted.add(frame.positions, frame.record.time_s);
+        fitted.add(frame.positions, run_.loaded.shown_m(frame.positions), frame.record.time_s);
       }
     }
     fitted.place_camera(run_.scene);

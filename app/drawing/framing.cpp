@@ -225,8 +225,9 @@ FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
       framing_(framing_of(scene, renderer::bounding_box(to_float(garment.mesh.positions)))),
       aspect_(aspect_beside_legend(scene.picture)) {}
 
-void FittedView::add(const std::vector<sim::Vec3>& positions, double time_s) {
-  std::vector<glm::vec3> points = to_float(positions);
+void FittedView::add(const std::vector<sim::Vec3>& positions, const std::vector<sim::Vec3>& shown,
+                     double time_s) {
+  std::vector<glm::vec3> points = to_float(shown);
   for (const sim::Body& body : scene_.surroundings.bodies) {
     if (const std::optional<renderer::Box> box = box_of(body, time_s)) {
       add_box(*box, points);

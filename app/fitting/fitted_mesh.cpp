@@ -24,7 +24,10 @@ constexpr double flat = 0.02;                     ///< thickness of patterns tha
 constexpr double first_longer = 1.08;             ///< edges than those of so many equilateral triangles
 constexpr double longer = 1.02;  ///< than they would have to be, where there were too many triangles
 constexpr int most_trials = 4;
-constexpr int most_fits = 4;               ///< each of what the one before came to
+constexpr int most_fits = 4;  ///< each of what the one before came to
+/// Each fit is farther from the model, so that of few crossings, which can be parted, it has to leave less
+/// than half.
+constexpr std::size_t few_crossings = 100;
 constexpr double least_left = 0.8;         ///< of the area
 constexpr double closed_hole_edges = 5.0;  ///< round a hole that is closed
 
@@ -112,7 +115,9 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
   FittedMesh fitted = fit_once(model_m, settings);
   for (int i = 1; i < most_fits && fitted.crossings > 0; ++i) {
     FittedMesh again = fit_once(fitted.mesh, settings);
-    if (again.crossings >= fitted.crossings ||
+    const std::size_t most =
+        fitted.crossings > few_crossings ? fitted.crossings - 1 : (fitted.crossings - 1) / 2;
+    if (again.crossings > most ||
         sim::surface_area(again.mesh) < least_left * sim::surface_area(fitted.mesh)) {
       break;
     }

@@ -45,7 +45,8 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = 
 bool is_coarse(const sim::Mesh& model);
 
 /// Says for people why the model itself is not fit for simulation; empty if it is. `crossings` is the number
-/// of pairs of its triangles that cross at the start.
-std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings);
+/// of pairs of its triangles that cross at the start; the cloth is so thick.
+std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings,
+                                                      double thickness_m = 0.0);
 
 }  // namespace taut::app

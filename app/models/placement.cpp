@@ -42,6 +42,8 @@ constexpr double there_and_back = 1.5;
 // Levels at which legs are apart in the lower half, more than in the upper one, of 11.
 constexpr int clearly_legs = 3;
 constexpr int levels = 11;
+// Height of trousers, of their larger size across.
+constexpr double least_of_legs = 0.7;
 // Extent along the height of a bag's opening, of the height, at most.
 constexpr double level_opening = 0.4;
 // Distance from the origin, as a multiple of the model's size. Farther away, single precision is worse than
@@ -260,8 +262,9 @@ double share_around(const sim::Mesh& mesh) {
 /// Returns at how many levels more of the lower half than of the upper one the cloth goes around two legs.
 int legs_below(const sim::Mesh& mesh) {
   const sim::Extent box = sim::extent_of(mesh.positions);
+  const sim::Vec3 size = box.size();
   int below = 0;
-  for (int k = 0; k < levels && !is_lying(box.size()); ++k) {
+  for (int k = 0; k < levels && size.y >= least_of_legs * std::max(size.x, size.z); ++k) {
     const int side = 2 * k + 1 < levels ? 1 : 2 * k + 1 > levels ? -1 : 0;
     below += goes_around_halves(level_of(mesh, box, (k + 0.5) / levels), true) ? side : 0;
   }

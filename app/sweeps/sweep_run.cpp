@@ -57,7 +57,7 @@ renderer::Image draw(Loaded& run) {
   const double time_s = run.simulation.state().time_s;
   if (is_fitted(run.scene)) {
     FittedView fitted(run.scene, run.simulation.garment());
-    fitted.add(positions, time_s);
+    fitted.add(positions, run.garment.shown_m(positions), time_s);
     fitted.place_camera(run.scene);
   }
   OffscreenRenderer offscreen("auto");

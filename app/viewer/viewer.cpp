@@ -174,7 +174,8 @@ renderer::Camera Viewer::first_camera() const {
   if (is_fitted(scene)) {
     scene.camera.framing.margin = std::max(scene.camera.framing.margin, window_margin);
     FittedView fitted(scene, *loaded.garment);
-    fitted.add(state_.newest->positions(), state_.newest->checkpoint->state.time_s);
+    const std::vector<sim::Vec3>& positions = state_.newest->positions();
+    fitted.add(positions, loaded.shown_m(positions), state_.newest->checkpoint->state.time_s);
     fitted.place_camera(scene);
   }
   return scene_camera(scene, expected_reach(scene, *loaded.garment, loaded.pins), area.aspect());

@@ -32,7 +32,7 @@ HalfEdges sorted_half_edges(const Mesh& mesh) {
   std::vector<std::size_t> next = sorted.offsets;
   for_all([&](Index low, const HalfEdge& half) { sorted.items[next[low]++] = half; });
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    std::sort(&sorted.items[0] + sorted.offsets[v], &sorted.items[0] + sorted.offsets[v + 1],
+    std::sort(sorted.items.data() + sorted.offsets[v], sorted.items.data() + sorted.offsets[v + 1],
               [](const HalfEdge& a, const HalfEdge& b) {
                 return a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
               });

@@ -327,6 +327,10 @@ TEST(WhyNotFit, SaysWhatIsWrong) {
   EXPECT_EQ(reason(tube(60, 40, 0.2), 7), "it crosses itself in 7 places");
   EXPECT_EQ(reason(tube(120, 80, 0.2)), "it has 19200 triangles");
   EXPECT_EQ(reason(sheet(500, 10, 0.5, 0.5)), "10000 of its 10000 triangles are needles");
+  const sim::Mesh fine = sim::weld_and_validate(sheet(60, 60, 0.054, 0.054)).mesh;
+  EXPECT_FALSE(why_not_fit_for_simulation(fine, 0, 0.0008).has_value());
+  EXPECT_EQ(why_not_fit_for_simulation(fine, 0, 0.001).value_or(""),
+            "7320 of its edges are shorter than the cloth is thick");
   EXPECT_EQ(reason(thick_tube(0.002)), "it has two walls over 100 % of its area");
   sim::Mesh walls = tube(50, 40, 0.198);
   add(tube(60, 40, 0.2), walls);

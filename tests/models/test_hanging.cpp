@@ -419,6 +419,15 @@ TEST(Bodies, AreNoCloth) {
   EXPECT_EQ(left_out(test::inside_out(test::dummy())), body);
   EXPECT_EQ(left_out(test::dummy(1.6, true)), body - 16) << "cut at its neck";
   EXPECT_EQ(left_out(test::both(test::dummy(), eye)), body + eye.triangles.size()) << "with what is in it";
+  const auto above = [](double share) {
+    sim::Mesh piece = test::dummy();
+    for (sim::Vec3& p : piece.positions) {
+      p = share * p + sim::Vec3(0.0, 1.65, 0.0);
+    }
+    return test::both(test::dummy(), piece);
+  };
+  EXPECT_EQ(left_out(above(0.25)), 2 * body) << "with its head apart";
+  EXPECT_EQ(left_out(above(0.1)), body) << "too small for a head";
   EXPECT_EQ(left_out(test::thick(test::shirt())), 0U) << "closed, but thin";
   EXPECT_EQ(left_out(test::trousers()), 0U) << "open";
   EXPECT_EQ(left_out(test::moved(test::dummy(), {2.0, 0.0, 0.0})), 0U) << "not in the clothes";

@@ -27,7 +27,7 @@ constexpr int most_trials = 4;
 constexpr int most_fits = 4;  ///< each of what the one before came to
 /// Each fit is farther from the model, so that of few crossings, which can be parted, it has to leave less
 /// than half.
-constexpr std::size_t few_crossings = 100;
+constexpr std::size_t few_crossings = 70;
 constexpr double least_left = 0.8;         ///< of the area
 constexpr double closed_hole_edges = 5.0;  ///< round a hole that is closed
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
 
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
 #include "app/command_line_parts.hpp"
@@ -50,15 +50,6 @@ auto find_named(const Names& entries, std::string_view text) {
   const auto found = std::find_if(entries.begin(), entries.end(),
                                   [&](const auto& entry) { return same_word(entry.name, text); });
   return found == entries.end() ? nullptr : &*found;
-}
-
-// All of the text; else empty.
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
 // Where the air goes that comes from this side. Angles go around as those of the camera do.

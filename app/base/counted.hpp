@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <charconv>
 #include <concepts>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace taut::app {
 
@@ -17,6 +20,15 @@ std::string counted(Count count, const char* one, const char* many) {
 template <std::integral Count>
 std::string counted(Count count, const char* one) {
   return counted(count, one, (std::string(one) + 's').c_str());
+}
+
+/// The number that the whole text is; empty: it is none. `base`: none, or that of a whole number.
+template <class Number, class... Base>
+std::optional<Number> number_in(std::string_view text, Base... base) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number, base...);
+  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace taut::app

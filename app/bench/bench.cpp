@@ -13,7 +13,7 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/csv.hpp"
 #include "app/output/frame_verifier.hpp"
-#include "app/output/run_start.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"

@@ -11,7 +11,6 @@
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/caches/written_cloth.hpp"
 #include "app/models/srgb.hpp"
 #include "renderer/page/png.hpp"
 #include "sim/bytes.hpp"

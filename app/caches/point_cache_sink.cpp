@@ -9,7 +9,6 @@
 #include "app/base/files.hpp"
 #include "app/base/seekable_file.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/caches/written_cloth.hpp"
 
 namespace taut::app {
 namespace {

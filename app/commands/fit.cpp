@@ -14,8 +14,8 @@
 #include "app/frame_loop.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/output/frame_record.hpp"
-#include "app/output/run_start.hpp"
-#include "app/scene/scene_value.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "app/scene/scene_key.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -141,8 +141,7 @@ int run(const FitOptions& asked) {
   if (options.json) {
     fmt::print("{}\n", json_of(options, rows, worn, tightness).dump(2));
   } else {
-    fmt::print("{}\n{}{}wrote {}\n", measured, describe_worn(rows),
-               tightness.empty() ? "" : tightness + '\n',
+    fmt::print("{}\n{}{}wrote {}\n", measured, describe_worn(rows), tightness.empty() ? "" : tightness + '\n',
                options.output.string());
   }
   return judge_bound(scene, summary);

@@ -18,8 +18,8 @@
 #include "app/output/frame_verifier.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/picture_record.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "app/output/run_report.hpp"
-#include "app/output/run_start.hpp"
 #include "app/output/video_writer.hpp"
 #include "renderer/page/png.hpp"
 

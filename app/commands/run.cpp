@@ -11,7 +11,7 @@
 #include "app/drawing/inspection_picture.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/output/output_pattern.hpp"
-#include "app/output/run_start.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {

@@ -14,7 +14,6 @@
 #include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/run_report.hpp"
-#include "app/output/run_start.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -45,13 +44,11 @@ void require_index(const Sweep& sweep, std::size_t index) {
 
 std::size_t task_of_slurm() {
   const char* text = std::getenv("SLURM_ARRAY_TASK_ID");
-  const std::string_view digits = text != nullptr ? text : "";
-  std::size_t task = 0;
-  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), task);
-  if (error != std::errc() || stop != digits.data() + digits.size()) {
+  const std::optional<std::size_t> task = number_in<std::size_t>(text != nullptr ? text : "");
+  if (!task) {
     throw UsageError("expected --index, --task or --all, or $SLURM_ARRAY_TASK_ID as Slurm sets it");
   }
-  return task;
+  return *task;
 }
 
 /// One run, or those of a task.

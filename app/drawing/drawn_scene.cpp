@@ -31,19 +31,8 @@ const char* legend_title(StretchOf shown) {
 }
 
 const char* name_of(WhichSprings which) {
-  switch (which) {
-    case WhichSprings::none:
-      return "none";
-    case WhichSprings::structural:
-      return "structural";
-    case WhichSprings::shear:
-      return "shear";
-    case WhichSprings::flexural:
-      return "flexural";
-    case WhichSprings::all:
-      break;
-  }
-  return "all";
+  constexpr std::array names = {"none", "structural", "shear", "flexural", "all"};
+  return names[static_cast<std::size_t>(which)];
 }
 
 renderer::PictureSettings settings_of(const PictureStyle& style) {
@@ -62,15 +51,8 @@ renderer::PictureSettings settings_of(const PictureStyle& style) {
 }
 
 float shortest_edge_px(const PictureStyle& style) {
-  switch (style.quality) {
-    case DrawingQuality::draft:
-      return 16.0F;
-    case DrawingQuality::normal:
-      return renderer::shortest_split_px;
-    case DrawingQuality::high:
-      break;
-  }
-  return 4.0F;
+  constexpr std::array lengths_px = {16.0F, renderer::shortest_split_px, 4.0F};
+  return lengths_px[static_cast<std::size_t>(style.quality)];
 }
 
 renderer::Backdrop backdrop_of(const Background& background) {

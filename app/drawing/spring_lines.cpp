@@ -1,6 +1,7 @@
 #include "app/drawing/spring_lines.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <glm/geometric.hpp>
 
 #include "renderer/page/colour.hpp"
@@ -20,19 +21,7 @@ bool is_within(const std::optional<SpringBall>& patch, const sim::Garment& garme
 }  // namespace
 
 bool shows(const ShownSprings& shown, sim::SpringKind kind) {
-  switch (shown.which) {
-    case WhichSprings::none:
-      return false;
-    case WhichSprings::structural:
-      return kind == sim::SpringKind::structural;
-    case WhichSprings::shear:
-      return kind == sim::SpringKind::shear;
-    case WhichSprings::flexural:
-      return kind == sim::SpringKind::flexural;
-    case WhichSprings::all:
-      break;
-  }
-  return true;
+  return shown.which == WhichSprings::all || std::strcmp(name_of(shown.which), sim::name_of(kind)) == 0;
 }
 
 SpringLines::SpringLines(const sim::Garment& garment, const ShownSprings& shown, float width_px) {

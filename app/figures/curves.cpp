@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/drawing/drawn_scene.hpp"
-#include "app/drawing/plots/plot_sheet.hpp"
+#include "app/drawing/plots/plot.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"

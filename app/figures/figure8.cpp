@@ -5,7 +5,7 @@
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
-#include "app/drawing/plots/plot_sheet.hpp"
+#include "app/drawing/plots/plot.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/csv.hpp"
 

@@ -32,11 +32,17 @@ inline constexpr std::size_t smallest_size<TautInfo> = offsetof(TautInfo, crossi
 /// The largest size that a later version could have.
 inline constexpr std::size_t largest_struct = 1 << 16;
 
+/// Throws ArgumentError on null and on a size that no version of the struct has.
+template <class T>
+void require_struct(const T* given, std::size_t size) {
+  require(given != nullptr, "found NULL, expected a struct");
+  require(size >= smallest_size<T> && size <= largest_struct,
+          "found a struct with a struct_size that no version has; its taut_*_init() sets it");
+}
+
 template <class T>
 void init_struct(T* target, std::size_t struct_size) {
-  require(target != nullptr, "found NULL, expected a struct");
-  require(struct_size >= smallest_size<T> && struct_size <= largest_struct,
-          "found a size that no version has");
+  require_struct(target, struct_size);
   std::memset(static_cast<void*>(target), 0, struct_size);
   target->struct_size = static_cast<std::uint32_t>(struct_size);
 }
@@ -45,10 +51,8 @@ void init_struct(T* target, std::size_t struct_size) {
 /// no version has, and if a newer caller asks for what this version does not know.
 template <class T>
 T read_struct(const T* source) {
-  require(source != nullptr, "found NULL, expected a struct");
-  const std::size_t size = source->struct_size;
-  require(size >= smallest_size<T> && size <= largest_struct,
-          "found a struct with a struct_size that no version has; its taut_*_init() sets it");
+  const std::size_t size = source != nullptr ? source->struct_size : 0;
+  require_struct(source, size);
   const char* bytes = reinterpret_cast<const char*>(source);
   require(std::all_of(bytes + std::min(size, sizeof(T)), bytes + size, [](char byte) { return byte == 0; }),
           "found a struct with members that this version does not know");
@@ -60,10 +64,8 @@ T read_struct(const T* source) {
 /// Fills in as much as the caller knows of. Throws ArgumentError as read_struct() does.
 template <class T>
 void put_struct(T value, T* target) {
-  require(target != nullptr, "found NULL, expected a struct");
-  const std::size_t size = target->struct_size;
-  require(size >= smallest_size<T> && size <= largest_struct,
-          "found a struct with a struct_size that no version has; its taut_*_init() sets it");
+  const std::size_t size = target != nullptr ? target->struct_size : 0;
+  require_struct(target, size);
   value.struct_size = target->struct_size;
   std::memcpy(static_cast<void*>(target), &value, std::min(size, sizeof(T)));
 }

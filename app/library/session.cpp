@@ -10,7 +10,7 @@
 #include "app/library/arrays.hpp"
 #include "app/library/given_body.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/output/run_start.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/checkpoint.hpp"
@@ -19,7 +19,8 @@
 namespace taut::library {
 namespace {
 
-// Settings that may change while a cloth moves. All others say what the cloth is, or when and where it begins.
+// Settings that may change while a cloth moves. All others say what the cloth is, or when and where it
+// begins.
 constexpr std::array live_sections = {"air.",  "cloth.",  "gravity.", "pins.motion.",
                                       "rest.", "solver.", "wind."};
 

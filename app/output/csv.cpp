@@ -2,12 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 
@@ -38,14 +38,6 @@ std::vector<std::string> cells_of(const std::string& line) {
     }
   }
   return cells;
-}
-
-// The whole of the text, or nothing.
-template <class Number>
-bool read_number(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end;
 }
 
 }  // namespace
@@ -81,19 +73,19 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::strin
 }
 
 double CsvFile::number(std::size_t row, std::size_t column) const {
-  double number = 0.0;
-  if (!read_number(text(row, column), number) || !std::isfinite(number)) {
+  const std::optional<double> number = number_in<double>(text(row, column));
+  if (!number || !std::isfinite(*number)) {
     fail(row, fmt::format("{}: found '{}', expected a number", columns_[column], text(row, column)));
   }
-  return number;
+  return *number;
 }
 
 int CsvFile::whole_number(std::size_t row, std::size_t column) const {
-  int number = 0;
-  if (!read_number(text(row, column), number)) {
+  const std::optional<int> number = number_in<int>(text(row, column));
+  if (!number) {
     fail(row, fmt::format("{}: found '{}', expected a whole number", columns_[column], text(row, column)));
   }
-  return number;
+  return *number;
 }
 
 void CsvFile::fail(std::size_t row, const std::string& what) const {

@@ -2,8 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
+#include <regex>
 
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 
 namespace taut::app {
@@ -12,22 +13,6 @@ namespace {
 constexpr const char* expected =
     "expected one field {frame} or {frame:04}, as in frames/frame_{frame:04}.png";
 
-// The width in a field such as {frame:04}; 0 without one.
-int width_of(const std::string& field, const std::string& text) {
-  if (field == "frame") {
-    return 0;
-  }
-  int width = 0;
-  const std::string digits = field.starts_with("frame:") ? field.substr(6) : "";
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, width);
-  const bool at_end = stop == end || (stop + 1 == end && *stop == 'd');
-  if (error != std::errc() || !at_end || width < 1 || width > 20 || digits.front() != '0') {
-    throw UsageError("output '" + text + "': found the field {" + field + "}, " + expected);
-  }
-  return width;
-}
-
 // Largest number of a frame.
 constexpr int most_frames = 1000000;
 
@@ -35,15 +20,13 @@ int frame_of(const std::string& word, int last_frame, const std::string& text) {
   if (word == "last") {
     return last_frame;
   }
-  int frame = -1;
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, frame);
-  if (error != std::errc() || stop != end || frame < 0 || frame > most_frames) {
+  const std::optional<int> frame = number_in<int>(word);
+  if (!frame || *frame < 0 || *frame > most_frames) {
     throw UsageError(fmt::format(
         "--frames {}: found '{}', expected a frame from 0 to {} or last, as in 0:120, 30:, :30 or last", text,
         word, most_frames));
   }
-  return frame;
+  return *frame;
 }
 
 }  // namespace
@@ -53,20 +36,16 @@ OutputPattern::OutputPattern(const std::string& text, const std::string& extensi
   if (name.extension() != extension || name.stem().empty()) {
     throw UsageError("output '" + text + "': expected a file name that ends in " + extension);
   }
-  const std::size_t open = text.find('{');
-  const std::size_t close = text.find('}');
-  if (open == std::string::npos && close == std::string::npos) {
-    before_ = text;
-    return;
-  }
-  if (open == std::string::npos || close == std::string::npos || close < open ||
-      text.find_first_of("{}", close + 1) != std::string::npos) {
+  // A width has up to 20 digits.
+  static const std::regex form(R"(([^{}]*)(\{frame(?::0([1-9]|1\d|20)d?)?\}([^{}]*))?)");
+  std::smatch parts;
+  if (!std::regex_match(text, parts, form)) {
     throw UsageError("output '" + text + "': found braces that are no field, " + expected);
   }
-  width_ = width_of(text.substr(open + 1, close - open - 1), text);
-  has_field_ = true;
-  before_ = text.substr(0, open);
-  after_ = text.substr(close + 1);
+  before_ = parts[1];
+  has_field_ = parts[2].matched;
+  width_ = parts[3].matched ? std::stoi(parts[3]) : 0;
+  after_ = parts[4];
 }
 
 void OutputPattern::require_distinct_names(std::size_t frame_count) const {

@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <system_error>
 
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
@@ -93,14 +93,12 @@ std::vector<renderer::PngText> texts_of(const std::filesystem::path& file) {
 
 template <class Number>
 Number number_of(const std::string& text, int base, const char* keyword, const std::filesystem::path& file) {
-  Number number{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number, base);
-  if (error != std::errc() || stop != end || text.starts_with('-')) {
+  const std::optional<Number> number = number_in<Number>(text, base);
+  if (!number || text.starts_with('-')) {
     throw InputError(
         fmt::format("the entry '{}' of '{}' is '{}', expected a number", keyword, file.string(), text));
   }
-  return number;
+  return *number;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "app/base/errors.hpp"
 #include "app/base/own_file.hpp"
 #include "app/base/suggest.hpp"
-#include "app/scene/scene_value.hpp"
+#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,11 +1,9 @@
 #include "app/scene/scene_format.hpp"
 
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/scene/fabric.hpp"
 #include "app/scene/scene.hpp"
-#include "app/scene/scene_lists.hpp"
 
 namespace taut::app {
 namespace {

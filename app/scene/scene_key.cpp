@@ -3,11 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
+
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
+#include "app/scene/scene_file.hpp"
 
 namespace taut::app {
+
 namespace {
 
 // Names of CSS Color Module Level 4.
@@ -45,21 +50,19 @@ constexpr std::array<UnitOfKey, 12> units_of_keys = {{
     {"s", "s"},
 }};
 
-std::optional<double> number_in(std::string_view text) {
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-  return is_number ? std::optional(number) : std::nullopt;
+std::optional<double> finite_number_in(std::string_view text) {
+  const std::optional<double> number = number_in<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 /// The number times a power of ten, as exact as if it had been written so: "0.18" of -3 is 0.00018.
 std::optional<double> shifted_number_in(const std::string& text, int exponent) {
-  if (!number_in(text)) {
+  if (!finite_number_in(text)) {
     return std::nullopt;
   }
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
   const int own = end < text.size() ? std::atoi(text.c_str() + end + 1) : 0;
-  return number_in(fmt::format("{}e{}", text.substr(0, end), own + exponent));
+  return finite_number_in(fmt::format("{}e{}", text.substr(0, end), own + exponent));
 }
 
 std::optional<double> number_with_unit(std::string_view text, std::string_view unit) {
@@ -73,6 +76,42 @@ std::optional<double> number_with_unit(std::string_view text, std::string_view u
     }
   }
   return std::nullopt;
+}
+
+std::string message_word(const Json& value) {
+  if (value.is_null()) {
+    return "not set";
+  }
+  if (value.is_string()) {
+    return '"' + value.get<std::string>() + '"';
+  }
+  return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>()) : value.dump();
+}
+
+std::string toml_word(const Json& value) {
+  if (value.is_string()) {
+    const Json readable = Json::parse(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    std::ostringstream text;
+    text << toml::toml_formatter(toml::value(readable.get<std::string>()), toml::format_flags::none);
+    return text.str();
+  }
+  if (!value.is_number_float()) {
+    return value.dump();
+  }
+  // The fewest digits that read back as the same bits; with a point, or TOML takes -0 for a whole 0.
+  const std::string text = fmt::format("{}", value.get<double>());
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string joined_words(const Json& value, std::string (*word)(const Json&)) {
+  if (!value.is_structured()) {
+    return word(value);
+  }
+  std::string text;
+  for (const auto& [key, item] : value.items()) {
+    text += (text.empty() ? "" : ", ") + (value.is_object() ? key + " = " : "") + joined_words(item, word);
+  }
+  return value.is_object() ? "{ " + text + " }" : '[' + text + ']';
 }
 
 }  // namespace
@@ -174,6 +213,102 @@ std::string colour_text(const glm::vec3& colour) {
     text += fmt::format("{:02x}", static_cast<int>(std::lround(std::clamp(channel, 0.0F, 1.0F) * 255.0F)));
   }
   return text;
+}
+
+Json json_of(const toml::node& node) {
+  return node.visit([](const auto& value) -> Json {
+    using Type = decltype(value);
+    if constexpr (toml::is_table<Type>) {
+      Json object = Json::object();
+      for (const auto& [key, item] : entries_of(value)) {
+        object[key] = json_of(*item);
+      }
+      return object;
+    } else if constexpr (toml::is_array<Type>) {
+      Json list = Json::array();
+      for (const toml::node& item : value) {
+        list.push_back(json_of(item));
+      }
+      return list;
+    } else if constexpr (toml::is_chronological<Type>) {
+      return *text_in(value);
+    } else {
+      return value.get();
+    }
+  });
+}
+
+void fail(const Source& source, int line, const std::string& message) {
+  if (source.is_command_line) {
+    throw UsageError(source.name + ": " + message);
+  }
+  throw InputError(line > 0 ? fmt::format("{}:{}: {}", source.name, line, message)
+                            : fmt::format("{}: {}", source.name, message));
+}
+
+int line_of(const toml::node& value) {
+  return static_cast<int>(value.source().begin.line);
+}
+
+toml::table read_toml_text(const std::string& text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    fail({name}, static_cast<int>(error.source().begin.line),
+         "this is not TOML: " + std::string(error.description()));
+  }
+}
+
+toml::table read_toml_value(const std::string& text) {
+  try {
+    return toml::parse("value = " + text);
+  } catch (const toml::parse_error&) {
+    return toml::table{{"value", text}};
+  }
+}
+
+std::optional<std::string> text_in(const toml::node& value) {
+  if (value.is_date() || value.is_time() || value.is_date_time()) {
+    std::ostringstream text;
+    text << toml::node_view(value);
+    return text.str();
+  }
+  return value.value_exact<std::string>();
+}
+
+std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table) {
+  std::vector<std::pair<std::string, const toml::node*>> entries;
+  for (const auto& [key, value] : table) {
+    entries.emplace_back(key.str(), &value);
+  }
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const auto& a, const auto& b) { return line_of(*a.second) < line_of(*b.second); });
+  return entries;
+}
+
+std::filesystem::path beside(const Source& source, const std::filesystem::path& file) {
+  const auto folder =
+      source.is_command_line ? std::filesystem::path() : std::filesystem::path(source.name).parent_path();
+  const std::filesystem::path named = (folder / file).lexically_normal();
+  std::error_code ignored;
+  return std::filesystem::exists(named, ignored) ? named : find_asset(file).value_or(named);
+}
+
+Json::json_pointer pointer_to(std::string key) {
+  std::replace(key.begin(), key.end(), '.', '/');
+  return Json::json_pointer('/' + key);
+}
+
+std::string to_text(const Json& value) {
+  return joined_words(value, message_word);
+}
+
+std::string to_text(const toml::node& value) {
+  return to_text(json_of(value));
+}
+
+std::string toml_text(const Json& value) {
+  return joined_words(value, toml_word);
 }
 
 }  // namespace taut::app

@@ -1,5 +1,3 @@
-#include "app/scene/scene_lists.hpp"
-
 #include <fmt/core.h>
 
 #include <cmath>

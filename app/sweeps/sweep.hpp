@@ -9,7 +9,7 @@
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_file.hpp"
-#include "app/scene/scene_value.hpp"
+#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 

@@ -19,7 +19,6 @@
 #include "app/output/picture_record.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/run_report.hpp"
-#include "app/output/run_start.hpp"
 #include "app/sweeps/run_lock.hpp"
 #include "app/sweeps/sweep_results.hpp"
 

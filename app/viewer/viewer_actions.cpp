@@ -24,18 +24,24 @@ constexpr double turn_step_rad = 0.08726646259971647;  // 5 degrees
 
 }  // namespace
 
+std::string Viewer::attempt(const std::function<void()>& work) {
+  try {
+    work();
+    return "";
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    tell(error.what(), true);
+    return error.what();
+  }
+}
+
 void Viewer::perform_asked() {
   std::vector<Action> actions = std::exchange(key_actions_, {});
   actions.insert(actions.end(), state_.asked.begin(), state_.asked.end());
   state_.asked.clear();
   for (const Action action : actions) {
-    try {
-      perform(action);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const std::exception& error) {
-      tell(error.what(), true);
-    }
+    attempt([&] { perform(action); });
   }
 }
 

@@ -6,6 +6,7 @@
 #include "app/drawing/drawing.hpp"
 
 namespace taut::app {
+
 namespace {
 
 using renderer::Canvas;
@@ -49,8 +50,7 @@ void draw_x_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
     canvas.line(x_px, bottom_px, x_px, bottom_px + length_px, palette::ink, style.line_px);
     canvas.text(x_px, bottom_px + style.tick_px + 0.15F * style.text_px, tick.label, text);
   }
-  canvas.text(axes.area.x_px + 0.5F * axes.area.width_px,
-              bottom_px + style.tick_px + 1.5F * style.text_px,
+  canvas.text(axes.area.x_px + 0.5F * axes.area.width_px, bottom_px + style.tick_px + 1.5F * style.text_px,
               axes.plot.x.label, text);
 }
 
@@ -194,6 +194,9 @@ void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style)
   }
 }
 
+// The middle of a plot's data, to the left of which are its numbers.
+constexpr float caption_at = 636.0F / 1160.0F;
+
 }  // namespace
 
 void draw_legend_entry(Canvas& canvas, const Curve& curve, float left_px, float middle_px,
@@ -259,6 +262,32 @@ void draw_plot(Canvas& canvas, const Plot& plot, const Area& area, const PlotSty
   if (plot.legend != LegendCorner::none) {
     draw_legend_lines(canvas, axes, style);
   }
+}
+
+Area plot_area(const PlotSheet& sheet, std::size_t number) {
+  const auto column = static_cast<float>(number % sheet.columns);
+  const auto row = static_cast<float>(number / sheet.columns);
+  return {sheet.left_px + column * (sheet.width_px + sheet.gap_px),
+          sheet.top_px + row * (sheet.height_px + sheet.caption.height_px() + sheet.row_gap_px),
+          sheet.width_px, sheet.height_px};
+}
+
+Drawing draw_plot_sheet(std::vector<PlotPanel> panels, const PlotSheet& sheet) {
+  const Area last_column = plot_area(sheet, sheet.columns - 1);
+  const std::size_t rows = std::max<std::size_t>(1, (panels.size() + sheet.columns - 1) / sheet.columns);
+  const Area below = plot_area(sheet, rows * sheet.columns);
+  Drawing drawing;
+  drawing.width_px = static_cast<int>(last_column.x_px + last_column.width_px + sheet.right_px);
+  drawing.height_px = static_cast<int>(below.y_px + sheet.top_px);
+  drawing.draw = [panels = std::move(panels), sheet](renderer::Canvas& canvas) {
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const Area area = plot_area(sheet, i);
+      draw_plot(canvas, panels[i].plot, area, sheet.plot);
+      draw_caption(canvas, panels[i].caption, area.x_px + caption_at * area.width_px,
+                   area.y_px + area.height_px, sheet.caption);
+    }
+  };
+  return drawing;
 }
 
 }  // namespace taut::app

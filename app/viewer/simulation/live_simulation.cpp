@@ -12,7 +12,7 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/untangling.hpp"
-#include "app/output/run_start.hpp"
+#include "app/output/run_checkpoint.hpp"
 
 namespace taut::app {
 namespace {

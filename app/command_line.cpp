@@ -1,9 +1,6 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <iterator>
-#include <memory>
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
@@ -421,13 +418,12 @@ int run_command_line(std::span<const char* const> arguments) {
       "taut help COMMAND says more. Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a promised bound was "
       "exceeded, a frame could not be made without a crossing, a frame did not keep what --verify checks or "
       "the run diverged, 75 stopped, but saved: it can be resumed.");
-  const std::vector<std::function<int()>> commands = {add_figures(app),  add_render(app, arguments),
-                                                      add_simulate(app), add_view(app),
-                                                      add_inspect(app),  add_fit(app),
-                                                      add_bench(app),    add_scenes(app),
-                                                      add_fabrics(app),
-                                                      add_sweep(app),    add_import_model(app),
-                                                      add_help(app)};
+  const std::vector<std::function<int()>> commands = {add_figures(app),      add_render(app, arguments),
+                                                      add_simulate(app),     add_view(app),
+                                                      add_inspect(app),      add_fit(app),
+                                                      add_bench(app),        add_scenes(app),
+                                                      add_fabrics(app),      add_sweep(app),
+                                                      add_import_model(app), add_help(app)};
   show_help_first(app);
   require_command(app, arguments);
   try {

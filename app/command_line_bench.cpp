@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <memory>
 
 #include "app/base/suggest.hpp"
 #include "app/command_line_parts.hpp"

@@ -1,10 +1,5 @@
-#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <CLI/App.hpp>
-#include <functional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/commands/options.hpp"
 

@@ -1,11 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <string_view>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
@@ -73,8 +65,8 @@ renderer::Resized parse_size(const std::string& text, const std::string& option)
   const auto height = is_pair ? number_in<int>(std::string_view(text).substr(between + 1)) : std::nullopt;
   const auto is_side = [](std::optional<int> side) { return side && *side >= 1 && *side <= largest_side_px; };
   if (!is_side(width) || !is_side(height)) {
-    throw UsageError(fmt::format("{} {}: expected WIDTHxHEIGHT in pixels, such as 1280x720, or a name: {}",
-                                 option, text, names_of(named_sizes)));
+    throw UsageError("{} {}: expected WIDTHxHEIGHT in pixels, such as 1280x720, or a name: {}", option, text,
+                     names_of(named_sizes));
   }
   return {*width, *height};
 }

@@ -1,7 +1,5 @@
 #include "app/frame_loop.hpp"
 
-#include <algorithm>
-
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
 

@@ -1,9 +1,6 @@
 #include "app/frame_pipeline.hpp"
 
-#include <array>
-#include <exception>
 #include <thread>
-#include <utility>
 
 #include "app/base/errors.hpp"
 

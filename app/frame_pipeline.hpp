@@ -1,14 +1,7 @@
 #pragma once
 
 #include <condition_variable>
-#include <cstddef>
-#include <deque>
-#include <functional>
 #include <mutex>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/output/frame_record.hpp"
 #include "renderer/page/image.hpp"

@@ -1,7 +1,3 @@
-#include <cerrno>
-#include <cstdio>
-#include <exception>
-#include <system_error>
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"

@@ -1,14 +1,7 @@
 #include "renderer/camera.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
-#include <stdexcept>
-#include <vector>
 
 namespace taut::renderer {
 

@@ -1,9 +1,5 @@
 #include "renderer/frame_check.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 namespace taut::renderer {
 namespace {
 

@@ -1,13 +1,5 @@
 #include "renderer/primitives.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
-#include <cmath>
-#include <cstddef>
-#include <glm/geometric.hpp>
-#include <numbers>
-
 namespace taut::renderer {
 namespace {
 

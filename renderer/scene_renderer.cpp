@@ -1,6 +1,5 @@
 #include "renderer/scene_renderer.hpp"
 
-#include <algorithm>
 #include <future>
 
 #include "renderer/frame_check.hpp"

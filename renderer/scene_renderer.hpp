@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "renderer/context/context.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"

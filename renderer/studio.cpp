@@ -1,4 +1,3 @@
-#include <glm/geometric.hpp>
 
 #include "renderer/frame_view.hpp"
 

@@ -1,7 +1,5 @@
 #include "app/base/base64.hpp"
 
-#include <algorithm>
-
 namespace taut::app {
 
 std::string base64(std::span<const std::uint8_t> bytes) {

@@ -3,10 +3,8 @@
 #include <fmt/core.h>
 
 #include <charconv>
-#include <concepts>
-#include <optional>
-#include <string>
-#include <string_view>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 

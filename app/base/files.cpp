@@ -3,13 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <cstdlib>
 #include <fstream>
-#include <optional>
-#include <sstream>
-#include <system_error>
 
 #include "app/base/child_process.hpp"
 #include "app/base/errors.hpp"

@@ -1,7 +1,6 @@
 #include "app/base/interruption.hpp"
 
 #include <csignal>
-#include <cstdlib>
 
 #include "app/base/errors.hpp"
 

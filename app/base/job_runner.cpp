@@ -2,16 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <deque>
-#include <exception>
 #include <mutex>
-#include <numeric>
 #include <thread>
-#include <vector>
 
 #include "app/base/interruption.hpp"
 #include "app/base/progress.hpp"

@@ -3,9 +3,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <utility>
-
 namespace taut::app {
 namespace {
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <vector>
+#include "prelude.hpp"
 
 namespace taut::app {
 

@@ -1,9 +1,5 @@
 #include "app/bench/bench.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "app/base/errors.hpp"
@@ -14,7 +10,6 @@
 #include "app/output/csv.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "app/output/run_checkpoint.hpp"
-#include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/simulation.hpp"

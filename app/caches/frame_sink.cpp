@@ -1,9 +1,5 @@
 #include "app/caches/frame_sink.hpp"
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/drawing/framing.hpp"

@@ -1,12 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <glm/vec3.hpp>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/bodies/point_cache.hpp"
 #include "app/models/garment_loading.hpp"

@@ -1,10 +1,5 @@
-#include <fmt/core.h>
 
-#include <algorithm>
-#include <bit>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
@@ -172,10 +167,10 @@ GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
   const double bytes = bytes_of(frames, vertices_);
   if (bytes > most_bytes) {
     throw InputError(
-        fmt::format("cannot write '{}': {:.0f} frames of {} vertices are {:.1f} GiB, and a .glb is held in "
-                    "memory until it "
-                    "is written; expected at most 1 GiB: fewer --frames, or .pc2",
-                    settings.name, frames, vertices_.uv.size(), bytes / most_bytes));
+        "cannot write '{}': {:.0f} frames of {} vertices are {:.1f} GiB, and a .glb is held in "
+        "memory until it "
+        "is written; expected at most 1 GiB: fewer --frames, or .pc2",
+        settings.name, frames, vertices_.uv.size(), bytes / most_bytes);
   }
   const sim::Mesh& mesh = loaded.shown_mesh();
   rest_positions_ = flat_numbers(in_single_precision(mesh.positions));

@@ -1,7 +1,4 @@
-#include <fmt/core.h>
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 
 #include "app/base/counted.hpp"

@@ -1,9 +1,6 @@
 #include <fmt/core.h>
 
-#include <cmath>
-#include <limits>
 #include <pugixml.hpp>
-#include <sstream>
 
 #include "app/base/base64.hpp"
 #include "app/base/counted.hpp"

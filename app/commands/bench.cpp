@@ -1,10 +1,5 @@
 #include "app/bench/bench.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cstdio>
-
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/progress.hpp"

@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <set>
 #include <thread>
 
 #include "app/base/files.hpp"

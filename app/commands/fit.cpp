@@ -1,6 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"

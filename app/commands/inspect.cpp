@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "app/models/import_process.hpp"
 #include "app/scene/scene_file.hpp"

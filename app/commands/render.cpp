@@ -1,9 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cstdio>
-#include <memory>
-#include <numeric>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"

@@ -1,7 +1,5 @@
 #include "app/commands/run.hpp"
 
-#include <fmt/core.h>
-
 #include <future>
 
 #include "app/base/errors.hpp"
@@ -122,8 +120,8 @@ void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::
   } catch (const std::exception& reason) {
     shown = fmt::format("there is no picture of it: {}", reason.what());
   }
-  throw PromiseBroken(
-      fmt::format("{}; {}; solver.allow_exceeding = \"contact\" goes on all the same", error.what(), shown));
+  throw PromiseBroken("{}; {}; solver.allow_exceeding = \"contact\" goes on all the same", error.what(),
+                      shown);
 }
 
 }  // namespace taut::app

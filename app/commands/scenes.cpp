@@ -1,8 +1,4 @@
-#include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <sstream>
 #include <thread>
 
 #include "app/base/errors.hpp"

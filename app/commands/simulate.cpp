@@ -1,7 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cstdio>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"

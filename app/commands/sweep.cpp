@@ -1,9 +1,4 @@
-#include <fmt/core.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <sstream>
 #include <thread>
 
 #include "app/base/counted.hpp"
@@ -38,7 +33,7 @@ void say(std::size_t run, const Attempt& attempt) {
 
 void require_index(const Sweep& sweep, std::size_t index) {
   if (index >= sweep.runs()) {
-    throw UsageError(fmt::format("--index: found {}, expected a run from 0 to {}", index, sweep.runs() - 1));
+    throw UsageError("--index: found {}, expected a run from 0 to {}", index, sweep.runs() - 1);
   }
 }
 
@@ -175,8 +170,8 @@ int submit(const SweepOptions& options, const Sweep& sweep) {
   constexpr std::size_t usual_array_size = 1001;
   const SweepStatus status = status_of(sweep);
   if (status.missing.size() < sweep.runs() && !options.missing) {
-    throw UsageError(fmt::format("{} of {} are there already; --missing submits the others",
-                                 sweep.runs() - status.missing.size(), counted(sweep.runs(), "run")));
+    throw UsageError("{} of {} are there already; --missing submits the others",
+                     sweep.runs() - status.missing.size(), counted(sweep.runs(), "run"));
   }
   const std::filesystem::path folder = std::filesystem::absolute(sweep.folder) / "slurm";
   hand_out(folder / "task.sh", slurm_script(sweep, settings), options.dry_run);

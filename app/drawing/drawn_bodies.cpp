@@ -1,10 +1,5 @@
 #include "app/drawing/drawn_bodies.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <utility>
-
 #include "app/drawing/framing.hpp"
 
 namespace taut::app {

@@ -1,7 +1,5 @@
 #include "app/drawing/drawn_colours.hpp"
 
-#include <algorithm>
-
 #include "app/base/errors.hpp"
 #include "app/models/import_process.hpp"
 

@@ -1,8 +1,5 @@
 #include "app/drawing/drawn_scene.hpp"
 
-#include <algorithm>
-
-#include "app/scene/scene.hpp"
 #include "app/scene/scene_format.hpp"
 #include "renderer/surface/refined_mesh.hpp"
 #include "sim/solvers/bounded/promise.hpp"

@@ -1,4 +1,3 @@
-#include <utility>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"

@@ -1,15 +1,5 @@
 #include "app/drawing/framing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec4.hpp>
-#include <limits>
-#include <numbers>
-#include <numeric>
-
 #include "app/drawing/drawn_bodies.hpp"
 #include "app/models/garment_measures.hpp"
 

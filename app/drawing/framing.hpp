@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/vec3.hpp>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "renderer/camera.hpp"
 #include "sim/contact/bodies.hpp"

@@ -1,13 +1,6 @@
 #include "app/drawing/garment_painter.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <utility>
-
-#include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/drawing/spring_lines.hpp"
 #include "renderer/page/canvas.hpp"
 #include "sim/measures.hpp"
 #include "sim/mesh/extent.hpp"

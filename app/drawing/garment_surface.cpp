@@ -1,14 +1,8 @@
 #include "app/drawing/garment_surface.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <utility>
-
 #include "app/drawing/framing.hpp"
 #include "app/models/garment_measures.hpp"
 #include "app/models/garment_parts.hpp"
-#include "renderer/surface/lines.hpp"
 #include "renderer/surface/refined_mesh.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/mesh.hpp"

@@ -2,13 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
-#include <tuple>
-
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"

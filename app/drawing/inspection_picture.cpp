@@ -2,12 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <sstream>
-#include <vector>
-
 #include "app/base/counted.hpp"
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"

@@ -1,11 +1,5 @@
 #include "app/drawing/spring_lines.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <glm/geometric.hpp>
-
-#include "renderer/page/colour.hpp"
-
 namespace taut::app {
 namespace {
 

@@ -1,8 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/plots/plot.hpp"
 #include "app/figures/experiments/recording.hpp"

@@ -1,9 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <glm/common.hpp>
-
 #include "app/drawing/plots/axis.hpp"
 #include "app/figures/figures.hpp"
 

@@ -1,7 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
@@ -313,8 +309,8 @@ void read_figure8(const std::filesystem::path& folder, Results& results) {
   for (const MethodTest test : all_method_tests) {
     const std::size_t found = results.trials_of(test).size(), expected = trials_in(test);
     if (found != expected) {
-      throw InputError(fmt::format("{}: found {} trials of the test {}, expected {}",
-                                   (folder / "fig8.csv").string(), found, name_of(test), expected));
+      throw InputError("{}: found {} trials of the test {}, expected {}", (folder / "fig8.csv").string(),
+                       found, name_of(test), expected);
     }
   }
 }

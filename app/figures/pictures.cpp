@@ -1,21 +1,10 @@
 #include "app/figures/pictures.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec4.hpp>
-#include <memory>
-
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/csv.hpp"
@@ -329,9 +318,9 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
     Moment moment = read_moment(moments, row);
     moment.positions = read_shape(shapes, moments.text(row, 0));
     if (moment.positions.size() != vertices) {
-      throw InputError(fmt::format("{}: panel {}: found {} vertices, expected {}, as the garment of {} has",
-                                   shapes_file.string(), moments.text(row, 0), moment.positions.size(),
-                                   vertices, scene_name));
+      throw InputError("{}: panel {}: found {} vertices, expected {}, as the garment of {} has",
+                       shapes_file.string(), moments.text(row, 0), moment.positions.size(), vertices,
+                       scene_name);
     }
     moment.record.stretch = sim::measure_stretch(recording.garment->springs, moment.positions);
     moment.record.surface_stretch = sim::measure_surface_stretch(*recording.garment, moment.positions);
@@ -339,8 +328,8 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
     recording.moments.push_back(std::move(moment));
   }
   if (recording.moments.empty()) {
-    throw InputError(fmt::format("{}: found no moment of the scene {}, expected one",
-                                 (folder / (figure + ".csv")).string(), scene_name));
+    throw InputError("{}: found no moment of the scene {}, expected one",
+                     (folder / (figure + ".csv")).string(), scene_name);
   }
   return recording;
 }

@@ -1,11 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/offscreen_renderer.hpp"

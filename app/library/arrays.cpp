@@ -1,12 +1,5 @@
 #include "app/library/arrays.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
-
 #include "app/library/border.hpp"
 
 namespace taut::library {
@@ -25,13 +18,12 @@ template <class Points>
 void require_array(const Points* points, std::size_t count) {
   require(points != nullptr, "found NULL, expected points");
   if (points->count != count) {
-    throw ArgumentError(fmt::format("found {} points, expected {}", points->count, count));
+    throw ArgumentError("found {} points, expected {}", points->count, count);
   }
   const std::size_t smallest = 3 * size_of(points->type);
   if (points->stride < smallest ||
       points->stride > std::numeric_limits<std::size_t>::max() / 2 / most_vertices) {
-    throw ArgumentError(
-        fmt::format("found a stride of {} bytes, expected at least {}", points->stride, smallest));
+    throw ArgumentError("found a stride of {} bytes, expected at least {}", points->stride, smallest);
   }
   require(points->data != nullptr || count == 0, "found points with data of NULL");
 }
@@ -94,7 +86,7 @@ std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expecte
     const char* at = static_cast<const char*>(points->data) + k * points->stride;
     read.push_back(points->type == TAUT_FLOAT ? read_point<float>(at) : read_point<double>(at));
     if (!is_finite(read.back())) {
-      throw ArgumentError(fmt::format("found point {} with a number that is not finite", k));
+      throw ArgumentError("found point {} with a number that is not finite", k);
     }
   }
   return read;
@@ -103,7 +95,7 @@ std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expecte
 std::vector<sim::Vec3> points_from(const TautPoints* points) {
   require(points != nullptr, "found NULL, expected points");
   if (points->count > most_vertices) {
-    throw ArgumentError(fmt::format("found {} points, expected at most {}", points->count, most_vertices));
+    throw ArgumentError("found {} points, expected at most {}", points->count, most_vertices);
   }
   return points_from(points, points->count);
 }
@@ -136,8 +128,7 @@ std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t
   require(count <= most_vertices, "found more vertices than can be simulated");
   for (std::size_t k = 0; k < count; ++k) {
     if (vertices[k] >= limit) {
-      throw ArgumentError(
-          fmt::format("found vertex {} at place {}, expected one below {}", vertices[k], k, limit));
+      throw ArgumentError("found vertex {} at place {}, expected one below {}", vertices[k], k, limit);
     }
   }
   return {vertices, vertices + count};
@@ -146,8 +137,7 @@ std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t
 app::ImportedModel model_from(const TautMesh* given) {
   const TautMesh mesh = read_struct(given);
   if (mesh.corner_count > most_vertices) {
-    throw ArgumentError(
-        fmt::format("found {} corners of faces, expected at most {}", mesh.corner_count, most_vertices));
+    throw ArgumentError("found {} corners of faces, expected at most {}", mesh.corner_count, most_vertices);
   }
   std::vector<sim::Vec3> positions_m = points_from(&mesh.positions);
   std::vector<sim::Index> corners = vertices_from(mesh.corners, mesh.corner_count, positions_m.size());

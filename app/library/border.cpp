@@ -1,12 +1,6 @@
 #include "app/library/border.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <map>
-#include <mutex>
 #include <new>
-#include <stdexcept>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "sim/blocked_contact.hpp"

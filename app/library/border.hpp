@@ -1,14 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cfenv>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <memory>
 #include <mutex>
-#include <span>
 
 #include "app/library/arrays.hpp"
 #include "app/library/session.hpp"

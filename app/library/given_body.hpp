@@ -1,14 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/bodies/placed_frames.hpp"
 #include "app/library/taut.h"
 #include "app/scene/scene.hpp"

@@ -1,6 +1,3 @@
-#include <cstdio>
-#include <cstdlib>
-#include <string>
 
 #include "app/models/import_process.hpp"
 

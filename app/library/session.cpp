@@ -1,16 +1,7 @@
 #include "app/library/session.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <numeric>
-#include <utility>
-
 #include "app/library/arrays.hpp"
-#include "app/library/given_body.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/output/run_checkpoint.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/checkpoint.hpp"
@@ -239,7 +230,7 @@ void Session::move_pins(const std::vector<sim::Index>& vertices, const std::vect
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     const sim::Index vertex = mesh_vertex(vertices[k]);
     if (!std::binary_search(pins.begin(), pins.end(), vertex)) {
-      throw ArgumentError(fmt::format("found vertex {}, expected one that is pinned", vertices[k]));
+      throw ArgumentError("found vertex {}, expected one that is pinned", vertices[k]);
     }
     next.emplace(vertex, targets_m[k] + beside_own_m(vertex, vertices[k]));
   }
@@ -254,8 +245,7 @@ sim::Vec3 Session::beside_own_m(sim::Index in_mesh, sim::Index own) const {
 
 sim::Index Session::mesh_vertex(sim::Index vertex) const {
   if (vertex >= mesh_vertex_.size() || mesh_vertex_[vertex] == sim::no_vertex) {
-    throw ArgumentError(
-        fmt::format("found vertex {}, expected one of a face, below {}", vertex, vertex_count()));
+    throw ArgumentError("found vertex {}, expected one of a face, below {}", vertex, vertex_count());
   }
   return mesh_vertex_[vertex];
 }

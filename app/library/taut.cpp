@@ -1,9 +1,5 @@
 #include "app/library/taut.h"
 
-#include <algorithm>
-#include <limits>
-#include <string>
-
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
 #include "app/library/border.hpp"

@@ -1,12 +1,5 @@
 #include "app/output/csv.hpp"
 
-#include <fmt/core.h>
-
-#include <cmath>
-#include <sstream>
-#include <stdexcept>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -58,7 +51,7 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::strin
   std::string line;
   std::getline(lines, line);
   if (cells_of(line) != columns_) {
-    throw InputError(fmt::format("{}:1: found the columns {}, expected {}", name_, line, line_of(columns_)));
+    throw InputError("{}:1: found the columns {}, expected {}", name_, line, line_of(columns_));
   }
   while (std::getline(lines, line)) {
     rows_.push_back(cells_of(line));
@@ -89,7 +82,7 @@ int CsvFile::whole_number(std::size_t row, std::size_t column) const {
 }
 
 void CsvFile::fail(std::size_t row, const std::string& what) const {
-  throw InputError(fmt::format("{}:{}: {}", name_, row + 2, what));
+  throw InputError("{}:{}: {}", name_, row + 2, what);
 }
 
 std::string cell(double value) {

@@ -1,19 +1,13 @@
 #include "app/output/frame_record.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <string>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Holds the solver's word against a measurement: it can be wrong of springs a billion times shorter than others.
+/// Holds the solver's word against a measurement: it can be wrong of springs a billion times shorter than
+/// others.
 bool is_bound_kept(const sim::Simulation& simulation, const FrameRecord& record) {
   const sim::FrameReport& report = simulation.last_report();
   const auto* bounded = std::get_if<sim::BoundedSettings>(&simulation.settings().solver.method);

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <string>
-
 #include "app/scene/scene.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"

@@ -2,11 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <iterator>
-#include <map>
-#include <utility>
-
 #include "app/base/counted.hpp"
 
 namespace taut::app {

@@ -1,7 +1,5 @@
 #include "app/output/output_pattern.hpp"
 
-#include <fmt/core.h>
-
 #include <regex>
 
 #include "app/base/counted.hpp"
@@ -22,9 +20,9 @@ int frame_of(const std::string& word, int last_frame, const std::string& text) {
   }
   const std::optional<int> frame = number_in<int>(word);
   if (!frame || *frame < 0 || *frame > most_frames) {
-    throw UsageError(fmt::format(
+    throw UsageError(
         "--frames {}: found '{}', expected a frame from 0 to {} or last, as in 0:120, 30:, :30 or last", text,
-        word, most_frames));
+        word, most_frames);
   }
   return *frame;
 }
@@ -50,8 +48,7 @@ OutputPattern::OutputPattern(const std::string& text, const std::string& extensi
 
 void OutputPattern::require_distinct_names(std::size_t frame_count) const {
   if (!has_field_ && frame_count > 1) {
-    throw UsageError(
-        fmt::format("output '{}': {} frames need different names; {}", text_, frame_count, expected));
+    throw UsageError("output '{}': {} frames need different names; {}", text_, frame_count, expected);
   }
 }
 
@@ -86,16 +83,16 @@ FrameRange frame_range(const std::string& text, int last_frame, NumberMeans numb
   const FrameRange range = {first_word.empty() ? 0 : frame_of(first_word, last_frame, text),
                             last_word.empty() ? last_frame : frame_of(last_word, last_frame, text)};
   if (range.last < range.first) {
-    throw UsageError(fmt::format("--frames {}: the last frame, {}, comes before the first, {}", text,
-                                 range.last, range.first));
+    throw UsageError("--frames {}: the last frame, {}, comes before the first, {}", text, range.last,
+                     range.first);
   }
   return range;
 }
 
 void require_begun(int start_frame, int frame) {
   if (frame < start_frame) {
-    throw UsageError(fmt::format(
-        "--frames: found frame {}, expected none before {}, which the run begins with", frame, start_frame));
+    throw UsageError("--frames: found frame {}, expected none before {}, which the run begins with", frame,
+                     start_frame);
   }
 }
 

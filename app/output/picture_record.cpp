@@ -1,16 +1,9 @@
 #include "app/output/picture_record.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <string_view>
-#include <system_error>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {
@@ -95,8 +88,7 @@ template <class Number>
 Number number_of(const std::string& text, int base, const char* keyword, const std::filesystem::path& file) {
   const std::optional<Number> number = number_in<Number>(text, base);
   if (!number || text.starts_with('-')) {
-    throw InputError(
-        fmt::format("the entry '{}' of '{}' is '{}', expected a number", keyword, file.string(), text));
+    throw InputError("the entry '{}' of '{}' is '{}', expected a number", keyword, file.string(), text);
   }
   return *number;
 }
@@ -140,9 +132,9 @@ PictureRecord read_picture_record(const std::filesystem::path& file, std::span<c
         std::find_if(texts.begin(), texts.end(), [&](const auto& text) { return text.keyword == keyword; });
     if (found == texts.end()) {
       throw InputError(
-          fmt::format("the picture '{}' does not say how it was made: it has no entry '{}', as "
-                      "pictures of taut render have",
-                      file.string(), keyword));
+          "the picture '{}' does not say how it was made: it has no entry '{}', as "
+          "pictures of taut render have",
+          file.string(), keyword);
     }
     return found->text;
   };

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/frame_record.hpp"

@@ -1,9 +1,5 @@
 #include "app/output/run_checkpoint.hpp"
 
-#include <fmt/core.h>
-
-#include <sstream>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
@@ -157,7 +153,7 @@ void dress(const Scene& scene, sim::Simulation& simulation) {
   for (int frame = 1; frame <= frames; ++frame) {
     throw_if_interrupted();
     const auto give_up = [&](const std::string& why) {
-      throw PromiseBroken(fmt::format("while it is dressed, in frame {} of {}: {}", frame, frames, why));
+      throw PromiseBroken("while it is dressed, in frame {} of {}: {}", frame, frames, why);
     };
     try {
       simulation.advance_frame(throw_if_interrupted);

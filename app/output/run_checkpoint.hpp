@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <string_view>
 
 #include "app/output/frame_record.hpp"
 #include "app/scene/scene.hpp"

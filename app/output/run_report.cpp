@@ -1,18 +1,10 @@
 #include "app/output/run_report.hpp"
 
-#include <fmt/core.h>
-
-#include <array>
-#include <cerrno>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <system_error>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
-#include "app/drawing/drawn_scene.hpp"
 
 namespace taut::app {
 namespace {

@@ -1,18 +1,10 @@
 #include "app/output/video_writer.hpp"
 
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
-
-#include <array>
-#include <cerrno>
-#include <cmath>
-#include <system_error>
-#include <utility>
-#include <vector>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
@@ -97,9 +89,9 @@ void require_video_size(const fs::path& file, const VideoSettings& settings) {
   const bool is_even = settings.width_px % 2 == 0 && settings.height_px % 2 == 0;
   if (file.extension() == ".mp4" && !is_even) {
     throw UsageError(
-        fmt::format("output '{}': an MP4 needs an even width and height, found {} x {}; "
-                    "choose another --resolution or a .gif",
-                    file.string(), settings.width_px, settings.height_px));
+        "output '{}': an MP4 needs an even width and height, found {} x {}; "
+        "choose another --resolution or a .gif",
+        file.string(), settings.width_px, settings.height_px);
   }
 }
 
@@ -174,8 +166,8 @@ void VideoWriter::finish() {
   input_ = Descriptor();
   const int status = wait_for_end();
   if (status != 0) {
-    throw InputError(fmt::format("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(),
-                                 describe_end(status), counted(frames_, "frame"), last_words()));
+    throw InputError("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(),
+                     describe_end(status), counted(frames_, "frame"), last_words());
   }
   put_in_place(temporary_, file_);
 }
@@ -183,8 +175,8 @@ void VideoWriter::finish() {
 void VideoWriter::fail_stopped() {
   input_ = Descriptor();
   const int status = wait_for_end();
-  throw InputError(fmt::format("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(),
-                               describe_end(status), counted(frames_, "frame"), last_words()));
+  throw InputError("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(),
+                   describe_end(status), counted(frames_, "frame"), last_words());
 }
 
 int VideoWriter::wait_for_end() {

@@ -4,11 +4,6 @@
 #include <fmt/core.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-
 #include "app/base/counted.hpp"
 #include "app/drawing/plots/axis.hpp"
 #include "app/figures/experiments/recording.hpp"

@@ -1,8 +1,5 @@
 #include <fmt/core.h>
 
-#include <array>
-#include <cmath>
-
 #include "app/base/base64.hpp"
 #include "app/report/report.hpp"
 #include "app/report/report_texts.hpp"

@@ -3,9 +3,6 @@
 #include <fmt/core.h>
 #include <sys/utsname.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>

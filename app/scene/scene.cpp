@@ -1,7 +1,5 @@
 #include "app/scene/scene.hpp"
 
-#include <algorithm>
-
 #include "sim/solvers/bounded/promise.hpp"
 
 namespace taut::app {

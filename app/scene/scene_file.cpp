@@ -1,9 +1,5 @@
 #include "app/scene/scene_file.hpp"
 
-#include <algorithm>
-#include <cstdlib>
-#include <system_error>
-
 #include "app/base/errors.hpp"
 #include "app/base/own_file.hpp"
 #include "app/base/suggest.hpp"

@@ -1,9 +1,6 @@
 #include "app/scene/scene_format.hpp"
 
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
-#include "app/scene/fabric.hpp"
-#include "app/scene/scene.hpp"
 
 namespace taut::app {
 namespace {

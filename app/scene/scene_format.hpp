@@ -1,10 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/base/files.hpp"
 #include "app/scene/fabric.hpp"

@@ -1,12 +1,5 @@
 #include "app/scene/scene_key.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <sstream>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/scene/scene_file.hpp"

@@ -2,18 +2,8 @@
 
 #include <toml++/toml.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <functional>
-#include <glm/vec3.hpp>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "app/base/suggest.hpp"
 

@@ -1,8 +1,5 @@
 #include <fmt/core.h>
 
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "app/scene/scene_format.hpp"
 
 // `access` of a key of a body that has the shape.

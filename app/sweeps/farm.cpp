@@ -1,11 +1,6 @@
 #include "app/sweeps/farm.hpp"
 
-#include <fmt/core.h>
 #include <unistd.h>
-
-#include <array>
-#include <optional>
-#include <system_error>
 
 #include "app/base/child_process.hpp"
 #include "app/base/errors.hpp"

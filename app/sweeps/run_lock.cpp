@@ -5,13 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <sstream>
-#include <system_error>
 
 #include "app/base/child_process.hpp"
 #include "app/base/files.hpp"

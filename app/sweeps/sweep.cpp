@@ -1,14 +1,8 @@
 #include "app/sweeps/sweep.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <map>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/bytes.hpp"
 
@@ -297,8 +291,7 @@ void require_few(const Sweep& sweep, const std::string& study) {
     runs *= static_cast<double>(axis.values.size());
   }
   if (runs > static_cast<double>(most_runs)) {
-    throw InputError(
-        fmt::format("{}: the axes make {:.0f} runs, expected at most {}", study, runs, most_runs));
+    throw InputError("{}: the axes make {:.0f} runs, expected at most {}", study, runs, most_runs);
   }
 }
 

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_file.hpp"

@@ -1,10 +1,6 @@
 #include "app/sweeps/sweep_results.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <fstream>
-#include <set>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"

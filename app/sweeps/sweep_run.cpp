@@ -1,10 +1,5 @@
 #include "app/sweeps/sweep_run.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <optional>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/stopwatch.hpp"
@@ -258,9 +253,9 @@ void require_planned_program(const Sweep& sweep) {
   const std::string program = program_hash();
   if (program != sweep.program) {
     throw InputError(
-        fmt::format("'{}' was planned for the program {}, found {}; taut sweep plan again makes all "
-                    "runs anew with this one",
-                    sweep.folder.string(), sweep.program, program));
+        "'{}' was planned for the program {}, found {}; taut sweep plan again makes all "
+        "runs anew with this one",
+        sweep.folder.string(), sweep.program, program);
   }
 }
 

@@ -2,11 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-
 #include "app/verify/triangle_crossing.hpp"
 #include "sim/mesh/extent.hpp"
 

@@ -1,10 +1,5 @@
 #include "app/verify/solid_bodies.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-
 namespace taut::app {
 namespace {
 

@@ -2,14 +2,6 @@
 
 #include <gmpxx.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <initializer_list>
-#include <limits>
-#include <span>
-
 namespace taut::app {
 
 namespace {

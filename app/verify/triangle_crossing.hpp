@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
+#include "prelude.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::app {

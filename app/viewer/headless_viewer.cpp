@@ -1,12 +1,7 @@
 #include "app/viewer/headless_viewer.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
-#include "app/viewer/simulation/simulation_host.hpp"
 
 namespace taut::app {
 
@@ -33,8 +28,8 @@ SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
     viewer_.take_picture(draw_scene());
   }
   if (frame.expected_state && *frame.expected_state != simulation_->state_hash()) {
-    throw InputError(fmt::format("the state is {:016x}, the session expects {:016x}",
-                                 simulation_->state_hash(), *frame.expected_state));
+    throw InputError("the state is {:016x}, the session expects {:016x}", simulation_->state_hash(),
+                     *frame.expected_state);
   }
   return played;
 }

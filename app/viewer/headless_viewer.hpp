@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "app/viewer/picture/viewer_picture.hpp"
 #include "app/viewer/simulation/simulation_host.hpp"
 #include "app/viewer/viewer.hpp"

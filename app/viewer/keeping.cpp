@@ -1,12 +1,5 @@
 #include "app/viewer/keeping.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-#include <glm/trigonometric.hpp>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"

@@ -1,13 +1,8 @@
 #include "app/viewer/viewer.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/viewer/state/orbit_camera.hpp"
-#include "app/viewer/state/viewer_state.hpp"
 
 namespace taut::app {
 namespace {

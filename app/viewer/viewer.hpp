@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <set>
-#include <string>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/hands.hpp"
 #include "app/viewer/keeping.hpp"

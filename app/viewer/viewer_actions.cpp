@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <glm/trigonometric.hpp>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"

@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
-#include <optional>
 #include <thread>
-#include <utility>
 
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"

@@ -3,10 +3,6 @@
 #include <dlfcn.h>
 #include <glad/gl.h>
 
-#include <array>
-#include <cstdint>
-#include <initializer_list>
-
 namespace taut::renderer {
 namespace {
 

@@ -1,11 +1,5 @@
 #include "renderer/gl/base_colour_map_texture.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <vector>
-
 #include "renderer/gl/shader.hpp"
 
 namespace taut::renderer {

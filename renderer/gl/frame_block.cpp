@@ -1,12 +1,7 @@
 #include "renderer/gl/frame_block.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 namespace taut::renderer {
 

@@ -1,8 +1,5 @@
 #include "renderer/gl/gl_objects.hpp"
 
-#include <cstdio>
-#include <string>
-
 namespace taut::renderer {
 
 namespace {

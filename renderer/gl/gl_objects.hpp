@@ -2,10 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <memory>
-#include <span>
-#include <utility>
-
 #include "renderer/context/context.hpp"
 
 namespace taut::renderer {

@@ -1,9 +1,5 @@
 #include "renderer/gl/picture_target.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "renderer/gl/shader.hpp"
 #include "renderer/page/colour.hpp"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <glm/vec4.hpp>
-#include <memory>
-#include <optional>
-
 #include "renderer/context/context.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/page/image.hpp"

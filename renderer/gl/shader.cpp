@@ -1,10 +1,6 @@
 #include "renderer/gl/shader.hpp"
 
-#include <algorithm>
-#include <array>
 #include <glm/gtc/type_ptr.hpp>
-#include <sstream>
-#include <utility>
 
 namespace taut::renderer {
 namespace {

@@ -2,11 +2,7 @@
 
 #include <glad/gl.h>
 
-#include <glm/vec4.hpp>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <string_view>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 

@@ -1,11 +1,5 @@
 #include "renderer/light/shadow_map.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include "renderer/light/surface_buffers.hpp"
 #include "renderer/page/ticks.hpp"
 

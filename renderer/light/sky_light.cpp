@@ -1,16 +1,5 @@
 #include "renderer/light/sky_light.hpp"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <numbers>
-
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/light/shadow_map.hpp"
 #include "renderer/light/surface_buffers.hpp"

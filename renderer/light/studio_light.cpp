@@ -1,7 +1,6 @@
 #include "renderer/light/studio_light.hpp"
 
 #include <future>
-#include <glm/common.hpp>
 
 #include "renderer/gl/shader.hpp"
 

@@ -3,18 +3,6 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <memory>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-#include "renderer/page/image.hpp"
-
 namespace taut::renderer {
 
 namespace {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cmath>
-#include <cstdio>
-#include <string>
-#include <vector>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 

@@ -1,13 +1,5 @@
 #include "renderer/passes/backdrop_pass.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/matrix.hpp>
-#include <stdexcept>
-
-#include "renderer/gl/shader.hpp"
 #include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {

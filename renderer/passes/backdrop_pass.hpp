@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <glm/vec2.hpp>
-
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/gl/picture_target.hpp"

@@ -1,9 +1,5 @@
 #include "renderer/passes/covered_squares.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-
 #include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {

@@ -1,9 +1,5 @@
 #include "renderer/passes/mark_pass.hpp"
 
-#include <array>
-
-#include "renderer/gl/shader.hpp"
-
 namespace taut::renderer {
 namespace {
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <span>
-#include <vector>
-
 #include "renderer/frame_view.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/gl/shader.hpp"

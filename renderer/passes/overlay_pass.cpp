@@ -1,8 +1,5 @@
 #include "renderer/passes/overlay_pass.hpp"
 
-#include <algorithm>
-#include <cstddef>
-
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/gl/shader.hpp"
 

@@ -1,9 +1,5 @@
 #include "renderer/passes/surface_pass.hpp"
 
-#include <glm/common.hpp>
-
-#include "renderer/gl/shader.hpp"
-
 namespace taut::renderer {
 
 namespace {

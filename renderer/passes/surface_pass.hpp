@@ -1,10 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <span>
-#include <vector>
-
 #include "renderer/frame_view.hpp"
 #include "renderer/gl/base_colour_map_texture.hpp"
 #include "renderer/gl/frame_block.hpp"

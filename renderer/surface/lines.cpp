@@ -1,12 +1,5 @@
 #include "renderer/surface/lines.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <queue>
-#include <utility>
-
 namespace taut::renderer {
 namespace {
 

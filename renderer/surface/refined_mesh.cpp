@@ -1,11 +1,5 @@
 #include "renderer/surface/refined_mesh.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 namespace taut::renderer {
 namespace {
 

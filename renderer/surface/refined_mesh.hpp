@@ -1,12 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <span>
-#include <vector>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 

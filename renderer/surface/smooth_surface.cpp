@@ -1,11 +1,5 @@
 #include "renderer/surface/smooth_surface.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "renderer/primitives.hpp"
 
 namespace taut::renderer {

@@ -2,12 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numeric>
-#include <utility>
-
 #include "app/drawing/drawing.hpp"
 #include "renderer/page/ticks.hpp"
 

@@ -1,10 +1,5 @@
 #include "app/drawing/plots/plot.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "app/drawing/drawing.hpp"
-
 namespace taut::app {
 
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/plots/axis.hpp"
 #include "renderer/page/canvas.hpp"

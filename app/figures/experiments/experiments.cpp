@@ -2,17 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <map>
-#include <numbers>
-#include <numeric>
-#include <tuple>
-
 #include "app/base/interruption.hpp"
 #include "app/drawing/drawn_scene.hpp"
-#include "app/figures/experiments/recording.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/pins.hpp"
 #include "sim/measures.hpp"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"

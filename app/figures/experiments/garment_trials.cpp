@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 
 #include "app/base/errors.hpp"

@@ -1,14 +1,8 @@
 #include "app/figures/experiments/method_trials.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <stdexcept>
-
 #include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/models/garment_loading.hpp"
 #include "sim/measures.hpp"

@@ -1,7 +1,5 @@
 #include "app/figures/experiments/recording.hpp"
 
-#include <algorithm>
-
 #include "app/base/interruption.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"

@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 #include "app/viewer/panel/user_interface.hpp"

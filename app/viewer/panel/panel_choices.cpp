@@ -1,9 +1,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 #include "app/viewer/state/viewer_state.hpp"

@@ -1,9 +1,5 @@
 #include "app/viewer/panel/panel.hpp"
 
-#include <array>
-#include <string_view>
-#include <utility>
-
 namespace taut::app {
 namespace {
 

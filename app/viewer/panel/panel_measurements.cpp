@@ -1,12 +1,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 

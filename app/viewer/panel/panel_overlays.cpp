@@ -1,10 +1,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "app/drawing/spring_lines.hpp"
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"

@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <string>
-
 #include "app/viewer/panel/panel.hpp"
 
 namespace taut::app {

@@ -1,12 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
 #include "app/viewer/panel/panel_parts.hpp"
 
 namespace taut::app {

@@ -3,12 +3,6 @@
 #include <fontconfig/fontconfig.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstring>
-#include <utility>
-
 namespace taut::app {
 namespace {
 

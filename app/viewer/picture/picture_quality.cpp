@@ -1,7 +1,5 @@
 #include "app/viewer/picture/picture_quality.hpp"
 
-#include <algorithm>
-
 namespace taut::app {
 namespace {
 

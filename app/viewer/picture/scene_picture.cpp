@@ -1,8 +1,5 @@
 #include "app/viewer/picture/scene_picture.hpp"
 
-#include <glm/geometric.hpp>
-#include <utility>
-
 #include "app/drawing/framing.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/mesh/extent.hpp"

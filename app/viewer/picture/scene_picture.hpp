@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <glm/vec3.hpp>
-#include <memory>
-#include <optional>
-#include <tuple>
-
 #include "app/drawing/garment_painter.hpp"
 #include "app/viewer/picture/picture_quality.hpp"
 #include "app/viewer/state/viewer_state.hpp"

@@ -1,12 +1,5 @@
 #include "app/viewer/picture/viewer_picture.hpp"
 
-#include <algorithm>
-#include <functional>
-#include <string_view>
-#include <utility>
-
-#include "renderer/gl/picture_target.hpp"
-
 namespace taut::app {
 namespace {
 

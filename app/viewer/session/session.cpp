@@ -1,12 +1,6 @@
 #include "app/viewer/session/session.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <type_traits>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"

@@ -1,10 +1,5 @@
 #include "app/viewer/simulation/live_simulation.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/stopwatch.hpp"

@@ -1,9 +1,5 @@
 #include "app/viewer/simulation/simulation_command.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <numeric>
-
 namespace taut::app {
 namespace {
 

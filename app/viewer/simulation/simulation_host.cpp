@@ -1,10 +1,6 @@
 #include "app/viewer/simulation/simulation_host.hpp"
 
-#include <fmt/core.h>
 #include <time.h>
-
-#include <algorithm>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
@@ -286,8 +282,8 @@ SnapshotPtr SteppedSimulation::begin_frame(double elapsed_s, const std::optional
   }
   constexpr std::uint64_t most_at_once = 100000;
   if (pace->advances < simulation_.advances() || pace->advances > simulation_.advances() + most_at_once) {
-    throw InputError(fmt::format("the session says {} simulated frames after {} of them", pace->advances,
-                                 simulation_.advances()));
+    throw InputError("the session says {} simulated frames after {} of them", pace->advances,
+                     simulation_.advances());
   }
   while (simulation_.advances() < pace->advances) {
     advance();

@@ -3,11 +3,8 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <deque>
 #include <mutex>
-#include <optional>
 #include <thread>
-#include <vector>
 
 #include "app/viewer/session/session.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"

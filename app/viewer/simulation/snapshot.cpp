@@ -1,9 +1,5 @@
 #include "app/viewer/simulation/snapshot.hpp"
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 namespace taut::app {
 namespace {
 

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "app/base/counted.hpp"
 
 namespace taut::app {
@@ -67,9 +65,10 @@ std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted) {
 }
 
 std::string contact_text(const sim::ContactReport& contact) {
-  const std::string nearest = std::isfinite(contact.smallest_distance_m)
-                                  ? "nearest " + in_little_room(1000.0 * contact.smallest_distance_m, 2) + " mm"
-                                  : std::string("nothing near");
+  const std::string nearest =
+      std::isfinite(contact.smallest_distance_m)
+          ? "nearest " + in_little_room(1000.0 * contact.smallest_distance_m, 2) + " mm"
+          : std::string("nothing near");
   return contact.left_out_share > 0.0
              ? fmt::format("{}, {} pairs cross, {:.1f} % left out", nearest, contact.crossing_pairs,
                            100.0 * contact.left_out_share)

@@ -1,12 +1,5 @@
 #include "app/viewer/state/orbit_camera.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-#include <glm/vec4.hpp>
-#include <numbers>
-
 namespace taut::app {
 namespace {
 

@@ -1,12 +1,9 @@
 #include "app/viewer/state/viewer_state.hpp"
 
-#include <algorithm>
-
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "app/bodies/rig_frames.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "renderer/context/window_event.hpp"
 
 namespace taut::app {

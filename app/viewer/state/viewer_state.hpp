@@ -1,13 +1,6 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <glm/vec2.hpp>
-#include <map>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/simulation/snapshot.hpp"

@@ -21,9 +21,7 @@ constexpr const char* scene_help_text =
 
 std::string unit_symbols() {
   std::string text;
-  for (const Unit& unit : units) {
-    text += std::string(text.empty() ? "" : ", ") + unit.symbol;
-  }
+  for (const Unit& unit : units) text += std::string(text.empty() ? "" : ", ") + unit.symbol;
   return text;
 }
 
@@ -241,14 +239,10 @@ std::function<int()> add_simulate(CLI::App& app) {
 
 void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_with) {
   std::vector<std::string> names;
-  for (const sim::SolverKind kind : sim::all_solver_kinds) {
-    names.emplace_back(sim::name_of(kind));
-  }
+  for (const sim::SolverKind kind : sim::all_solver_kinds) names.emplace_back(sim::name_of(kind));
   const auto set = [&compared_with, known = joined(names, ", ")](const std::string& text) {
     compared_with = solver_named(text);
-    if (!compared_with) {
-      throw UsageError("--compare " + text + ": expected one of " + known);
-    }
+    if (!compared_with) throw UsageError("--compare " + text + ": expected one of " + known);
   };
   command.add_option_function<std::string>(
       "--compare", set, "show the garment a second time, by this solver: " + joined(names, ", "));
@@ -379,14 +373,10 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error,
   const std::vector<std::string> unknown = app.remaining(true);
   const bool is_value = dynamic_cast<const CLI::RequiredError*>(&error) == nullptr &&
                         dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr;
-  if (is_value || unknown.empty()) {
-    return std::string(error.what()) + "; see " + help;
-  }
+  if (is_value || unknown.empty()) return std::string(error.what()) + "; see " + help;
   std::vector<std::string> options;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) {
-      options.push_back("--" + name);
-    }
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
   }
   // In the order of the command line; the first option is wrong, or else what follows it.
   const auto is_unknown = [&](const char* argument) {
@@ -429,9 +419,7 @@ int run_command_line(std::span<const char* const> arguments) {
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      return app.exit(error);
-    }
+    if (error.get_exit_code() == 0) return app.exit(error);
     throw UsageError(what_is_wrong(app, error, arguments));
   }
   const std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });

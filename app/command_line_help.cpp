@@ -23,15 +23,9 @@ std::vector<std::string> command_names(const CLI::App& app) {
 std::string help_about(CLI::App& app, const std::string& topic) {
   // Else it would be the help of the command that was asked for, which is help.
   app.clear();
-  if (topic.empty()) {
-    return app.help();
-  }
-  if (topic == "scene") {
-    return scene_help();
-  }
-  if (topic == "stats") {
-    return statistics_help();
-  }
+  if (topic.empty()) return app.help();
+  if (topic == "scene") return scene_help();
+  if (topic == "stats") return statistics_help();
   std::vector<std::string> topics = command_names(app);
   if (std::find(topics.begin(), topics.end(), topic) == topics.end()) {
     topics.insert(topics.end(), {"scene", "stats"});
@@ -59,9 +53,7 @@ void require_command(const CLI::App& app, std::span<const char* const> arguments
   const std::string first = arguments.size() > 1 ? arguments[1] : "";
   const std::vector<std::string> names = command_names(app);
   const auto is_asked_for = [&](const CLI::App* command) { return command->get_name() == first; };
-  if (first.starts_with('-') || !app.get_subcommands(is_asked_for).empty()) {
-    return;
-  }
+  if (first.starts_with('-') || !app.get_subcommands(is_asked_for).empty()) return;
   throw UsageError((first.empty() ? "expected a command" : "there is no command '" + first + '\'') +
                    did_you_mean(first, names) + " (commands: " + joined(names) + "; taut help says more)");
 }

@@ -24,9 +24,7 @@ constexpr std::array<NamedSize, 6> named_sizes = {{{"720p", {1280, 720}},
 template <class Names>
 std::string names_of(const Names& entries) {
   std::vector<std::string> names;
-  for (const auto& entry : entries) {
-    names.emplace_back(entry.name);
-  }
+  for (const auto& entry : entries) names.emplace_back(entry.name);
   return joined(names, ", ");
 }
 
@@ -56,9 +54,7 @@ std::string direction_from(double angle_deg) {
 const char* const size_help = "WIDTHxHEIGHT in pixels, or 720p, 1080p, 1440p, 4K, 8K (default 1280x720)";
 
 renderer::Resized parse_size(const std::string& text, const std::string& option) {
-  if (const NamedSize* named = find_named(named_sizes, text)) {
-    return named->size;
-  }
+  if (const NamedSize* named = find_named(named_sizes, text)) return named->size;
   const std::size_t between = text.find_first_of(",xX");
   const bool is_pair = between != std::string::npos;
   const auto width = number_in<int>(std::string_view(text).substr(0, between));
@@ -83,9 +79,7 @@ void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
 void add_side(CLI::App& command, std::vector<Override>& overrides) {
   const auto set = [&overrides](const std::string& text) {
     const Side* const side = find_named(sides, text);
-    if (side == nullptr) {
-      throw UsageError("--view " + text + ": expected one of " + names_of(sides));
-    }
+    if (side == nullptr) throw UsageError("--view " + text + ": expected one of " + names_of(sides));
     for (const char* key : {"camera.box", "camera.eye", "camera.target"}) {
       overrides.push_back({key, "auto", "--view " + text});
     }
@@ -106,9 +100,7 @@ void add_wind(CLI::App& command, std::vector<Override>& overrides) {
       throw UsageError(option + ": expected SPEED or SPEED@ANGLE, in m/s and degrees, such as 4@90");
     }
     overrides.push_back({"wind.speed", text.substr(0, at), option});
-    if (angle_deg) {
-      overrides.push_back({"wind.direction", direction_from(*angle_deg), option});
-    }
+    if (angle_deg) overrides.push_back({"wind.direction", direction_from(*angle_deg), option});
   };
   command.add_option_function<std::string>(
       "--wind", set,

@@ -35,9 +35,7 @@ void run_gathered(const FrameStages& stages,
   std::vector<FrameInWork> frames;
   std::exception_ptr simulating_failed;
   try {
-    while (std::optional<FrameInWork> frame = stages.simulate()) {
-      frames.push_back(std::move(*frame));
-    }
+    while (std::optional<FrameInWork> frame = stages.simulate()) frames.push_back(std::move(*frame));
   } catch (const Interrupted&) {
     throw;
   } catch (...) {
@@ -49,9 +47,7 @@ void run_gathered(const FrameStages& stages,
     return next < frames.size() ? std::optional(std::move(frames[next++])) : std::nullopt;
   };
   run_overlapped(rest);
-  if (simulating_failed != nullptr) {
-    std::rethrow_exception(simulating_failed);
-  }
+  if (simulating_failed != nullptr) std::rethrow_exception(simulating_failed);
 }
 
 void run_overlapped(const FrameStages& stages) {
@@ -63,17 +59,13 @@ void run_overlapped(const FrameStages& stages) {
   std::thread simulating([&] {
     simulating_failed = error_of([&] {
       std::optional<FrameInWork> frame = stages.simulate();
-      while (frame && simulated.push(std::move(*frame))) {
-        frame = stages.simulate();
-      }
+      while (frame && simulated.push(std::move(*frame))) frame = stages.simulate();
     });
     simulated.close();
   });
   std::thread writing([&] {
     writing_failed = error_of([&] {
-      while (std::optional<FrameInWork> frame = drawn.pop()) {
-        stages.write(*frame);
-      }
+      while (std::optional<FrameInWork> frame = drawn.pop()) stages.write(*frame);
     });
     drawn.abandon();
   });
@@ -91,9 +83,7 @@ void run_overlapped(const FrameStages& stages) {
 
   // A later stage works on an earlier frame.
   for (const std::exception_ptr& error : std::array{writing_failed, drawing_failed, simulating_failed}) {
-    if (error != nullptr) {
-      std::rethrow_exception(error);
-    }
+    if (error != nullptr) std::rethrow_exception(error);
   }
 }
 

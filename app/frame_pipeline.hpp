@@ -19,9 +19,7 @@ class BoundedQueue {
   bool push(T item) {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] { return items_.size() < capacity_ || abandoned_; });
-    if (abandoned_) {
-      return false;
-    }
+    if (abandoned_) return false;
     items_.push_back(std::move(item));
     filled_.notify_one();
     return true;
@@ -37,9 +35,7 @@ class BoundedQueue {
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);
     filled_.wait(lock, [this] { return !items_.empty() || closed_; });
-    if (items_.empty()) {
-      return std::nullopt;
-    }
+    if (items_.empty()) return std::nullopt;
     std::optional<T> item(std::move(items_.front()));
     items_.pop_front();
     room_.notify_one();

@@ -158,13 +158,9 @@ Camera fit_camera_to_points(std::span<const glm::vec3> points, const Framing& fr
   check(box, framing, aspect);
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
   const glm::vec3 half = 0.5F * (box.upper - box.lower);
-  if (std::max({half.x, half.y, half.z}) < smallest_half_m) {
-    return fit_camera_to_box(box, framing, aspect);
-  }
+  if (std::max({half.x, half.y, half.z}) < smallest_half_m) return fit_camera_to_box(box, framing, aspect);
   std::vector<glm::vec3> from_middle(points.begin(), points.end());
-  for (glm::vec3& point : from_middle) {
-    point -= middle;
-  }
+  for (glm::vec3& point : from_middle) point -= middle;
   return fitted(from_middle, middle, half, framing, aspect);
 }
 

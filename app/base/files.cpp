@@ -26,9 +26,7 @@ fs::path folder_of(const fs::path& file) {
 bool is_written_straight(const fs::path& path) {
   std::error_code error;
   const fs::path link = fs::read_symlink(path, error);
-  if (link.string().starts_with("/proc/") || path.string().starts_with("/proc/")) {
-    return true;
-  }
+  if (link.string().starts_with("/proc/") || path.string().starts_with("/proc/")) return true;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
@@ -77,15 +75,9 @@ std::string host_name() {
 void require_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) {
-    throw InputError("there is no file '" + path.string() + "'");
-  }
-  if (error) {
-    throw InputError("cannot read '" + path.string() + "': " + error.message());
-  }
-  if (fs::is_directory(status)) {
-    throw InputError("'" + path.string() + "' is a folder, not a file");
-  }
+  if (status.type() == fs::file_type::not_found) throw InputError("there is no file '" + path.string() + "'");
+  if (error) throw InputError("cannot read '" + path.string() + "': " + error.message());
+  if (fs::is_directory(status)) throw InputError("'" + path.string() + "' is a folder, not a file");
   if (::access(path.c_str(), R_OK) != 0) {
     throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
   }
@@ -99,9 +91,7 @@ std::string read_text_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
-  if (!file) {
-    throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
-  }
+  if (!file) throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
   return text.str();
 }
 
@@ -109,15 +99,11 @@ void prepare_folder_of(const fs::path& file) {
   const fs::path folder = folder_of(file);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) {
-    throw InputError("cannot make the output folder '" + folder.string() + "': " + error.message());
-  }
+  if (error) throw InputError("cannot make the output folder '" + folder.string() + "': " + error.message());
   if (fs::is_directory(file, error)) {
     throw InputError("cannot write '" + file.string() + "': there is a folder of this name");
   }
-  if (is_written_straight(file)) {
-    return;
-  }
+  if (is_written_straight(file)) return;
   // Asking for permissions is not enough: a read-only file system, a full quota. Another thread may ask too.
   std::string probe = folder / ".taut.part-XXXXXX";
   const int descriptor = ::mkostemp(probe.data(), O_CLOEXEC);
@@ -132,9 +118,7 @@ fs::path free_name(const fs::path& folder, const std::string& stem, const std::s
   std::error_code error;
   for (int n = 1;; ++n) {
     fs::path path = folder / (stem + '-' + std::to_string(n) + extension);
-    if (!fs::exists(path, error)) {
-      return path;
-    }
+    if (!fs::exists(path, error)) return path;
   }
 }
 
@@ -144,18 +128,14 @@ void write_text_file(const fs::path& path, const std::string& text) {
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   if (is_written_straight(path)) {
-    if (const auto reason = try_to_write(path, bytes, std::ios::app)) {
-      fail_to_write(path, *reason);
-    }
+    if (const auto reason = try_to_write(path, bytes, std::ios::app)) fail_to_write(path, *reason);
     return;
   }
   const fs::path temporary = temporary_name(path);
   // By which the temporary file is also found in a folder that somebody renames meanwhile.
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   try {
-    if (const auto reason = try_to_write(temporary, bytes, std::ios::trunc)) {
-      fail_to_write(path, *reason);
-    }
+    if (const auto reason = try_to_write(temporary, bytes, std::ios::trunc)) fail_to_write(path, *reason);
     put_in_place(temporary, path);
   } catch (...) {
     ::unlinkat(folder.number() >= 0 ? folder.number() : AT_FDCWD,

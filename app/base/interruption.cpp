@@ -27,9 +27,7 @@ void watch_for_interruption() {
 }
 
 void throw_if_interrupted() {
-  if (received_signal != 0) {
-    throw Interrupted(received_signal);
-  }
+  if (received_signal != 0) throw Interrupted(received_signal);
 }
 
 void end_by_signal(int signal) {

@@ -55,9 +55,7 @@ class JobRunner {
       try {
         jobs_[job].work([this, job](double fraction) {
           fractions_[job] = fraction;
-          if (stop_) {
-            throw GivenUp{};
-          }
+          if (stop_) throw GivenUp{};
         });
         fractions_[job] = 1.0;
         note([&] { finished_.push_back(job); });
@@ -87,9 +85,7 @@ class JobRunner {
       throw_if_interrupted();
       show_progress();
     }
-    if (error_) {
-      std::rethrow_exception(error_);
-    }
+    if (error_) std::rethrow_exception(error_);
     const std::size_t job = finished_.front();
     finished_.pop_front();
     return job;

@@ -35,9 +35,7 @@ class Judge {
       broken = fmt::format("frame {}: the solver could not make sure of it", frame);
     }
     const bool is_broken = !broken.empty();
-    if (run_.first_broken.empty()) {
-      run_.first_broken = std::move(broken);
-    }
+    if (run_.first_broken.empty()) run_.first_broken = std::move(broken);
     run_.stretch = holds_surface_ ? verifier_.largest().surface : verifier_.largest().springs;
     return {cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(),
             is_broken};
@@ -107,15 +105,11 @@ Scene with_settings(Scene scene, const std::vector<Setting>& settings) {
 std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickness_m, std::uint64_t seed) {
   std::vector<sim::Vec3> start_m = cloth.start_m.value_or(cloth.garment->mesh.positions);
   std::vector<bool> is_pinned(start_m.size(), false);
-  for (const sim::Index pin : cloth.pins) {
-    is_pinned[pin] = true;
-  }
+  for (const sim::Index pin : cloth.pins) is_pinned[pin] = true;
   std::mt19937_64 random(seed);
   for (std::size_t v = 0; v < start_m.size(); ++v) {
     const double x = random_share(random), y = random_share(random), z = random_share(random);
-    if (!is_pinned[v]) {
-      start_m[v] += jitter_part * thickness_m * sim::Vec3(x, y, z);
-    }
+    if (!is_pinned[v]) start_m[v] += jitter_part * thickness_m * sim::Vec3(x, y, z);
   }
   return start_m;
 }
@@ -125,9 +119,7 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
   Scene awake = scene;
   awake.simulation.rest.speed_m_per_s = 0.0;
   GarmentInScene begun = cloth;
-  if (seed != 0) {
-    begun.start_m = jittered_start(cloth, cloth.garment->material.thickness_m, seed);
-  }
+  if (seed != 0) begun.start_m = jittered_start(cloth, cloth.garment->material.thickness_m, seed);
   sim::Simulation simulation = make_simulation(awake, begun);
   ContactRun run;
   run.seed = seed;
@@ -210,9 +202,7 @@ std::vector<ContactCase> quick_contact_cases() {
       {"hang", "hang"}};
   for (ContactCase& one : cases) {
     one.frames = 60;
-    for (std::vector<Setting>& settings : one.runs) {
-      settings.push_back({"solver.threads", "1"});
-    }
+    for (std::vector<Setting>& settings : one.runs) settings.push_back({"solver.threads", "1"});
   }
   return cases;
 }

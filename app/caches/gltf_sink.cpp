@@ -60,9 +60,7 @@ class Buffer {
     using Number = typename Numbers::value_type;
     Json view = {
         {"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", numbers.size() * sizeof(Number)}};
-    if (target != 0) {
-      view["target"] = target;
-    }
+    if (target != 0) view["target"] = target;
     for (const Number number : numbers) {
       const auto little = sim::little_endian(number);
       bytes_.append(little.begin(), little.end());
@@ -179,17 +177,13 @@ GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
   rest_["NORMAL"] = buffer_.add(rest_normals_, "VEC3", 3, vertex_data);
   if (!loaded.colours.corner_uv.empty()) {
     std::vector<float> uv;
-    for (const glm::vec2& at : vertices_.uv) {
-      uv.insert(uv.end(), {at.x, 1.0F - at.y});
-    }
+    for (const glm::vec2& at : vertices_.uv) uv.insert(uv.end(), {at.x, 1.0F - at.y});
     rest_["TEXCOORD_0"] = buffer_.add(uv, "VEC2", 2, vertex_data);
   }
 }
 
 void GltfSink::write(int frame, const WrittenMoment& moment) {
-  if (!settings_.frames.contains(frame)) {
-    return;
-  }
+  if (!settings_.frames.contains(frame)) return;
   const std::vector<sim::Vec3> positions_m = loaded_.shown_m(moment.state.current);
   std::vector<float> moved = flat_numbers(in_single_precision(positions_m));
   std::vector<float> turned = flat_numbers(mesh_normals(loaded_.shown_mesh(), positions_m));
@@ -258,9 +252,7 @@ Json GltfSink::animation() {
 
 std::string GltfSink::finish() {
   const std::size_t frames = targets_.size();
-  if (frames == 0) {
-    return "wrote nothing";
-  }
+  if (frames == 0) return "wrote nothing";
   Json description;
   description["asset"] = {{"version", "2.0"}, {"generator", "taut " + program_version()}};
   description["scene"] = 0;

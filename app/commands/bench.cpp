@@ -38,9 +38,7 @@ ContactTrial run_trial(const ContactCase& one, std::optional<double> bound, cons
   ContactTrial trial = {one.name, 0.0, 0, {}};
   for (const std::vector<Setting>& settings : one.runs) {
     Scene scene = with_settings(find_scene(one.scene, {}), settings);
-    if (bound) {
-      scene = with_settings(std::move(scene), {{"solver.max_stretch", fmt::format("{}", *bound)}});
-    }
+    if (bound) scene = with_settings(std::move(scene), {{"solver.max_stretch", fmt::format("{}", *bound)}});
     scene.simulation.solver.bounded.vector_unit = measured_vector_unit();
     load_bodies(scene);
     const LoadedGarment loaded = load_garment(scene);
@@ -62,9 +60,7 @@ ContactTrial run_trial(const ContactCase& one, std::optional<double> bound, cons
 }
 
 void print(const std::string& text, Progress* progress) {
-  if (progress != nullptr) {
-    progress->hide();
-  }
+  if (progress != nullptr) progress->hide();
   fmt::print("{}", text);
   std::fflush(stdout);
 }
@@ -76,26 +72,18 @@ int run(const BenchOptions& options) {
   const bool shows_table = !options.csv && !options.quiet;
   std::vector<ContactTrial> trials;
   std::optional<Progress> progress;
-  if (!options.quiet) {
-    progress.emplace("bench");
-  }
+  if (!options.quiet) progress.emplace("bench");
   Progress* const shown = progress ? &*progress : nullptr;
-  if (shows_table) {
-    print(contact_head(sim::name_of(measured_vector_unit())), shown);
-  }
+  if (shows_table) print(contact_head(sim::name_of(measured_vector_unit())), shown);
   std::vector<std::optional<double>> bounds(options.bounds.begin(), options.bounds.end());
   bounds.resize(std::max<std::size_t>(1, bounds.size()));
   for (const ContactCase& one : cases) {
     for (const std::optional<double>& bound : bounds) {
       trials.push_back(run_trial(one, bound, options, shown));
-      if (shows_table) {
-        print(contact_row(trials.back()), shown);
-      }
+      if (shows_table) print(contact_row(trials.back()), shown);
     }
   }
-  if (options.csv) {
-    print(contact_csv(trials), shown);
-  }
+  if (options.csv) print(contact_csv(trials), shown);
   const bool have_all_passed = std::all_of(trials.begin(), trials.end(), [](const ContactTrial& trial) {
     return facts_of(trial.runs).passed == trial.runs.size();
   });

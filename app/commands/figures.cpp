@@ -27,9 +27,7 @@ class FigureWriter {
     const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
     write_file(noted(figure.name + ".png"), renderer::encode_png(picture, texts));
     write_pdf(noted(figure.name + ".pdf"), drawing, figure.title);
-    if (figure.csv != nullptr) {
-      write_text_file(noted(figure.name + ".csv"), figure.csv(results));
-    }
+    if (figure.csv != nullptr) write_text_file(noted(figure.name + ".csv"), figure.csv(results));
     if (figure.shapes_csv != nullptr) {
       write_text_file(noted(figure.name + "_shapes.csv"), figure.shapes_csv(results));
     }
@@ -58,9 +56,7 @@ class FigureWriter {
 
   // Over the line of progress, if there is one.
   void tell() {
-    for (const std::filesystem::path& path : written_) {
-      fmt::print("wrote {}\n", path.string());
-    }
+    for (const std::filesystem::path& path : written_) fmt::print("wrote {}\n", path.string());
     std::fflush(stdout);
     written_.clear();
   }
@@ -83,9 +79,7 @@ std::vector<Figure> wanted_figures(const std::vector<std::string>& only) {
 
 std::vector<Experiment> experiments_for(const std::vector<Figure>& figures, bool with_report) {
   std::set<Experiment> needed;
-  for (const Figure& figure : figures) {
-    needed.insert(figure.needs.begin(), figure.needs.end());
-  }
+  for (const Figure& figure : figures) needed.insert(figure.needs.begin(), figure.needs.end());
   if (with_report) {
     needed.insert(
         {Experiment::stiffnesses, Experiment::strong_runs, Experiment::garments, Experiment::restart});
@@ -97,14 +91,10 @@ std::vector<Experiment> experiments_for(const std::vector<Figure>& figures, bool
 void read_and_draw(const std::vector<Figure>& figures, const std::filesystem::path& folder, Results& results,
                    FigureWriter& writer) {
   for (const Figure& figure : figures) {
-    if (figure.read != nullptr) {
-      figure.read(folder, results);
-    }
+    if (figure.read != nullptr) figure.read(folder, results);
   }
   for (const Figure& figure : figures) {
-    if (figure.read != nullptr) {
-      writer.write(figure, results);
-    }
+    if (figure.read != nullptr) writer.write(figure, results);
   }
 }
 
@@ -112,9 +102,7 @@ void read_and_draw(const std::vector<Figure>& figures, const std::filesystem::pa
 void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Experiment>& experiments,
                        Results& results, FigureWriter& writer) {
   std::vector<Job> jobs;
-  for (const Experiment experiment : experiments) {
-    jobs.push_back(job_of(experiment, results));
-  }
+  for (const Experiment experiment : experiments) jobs.push_back(job_of(experiment, results));
   std::set<Experiment> done;
   run_jobs(jobs, std::thread::hardware_concurrency(), [&](std::size_t job) {
     done.insert(experiments[job]);
@@ -124,9 +112,7 @@ void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Exp
           std::find(figure.needs.begin(), figure.needs.end(), experiments[job]) != figure.needs.end() &&
           std::all_of(figure.needs.begin(), figure.needs.end(),
                       [&](Experiment e) { return done.contains(e); });
-      if (is_ready) {
-        writer.write(figure, results);
-      }
+      if (is_ready) writer.write(figure, results);
     }
   });
 }
@@ -152,12 +138,8 @@ int run(const FiguresOptions& options) {
       writer.write(figure, results);
     }
   }
-  if (with_report) {
-    writer.write_report(results);
-  }
-  if (are_several) {
-    writer.write_contact_sheet();
-  }
+  if (with_report) writer.write_report(results);
+  if (are_several) writer.write_contact_sheet();
   return 0;
 }
 

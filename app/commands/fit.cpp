@@ -98,9 +98,7 @@ Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn
 int run(const FitOptions& asked) {
   FitOptions options = asked;
   DrawnScene scene = scene_of(options);
-  if (options.output.empty()) {
-    options.output = scene.name + "-fit.png";
-  }
+  if (options.output.empty()) options.output = scene.name + "-fit.png";
   if (options.output.extension() != ".png") {
     throw UsageError("--output " + options.output.string() + ": expected a name that ends in .png");
   }

@@ -57,9 +57,7 @@ DrawnScene scene_of(const InspectOptions& options) {
 
 int run(const InspectOptions& options) {
   DrawnScene scene = scene_of(options);
-  if (options.garment.empty()) {
-    return inspect_bodies(options, scene);
-  }
+  if (options.garment.empty()) return inspect_bodies(options, scene);
   print_body_remarks(scene, load_bodies(scene), options.json ? stderr : stdout);
   if (!options.picture.empty()) {
     if (options.picture.extension() != ".png") {

@@ -111,9 +111,7 @@ class PictureOutput {
 
   /// Says what was written.
   std::string finish() {
-    if (!video_) {
-      return describe_written(*pattern_, written_);
-    }
+    if (!video_) return describe_written(*pattern_, written_);
     video_->finish();
     const int left_out = static_cast<int>(written_.size()) - video_->frames();
     return fmt::format(
@@ -175,9 +173,7 @@ std::vector<int> frames_left(std::span<const int> frames, const PictureOutput& o
       continue;
     }
     const std::string obstacle = obstacle_to_resuming(file, frame, origin);
-    if (!obstacle.empty()) {
-      fail_to_resume(obstacle);
-    }
+    if (!obstacle.empty()) fail_to_resume(obstacle);
   }
   return left;
 }
@@ -188,9 +184,7 @@ void take_camera_of_existing(std::span<const int> frames, DrawnScene& scene, con
   const auto there = std::find_if(frames.begin(), frames.end(), [&](int frame) {
     return std::filesystem::exists(output.path_of(frame), error);
   });
-  if (there == frames.end() || !is_fitted(scene)) {
-    return;
-  }
+  if (there == frames.end() || !is_fitted(scene)) return;
   try {
     const DrawnScene made = read_picture_record(output.path_of(*there), {}).scene;
     scene.camera = made.camera;
@@ -260,9 +254,7 @@ class Render {
     run_.open_statistics({run_.scene, run_.simulation->garment(), run_.simulation->pins().vertices.size(),
                           offscreen_->gl_renderer(), options_.verify},
                          std::nullopt);
-    if (!options_.shapes.empty()) {
-      run_.shapes = open_sink(exported, run_.loaded, *run_.simulation);
-    }
+    if (!options_.shapes.empty()) run_.shapes = open_sink(exported, run_.loaded, *run_.simulation);
     run_.progress.begin("preparing the first frame");
     LostGarment lost(frames_);
     connect(lost);
@@ -279,9 +271,7 @@ class Render {
 
   void choose_frames() {
     frames_ = job_.frames;
-    if (!options_.resume) {
-      return;
-    }
+    if (!options_.resume) return;
     take_camera_of_existing(job_.frames, run_.scene, output_);
     frames_ = frames_left(job_.frames, output_, origin());
     if (frames_.size() < job_.frames.size()) {
@@ -299,9 +289,7 @@ class Render {
   // Rows come with the frames, which all are simulated before the first is drawn where the camera is fitted.
   void report(const std::string& done, const FrameRecord& record) {
     const int last = job_.frames.back();
-    if (run_.statistics && done != "drawn") {
-      run_.statistics->add(record);
-    }
+    if (run_.statistics && done != "drawn") run_.statistics->add(record);
     run_.progress.show(fmt::format("frame {} of {}{}{}{}, stretch {:.2f} %, of the surface {:.2f} %",
                                    record.frame, last, done.empty() ? "" : " ", done,
                                    time_left(1e-3 * since_start_.elapsed_ms(), record.frame, last),
@@ -311,9 +299,7 @@ class Render {
   void fit_camera(std::span<const FrameInWork> gathered) {
     FittedView fitted(run_.scene, run_.simulation->garment());
     for (const FrameInWork& frame : gathered) {
-      if (!frame.positions.empty()) {
-        fitted.add(frame.positions, frame.record.time_s);
-      }
+      if (!frame.positions.empty()) fitted.add(frame.positions, frame.record.time_s);
     }
     fitted.place_camera(run_.scene);
     begin_drawing();
@@ -350,9 +336,7 @@ class Render {
 
   int finish(const std::vector<FrameRecord>& records) {
     RunSummary summary;
-    for (const FrameRecord& record : records) {
-      summary.add(record);
-    }
+    for (const FrameRecord& record : records) summary.add(record);
     run_.progress.begin("finishing " + job_.output);
     const std::string written = output_.finish() + '\n' + run_.finish_shapes();
     run_.progress.hide();

@@ -29,9 +29,7 @@ SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE*
 }
 
 void SceneRun::require_outputs(const ExportSettings& settings) const {
-  if (!options.shapes.empty()) {
-    require_export(settings, scene.garment.file);
-  }
+  if (!options.shapes.empty()) require_export(settings, scene.garment.file);
   if (!options.statistics.empty()) {
     statistics_format(options.statistics);
     prepare_folder_of(options.statistics);
@@ -44,15 +42,11 @@ void SceneRun::load(const std::function<void()>& meanwhile) {
   };
   std::future<LoadedGarment> garment =
       std::async(meanwhile ? std::launch::async : std::launch::deferred, read);
-  if (meanwhile) {
-    meanwhile();
-  }
+  if (meanwhile) meanwhile();
   loaded = garment.get();
   progress.hide();
   print_body_remarks(scene, put_where_it_begins(loaded, scene), remarks);
-  if (remarks != nullptr) {
-    print_remarks(scene, loaded, remarks);
-  }
+  if (remarks != nullptr) print_remarks(scene, loaded, remarks);
   simulation.emplace(make_simulation(scene, loaded));
 }
 
@@ -67,16 +61,12 @@ int SceneRun::begin() {
 }
 
 void SceneRun::open_statistics(const RunDescription& description, std::optional<int> last_kept) {
-  if (!options.statistics.empty()) {
-    statistics.emplace(options.statistics, description, last_kept);
-  }
+  if (!options.statistics.empty()) statistics.emplace(options.statistics, description, last_kept);
 }
 
 std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern,
                                       OffscreenRenderer* offscreen) {
-  if (shapes) {
-    outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment); };
-  }
+  if (shapes) outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment); };
   if (options.verify) {
     outputs.verify = [this](const auto& moment, FrameRecord& record) {
       return verifier.check(moment, record);
@@ -84,9 +74,7 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
   }
   const auto end_early = [this] {
     progress.hide();
-    if (keep) {
-      keep();
-    }
+    if (keep) keep();
     const std::string written = finish_shapes();
     fmt::print("{}", is_told ? written : "");
   };
@@ -111,9 +99,7 @@ void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::
     const std::filesystem::path file = free_name(folder_beside(pattern, error.frame), "blocked", ".png");
     prepare_folder_of(file);
     std::optional<OffscreenRenderer> own;
-    if (offscreen == nullptr) {
-      offscreen = &own.emplace("auto");
-    }
+    if (offscreen == nullptr) offscreen = &own.emplace("auto");
     write_file(file, renderer::encode_png(draw_blocked(offscreen->renderer(), scene, simulation,
                                                        error.blocked, error.what())));
     shown = fmt::format("'{}' shows where, in the frame before", file.string());

@@ -17,9 +17,7 @@ namespace {
 std::string meaning_of(const SceneFormat<DrawnScene>& format, const std::string& name) {
   const auto key = std::find_if(format.keys.begin(), format.keys.end(),
                                 [&](const Key<DrawnScene>& known) { return known.name == name; });
-  if (key == format.keys.end() || key->meaning.empty()) {
-    return "";
-  }
+  if (key == format.keys.end() || key->meaning.empty()) return "";
   const std::string first_sentence = key->meaning.substr(0, key->meaning.find(". "));
   return "# " + first_sentence + (key->unit.empty() ? "" : " (" + key->unit + ")") + '\n';
 }
@@ -48,9 +46,7 @@ std::string commented(const std::string& text) {
 
 int show(const std::string& name) {
   const FoundScene found = locate_scene(name);
-  if (found.is_garment) {
-    throw UsageError(name + ": expected a scene, found a garment file");
-  }
+  if (found.is_garment) throw UsageError(name + ": expected a scene, found a garment file");
   fmt::print(
       "# A scene of taut to start from: taut render FILE.toml draws it, taut help scene lists all keys.\n{}",
       commented(read_text_file(found.file)));
@@ -92,17 +88,13 @@ void write_picture(const FabricsOptions& options) {
 }  // namespace
 
 int run(const ScenesOptions& options) {
-  if (!options.show.empty()) {
-    return show(options.show);
-  }
+  if (!options.show.empty()) return show(options.show);
   const std::vector<BuiltInScene> scenes = built_in_scenes();
   if (scenes.empty()) {
     throw InputError("no built-in scenes were found; set TAUT_ASSETS to the folder that holds scenes/");
   }
   std::size_t width = 0;
-  for (const BuiltInScene& scene : scenes) {
-    width = std::max(width, scene.name.size());
-  }
+  for (const BuiltInScene& scene : scenes) width = std::max(width, scene.name.size());
   bool is_of_contact = scenes.front().is_of_contact;
   for (const BuiltInScene& scene : scenes) {
     fmt::print("{}{:<{}}  {}\n", scene.is_of_contact == is_of_contact ? "" : "\n", scene.name, width,

@@ -40,9 +40,7 @@ void require_index(const Sweep& sweep, std::size_t index) {
 std::size_t task_of_slurm() {
   const char* text = std::getenv("SLURM_ARRAY_TASK_ID");
   const std::optional<std::size_t> task = number_in<std::size_t>(text != nullptr ? text : "");
-  if (!task) {
-    throw UsageError("expected --index, --task or --all, or $SLURM_ARRAY_TASK_ID as Slurm sets it");
-  }
+  if (!task) throw UsageError("expected --index, --task or --all, or $SLURM_ARRAY_TASK_ID as Slurm sets it");
   return *task;
 }
 
@@ -62,9 +60,7 @@ int run_some(const SweepOptions& options, const Sweep& sweep) {
     const Attempt attempt = attempt_run(sweep, run);
     say(run, attempt);
     worst.add(attempt.end);
-    if (attempt.end == AttemptEnd::stopped) {
-      break;
-    }
+    if (attempt.end == AttemptEnd::stopped) break;
   }
   return worst.exit_code();
 }
@@ -102,9 +98,7 @@ int run_all(const SweepOptions& options, const Sweep& sweep) {
   }
   const SweepStatus status = status_of(sweep);
   fmt::print("{}\n", told(status, sweep));
-  if (status.broken > 0) {
-    worst.add(AttemptEnd::broken);
-  }
+  if (status.broken > 0) worst.add(AttemptEnd::broken);
   return worst.exit_code();
 }
 
@@ -115,9 +109,7 @@ int status(const SweepOptions& options, const Sweep& sweep) {
     return 0;
   }
   fmt::print("{}\n", told(status, sweep));
-  if (!status.first_failure.empty()) {
-    fmt::print("the first that failed: {}\n", status.first_failure);
-  }
+  if (!status.first_failure.empty()) fmt::print("the first that failed: {}\n", status.first_failure);
   return 0;
 }
 
@@ -200,9 +192,7 @@ int submit(const SweepOptions& options, const Sweep& sweep) {
 }  // namespace
 
 int run(const SweepOptions& options) {
-  if (options.action == SweepAction::plan) {
-    return plan(options);
-  }
+  if (options.action == SweepAction::plan) return plan(options);
   const Sweep sweep = read_sweep(options.folder);
   switch (options.action) {
     case SweepAction::run:

@@ -99,9 +99,7 @@ void DrawnBodies::set_detail(float pixels_per_m, std::optional<float> shortest_e
 
 void DrawnBodies::place(double time_s, std::span<const float> rooms_m) {
   const bool stays = placed_s_ && (!move_ || *placed_s_ == time_s);
-  if (stays && rooms_m.empty()) {
-    return;
-  }
+  if (stays && rooms_m.empty()) return;
   for (auto& [body, mesh] : meshes_) {
     mesh.surface->place(
         mesh_positions(bodies_[body], time_s),
@@ -134,9 +132,7 @@ std::vector<renderer::SurfaceView> DrawnBodies::views() const {
 std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions) {
   std::vector<glm::vec3> lines;
   const auto speed = static_cast<float>(wind.speed_m_per_s);
-  if (speed <= 0.0F) {
-    return lines;
-  }
+  if (speed <= 0.0F) return lines;
   const glm::vec3 along = glm::normalize(glm::vec3(wind.direction));
   const glm::vec3 up_ish = std::abs(along.y) < 0.9F ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
   const glm::vec3 right = glm::normalize(glm::cross(along, up_ish));

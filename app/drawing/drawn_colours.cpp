@@ -52,9 +52,7 @@ bool has_own(const SurfaceColours& colours) {
 }
 
 DrawnColours colours_of(const PictureStyle& style, const GarmentInScene& loaded) {
-  if (names_image(style.texture)) {
-    return print(style, loaded.colours);
-  }
+  if (names_image(style.texture)) return print(style, loaded.colours);
   const bool is_coloured = style.cloth.outside_colour != renderer::SurfaceStyle().outside_colour;
   if (style.texture == no_texture || is_coloured || !has_own(loaded.colours)) {
     return {loaded.colours.corner_uv, {}, {}};

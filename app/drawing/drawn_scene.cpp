@@ -76,9 +76,7 @@ DrawnScene find_scene(const std::string& name, std::span<const Override> overrid
     return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
   };
   // The scene's floor may not be where another body stands.
-  if (gives("body.file") && !gives("picture.ground")) {
-    scene.picture.ground = {};
-  }
+  if (gives("body.file") && !gives("picture.ground")) scene.picture.ground = {};
   return scene;
 }
 
@@ -109,9 +107,7 @@ std::string scene_help() {
       "garment.file and [garment.grid]. The same keys work with --set KEY=VALUE.\n"
       "A length, speed, weight, angle or time may carry its unit: \"1 mm\", \"36 km/h\".\n\n";
   const DrawnScene defaults;
-  for (const Key<DrawnScene>& key : drawn_scene_format().keys) {
-    text += describe_key(key, defaults);
-  }
+  for (const Key<DrawnScene>& key : drawn_scene_format().keys) text += describe_key(key, defaults);
   return text + list_entries_help();
 }
 

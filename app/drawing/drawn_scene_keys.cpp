@@ -21,9 +21,7 @@ Key<DrawnScene> whole(std::string name, double lowest, double highest, auto acce
 
 std::optional<std::array<double, 2>> two_rising_numbers(const toml::node& value) {
   const toml::array* list = value.as_array();
-  if (list == nullptr || list->size() != 2) {
-    return std::nullopt;
-  }
+  if (list == nullptr || list->size() != 2) return std::nullopt;
   const auto low = finite_number(list->front());
   const auto high = finite_number(list->back());
   return low && high && *low < *high ? std::optional(std::array{*low, *high}) : std::nullopt;
@@ -55,15 +53,11 @@ Key<DrawnScene> auto_key(std::string name, std::string expected, Access access, 
 
 std::optional<renderer::Box> box_in(const toml::node& value) {
   const toml::array* list = value.as_array();
-  if (list == nullptr || list->size() != 2) {
-    return std::nullopt;
-  }
+  if (list == nullptr || list->size() != 2) return std::nullopt;
   const auto lower = three_numbers(list->front());
   const auto upper = three_numbers(list->back());
   for (std::size_t i = 0; lower && upper && i < 3; ++i) {
-    if ((*lower)[i] > (*upper)[i]) {
-      return std::nullopt;
-    }
+    if ((*lower)[i] > (*upper)[i]) return std::nullopt;
   }
   return lower && upper ? std::optional(renderer::Box{to_vec3(*lower), to_vec3(*upper)}) : std::nullopt;
 }
@@ -137,9 +131,7 @@ Key<DrawnScene> background_key() {
 Key<DrawnScene> texture_key() {
   auto read = [](const toml::node& value, const Source& source, std::filesystem::path& texture) {
     const auto text = text_in(value);
-    if (text) {
-      texture = names_image(*text) ? beside(source, *text) : std::filesystem::path(*text);
-    }
+    if (text) texture = names_image(*text) ? beside(source, *text) : std::filesystem::path(*text);
     return text.has_value();
   };
   return member_key<DrawnScene>(

@@ -94,9 +94,7 @@ std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_
   for (const sim::Body& body : bodies) {
     const sim::Shape shape = sim::shape_at(body, time_s);
     const auto* plane = std::get_if<sim::Plane>(&shape);
-    if (plane != nullptr && plane->normal.y > 0.999) {
-      return static_cast<float>(plane->point_m.y);
-    }
+    if (plane != nullptr && plane->normal.y > 0.999) return static_cast<float>(plane->point_m.y);
   }
   return std::nullopt;
 }
@@ -139,9 +137,7 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
     reach.lower.y = std::min(reach.lower.y, static_cast<float>(pin.y - distance_m));
   }
   for (const sim::Body& body : scene.surroundings.bodies) {
-    if (const auto box = box_of(body, 0.0)) {
-      reach = renderer::united(reach, *box);
-    }
+    if (const auto box = box_of(body, 0.0)) reach = renderer::united(reach, *box);
   }
   if (const auto height_m = level_plane(scene.surroundings.bodies, 0.0)) {
     reach.lower.y = std::min(reach.lower.y, *height_m);
@@ -218,9 +214,7 @@ FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
 void FittedView::add(const std::vector<sim::Vec3>& positions, double time_s) {
   std::vector<glm::vec3> points = to_float(positions);
   for (const sim::Body& body : scene_.surroundings.bodies) {
-    if (const std::optional<renderer::Box> box = box_of(body, time_s)) {
-      add_box(*box, points);
-    }
+    if (const std::optional<renderer::Box> box = box_of(body, time_s)) add_box(*box, points);
   }
   const glm::vec3 shift =
       scene_.camera.follow ? mean_of(positions) - mean_of(garment_.mesh.positions) : glm::vec3(0.0F);
@@ -234,9 +228,7 @@ void FittedView::add(const std::vector<sim::Vec3>& positions, double time_s) {
 }
 
 void FittedView::place_camera(DrawnScene& scene) const {
-  if (outermost_.empty()) {
-    return;
-  }
+  if (outermost_.empty()) return;
   std::vector<glm::vec3> points = outermost_;
   if (scene_.picture.show_wind) {
     const std::vector<glm::vec3> arrows =

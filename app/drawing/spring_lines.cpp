@@ -23,16 +23,12 @@ SpringLines::SpringLines(const sim::Garment& garment, const ShownSprings& shown,
   const auto last = static_cast<float>(std::max<std::size_t>(springs.size(), 2) - 1);
   for (const sim::SpringKind kind :
        {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
-    if (!shows(shown, kind)) {
-      continue;
-    }
+    if (!shows(shown, kind)) continue;
     Lines& lines = lines_.emplace_back();
     const bool is_under = shown.which == WhichSprings::all && kind == sim::SpringKind::flexural;
     lines.width_px = is_under ? flexural_width * width_px : width_px;
     for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
-      if (!is_within(shown.patch, garment, springs.ends[s])) {
-        continue;
-      }
+      if (!is_within(shown.patch, garment, springs.ends[s])) continue;
       lines.springs.push_back(springs.ends[s]);
       if (shown.colours == SpringColours::order) {
         const renderer::Colour colour =
@@ -40,9 +36,7 @@ SpringLines::SpringLines(const sim::Garment& garment, const ShownSprings& shown,
         lines.colours.insert(lines.colours.end(), 2, colour);
       }
     }
-    if (shown.colours == SpringColours::kind) {
-      lines.colours = {spring_colour(kind)};
-    }
+    if (shown.colours == SpringColours::kind) lines.colours = {spring_colour(kind)};
   }
 }
 

@@ -114,9 +114,7 @@ const std::vector<Figure>& all_figures() {
 
 std::vector<std::string> figure_names() {
   std::vector<std::string> names;
-  for (const Figure& figure : all_figures()) {
-    names.push_back(figure.name);
-  }
+  for (const Figure& figure : all_figures()) names.push_back(figure.name);
   return names;
 }
 

@@ -18,9 +18,7 @@ class LazyOffscreenRenderer {
 
   /// The renderer. The first call makes it and may throw renderer::ContextError.
   OffscreenRenderer& open() {
-    if (!offscreen_) {
-      offscreen_ = std::make_unique<OffscreenRenderer>(backend_);
-    }
+    if (!offscreen_) offscreen_ = std::make_unique<OffscreenRenderer>(backend_);
     return *offscreen_;
   }
   float scale() const { return scale_; }

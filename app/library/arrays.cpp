@@ -17,9 +17,7 @@ std::size_t size_of(std::int32_t type) {
 template <class Points>
 void require_array(const Points* points, std::size_t count) {
   require(points != nullptr, "found NULL, expected points");
-  if (points->count != count) {
-    throw ArgumentError("found {} points, expected {}", points->count, count);
-  }
+  if (points->count != count) throw ArgumentError("found {} points, expected {}", points->count, count);
   const std::size_t smallest = 3 * size_of(points->type);
   if (points->stride < smallest ||
       points->stride > std::numeric_limits<std::size_t>::max() / 2 / most_vertices) {
@@ -60,9 +58,7 @@ std::vector<std::uint32_t> corner_counts(const TautMesh& mesh) {
 }  // namespace
 
 void require(bool holds, const char* message) {
-  if (!holds) {
-    throw ArgumentError(message);
-  }
+  if (!holds) throw ArgumentError(message);
 }
 
 void require_room(const void* array, std::size_t found, std::size_t expected) {
@@ -85,9 +81,7 @@ std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expecte
   for (std::size_t k = 0; k < expected; ++k) {
     const char* at = static_cast<const char*>(points->data) + k * points->stride;
     read.push_back(points->type == TAUT_FLOAT ? read_point<float>(at) : read_point<double>(at));
-    if (!is_finite(read.back())) {
-      throw ArgumentError("found point {} with a number that is not finite", k);
-    }
+    if (!is_finite(read.back())) throw ArgumentError("found point {} with a number that is not finite", k);
   }
   return read;
 }

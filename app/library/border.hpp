@@ -112,9 +112,7 @@ class Turn {
  public:
   explicit Turn(Held& held) noexcept : held_(held), is_mine_(!held.is_busy.exchange(true)) {}
   ~Turn() {
-    if (is_mine_) {
-      held_.is_busy = false;
-    }
+    if (is_mine_) held_.is_busy = false;
   }
   Turn(const Turn&) = delete;
   Turn& operator=(const Turn&) = delete;
@@ -130,13 +128,9 @@ class Turn {
 template <class Work>
 TautResult with(TautCloth cloth, const Work& work) noexcept {
   const std::shared_ptr<Held> held = find(cloth.id);
-  if (!held) {
-    return TAUT_ERROR_HANDLE;
-  }
+  if (!held) return TAUT_ERROR_HANDLE;
   const Turn turn(*held);
-  if (!turn.is_mine()) {
-    return TAUT_ERROR_BUSY;
-  }
+  if (!turn.is_mine()) return TAUT_ERROR_BUSY;
   const UsualRounding rounding;
   try {
     work(held->session);

@@ -68,9 +68,7 @@ std::size_t Session::add_body(const TautBody* body) {
   app::Scene next = scene_;
   const std::size_t number = put_in(given, next);
   change(std::move(next));
-  if (given.lent) {
-    lent_[number] = std::move(*given.lent);
-  }
+  if (given.lent) lent_[number] = std::move(*given.lent);
   const sim::State& state = simulation_.state();
   const app::StartRemarks remarks = app::remarks_on_body(
       scene_.surroundings.bodies, number, state.time_s, {state.current, simulation_.garment().mesh.triangles},
@@ -84,9 +82,7 @@ std::size_t Session::add_body(const TautBody* body) {
 
 const LentBody& Session::lent_body(std::size_t body) const {
   const auto found = lent_.find(body);
-  if (found == lent_.end()) {
-    throw ArgumentError("found body {}, expected one that was added as a mesh", body);
-  }
+  if (found == lent_.end()) throw ArgumentError("found body {}, expected one that was added as a mesh", body);
   return found->second;
 }
 

@@ -49,14 +49,10 @@ std::string names_of(std::int32_t kind) {
   require(kind == TAUT_SCENES || kind == TAUT_FABRICS, "found an unknown kind of names");
   std::string names;
   if (kind == TAUT_FABRICS) {
-    for (const std::string& name : app::built_in_fabrics()) {
-      names += name + '\n';
-    }
+    for (const std::string& name : app::built_in_fabrics()) names += name + '\n';
     return names;
   }
-  for (const app::BuiltInScene& scene : app::built_in_scenes()) {
-    names += scene.name + '\n';
-  }
+  for (const app::BuiltInScene& scene : app::built_in_scenes()) names += scene.name + '\n';
   return names;
 }
 
@@ -138,9 +134,7 @@ const char* taut_last_error(TautCloth cloth) {
   // A copy of this thread's own: another may destroy the cloth, or fail with it, at any moment.
   static thread_local char text[sizeof(TautError::text)];
   const std::shared_ptr<Held> held = find(cloth.id);
-  if (!held) {
-    return "there is no such cloth";
-  }
+  if (!held) return "there is no such cloth";
   const std::lock_guard lock(held->error_mutex);
   put_text(held->error, text);
   return text;
@@ -152,13 +146,9 @@ TautResult taut_get_info(TautCloth cloth, TautInfo* info) {
 
 TautResult taut_step(TautCloth cloth, TautFrame* frame) {
   return with(cloth, [&](Session& session) {
-    if (frame != nullptr) {
-      read_struct(frame);
-    }
+    if (frame != nullptr) read_struct(frame);
     const TautFrame stepped = frame_of(session.step());
-    if (frame != nullptr) {
-      put_struct(stepped, frame);
-    }
+    if (frame != nullptr) put_struct(stepped, frame);
   });
 }
 
@@ -207,9 +197,7 @@ TautResult taut_move_pins(TautCloth cloth, const uint32_t* vertices, const TautP
 TautResult taut_add_body(TautCloth cloth, const TautBody* body, int32_t* number) {
   return with(cloth, [&](Session& session) {
     const std::size_t added = session.add_body(body);
-    if (number != nullptr) {
-      *number = static_cast<int32_t>(added);
-    }
+    if (number != nullptr) *number = static_cast<int32_t>(added);
   });
 }
 

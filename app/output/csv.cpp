@@ -9,9 +9,7 @@ namespace {
 
 std::string line_of(const std::vector<std::string>& cells) {
   std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    line += (i == 0 ? "" : ",") + cells[i];
-  }
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i == 0 ? "" : ",") + cells[i];
   return line + "\n";
 }
 
@@ -60,9 +58,7 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::strin
            fmt::format("found {} cells, expected {}", rows_.back().size(), columns_.size()));
     }
   }
-  if (rows_.empty()) {
-    throw InputError(name_ + ": found no rows, expected at least one");
-  }
+  if (rows_.empty()) throw InputError(name_ + ": found no rows, expected at least one");
 }
 
 double CsvFile::number(std::size_t row, std::size_t column) const {
@@ -90,15 +86,11 @@ std::string cell(double value) {
 }
 
 std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    return text;
-  }
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char letter : text) {
     quoted += letter;
-    if (letter == '"') {
-      quoted += '"';
-    }
+    if (letter == '"') quoted += '"';
   }
   return quoted + '"';
 }

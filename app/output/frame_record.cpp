@@ -23,9 +23,7 @@ void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
   const double asked = scene.material.compression_stiffness_n_per_m;
   const double followed = summary.followed_compression_n_per_m;
   const bool is_asked_for = asked != sim::Material{}.compression_stiffness_n_per_m;
-  if (!is_asked_for || !(asked > noticeable * followed)) {
-    return;
-  }
+  if (!is_asked_for || !(asked > noticeable * followed)) return;
   const double steps = std::ceil(summary.mean_substeps() * std::sqrt(asked / followed));
   const std::string remedy = steps <= solver.max_substeps
                                  ? fmt::format("solver.substeps = {:.0f} would follow it", steps)
@@ -113,9 +111,7 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame, Measured
 }
 
 void RunSummary::add(const FrameRecord& record) {
-  if (frames++ == 0) {
-    crossings_at_start = static_cast<int>(record.contact.crossing_pairs);
-  }
+  if (frames++ == 0) crossings_at_start = static_cast<int>(record.contact.crossing_pairs);
   final_crossings = static_cast<int>(record.contact.crossing_pairs);
   final_left_out_share = record.contact.left_out_share;
   most_left_out_share = std::max(most_left_out_share, record.contact.left_out_share);
@@ -194,9 +190,7 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
   warn_of_stiffness(scene, summary);
   warn_of_crossings(summary);
   const std::string excess = describe_excess(scene, summary);
-  if (excess.empty()) {
-    return 0;
-  }
+  if (excess.empty()) return 0;
   const bool allowed = scene.simulation.solver.bounded.allow_exceeding;
   fmt::print(stderr,
              "taut: {}: {}. {} may "

@@ -15,9 +15,7 @@ constexpr const char* expected =
 constexpr int most_frames = 1000000;
 
 int frame_of(const std::string& word, int last_frame, const std::string& text) {
-  if (word == "last") {
-    return last_frame;
-  }
+  if (word == "last") return last_frame;
   const std::optional<int> frame = number_in<int>(word);
   if (!frame || *frame < 0 || *frame > most_frames) {
     throw UsageError(
@@ -57,9 +55,7 @@ std::filesystem::path OutputPattern::path_of(int frame) const {
 }
 
 std::string describe_written(const OutputPattern& pattern, std::span<const int> frames) {
-  if (frames.empty()) {
-    return "wrote nothing";
-  }
+  if (frames.empty()) return "wrote nothing";
   const std::string first = pattern.path_of(frames.front()).string();
   return frames.size() == 1 ? "wrote " + first
                             : fmt::format("wrote {} files, {} to {}", frames.size(), first,
@@ -70,12 +66,8 @@ FrameRange frame_range(const std::string& text, int last_frame, NumberMeans numb
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) {
     const int frame = frame_of(text, last_frame, text);
-    if (number == NumberMeans::frame || text == "last") {
-      return {frame, frame};
-    }
-    if (frame == 0) {
-      throw UsageError("--frames 0: expected at least one frame of a video or a clip");
-    }
+    if (number == NumberMeans::frame || text == "last") return {frame, frame};
+    if (frame == 0) throw UsageError("--frames 0: expected at least one frame of a video or a clip");
     return {0, frame - 1};
   }
   const std::string first_word = text.substr(0, colon);

@@ -21,9 +21,7 @@ constexpr const char* renderer_keyword = "Taut Renderer";
 std::string shell_word(const std::string& word) {
   constexpr std::string_view plain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+%@";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
-    return word;
-  }
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
   std::string text;
   for (const char c : word) {
     const auto byte = static_cast<unsigned char>(c);
@@ -38,9 +36,7 @@ std::filesystem::path find_model(const std::filesystem::path& recorded, const st
   std::error_code ignored;
   for (const std::filesystem::path& candidate :
        {assets_folder() / recorded, recorded, folder / recorded.filename()}) {
-    if (std::filesystem::exists(candidate, ignored)) {
-      return candidate;
-    }
+    if (std::filesystem::exists(candidate, ignored)) return candidate;
   }
   return recorded;
 }
@@ -98,9 +94,7 @@ Number number_of(const std::string& text, int base, const char* keyword, const s
 std::string shell_line(std::span<const std::string> words) {
   std::string text;
   for (const std::string& word : words) {
-    if (!text.empty()) {
-      text += ' ';
-    }
+    if (!text.empty()) text += ' ';
     text += shell_word(word);
   }
   return text;

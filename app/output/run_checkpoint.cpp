@@ -52,9 +52,7 @@ constexpr int most_tight_frames = 8;
 void require_worn(const Scene& scene, const sim::Simulation& simulation) {
   const SolverChoice& solver = scene.simulation.solver;
   const bool is_kept_apart = solver.kind == sim::SolverKind::bounded && !solver.bounded.allow_crossing;
-  if (scene.dressing_frames() == 0 || !is_kept_apart) {
-    return;
-  }
+  if (scene.dressing_frames() == 0 || !is_kept_apart) return;
   const std::vector<sim::Body>& bodies = simulation.surroundings().bodies;
   const Surface cloth = {simulation.state().current, simulation.garment().mesh.triangles};
   for (const SceneCrossings& crossings : scene_crossings(cloth, bodies, 0.0)) {
@@ -68,9 +66,7 @@ void require_worn(const Scene& scene, const sim::Simulation& simulation) {
 
 std::string bytes_of(const RunCheckpoint& checkpoint) {
   sim::ByteWriter out;
-  for (const char c : magic) {
-    out.put(c);
-  }
+  for (const char c : magic) out.put(c);
   out.put(version);
   out.put_text(checkpoint.scene_name);
   out.put_text(checkpoint.scene);
@@ -135,18 +131,14 @@ void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
 
 void dress(const Scene& scene, sim::Simulation& simulation) {
   const int frames = scene.dressing_frames();
-  if (frames == 0) {
-    return;
-  }
+  if (frames == 0) return;
   const sim::Surroundings surroundings = simulation.surroundings();
   // Clothes would fall off a body that is thin, and slide to where they have room.
   sim::Surroundings still = surroundings;
   still.forces.gravity_m_per_s2 = sim::Vec3(0.0);
   still.forces.gravity_path.clear();
   still.forces.wind.speed_m_per_s = 0.0;
-  for (sim::Body& body : still.bodies) {
-    body.friction = 0.0;
-  }
+  for (sim::Body& body : still.bodies) body.friction = 0.0;
   simulation.set_surroundings(still);
   simulation.set_time(-frames * simulation.frame_time_s());
   int tight_frames = 0;

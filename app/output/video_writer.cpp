@@ -73,9 +73,7 @@ std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& 
   // Without the date and the library's version in it, the same pictures are the same file.
   const std::vector<std::string> output = {"-fflags", "+bitexact", "-flags:v", "+bitexact",
                                            "file:" + temporary.string()};
-  for (const auto& part : {input, kind, output}) {
-    arguments.insert(arguments.end(), part.begin(), part.end());
-  }
+  for (const auto& part : {input, kind, output}) arguments.insert(arguments.end(), part.begin(), part.end());
   return arguments;
 }
 
@@ -141,9 +139,7 @@ void VideoWriter::add(const renderer::Image& picture) {
 }
 
 void VideoWriter::stop_if_interrupted() const {
-  if (!is_live_) {
-    throw_if_interrupted();
-  }
+  if (!is_live_) throw_if_interrupted();
 }
 
 void VideoWriter::send(std::span<const std::uint8_t> bytes) {
@@ -196,9 +192,7 @@ std::string VideoWriter::last_words() const {
   const ssize_t count =
       ::pread(messages_.number(), text.data(), enough, std::max<off_t>(0, size - off_t{enough}));
   text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-  while (!text.empty() && text.back() == '\n') {
-    text.pop_back();
-  }
+  while (!text.empty() && text.back() == '\n') text.pop_back();
   return text.empty() ? "" : ": " + text;
 }
 

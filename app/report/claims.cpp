@@ -169,9 +169,7 @@ Case case_of(const GarmentTrial& trial) {
   const Mapping& mapping = trial.mapping;
   const bool is_mapped = trial.refusal.empty() && mapping.edges > 0 && mapping.structural == mapping.edges &&
                          mapping.loose_vertices == 0 && mapping.flexural > 0;
-  if (!trial.refusal.empty()) {
-    return {fmt::format("{} was refused: {}", trial.file, trial.refusal), {}};
-  }
+  if (!trial.refusal.empty()) return {fmt::format("{} was refused: {}", trial.file, trial.refusal), {}};
   return {
       fmt::format("{}: {}, {} triangles; {} structural and {} flexural springs{}", trial.file, trial.kind,
                   mapping.triangles, mapping.structural, mapping.flexural,
@@ -250,9 +248,7 @@ Tested test_speed(const Results& results, sim::SolverKind own, std::span<const s
   for (const int triangles : trial_meshes) {
     const auto ms_of = [&](sim::SolverKind kind) { return timed(results, kind, triangles).ranked_ms(0.5); };
     double fastest_ms = INFINITY;
-    for (const sim::SolverKind kind : slower) {
-      fastest_ms = std::min(fastest_ms, ms_of(kind));
-    }
+    for (const sim::SolverKind kind : slower) fastest_ms = std::min(fastest_ms, ms_of(kind));
     const double ratio = fastest_ms / ms_of(own);
     tested.cases.push_back({mesh_name(triangles),
                             {{"a frame", ms_of(own), "ms"}, {"compared with", fastest_ms, "ms"}},
@@ -375,9 +371,7 @@ template <class Predicate>
 std::string list_of(std::span<const Case> cases, bool has_numbers, Predicate predicate) {
   std::string text;
   for (const Case& one : cases) {
-    if (predicate(one)) {
-      text += (text.empty() ? "" : "; ") + (has_numbers ? text_of(one) : one.name);
-    }
+    if (predicate(one)) text += (text.empty() ? "" : "; ") + (has_numbers ? text_of(one) : one.name);
   }
   return text.empty() ? "none" : text;
 }
@@ -454,9 +448,7 @@ std::string filled(const toml::table& claim, const char* key, const Texts& texts
 }  // namespace
 
 std::string number_text(const MeasuredNumber& number) {
-  if (!std::isfinite(number.value)) {
-    return "diverged";
-  }
+  if (!std::isfinite(number.value)) return "diverged";
   std::string digits = fmt::format("{:.{}g}", number.value, number.digits);
   if (std::abs(number.value) >= 10.0 && std::abs(number.value) < 1e6) {
     // Never 8.5e+02, and no noughts behind a number of things.
@@ -485,9 +477,7 @@ Verdict verdict_of(std::span<const Case> cases, Quorum quorum) {
     at_least_in_part += one.is_judged && (one.holds || one.holds_in_part) ? 1 : 0;
   }
   const bool are_most = 2 * holding > all;
-  if (all > 0 && (quorum == Quorum::half ? are_most : holding == all)) {
-    return Verdict::holds;
-  }
+  if (all > 0 && (quorum == Quorum::half ? are_most : holding == all)) return Verdict::holds;
   const bool is_in_part = quorum == Quorum::all    ? at_least_in_part == all
                           : quorum == Quorum::most ? are_most
                                                    : holding > 0;
@@ -507,9 +497,7 @@ std::vector<Claim> judge_claims(const Results& results) {
                            "",
                            {filled(claim, "finding", texts), numbers_of(tested.cases)},
                            {filled(claim, "bounded", of_bounded), numbers_of(tested.bounded)}};
-    if (judgement.verdict == Verdict::holds_in_part) {
-      judgement.part = filled(claim, "part", texts);
-    }
+    if (judgement.verdict == Verdict::holds_in_part) judgement.part = filled(claim, "part", texts);
     claims.push_back(
         {{id, filled(claim, "section", texts), filled(claim, "claim", texts), filled(claim, "test", texts),
           filled(claim, "rule", texts), filled(claim, "remark", texts), filled(claim, "figure", texts)},

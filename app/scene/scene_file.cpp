@@ -15,9 +15,7 @@ std::vector<fs::path> asset_folders() {
   if (const char* chosen = std::getenv("TAUT_ASSETS"); chosen != nullptr && *chosen != '\0') {
     folders.emplace_back(chosen);
   }
-  for (const fs::path& above : folders_above(own_file())) {
-    folders.push_back(above / "share" / "taut");
-  }
+  for (const fs::path& above : folders_above(own_file())) folders.push_back(above / "share" / "taut");
   folders.emplace_back(TAUT_SOURCE_ASSETS);
   return folders;
 }
@@ -45,22 +43,16 @@ Assets find_assets() {
     std::vector<BuiltInScene> scenes = scenes_in(folder / "scenes", false);
     const std::vector<BuiltInScene> of_contact = scenes_in(folder / "scenes" / "contact", true);
     scenes.insert(scenes.end(), of_contact.begin(), of_contact.end());
-    if (!scenes.empty()) {
-      return {fs::absolute(folder).lexically_normal(), scenes};
-    }
+    if (!scenes.empty()) return {fs::absolute(folder).lexically_normal(), scenes};
   }
   return {};
 }
 
 [[noreturn]] void fail_unknown(const std::string& name) {
   const bool looks_like_file = name.find('/') != std::string::npos || fs::path(name).has_extension();
-  if (looks_like_file) {
-    throw InputError("there is no file '" + name + "'");
-  }
+  if (looks_like_file) throw InputError("there is no file '" + name + "'");
   std::vector<std::string> names;
-  for (const BuiltInScene& scene : built_in_scenes()) {
-    names.push_back(scene.name);
-  }
+  for (const BuiltInScene& scene : built_in_scenes()) names.push_back(scene.name);
   throw InputError("there is no scene '" + name + '\'' + did_you_mean(name, names) +
                    " (built-in scenes: " + joined(names) + "; a scene file or a garment file does as well)");
 }
@@ -72,9 +64,7 @@ bool is_set(const Json& value) {
 // Keys first, then the sections below: behind a section's header TOML has no way back.
 void append_section(std::string& text, const std::string& section, const Json& table) {
   for (const auto& [key, value] : table.items()) {
-    if (!value.is_null() && !value.is_object()) {
-      text += key + " = " + toml_text(value) + '\n';
-    }
+    if (!value.is_null() && !value.is_object()) text += key + " = " + toml_text(value) + '\n';
   }
   for (const auto& [key, value] : table.items()) {
     if (value.is_object() && is_set(value)) {
@@ -88,9 +78,7 @@ void append_section(std::string& text, const std::string& section, const Json& t
 template <class Files, class Models>
 void name_files(const Files& files, const Models& models, GarmentNaming naming, Json& table) {
   for (const auto& [key, member] : files) {
-    if (table.contains(key) && !table[key].is_null()) {
-      table[key] = name_in_scene(models.*member, naming);
-    }
+    if (table.contains(key) && !table[key].is_null()) table[key] = name_in_scene(models.*member, naming);
   }
 }
 
@@ -106,16 +94,12 @@ std::filesystem::path assets_folder() {
 
 std::optional<std::filesystem::path> find_asset(const std::filesystem::path& file) {
   const fs::path assets = assets_folder();
-  if (assets.empty() || file.empty() || file.is_absolute()) {
-    return std::nullopt;
-  }
+  if (assets.empty() || file.empty() || file.is_absolute()) return std::nullopt;
   std::error_code error;
   for (const char* folder : {"", "garments", "garments/contact", "bodies", "motions", "textures"}) {
     for (const char* ending : {"", ".obj", ".glb", ".bvh", ".png"}) {
       const fs::path candidate = assets / folder / (file.string() + ending);
-      if (fs::is_regular_file(candidate, error)) {
-        return candidate;
-      }
+      if (fs::is_regular_file(candidate, error)) return candidate;
     }
   }
   return std::nullopt;
@@ -131,16 +115,12 @@ FoundScene locate_scene(const std::string& name) {
   const auto scenes = built_in_scenes();
   const auto built_in = std::find_if(scenes.begin(), scenes.end(),
                                      [&](const BuiltInScene& scene) { return scene.name == name; });
-  if (built_in != scenes.end()) {
-    return {name, built_in->file, false};
-  }
+  if (built_in != scenes.end()) return {name, built_in->file, false};
   fs::path path = name;
   std::error_code error;
   if (!fs::exists(path, error)) {
     const std::optional<fs::path> asset = find_asset(name);
-    if (!asset) {
-      fail_unknown(name);
-    }
+    if (!asset) fail_unknown(name);
     path = *asset;
   }
   return {path.stem().string(), path, path.extension() != ".toml"};
@@ -156,9 +136,7 @@ Override parse_override(const std::string& text) {
 
 std::string name_in_scene(const std::filesystem::path& file, GarmentNaming naming) {
   const std::filesystem::path full = std::filesystem::absolute(file).lexically_normal();
-  if (naming == GarmentNaming::full_path) {
-    return full.string();
-  }
+  if (naming == GarmentNaming::full_path) return full.string();
   const std::filesystem::path assets = assets_folder();
   const std::filesystem::path relative = full.lexically_relative(assets);
   const bool is_inside = !assets.empty() && !relative.empty() && *relative.begin() != "..";
@@ -173,9 +151,7 @@ std::string text_of(Json settings, const Scene& scene, GarmentNaming naming) {
     settings["cloth"]["fabric"] = name_in_scene(scene.fabric, GarmentNaming::full_path);
   }
   Json& garment = settings["garment"];
-  if (!scene.garment.file.empty()) {
-    garment.erase("grid");
-  }
+  if (!scene.garment.file.empty()) garment.erase("grid");
   name_files(garment_files, scene.garment, naming, garment);
   for (std::size_t k = 0; k < scene.body_sources.size(); ++k) {
     name_files(body_files, scene.body_sources[k], naming, settings["bodies"][k]);

@@ -50,9 +50,7 @@ void require_named(const std::string& key, const std::filesystem::path& named, c
 template <class S>
 void apply_fabric(const SceneFormat<S>& format, const toml::node& value, const Source& source, S& scene) {
   KeyReader(format.keys, source, scene).read_value("cloth.fabric", value);
-  if (scene.fabric.empty()) {
-    return;
-  }
+  if (scene.fabric.empty()) return;
   const Fabric fabric = find_fabric(scene.fabric, source, line_of(value));
   std::vector<Key<S>> keys = format.keys;
   std::erase_if(keys,
@@ -81,9 +79,7 @@ void apply_overrides(const SceneFormat<S>& format, std::span<const Override> ove
       }
     }
   }
-  if (!overrides.empty()) {
-    format.check(scene, {overrides.back().option, true});
-  }
+  if (!overrides.empty()) format.check(scene, {overrides.back().option, true});
 }
 
 /// Reads a scene from text. `name` is its file; relative garment files are looked for beside it. Throws
@@ -95,9 +91,7 @@ S read_scene(const SceneFormat<S>& format, const std::string& text, const std::s
   const toml::table file = read_toml_text(text, name);
   const Source source{name, false};
   S scene;
-  if (const toml::node* fabric = file["cloth"]["fabric"].node()) {
-    apply_fabric(format, *fabric, source, scene);
-  }
+  if (const toml::node* fabric = file["cloth"]["fabric"].node()) apply_fabric(format, *fabric, source, scene);
   KeyReader(format.keys, source, scene).read(file);
   require_one_garment(file, source);
   format.check(scene, source);
@@ -126,9 +120,7 @@ S find_scene(const SceneFormat<S>& format, const std::string& name, std::span<co
 template <class S>
 Json settings_of(const SceneFormat<S>& format, const S& scene) {
   Json settings;
-  for (const Key<S>& key : format.keys) {
-    settings[pointer_to(key.name)] = key.write(scene);
-  }
+  for (const Key<S>& key : format.keys) settings[pointer_to(key.name)] = key.write(scene);
   return settings;
 }
 

@@ -50,9 +50,7 @@ std::optional<double> finite_number_in(std::string_view text) {
 
 /// The number times a power of ten, as exact as if it had been written so: "0.18" of -3 is 0.00018.
 std::optional<double> shifted_number_in(const std::string& text, int exponent) {
-  if (!finite_number_in(text)) {
-    return std::nullopt;
-  }
+  if (!finite_number_in(text)) return std::nullopt;
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
   const int own = end < text.size() ? std::atoi(text.c_str() + end + 1) : 0;
   return finite_number_in(fmt::format("{}e{}", text.substr(0, end), own + exponent));
@@ -72,12 +70,8 @@ std::optional<double> number_with_unit(std::string_view text, std::string_view u
 }
 
 std::string message_word(const Json& value) {
-  if (value.is_null()) {
-    return "not set";
-  }
-  if (value.is_string()) {
-    return '"' + value.get<std::string>() + '"';
-  }
+  if (value.is_null()) return "not set";
+  if (value.is_string()) return '"' + value.get<std::string>() + '"';
   return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>()) : value.dump();
 }
 
@@ -88,18 +82,14 @@ std::string toml_word(const Json& value) {
     text << toml::toml_formatter(toml::value(readable.get<std::string>()), toml::format_flags::none);
     return text.str();
   }
-  if (!value.is_number_float()) {
-    return value.dump();
-  }
+  if (!value.is_number_float()) return value.dump();
   // The fewest digits that read back as the same bits; with a point, or TOML takes -0 for a whole 0.
   const std::string text = fmt::format("{}", value.get<double>());
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
 std::string joined_words(const Json& value, std::string (*word)(const Json&)) {
-  if (!value.is_structured()) {
-    return word(value);
-  }
+  if (!value.is_structured()) return word(value);
   std::string text;
   for (const auto& [key, item] : value.items()) {
     text += (text.empty() ? "" : ", ") + (value.is_object() ? key + " = " : "") + joined_words(item, word);
@@ -112,9 +102,7 @@ std::string joined_words(const Json& value, std::string (*word)(const Json&)) {
 std::string units_like(std::string_view unit) {
   std::vector<std::string> names;
   for (const UnitOfKey& known : units_of_keys) {
-    if (known.of == unit) {
-      names.emplace_back(known.name);
-    }
+    if (known.of == unit) names.emplace_back(known.name);
   }
   return joined(names, " or ");
 }
@@ -139,19 +127,13 @@ std::string describe(const VectorLimits& limits) {
 
 bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers) {
   double size = 0.0;
-  for (const double number : numbers) {
-    size = std::max(size, std::abs(number));
-  }
+  for (const double number : numbers) size = std::max(size, std::abs(number));
   return size <= limits.largest && (limits.may_be_zero || size > 0.0);
 }
 
 std::optional<double> finite_number(const toml::node& value, std::string_view unit) {
-  if (const auto* text = value.as_string()) {
-    return number_with_unit(text->get(), unit);
-  }
-  if (const auto* whole = value.as_integer()) {
-    return static_cast<double>(whole->get());
-  }
+  if (const auto* text = value.as_string()) return number_with_unit(text->get(), unit);
+  if (const auto* whole = value.as_integer()) return static_cast<double>(whole->get());
   const auto* number = value.as_floating_point();
   return number != nullptr && std::isfinite(number->get()) ? std::optional(number->get()) : std::nullopt;
 }
@@ -162,15 +144,11 @@ std::optional<std::int64_t> whole_number(const toml::node& value) {
 
 std::optional<std::array<double, 3>> three_numbers(const toml::node& value, std::string_view unit) {
   const toml::array* list = value.as_array();
-  if (list == nullptr || list->size() != 3) {
-    return std::nullopt;
-  }
+  if (list == nullptr || list->size() != 3) return std::nullopt;
   std::array<double, 3> numbers{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::optional<double> number = finite_number((*list)[i], unit);
-    if (!number) {
-      return std::nullopt;
-    }
+    if (!number) return std::nullopt;
     numbers[i] = *number;
   }
   return numbers;
@@ -182,19 +160,13 @@ std::optional<glm::vec3> colour_value(const toml::node& value) {
   const auto* const named =
       std::find_if(named_colours.begin(), named_colours.end(),
                    [&](const std::pair<const char*, const char*>& entry) { return text == entry.first; });
-  if (named != named_colours.end()) {
-    text = named->second;
-  }
-  if (!text || text->size() != 7 || text->front() != '#') {
-    return std::nullopt;
-  }
+  if (named != named_colours.end()) text = named->second;
+  if (!text || text->size() != 7 || text->front() != '#') return std::nullopt;
   glm::vec3 colour(0.0F);
   for (std::size_t i = 0; i < 6; ++i) {
     const char lower = static_cast<char>((*text)[i + 1] | 0x20);
     const std::size_t digit = digits.find(lower);
-    if (digit == std::string_view::npos || ((*text)[i + 1] < '0')) {
-      return std::nullopt;
-    }
+    if (digit == std::string_view::npos || ((*text)[i + 1] < '0')) return std::nullopt;
     colour[static_cast<int>(i / 2)] += static_cast<float>(digit * (i % 2 == 0 ? 16 : 1)) / 255.0F;
   }
   return colour;
@@ -213,15 +185,11 @@ Json json_of(const toml::node& node) {
     using Type = decltype(value);
     if constexpr (toml::is_table<Type>) {
       Json object = Json::object();
-      for (const auto& [key, item] : entries_of(value)) {
-        object[key] = json_of(*item);
-      }
+      for (const auto& [key, item] : entries_of(value)) object[key] = json_of(*item);
       return object;
     } else if constexpr (toml::is_array<Type>) {
       Json list = Json::array();
-      for (const toml::node& item : value) {
-        list.push_back(json_of(item));
-      }
+      for (const toml::node& item : value) list.push_back(json_of(item));
       return list;
     } else if constexpr (toml::is_chronological<Type>) {
       return *text_in(value);
@@ -232,9 +200,7 @@ Json json_of(const toml::node& node) {
 }
 
 void fail(const Source& source, int line, const std::string& message) {
-  if (source.is_command_line) {
-    throw UsageError(source.name + ": " + message);
-  }
+  if (source.is_command_line) throw UsageError(source.name + ": " + message);
   throw InputError(line > 0 ? fmt::format("{}:{}: {}", source.name, line, message)
                             : fmt::format("{}: {}", source.name, message));
 }
@@ -271,9 +237,7 @@ std::optional<std::string> text_in(const toml::node& value) {
 
 std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table) {
   std::vector<std::pair<std::string, const toml::node*>> entries;
-  for (const auto& [key, value] : table) {
-    entries.emplace_back(key.str(), &value);
-  }
+  for (const auto& [key, value] : table) entries.emplace_back(key.str(), &value);
   std::stable_sort(entries.begin(), entries.end(),
                    [](const auto& a, const auto& b) { return line_of(*a.second) < line_of(*b.second); });
   return entries;

@@ -124,9 +124,7 @@ double stored(const Member& member) {
 // Stores what was found. Returns false if nothing was.
 template <class Found, class Member>
 bool store(const std::optional<Found>& found, Member& member) {
-  if (found) {
-    member = *found;
-  }
+  if (found) member = *found;
   return found.has_value();
 }
 
@@ -156,9 +154,7 @@ Key<T> number_key(std::string name, std::string unit, const Range& range, Access
   auto read = [=](const toml::node& value, auto& member) {
     const std::optional<double> number = finite_number(value, unit);
     const bool is_within = number && range.contains(*number);
-    if (is_within) {
-      store(*number * factor, member);
-    }
+    if (is_within) store(*number * factor, member);
     return is_within;
   };
   return member_key<T>(std::move(name), unit, describe("a number", range), access, std::move(meaning), read,
@@ -171,9 +167,7 @@ Key<T> whole_key(std::string name, const Range& range, Access access, std::strin
   auto read = [=](const toml::node& value, auto& member) {
     const std::optional<std::int64_t> number = whole_number(value);
     const bool is_within = number && range.contains(static_cast<double>(*number));
-    if (is_within) {
-      store(static_cast<double>(*number), member);
-    }
+    if (is_within) store(static_cast<double>(*number), member);
     return is_within;
   };
   return member_key<T>(std::move(name), std::move(unit), describe("a whole number", range), access,
@@ -202,9 +196,7 @@ template <class T, class Access>
 Key<T> file_key(std::string name, Access access, std::string meaning, bool may_be_empty = false) {
   auto read = [=](const toml::node& value, const Source& source, std::filesystem::path& member) {
     const std::optional<std::string> text = text_in(value);
-    if (!text || (text->empty() && !may_be_empty)) {
-      return false;
-    }
+    if (!text || (text->empty() && !may_be_empty)) return false;
     member = text->empty() ? std::filesystem::path() : beside(source, *text);
     return true;
   };
@@ -230,9 +222,7 @@ Key<T> vector_key(std::string name, std::string unit, Access access, std::string
   auto read = [=](const toml::node& value, auto& member) {
     const auto numbers = three_numbers(value, unit);
     const bool is_allowed = numbers && allows(limits, *numbers);
-    if (is_allowed) {
-      member = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
-    }
+    if (is_allowed) member = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     return is_allowed;
   };
   return member_key<T>(std::move(name), unit, describe(limits), access, std::move(meaning), read,
@@ -254,9 +244,7 @@ Key<T> colour_key(std::string name, Access access, std::string meaning) {
 template <class Choices>
 auto named(const Choices& all) {
   std::vector<std::pair<std::string, typename Choices::value_type>> choices;
-  for (const auto choice : all) {
-    choices.emplace_back(name_of(choice), choice);
-  }
+  for (const auto choice : all) choices.emplace_back(name_of(choice), choice);
   return choices;
 }
 
@@ -265,9 +253,7 @@ template <class T, class Choice, class Access>
 Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> choices, Access access,
                   std::string meaning) {
   std::string expected;
-  for (const auto& [text, choice] : choices) {
-    expected += (expected.empty() ? "\"" : " or \"") + text + '"';
-  }
+  for (const auto& [text, choice] : choices) expected += (expected.empty() ? "\"" : " or \"") + text + '"';
   auto read = [=](const toml::node& value, Choice& member) {
     const auto found = text_in(value);
     const auto chosen =
@@ -296,12 +282,8 @@ Key<T> written_if(Key<T> key, IsUsed is_used) {
 template <class Read>
 bool read_list(const toml::node& value, const Read& read) {
   const toml::array* list = value.as_array();
-  if (list == nullptr || !(list->empty() || list->is_homogeneous<toml::table>())) {
-    return false;
-  }
-  for (const toml::node& item : *list) {
-    read(*item.as_table());
-  }
+  if (list == nullptr || !(list->empty() || list->is_homogeneous<toml::table>())) return false;
+  for (const toml::node& item : *list) read(*item.as_table());
   return true;
 }
 
@@ -311,9 +293,7 @@ Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
   Json table = Json::object();
   for (const Key<T>& key : keys) {
     Json value = key.write(entry);
-    if (!value.is_null()) {
-      table[pointer_to(key.name)] = std::move(value);
-    }
+    if (!value.is_null()) table[pointer_to(key.name)] = std::move(value);
   }
   return table;
 }
@@ -365,9 +345,7 @@ class KeyReader {
 
   bool is_section(const std::string& name) const {
     for (const Key<T>& key : keys_) {
-      if (key.name.starts_with(name + '.')) {
-        return true;
-      }
+      if (key.name.starts_with(name + '.')) return true;
     }
     return false;
   }
@@ -380,9 +358,7 @@ class KeyReader {
       if (key.name.starts_with(prefix)) {
         const std::string rest = key.name.substr(prefix.size());
         const std::string name = rest.substr(0, rest.find('.'));
-        if (names.empty() || names.back() != name) {
-          names.push_back(name);
-        }
+        if (names.empty() || names.back() != name) names.push_back(name);
       }
     }
     return joined(names);

@@ -46,9 +46,7 @@ void sweep(std::vector<TriangleBox>& boxes, const Found& found) {
   });
   for (auto a = boxes.begin(); a != boxes.end(); ++a) {
     for (auto b = a + 1; b != boxes.end() && b->extent.lower[axis] <= a->extent.upper[axis]; ++b) {
-      if (meet(a->extent, b->extent)) {
-        found(*a, *b);
-      }
+      if (meet(a->extent, b->extent)) found(*a, *b);
     }
   }
 }
@@ -103,9 +101,7 @@ std::vector<CrossingPair> crossing_pairs(const Surface& cloth, const Surface& bo
   add_boxes(body, true, boxes);
   std::vector<CrossingPair> pairs;
   sweep(boxes, [&](const TriangleBox& a, const TriangleBox& b) {
-    if (a.is_of_body == b.is_of_body) {
-      return;
-    }
+    if (a.is_of_body == b.is_of_body) return;
     const sim::Index first = a.is_of_body ? b.triangle : a.triangle;
     const sim::Index second = a.is_of_body ? a.triangle : b.triangle;
     if (const auto place = crossing_place(corners_of(cloth, cloth.triangles[first]),

@@ -84,9 +84,7 @@ bool is_inside(const Vec3& p, const Corners& t) {
 /// Of a segment in the triangle's plane, or of any segment if the triangle has no area.
 std::optional<Vec3> place_in_plane(const Segment& s, const Corners& t) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (segments_meet(s, edge_of(t, k))) {
-      return meeting_place(s, edge_of(t, k));
-    }
+    if (segments_meet(s, edge_of(t, k))) return meeting_place(s, edge_of(t, k));
   }
   return is_inside(s.from, t) ? std::optional(s.from) : std::nullopt;
 }
@@ -113,21 +111,15 @@ SidesOfEnds sides_of(const Corners& plane, const Vec3& a, const Vec3& b) {
 
 /// A point that the segment, whose ends are on these sides, has in common with the triangle.
 std::optional<Vec3> common_place(const Segment& s, const SidesOfEnds& sides, const Corners& t) {
-  if (sides.are_one()) {
-    return std::nullopt;
-  }
-  if (sides.are_none()) {
-    return place_in_plane(s, t);
-  }
+  if (sides.are_one()) return std::nullopt;
+  if (sides.are_none()) return place_in_plane(s, t);
   bool is_left = false, is_right = false;
   for (std::size_t k = 0; k < 3; ++k) {
     const int side = orientation(s.from, s.to, edge_of(t, k).from, edge_of(t, k).to);
     is_left = is_left || side > 0;
     is_right = is_right || side < 0;
   }
-  if (is_left && is_right) {
-    return std::nullopt;
-  }
+  if (is_left && is_right) return std::nullopt;
   const double before = distance_from_plane(s.from, t), behind = distance_from_plane(s.to, t);
   return before + behind > 0.0 ? glm::mix(s.from, s.to, before / (before + behind)) : s.from;
 }
@@ -150,9 +142,7 @@ bool are_one(const SidesOfCorners& s) {
 /// are.
 std::optional<Vec3> first_place_along_edges(const Corners& a, const SidesOfCorners& sides, const Corners& b) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (const auto place = common_place(edge_of(a, k), {sides[k], sides[(k + 1) % 3]}, b)) {
-      return place;
-    }
+    if (const auto place = common_place(edge_of(a, k), {sides[k], sides[(k + 1) % 3]}, b)) return place;
   }
   return std::nullopt;
 }
@@ -161,13 +151,9 @@ std::optional<Vec3> first_place_along_edges(const Corners& a, const SidesOfCorne
 /// for that of `a`, whose ends are on these sides of `b`. In a triangle without area the corner may lie on
 /// that edge, and its ends stand for it.
 std::optional<Vec3> place_opposite(const Corners& a, const SidesOfEnds& sides, const Corners& b) {
-  if (!is_without_area(a)) {
-    return common_place({a[1], a[2]}, sides, b);
-  }
+  if (!is_without_area(a)) return common_place({a[1], a[2]}, sides, b);
   for (const Vec3& end : {a[1], a[2]}) {
-    if (end != a[0] && common_place(end, b)) {
-      return end;
-    }
+    if (end != a[0] && common_place(end, b)) return end;
   }
   return std::nullopt;
 }
@@ -272,36 +258,24 @@ int exact_orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c
 
 std::optional<Vec3> crossing_place(const Corners& a, const Corners& b) {
   const Vec3 from = middle_of(b), to = middle_of(a);
-  if (are_far_apart(0.5 * (from + to), to - from, a, b)) {
-    return std::nullopt;
-  }
+  if (are_far_apart(0.5 * (from + to), to - from, a, b)) return std::nullopt;
   const SidesOfCorners of_b = sides_of(a, b);
-  if (are_one(of_b)) {
-    return std::nullopt;
-  }
+  if (are_one(of_b)) return std::nullopt;
   const SidesOfCorners of_a = sides_of(b, a);
-  if (are_one(of_a)) {
-    return std::nullopt;
-  }
+  if (are_one(of_a)) return std::nullopt;
   const std::optional<Vec3> place = first_place_along_edges(a, of_a, b);
   return place ? place : first_place_along_edges(b, of_b, a);
 }
 
 std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners& b) {
   const Vec3 axis = glm::normalize(inwards(a)) - glm::normalize(inwards(b));
-  if (are_far_apart(a[0], axis, std::span(a).subspan(1), std::span(b).subspan(1))) {
-    return std::nullopt;
-  }
+  if (are_far_apart(a[0], axis, std::span(a).subspan(1), std::span(b).subspan(1))) return std::nullopt;
   const SidesOfEnds of_b = sides_of(a, b[1], b[2]);
-  if (of_b.are_one()) {
-    return std::nullopt;
-  }
+  if (of_b.are_one()) return std::nullopt;
   // In one plane nothing is on a side, and to find that out is dear. Without area, `a` has none to be asked
   // for.
   const SidesOfEnds of_a = of_b.are_none() ? SidesOfEnds{0, 0} : sides_of(b, a[1], a[2]);
-  if (of_a.are_one()) {
-    return std::nullopt;
-  }
+  if (of_a.are_one()) return std::nullopt;
   const std::optional<Vec3> place = place_opposite(a, of_a, b);
   return place ? place : place_opposite(b, of_b, a);
 }
@@ -309,21 +283,15 @@ std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners
 std::optional<Vec3> crossing_place_beside_edge(const Corners& a, const Corners& b) {
   const Vec3 edge = a[1] - a[0], side = a[2] - a[0];
   const Vec3 across = side - glm::dot(side, edge) / glm::dot(edge, edge) * edge;
-  if (are_far_apart(a[0], across, std::span(a).last(1), std::span(b).last(1))) {
-    return std::nullopt;
-  }
-  if (orientation(a[0], a[1], a[2], b[2]) != 0) {
-    return std::nullopt;
-  }
+  if (are_far_apart(a[0], across, std::span(a).last(1), std::span(b).last(1))) return std::nullopt;
+  if (orientation(a[0], a[1], a[2], b[2]) != 0) return std::nullopt;
   bool is_folded = false;
   for (int axis = 0; axis < 3; ++axis) {
     is_folded = is_folded ||
                 orientation_without(axis, a[0], a[1], a[2]) * orientation_without(axis, b[0], b[1], b[2]) > 0;
   }
   // Without area both are segments along the line of the edge.
-  if (is_folded || reaches_beyond_edge(a, b) || reaches_beyond_edge(b, a)) {
-    return 0.5 * (a[0] + a[1]);
-  }
+  if (is_folded || reaches_beyond_edge(a, b) || reaches_beyond_edge(b, a)) return 0.5 * (a[0] + a[1]);
   return std::nullopt;
 }
 
@@ -333,9 +301,7 @@ int orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, cons
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     // Cloth that begins flat, along two of the axes, is not worth long numbers.
-    if (u[k] == 0.0 && v[k] == 0.0 && w[k] == 0.0) {
-      return 0;
-    }
+    if (u[k] == 0.0 && v[k] == 0.0 && w[k] == 0.0) return 0;
     const double plus = v[i] * w[j], minus = v[j] * w[i];
     determinant += u[k] * (plus - minus);
     sum_of_sizes += std::abs(u[k]) * (std::abs(plus) + std::abs(minus));
@@ -346,9 +312,7 @@ int orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, cons
 
 int orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {
   const sim::Vec2 u = a - c, v = b - c;
-  if ((u.x == 0.0 || v.y == 0.0) && (u.y == 0.0 || v.x == 0.0)) {
-    return 0;
-  }
+  if ((u.x == 0.0 || v.y == 0.0) && (u.y == 0.0 || v.x == 0.0)) return 0;
   const double plus = u.x * v.y, minus = u.y * v.x;
   const double determinant = plus - minus;
   return is_certain(determinant, error_of_2, std::abs(plus) + std::abs(minus)) ? sign_of(determinant)

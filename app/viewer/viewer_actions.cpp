@@ -36,9 +36,7 @@ void Viewer::perform_asked() {
   std::vector<Action> actions = std::exchange(key_actions_, {});
   actions.insert(actions.end(), state_.asked.begin(), state_.asked.end());
   state_.asked.clear();
-  for (const Action action : actions) {
-    attempt([&] { perform(action); });
-  }
+  for (const Action action : actions) attempt([&] { perform(action); });
 }
 
 void Viewer::perform(Action action) {
@@ -111,15 +109,11 @@ void Viewer::pause(bool paused) {
     state_.paused = paused;
     commands_.emplace_back(SetPaused{paused});
   }
-  if (!paused) {
-    go_on_from_shown();
-  }
+  if (!paused) go_on_from_shown();
 }
 
 void Viewer::go_on_from_shown() {
-  if (state_.past_frame && state_.shown != state_.newest) {
-    commands_.emplace_back(GoBack{state_.shown});
-  }
+  if (state_.past_frame && state_.shown != state_.newest) commands_.emplace_back(GoBack{state_.shown});
   state_.past_frame.reset();
 }
 
@@ -193,9 +187,7 @@ void Viewer::load_asked() {
   const auto motion = std::exchange(state_.motion_asked, std::nullopt);
   const auto fabric = std::exchange(state_.fabric_asked, std::nullopt);
   try {
-    if (fabric) {
-      choose_fabric(*fabric);
-    }
+    if (fabric) choose_fabric(*fabric);
     if (name) {
       DrawnScene scene = find_scene(*name, {});
       const std::vector<std::string> remarks = load_bodies(scene);
@@ -225,9 +217,7 @@ void Viewer::load_asked() {
 }
 
 void Viewer::load(DrawnScene scene, const std::vector<std::string>& remarks) {
-  for (const std::string& remark : remarks) {
-    tell(remark, false);
-  }
+  for (const std::string& remark : remarks) tell(remark, false);
   tell("loading " + scene.name, false);
   commands_.emplace_back(LoadScene{std::make_shared<const DrawnScene>(std::move(scene))});
 }

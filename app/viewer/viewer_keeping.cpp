@@ -43,17 +43,13 @@ void Viewer::start_or_stop_recording() {
 template <class Recording>
 std::string Viewer::told_end(const Recording& finish) {
   std::string outcome;
-  if (const std::string error = attempt([&] { outcome = finish(); }); !error.empty()) {
-    return error;
-  }
+  if (const std::string error = attempt([&] { outcome = finish(); }); !error.empty()) return error;
   tell(outcome, false);
   return outcome;
 }
 
 std::optional<std::string> Viewer::finish_pictures() {
-  if (!recorder_) {
-    return std::nullopt;
-  }
+  if (!recorder_) return std::nullopt;
   state_.is_recording = false;
   const std::string outcome = told_end([this] { return recorder_->finish(); });
   recorder_.reset();
@@ -73,9 +69,7 @@ void Viewer::start_or_stop_clip() {
 }
 
 void Viewer::follow_clip() {
-  if (!clip_) {
-    return;
-  }
+  if (!clip_) return;
   std::string end;
   const std::string error = attempt([&] {
     end = clip_->follow(state_.newest, simulation_);
@@ -98,9 +92,7 @@ std::optional<std::string> Viewer::finish_clip(const std::string& reason) {
 std::vector<std::string> Viewer::finish_recordings() {
   std::vector<std::string> outcomes;
   for (auto& outcome : {finish_pictures(), finish_clip("")}) {
-    if (outcome) {
-      outcomes.push_back(*outcome);
-    }
+    if (outcome) outcomes.push_back(*outcome);
   }
   return outcomes;
 }
@@ -113,9 +105,7 @@ void Viewer::take_picture(const renderer::Image& picture) {
       tell("wrote " + file.string(), false);
     });
   }
-  if (recorder_ && !attempt([&] { recorder_->add(picture, elapsed_s_); }).empty()) {
-    finish_pictures();
-  }
+  if (recorder_ && !attempt([&] { recorder_->add(picture, elapsed_s_); }).empty()) finish_pictures();
 }
 
 }  // namespace taut::app

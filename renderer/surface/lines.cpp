@@ -195,9 +195,7 @@ struct Trimming {
     const NearestOnLine& own = nearest[vertex];
     if (own.segment != NearestOnLine::none && lines.segments[own.segment].chain == segment.chain) {
       const float most = most_curved * std::abs(straight - main.along) + most_shifted * length;
-      if (std::abs(own.along - straight) < most) {
-        return {own.distance, scale * own.along};
-      }
+      if (std::abs(own.along - straight) < most) return {own.distance, scale * own.along};
     }
     return {own.distance, scale * straight};
   }

@@ -80,9 +80,7 @@ void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const Axes& axe
       piece.clear();
     }
     if (segment) {
-      if (piece.empty()) {
-        piece.push_back((*segment)[0]);
-      }
+      if (piece.empty()) piece.push_back((*segment)[0]);
       piece.push_back((*segment)[1]);
     }
   }
@@ -128,9 +126,7 @@ void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, flo
 
 void draw_points(Canvas& canvas, const Curve& curve, const Axes& axes, const PlotStyle& style) {
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    if (!axes.has_place(curve.points[i])) {
-      continue;
-    }
+    if (!axes.has_place(curve.points[i])) continue;
     const float x_px = axes.x_of(curve.points[i][0]);
     if (i < curve.bars.size()) {
       const float low_px = axes.y_of(curve.bars[i][0]), high_px = axes.y_of(curve.bars[i][1]);
@@ -181,9 +177,7 @@ void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style)
   canvas.fill_rectangle(x_px, y_px, width_px, height_px, renderer::Colour{1.0F}, 0.88F);
   y_px += 0.25F * style.text_px;
   for (const Curve& curve : axes.plot.curves) {
-    if (curve.name.empty()) {
-      continue;
-    }
+    if (curve.name.empty()) continue;
     draw_legend_entry(canvas, curve, x_px + 0.4F * style.text_px, y_px + 0.5F * row_px, style);
     y_px += row_px;
   }
@@ -212,18 +206,14 @@ std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::v
   float enter = 0.0F, leave = 1.0F;
   const auto cut = [&](float slope, float distance) {
     // Inside where slope * t <= distance.
-    if (slope == 0.0F) {
-      return distance >= 0.0F;
-    }
+    if (slope == 0.0F) return distance >= 0.0F;
     const float t = distance / slope;
     (slope < 0.0F ? enter : leave) = slope < 0.0F ? std::max(enter, t) : std::min(leave, t);
     return enter <= leave;
   };
   const bool is_visible = cut(-along.x, a.x - area.x_px) && cut(along.x, area.x_px + area.width_px - a.x) &&
                           cut(-along.y, a.y - area.y_px) && cut(along.y, area.y_px + area.height_px - a.y);
-  if (!is_visible) {
-    return std::nullopt;
-  }
+  if (!is_visible) return std::nullopt;
   return std::array{enter > 0.0F ? a + enter * along : a, leave < 1.0F ? a + leave * along : b};
 }
 
@@ -247,16 +237,12 @@ void draw_plot(Canvas& canvas, const Plot& plot, const Area& area, const PlotSty
   draw_y_label(canvas, axes, area, style);
   draw_levels(canvas, axes, style);
   for (const Curve& curve : plot.curves) {
-    if (curve.stroke.thickness_px > 0.0F) {
-      draw_line(canvas, curve, axes);
-    }
+    if (curve.stroke.thickness_px > 0.0F) draw_line(canvas, curve, axes);
     draw_points(canvas, curve, axes, style);
   }
   canvas.rectangle(axes.area.x_px, axes.area.y_px, axes.area.width_px, axes.area.height_px, palette::ink,
                    style.line_px);
-  if (plot.legend != LegendCorner::none) {
-    draw_legend_lines(canvas, axes, style);
-  }
+  if (plot.legend != LegendCorner::none) draw_legend_lines(canvas, axes, style);
 }
 
 Area plot_area(const PlotSheet& sheet, std::size_t number) {

@@ -28,9 +28,7 @@ SpringPatch patch_of(const sim::Garment& garment, const std::vector<sim::Index>&
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
     for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
       const auto a = place.find(springs.ends[s][0]), b = place.find(springs.ends[s][1]);
-      if (a != place.end() && b != place.end()) {
-        patch.springs.push_back({{a->second, b->second}, kind});
-      }
+      if (a != place.end() && b != place.end()) patch.springs.push_back({{a->second, b->second}, kind});
     }
   }
   return patch;
@@ -85,9 +83,7 @@ void run_stiffnesses(Results& results, const ProgressCallback& report_progress) 
 StrongRun run_strong(const std::string& garment, DrawnScene scene, bool is_rigid, int frames,
                      const ProgressCallback& report_progress) {
   SolverChoice& solver = scene.simulation.solver;
-  if (is_rigid) {
-    solver.strong.rigidity = {};
-  }
+  if (is_rigid) solver.strong.rigidity = {};
   StrongRun run = {garment,
                    is_rigid,
                    solver.substeps.value_or(0),
@@ -247,9 +243,7 @@ MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s
 }
 
 std::optional<Unrest> measure_unrest(const MethodRun& run) {
-  if (run.diverged_at_s || run.moved_rms_m.empty()) {
-    return std::nullopt;
-  }
+  if (run.diverged_at_s || run.moved_rms_m.empty()) return std::nullopt;
   const std::size_t begin = run.moved_rms_m.size() - (run.moved_rms_m.size() + 3) / 4;
   double squares = 0.0;
   for (std::size_t i = begin; i < run.moved_rms_m.size(); ++i) {

@@ -85,9 +85,7 @@ StraightLine fit_line(std::span<const std::array<double, 2>> points) {
 
 PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
   std::vector<std::array<double, 2>> logarithms;
-  for (const auto& [x, y] : points) {
-    logarithms.push_back({std::log(x), std::log(y)});
-  }
+  for (const auto& [x, y] : points) logarithms.push_back({std::log(x), std::log(y)});
   const StraightLine line = fit_line(logarithms);
   return {line.slope, std::exp(line.offset), line.misfit};
 }
@@ -112,9 +110,7 @@ void measure_frame_times(int repeats, const ProgressCallback& report_progress, R
   }
   // In turn: what else the machine does meanwhile meets all of them alike.
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    for (TimedRun& run : runs) {
-      time_frame(run);
-    }
+    for (TimedRun& run : runs) time_frame(run);
     report_progress(static_cast<double>(repeat + 1) / repeats);
   }
   for (TimedRun& run : runs) {

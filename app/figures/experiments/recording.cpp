@@ -54,14 +54,10 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   Recording recording = begin_recording(scene, simulation);
   std::optional<PromiseCounter> counter;
-  if (frames.front() == 0) {
-    keep(simulation, 0, recording);
-  }
+  if (frames.front() == 0) keep(simulation, 0, recording);
   FrameOutputs outputs;
   outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
-    if (std::binary_search(frames.begin(), frames.end(), frame)) {
-      keep(moment, frame, recording);
-    }
+    if (std::binary_search(frames.begin(), frames.end(), frame)) keep(moment, frame, recording);
   };
   outputs.report = [&](const FrameRecord& record) {
     note_stretch(record, recording);
@@ -94,9 +90,7 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
   const DrawnScene stepped = with_steps_as_frames(scene);
   sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
   StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};
-  if (frames.front() == 0) {
-    keep(simulation, 0, recording.frames);
-  }
+  if (frames.front() == 0) keep(simulation, 0, recording.frames);
   PromiseCounter counter(recording.frames);
   FrameRecord start;
   counter.count(simulation, start);

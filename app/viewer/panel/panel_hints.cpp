@@ -137,14 +137,10 @@ constexpr std::array hints = {
 
 std::string hint_for(const std::string& name) {
   for (const auto& [own, text] : hints) {
-    if (own == name) {
-      return std::string(text);
-    }
+    if (own == name) return std::string(text);
   }
   constexpr std::string_view compare = "compare.";
-  if (name.starts_with(compare)) {
-    return hint_for("solver." + name.substr(compare.size()));
-  }
+  if (name.starts_with(compare)) return hint_for("solver." + name.substr(compare.size()));
   constexpr std::string_view preset = "preset.";
   return name.starts_with(preset) ? "Load the scene " + name.substr(preset.size()) + " of this figure." : "";
 }

@@ -50,9 +50,7 @@ std::filesystem::path font_file() {
   if (found != nullptr && FcPatternGetString(found, FC_FILE, 0, &file) == FcResultMatch) {
     path = reinterpret_cast<const char*>(file);
   }
-  if (found != nullptr) {
-    FcPatternDestroy(found);
-  }
+  if (found != nullptr) FcPatternDestroy(found);
   FcPatternDestroy(wanted);
   FcConfigDestroy(config);
   return path;
@@ -95,9 +93,7 @@ UserInterface::UserInterface(double scale)
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  for (const auto& [navigation, key] : navigation_keys) {
-    io.KeyMap[navigation] = key;
-  }
+  for (const auto& [navigation, key] : navigation_keys) io.KeyMap[navigation] = key;
   io.MousePos = {-1.0F, -1.0F};
   make_letters();
 }
@@ -160,9 +156,7 @@ struct Feeder {
   ImGuiIO& io;
 
   void operator()(const renderer::KeyChanged& event) const {
-    if (event.key < 0 || event.key > keys::last) {
-      return;
-    }
+    if (event.key < 0 || event.key > keys::last) return;
     io.KeysDown[event.key] = event.down;
     io.KeyCtrl = io.KeysDown[keys::left_control] || io.KeysDown[keys::right_control];
     io.KeyShift = io.KeysDown[keys::left_shift] || io.KeysDown[keys::right_shift];
@@ -219,9 +213,7 @@ void UserInterface::end_frame() {
            .first_index = indices_.size() + command.IdxOffset,
            .index_count = command.ElemCount,
            .first_vertex = first_vertex + command.VtxOffset});
-      if (is_in_pictures) {
-        picture_overlay_.parts.push_back(overlay_.parts.back());
-      }
+      if (is_in_pictures) picture_overlay_.parts.push_back(overlay_.parts.back());
     }
     indices_.insert(indices_.end(), list.IdxBuffer.begin(), list.IdxBuffer.end());
     first_vertex += static_cast<std::size_t>(list.VtxBuffer.Size);

@@ -96,9 +96,7 @@ class Line {
     const Json& value = next();
     const bool is_right = std::is_integral_v<Number> ? value.is_number_integer() : value.is_number();
     const double found = is_right ? value.get<double>() : NAN;
-    if (!(found >= static_cast<double>(lowest) && found <= static_cast<double>(highest))) {
-      fail();
-    }
+    if (!(found >= static_cast<double>(lowest) && found <= static_cast<double>(highest))) fail();
     return value.get<Number>();
   }
   bool flag() {
@@ -229,17 +227,13 @@ std::string session_head(const SessionStart& start) {
   for (const Override& changed : start.overrides) {
     text += json_line({"set", changed.key + '=' + changed.value});
   }
-  if (start.compared_with) {
-    text += json_line({"compare", sim::name_of(*start.compared_with)});
-  }
+  if (start.compared_with) text += json_line({"compare", sim::name_of(*start.compared_with)});
   return text + json_line({"window", start.size.width_px, start.size.height_px, start.scale});
 }
 
 std::string session_lines(const SessionFrame& frame) {
   std::string text;
-  for (const SessionEvent& event : frame.events) {
-    text += json_line(std::visit(EventWriter{}, event));
-  }
+  for (const SessionEvent& event : frame.events) text += json_line(std::visit(EventWriter{}, event));
   text += frame.pace ? json_line({"paced", frame.elapsed_s, frame.pace->advances, frame.pace->shown})
                      : json_line({"frame", 1});
   return frame.expected_state ? text + json_line({"state", *frame.expected_state}) : text;
@@ -250,9 +244,7 @@ Session read_session(const std::filesystem::path& file) {
 }
 
 Session parse_session(const std::string& text, const std::string& name) {
-  if (text.empty()) {
-    throw InputError(name + ": is empty, expected " + forms[0].second);
-  }
+  if (text.empty()) throw InputError(name + ": is empty, expected " + forms[0].second);
   std::istringstream lines(text);
   Session session;
   SessionFrame frame;
@@ -267,9 +259,7 @@ Session parse_session(const std::string& text, const std::string& name) {
     }
   }
   // Events that no frame follows get one.
-  if (!frame.events.empty()) {
-    session.frames.push_back(std::move(frame));
-  }
+  if (!frame.events.empty()) session.frames.push_back(std::move(frame));
   return session;
 }
 
@@ -277,25 +267,19 @@ SessionRecorder::SessionRecorder(const std::filesystem::path& file, const Sessio
   prepare_folder_of(file);
   file_.open(file, std::ios::trunc);
   file_ << session_head(start) << std::flush;
-  if (!file_) {
-    throw InputError("cannot write '" + file.string() + "'");
-  }
+  if (!file_) throw InputError("cannot write '" + file.string() + "'");
 }
 
 void SessionRecorder::add(const SessionFrame& frame) {
   file_ << session_lines(frame) << std::flush;
-  if (!file_) {
-    throw InputError("cannot write '" + path_.string() + "': is the disk full?");
-  }
+  if (!file_) throw InputError("cannot write '" + path_.string() + "': is the disk full?");
 }
 
 std::vector<SessionEvent> InputQueue::take_frame() {
   std::vector<SessionEvent> taken;
   while (!waiting_.empty() && !has_to_wait(waiting_.front(), taken)) {
     const bool replaces = !taken.empty() && moves_pointer(taken.back()) && moves_pointer(waiting_.front());
-    if (replaces) {
-      taken.pop_back();
-    }
+    if (replaces) taken.pop_back();
     taken.push_back(std::move(waiting_.front()));
     waiting_.pop_front();
   }

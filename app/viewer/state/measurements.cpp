@@ -19,9 +19,7 @@ constexpr double most_of_it = 0.75;
 }  // namespace
 
 void RecentValues::add(float value) {
-  if (values_.size() == most) {
-    values_.erase(values_.begin());
-  }
+  if (values_.size() == most) values_.erase(values_.begin());
   values_.push_back(value);
 }
 
@@ -41,12 +39,8 @@ double RealTime::busy_share() const {
 }
 
 SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share) {
-  if (factor >= as_good_as_asked * asked) {
-    return SlowedBy::nothing;
-  }
-  if (simulate_ms >= as_good_as_asked * frame_ms) {
-    return SlowedBy::simulation;
-  }
+  if (factor >= as_good_as_asked * asked) return SlowedBy::nothing;
+  if (simulate_ms >= as_good_as_asked * frame_ms) return SlowedBy::simulation;
   return busy_share >= most_of_it ? SlowedBy::drawing : SlowedBy::other_programs;
 }
 

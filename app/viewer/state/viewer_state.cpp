@@ -50,9 +50,7 @@ std::vector<Choice> choices_for(const BodySource& source, const std::shared_ptr<
     motion.label = motion.name;
     std::replace(motion.label.begin(), motion.label.end(), '_', ' ');
   }
-  for (const std::string& clip : names_of_clips(*rig)) {
-    choices.push_back({clip, clip + " (its own)", ""});
-  }
+  for (const std::string& clip : names_of_clips(*rig)) choices.push_back({clip, clip + " (its own)", ""});
   std::erase_if(choices, [&](const Choice& motion) { return !fits(source, rig, motion); });
   return choices;
 }
@@ -120,9 +118,7 @@ const Snapshot& pointed_at(const ViewerState& state) {
 
 void tell(ViewerState& state, const std::string& text, bool is_error) {
   std::erase_if(state.messages, [&](const Message& old) { return old.text == text; });
-  if (state.messages.size() >= most_messages) {
-    state.messages.erase(state.messages.begin());
-  }
+  if (state.messages.size() >= most_messages) state.messages.erase(state.messages.begin());
   state.messages.push_back({text, is_error, is_error ? error_message_s : short_message_s});
 }
 
@@ -157,17 +153,11 @@ std::vector<Choice> files_in(const std::string& folder, const std::string& endin
 MotionChoices motion_choices(const DrawnScene& scene, const MotionChoices& known) {
   for (std::size_t body = 0; body < scene.body_sources.size(); ++body) {
     const BodySource& source = scene.body_sources[body];
-    if (source.file.empty()) {
-      continue;
-    }
-    if (source.file == known.of) {
-      return {body, known.of, known.choices};
-    }
+    if (source.file.empty()) continue;
+    if (source.file == known.of) return {body, known.of, known.choices};
     try {
       const std::shared_ptr<const Rig> rig = read_rig(source.file);
-      if (!rig->influences.empty()) {
-        return {body, source.file, choices_for(source, rig)};
-      }
+      if (!rig->influences.empty()) return {body, source.file, choices_for(source, rig)};
     } catch (const InputError&) {
       continue;
     }

@@ -7,8 +7,8 @@ namespace taut::app {
 
 HeadlessViewer::HeadlessViewer(const DrawnScene& scene, const SessionStart& start,
                                const std::filesystem::path& keep_folder, const std::string& backend)
-    : simulation_(std::make_unique<SteppedSimulation>(scene)),
-      viewer_(*simulation_, {start.size, start.scale, keep_folder, start.compared_with, false}),
+    : simulation_(scene, SimulationHost::Runs::when_asked),
+      viewer_(simulation_, {start.size, start.scale, keep_folder, start.compared_with, false}),
       context_([backend] { return renderer::create_context(backend); }),
       target_(std::make_unique<renderer::ColourTarget>(context_.context())) {}
 
@@ -24,11 +24,9 @@ SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
     viewer_.tell("the graphics driver lost the picture; it was made anew", true);
   }
   SessionFrame played = viewer_.update(frame);
-  if (viewer_.wants_picture()) {
-    viewer_.take_picture(draw_scene());
-  }
-  if (frame.expected_state && *frame.expected_state != simulation_->state_hash()) {
-    throw InputError("the state is {:016x}, the session expects {:016x}", simulation_->state_hash(),
+  if (viewer_.wants_picture()) viewer_.take_picture(draw_scene());
+  if (frame.expected_state && *frame.expected_state != simulation_.state_hash()) {
+    throw InputError("the state is {:016x}, the session expects {:016x}", simulation_.state_hash(),
                      *frame.expected_state);
   }
   return played;

@@ -99,9 +99,7 @@ Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const 
 
 }  // namespace
 
-glm::mat4 Camera::view() const {
-  return glm::lookAt(eye, target, up);
-}
+glm::mat4 Camera::view() const { return glm::lookAt(eye, target, up); }
 
 glm::mat4 Camera::projection(float aspect) const {
   return glm::perspective(vertical_fov_rad, aspect, near_m, far_m);
@@ -125,9 +123,7 @@ bool is_near(const Box& box) {
   return near;
 }
 
-Box united(const Box& a, const Box& b) {
-  return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
-}
+Box united(const Box& a, const Box& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
 
 Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect) {
   check(box, framing, aspect);

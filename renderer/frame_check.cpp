@@ -5,9 +5,7 @@ namespace {
 
 constexpr int largest_side_px = 16384;
 
-bool is_within(int number, int lowest, int highest) {
-  return number >= lowest && number <= highest;
-}
+bool is_within(int number, int lowest, int highest) { return number >= lowest && number <= highest; }
 
 bool are_finite(std::span<const glm::vec3> values) {
   return std::all_of(values.begin(), values.end(), [](const glm::vec3& v) {

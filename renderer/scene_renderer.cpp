@@ -300,9 +300,7 @@ SceneRenderer::SceneRenderer(Context& context) {
   parts_ = std::make_unique<Parts>(context);
 }
 
-SceneRenderer::~SceneRenderer() {
-  delete_in_context(parts_);
-}
+SceneRenderer::~SceneRenderer() { delete_in_context(parts_); }
 
 // A ball above a larger one and a floor: their picture needs every shader that pictures of cloth need.
 void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {

@@ -13,9 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason_of(int error_number) {
-  return std::generic_category().message(error_number);
-}
+std::string reason_of(int error_number) { return std::generic_category().message(error_number); }
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");

@@ -10,9 +10,7 @@ namespace {
 // A signal handler can reach nothing but static storage.
 volatile std::sig_atomic_t received_signal = 0;
 
-void note_signal(int signal) {
-  received_signal = signal;
-}
+void note_signal(int signal) { received_signal = signal; }
 
 }  // namespace
 

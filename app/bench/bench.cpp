@@ -232,9 +232,7 @@ std::string contact_head(const std::string& vector_unit) {
          "mm         %  bound     pairs  frames  passed\n";
 }
 
-std::string contact_row(const ContactTrial& trial) {
-  return row_of(trial) + failures_of(trial);
-}
+std::string contact_row(const ContactTrial& trial) { return row_of(trial) + failures_of(trial); }
 
 std::string contact_csv(std::span<const ContactTrial> trials) {
   CsvTable table({"scene", "seed", "triangles", "bound", "frames", "median_ms", "p99_ms", "worst_ms",

@@ -69,9 +69,7 @@ const char* const export_help =
     "and add a Mesh Cache modifier: Forward +Y, Up +Z); clip.glb, which plays in any viewer; clip.pvd for "
     "ParaView, with the simulated triangles and their stretch; bodies are not written";
 
-bool is_clip(const std::string& name) {
-  return !name.empty() && fs::path(name).extension() != ".obj";
-}
+bool is_clip(const std::string& name) { return !name.empty() && fs::path(name).extension() != ".obj"; }
 
 void require_export(const ExportSettings& settings, const fs::path& garment) {
   const fs::path name = settings.name;
@@ -114,9 +112,7 @@ std::unique_ptr<FrameSink> open_sink(const ExportSettings& settings, const Garme
                             : make_obj_sink(settings, loaded);
 }
 
-fs::path obj_beside(const fs::path& cache) {
-  return fs::path(cache).replace_extension(".obj");
-}
+fs::path obj_beside(const fs::path& cache) { return fs::path(cache).replace_extension(".obj"); }
 
 std::unique_ptr<FrameSink> make_obj_sink(const ExportSettings& settings, const GarmentInScene& loaded) {
   return std::make_unique<ObjSink>(settings, loaded);

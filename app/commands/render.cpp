@@ -369,8 +369,6 @@ class Render {
 
 }  // namespace
 
-int run(const RenderOptions& options) {
-  return Render(options, render_job_of(options)).go();
-}
+int run(const RenderOptions& options) { return Render(options, render_job_of(options)).go(); }
 
 }  // namespace taut::app

@@ -19,9 +19,7 @@ std::optional<double> shown_bound(const DrawnScene& scene) {
   return holds_shown ? stretch_bound(scene) : std::nullopt;
 }
 
-const char* name_of(StretchOf shown) {
-  return shown == StretchOf::springs ? "springs" : "surface";
-}
+const char* name_of(StretchOf shown) { return shown == StretchOf::springs ? "springs" : "surface"; }
 
 const char* legend_title(StretchOf shown) {
   return shown == StretchOf::springs ? "stretch of springs" : "stretch of the surface";
@@ -89,9 +87,7 @@ void set_garment(const std::filesystem::path& file, DrawnScene& scene) {
   scene.picture.show_pins = false;
 }
 
-Json scene_settings(const DrawnScene& scene) {
-  return settings_of(drawn_scene_format(), scene);
-}
+Json scene_settings(const DrawnScene& scene) { return settings_of(drawn_scene_format(), scene); }
 
 std::string scene_text(const DrawnScene& scene, GarmentNaming naming) {
   Json settings = scene_settings(scene);

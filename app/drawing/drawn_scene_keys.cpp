@@ -31,9 +31,7 @@ glm::vec3 to_vec3(const std::array<double, 3>& numbers) {
   return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]), static_cast<float>(numbers[2])};
 }
 
-Json list_of(const glm::vec3& v) {
-  return Json::array({v.x, v.y, v.z});
-}
+Json list_of(const glm::vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 /// A key whose text "auto", which leaves the member empty, is what a file need not say; a command line takes
 /// back with it what a file says. `found(value)` is empty for what is not as expected.

@@ -181,9 +181,7 @@ renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reac
   return camera;
 }
 
-float ground_below(float lowest_m, float highest_m) {
-  return lowest_m - ground_gap * (highest_m - lowest_m);
-}
+float ground_below(float lowest_m, float highest_m) { return lowest_m - ground_gap * (highest_m - lowest_m); }
 
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach) {
   switch (scene.picture.ground.kind) {

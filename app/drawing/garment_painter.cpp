@@ -161,9 +161,7 @@ void SurfaceRooms::keep_off_shapes(double time_s) {
   }
 }
 
-float pin_radius_m(const renderer::Box& reach) {
-  return 0.008F * glm::distance(reach.lower, reach.upper);
-}
+float pin_radius_m(const renderer::Box& reach) { return 0.008F * glm::distance(reach.lower, reach.upper); }
 
 GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene,
                                const sim::Garment& garment, std::span<const sim::Index> pins,

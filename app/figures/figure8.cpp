@@ -156,9 +156,7 @@ PlotPanel rest_panel(const MethodTrials& trials) {
                        shaken_hz)}};
 }
 
-Axis factor_axis() {
-  return {"length of a time step, times its own", 0.85, 7.5, true, "", {1.0, 2.0, 5.0}};
-}
+Axis factor_axis() { return {"length of a time step, times its own", 0.85, 7.5, true, "", {1.0, 2.0, 5.0}}; }
 
 PlotPanel steps_panel(const MethodTrials& trials) {
   Plot plot;

@@ -11,9 +11,7 @@ void time_strong_shirts(const ProgressCallback& report_progress, Results& result
   measure_frame_times(frame_time_repeats, report_progress, results);
 }
 
-std::vector<const Recording*> falls_of(const Results& results) {
-  return {&results.fall->frames};
-}
+std::vector<const Recording*> falls_of(const Results& results) { return {&results.fall->frames}; }
 
 std::vector<const Recording*> pinned_of(const Results& results) {
   return {&*results.pinned[0], &*results.pinned[1]};

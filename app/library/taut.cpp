@@ -82,9 +82,7 @@ const char* taut_version(void) {
   return version.c_str();
 }
 
-uint32_t taut_abi_version(void) {
-  return TAUT_ABI_VERSION;
-}
+uint32_t taut_abi_version(void) { return TAUT_ABI_VERSION; }
 
 const char* taut_build_info(void) {
   static const std::string info = [] {

@@ -81,9 +81,7 @@ void CsvFile::fail(std::size_t row, const std::string& what) const {
   throw InputError("{}:{}: {}", name_, row + 2, what);
 }
 
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
-}
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;

@@ -115,9 +115,7 @@ std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const 
           {surface_stretch_keyword, fmt::format("{}", record.surface_stretch.max)}};
 }
 
-bool is_picture(const std::filesystem::path& file) {
-  return file.extension() == ".png";
-}
+bool is_picture(const std::filesystem::path& file) { return file.extension() == ".png"; }
 
 PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides) {
   const std::vector<renderer::PngText> texts = texts_of(file);

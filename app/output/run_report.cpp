@@ -21,13 +21,9 @@ struct FrameColumn {
 };
 
 // JSON has no infinity, and -1 is no frame.
-Json number_json(double number) {
-  return std::isfinite(number) ? Json(number) : Json();
-}
+Json number_json(double number) { return std::isfinite(number) ? Json(number) : Json(); }
 
-Json number_json(int number) {
-  return number >= 0 ? Json(number) : Json();
-}
+Json number_json(int number) { return number >= 0 ? Json(number) : Json(); }
 
 #define VALUE(of_record) [](const FrameRecord& r) -> Json { return of_record; }
 const FrameColumn frame_columns[] = {
@@ -128,9 +124,7 @@ Json summary_json(const RunSummary& summary) {
   return json;
 }
 
-Json point_json(const sim::Vec3& p) {
-  return {p.x, p.y, p.z};
-}
+Json point_json(const sim::Vec3& p) { return {p.x, p.y, p.z}; }
 
 Json parts_json(const std::vector<HungPart>& parts) {
   constexpr std::array ways = {"top opening",  "highest points", "back edge", "neck",
@@ -175,9 +169,7 @@ std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::string line_of(const Json& json) {
-  return text_of(json, -1);
-}
+std::string line_of(const Json& json) { return text_of(json, -1); }
 
 namespace fs = std::filesystem;
 
@@ -332,13 +324,9 @@ StatisticsFile::StatisticsFile(const fs::path& file, const RunDescription& run, 
   if (!last_kept) write(statistics_header(format_, run));
 }
 
-void StatisticsFile::add(const FrameRecord& record) {
-  write(statistics_line(format_, record));
-}
+void StatisticsFile::add(const FrameRecord& record) { write(statistics_line(format_, record)); }
 
-void StatisticsFile::finish(const RunSummary& summary) {
-  write(statistics_end(format_, summary));
-}
+void StatisticsFile::finish(const RunSummary& summary) { write(statistics_end(format_, summary)); }
 
 void StatisticsFile::write(const std::string& lines) {
   std::error_code ignored;

@@ -19,9 +19,7 @@ namespace fs = std::filesystem;
 // Frames of a GIF last whole hundredths of a second. Viewers slow down frames of less than two hundredths.
 constexpr double fastest_gif_hz = 50.0;
 
-bool is_gif(const fs::path& file) {
-  return file.extension() == ".gif";
-}
+bool is_gif(const fs::path& file) { return file.extension() == ".gif"; }
 
 int pictures_for_a_frame(const fs::path& file, double frame_rate_hz) {
   return is_gif(file) ? static_cast<int>(std::ceil(frame_rate_hz / fastest_gif_hz)) : 1;
@@ -79,9 +77,7 @@ std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& 
 
 }  // namespace
 
-bool is_video(const fs::path& file) {
-  return file.extension() == ".mp4" || file.extension() == ".gif";
-}
+bool is_video(const fs::path& file) { return file.extension() == ".mp4" || file.extension() == ".gif"; }
 
 void require_video_size(const fs::path& file, const VideoSettings& settings) {
   const bool is_even = settings.width_px % 2 == 0 && settings.height_px % 2 == 0;

@@ -21,17 +21,11 @@ struct Tested {
   Cases bounded = {};
 };
 
-MeasuredNumber percent(const char* name, double fraction) {
-  return {name, 100.0 * fraction, "%"};
-}
+MeasuredNumber percent(const char* name, double fraction) { return {name, 100.0 * fraction, "%"}; }
 
-bool keeps(double stretch) {
-  return stretch <= paper_stretch_bound;
-}
+bool keeps(double stretch) { return stretch <= paper_stretch_bound; }
 
-bool vibrates(double speed_m_per_s) {
-  return !(speed_m_per_s <= vibration_m_per_s);
-}
+bool vibrates(double speed_m_per_s) { return !(speed_m_per_s <= vibration_m_per_s); }
 
 bool exceeds_springs(double surface, double springs) {
   return std::isfinite(surface) && surface > (1.0 + surface_excess) * springs;

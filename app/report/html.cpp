@@ -135,9 +135,7 @@ std::string machine_html(const Machine& machine) {
       escaped(machine.program), escaped(machine.compiler), escaped(machine.gl_renderer));
 }
 
-std::string cell_html(const std::string& text) {
-  return fmt::format("<td class=\"number\">{}</td>", text);
-}
+std::string cell_html(const std::string& text) { return fmt::format("<td class=\"number\">{}</td>", text); }
 
 std::string percent(double fraction) {
   return cell_html(std::isfinite(fraction) ? fmt::format("{:.3g} %", 100.0 * fraction) : "lost");

@@ -57,9 +57,7 @@ Json number_json(const MeasuredNumber& number) {
   return json;
 }
 
-Json text_or_null(const std::string& text) {
-  return text.empty() ? Json(nullptr) : Json(text);
-}
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json numbers_json(const Finding& finding) {
   Json json = Json::array();

@@ -31,13 +31,9 @@ constexpr std::array settable = {"garment.areal_density",
                                  "picture.weave",
                                  "picture.weave_contrast"};
 
-fs::path fabrics_folder() {
-  return assets_folder() / "fabrics";
-}
+fs::path fabrics_folder() { return assets_folder() / "fabrics"; }
 
-bool is_file_name(const std::string& name) {
-  return fs::path(name).extension() == ending;
-}
+bool is_file_name(const std::string& name) { return fs::path(name).extension() == ending; }
 
 /// Facts about the fabric itself.
 std::vector<Key<Fabric>> own_keys() {
@@ -84,9 +80,7 @@ bool is_fabric_key(const std::string& key) {
   return std::find(settable.begin(), settable.end(), key) != settable.end();
 }
 
-bool is_passed_over(const std::string& key) {
-  return key == "camera" || key == "picture";
-}
+bool is_passed_over(const std::string& key) { return key == "camera" || key == "picture"; }
 
 Fabric find_fabric(const std::string& name, const Source& source, int line) {
   Fabric fabric;

@@ -71,12 +71,8 @@ std::optional<double> stretch_bound(const Scene& scene) {
   const sim::SolverMethod method = solver_settings(solver).method;
   return std::visit(
       [&](const auto& settings) {
-        constexpr bool has_bound = requires {
-          settings.max_stretch;
-        }
-        || requires {
-          settings.max_strain;
-        };
+        constexpr bool has_bound = requires { settings.max_stretch; }
+        || requires { settings.max_strain; };
         return has_bound ? std::optional(solver.bounded.max_stretch) : std::nullopt;
       },
       method);

@@ -84,13 +84,9 @@ void name_files(const Files& files, const Models& models, GarmentNaming naming, 
 
 }  // namespace
 
-std::vector<BuiltInScene> built_in_scenes() {
-  return find_assets().scenes;
-}
+std::vector<BuiltInScene> built_in_scenes() { return find_assets().scenes; }
 
-std::filesystem::path assets_folder() {
-  return find_assets().folder;
-}
+std::filesystem::path assets_folder() { return find_assets().folder; }
 
 std::optional<std::filesystem::path> find_asset(const std::filesystem::path& file) {
   const fs::path assets = assets_folder();

@@ -205,9 +205,7 @@ void fail(const Source& source, int line, const std::string& message) {
                             : fmt::format("{}: {}", source.name, message));
 }
 
-int line_of(const toml::node& value) {
-  return static_cast<int>(value.source().begin.line);
-}
+int line_of(const toml::node& value) { return static_cast<int>(value.source().begin.line); }
 
 toml::table read_toml_text(const std::string& text, const std::string& name) {
   try {
@@ -256,16 +254,10 @@ Json::json_pointer pointer_to(std::string key) {
   return Json::json_pointer('/' + key);
 }
 
-std::string to_text(const Json& value) {
-  return joined_words(value, message_word);
-}
+std::string to_text(const Json& value) { return joined_words(value, message_word); }
 
-std::string to_text(const toml::node& value) {
-  return to_text(json_of(value));
-}
+std::string to_text(const toml::node& value) { return to_text(json_of(value)); }
 
-std::string toml_text(const Json& value) {
-  return joined_words(value, toml_word);
-}
+std::string toml_text(const Json& value) { return joined_words(value, toml_word); }
 
 }  // namespace taut::app

@@ -102,10 +102,8 @@ std::optional<glm::vec3> colour_value(const toml::node& value);
 std::string colour_text(const glm::vec3& colour);
 
 /// `access` of a key: the member, in a const T or not.
-#define MEMBER(path)     \
-  [](auto& s) -> auto& { \
-    return s.path;       \
-  }
+#define MEMBER(path) \
+  [](auto& s) -> auto& { return s.path; }
 
 // A member that may be without a value is so where the file says 0.
 template <class Number>

@@ -3,10 +3,8 @@
 #include "app/scene/scene_format.hpp"
 
 // `access` of a key of a body that has the shape.
-#define MEMBER_OF(Shape, member)                      \
-  [](auto& b) -> auto& {                              \
-    return std::get<sim::Shape>(b.body.shape).member; \
-  }
+#define MEMBER_OF(Shape, member) \
+  [](auto& b) -> auto& { return std::get<sim::Shape>(b.body.shape).member; }
 
 namespace taut::app {
 namespace {
@@ -132,10 +130,8 @@ Key<T> path_key(std::string name, std::string unit, Access access, std::string m
 /// Adds the keys of a motion; `motion` returns the one of an entry, const or not.
 template <class T, class Access>
 void add_motion(std::vector<Key<T>>& keys, Access motion) {
-#define MOTION(member)           \
-  [=](auto& entry) -> auto& {    \
-    return motion(entry).member; \
-  }
+#define MOTION(member) \
+  [=](auto& entry) -> auto& { return motion(entry).member; }
   constexpr Range time = {.lowest = 0.0, .highest = 1e6};
   const std::string begins = "when it begins; not set: at 0", ends = "when it ends; not set: never";
   const auto shifts = [=](const T& e) { return motion(e).shift != sim::Shift{}; };
@@ -181,9 +177,7 @@ const std::array<std::pair<const char*, sim::Shape>, 4> shapes = {{{"plane", sim
                                                                    {"mesh", sim::BodyMesh{}}}};
 constexpr const char* shape_names = "\"plane\" or \"sphere\" or \"capsule\" or \"mesh\"";
 
-const char* name_of(const sim::Shape& shape) {
-  return shapes[shape.index()].first;
-}
+const char* name_of(const sim::Shape& shape) { return shapes[shape.index()].first; }
 
 struct BodyInScene {
   sim::Body body;

@@ -12,9 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string full(const fs::path& path) {
-  return fs::absolute(path).lexically_normal().string();
-}
+std::string full(const fs::path& path) { return fs::absolute(path).lexically_normal().string(); }
 
 std::string task_command(const Sweep& sweep, const FarmSettings& settings) {
   return this_command({"sweep", "run", full(sweep.folder), "--chunk", std::to_string(settings.chunk)});

@@ -23,9 +23,7 @@ bool is_fabric_file(const std::string& key, const std::string& value) {
   return key.ends_with("fabric") && value.ends_with(".toml");
 }
 
-bool is_input(const std::string& name) {
-  return name.starts_with(inputs_folder);
-}
+bool is_input(const std::string& name) { return name.starts_with(inputs_folder); }
 
 std::vector<Override> overrides(const Sweep& sweep, std::size_t run) {
   const auto in_folder = [&](const std::string& name) {
@@ -164,9 +162,7 @@ std::string program_hash() {
   return hash_text(sim::fnv1a(sim::fnv1a_of_nothing, read_text_file("/proc/self/exe")));
 }
 
-std::string hash_text(std::uint64_t hash) {
-  return fmt::format("{:016x}", hash);
-}
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 namespace {
 

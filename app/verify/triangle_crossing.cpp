@@ -14,13 +14,9 @@ struct Segment {
   Vec3 from, to;
 };
 
-Segment edge_of(const Corners& t, std::size_t k) {
-  return {t[k], t[(k + 1) % 3]};
-}
+Segment edge_of(const Corners& t, std::size_t k) { return {t[k], t[(k + 1) % 3]}; }
 
-Vec2 without(int axis, const Vec3& p) {
-  return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
-}
+Vec2 without(int axis, const Vec3& p) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
 int orientation_without(int axis, const Vec3& a, const Vec3& b, const Vec3& c) {
   return orientation(without(axis, a), without(axis, b), without(axis, c));
@@ -101,9 +97,7 @@ struct SidesOfEnds {
   bool are_none() const { return first == 0 && second == 0; }
 };
 
-int side_of(const Corners& plane, const Vec3& p) {
-  return orientation(plane[0], plane[1], plane[2], p);
-}
+int side_of(const Corners& plane, const Vec3& p) { return orientation(plane[0], plane[1], plane[2], p); }
 
 SidesOfEnds sides_of(const Corners& plane, const Vec3& a, const Vec3& b) {
   return {side_of(plane, a), side_of(plane, b)};
@@ -134,9 +128,7 @@ SidesOfCorners sides_of(const Corners& plane, const Corners& t) {
   return {side_of(plane, t[0]), side_of(plane, t[1]), side_of(plane, t[2])};
 }
 
-bool are_one(const SidesOfCorners& s) {
-  return s[0] * s[1] > 0 && s[1] * s[2] > 0;
-}
+bool are_one(const SidesOfCorners& s) { return s[0] * s[1] > 0 && s[1] * s[2] > 0; }
 
 /// Returns the first place where an edge of `a` pierces `b`. `sides` are those of `b` on which corners of `a`
 /// are.
@@ -176,9 +168,7 @@ bool are_far_apart(const Vec3& origin, const Vec3& axis, std::span<const Vec3> b
          std::all_of(behind.begin(), behind.end(), is_behind);
 }
 
-Vec3 middle_of(const Corners& t) {
-  return (t[0] + t[1] + t[2]) / 3.0;
-}
+Vec3 middle_of(const Corners& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
 /// A direction from corner 0 between both sides.
 Vec3 inwards(const Corners& t) {
@@ -198,9 +188,7 @@ constexpr double error_of_2 = (3.0 + 16.0 * unit_roundoff) * unit_roundoff;
 // Below it products may have lost digits at the small end of the numbers, which those bounds do not count.
 constexpr double smallest_sum = 1e-200;
 
-int sign_of(double value) {
-  return (value > 0.0) - (value < 0.0);
-}
+int sign_of(double value) { return (value > 0.0) - (value < 0.0); }
 
 bool is_certain(double determinant, double error, double sum_of_sizes) {
   return sum_of_sizes > smallest_sum && std::abs(determinant) > error * sum_of_sizes;

@@ -14,9 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // H.264 wants even sides.
-int even(int side_px) {
-  return std::max(side_px / 2 * 2, 2);
-}
+int even(int side_px) { return std::max(side_px / 2 * 2, 2); }
 
 renderer::Image cropped(const renderer::Image& image, int width_px, int height_px) {
   if (image.width_px == width_px && image.height_px == height_px) return image;
@@ -54,9 +52,7 @@ fs::path file_in(const fs::path& folder, ClipFormat format, const std::string& s
   return free_name(folder, scene, "-clip") / (scene + endings[static_cast<std::size_t>(format)]);
 }
 
-WrittenMoment moment_of(const Snapshot& snapshot) {
-  return {*snapshot.garment, *snapshot.checkpoint};
-}
+WrittenMoment moment_of(const Snapshot& snapshot) { return {*snapshot.garment, *snapshot.checkpoint}; }
 
 // A simulation that goes back or starts again changes it; one that goes on does not.
 std::int64_t frames_not_advanced(const Snapshot& snapshot) {

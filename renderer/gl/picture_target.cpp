@@ -53,9 +53,7 @@ VisibilityBuffer::VisibilityBuffer(const GladGLContext& context)
 }
 
 // Four is what shaders/surface.frag counts with.
-int VisibilityBuffer::usable_samples(int wanted) const {
-  return wanted > 1 && most_samples_ >= 4 ? 4 : 1;
-}
+int VisibilityBuffer::usable_samples(int wanted) const { return wanted > 1 && most_samples_ >= 4 ? 4 : 1; }
 
 void VisibilityBuffer::begin(int width_px, int height_px, int wanted_samples) {
   const int usable = usable_samples(wanted_samples);
@@ -169,9 +167,7 @@ void PictureTarget::clear() const {
   gl_->Clear(GL_COLOR_BUFFER_BIT);
 }
 
-Image PictureTarget::read() const {
-  return read_framebuffer(*gl_, finished_.name(), width_px_, height_px_);
-}
+Image PictureTarget::read() const { return read_framebuffer(*gl_, finished_.name(), width_px_, height_px_); }
 
 Image PictureTarget::read_with_alpha() const {
   Image image = read_pixels(*gl_, finished_.name(), {width_px_, height_px_, 4, {}});
@@ -218,9 +214,7 @@ ColourTarget::ColourTarget(Context& context) {
   parts_ = std::make_unique<Parts>(context);
 }
 
-ColourTarget::~ColourTarget() {
-  delete_in_context(parts_);
-}
+ColourTarget::~ColourTarget() { delete_in_context(parts_); }
 
 unsigned ColourTarget::framebuffer(int width_px, int height_px) {
   parts_->picture.begin(width_px, height_px);
@@ -252,8 +246,6 @@ void clear_framebuffer(Context& context, unsigned framebuffer, int width_px, int
   gl.Clear(GL_COLOR_BUFFER_BIT);
 }
 
-void finish_drawing(Context& context) {
-  context.gl().Finish();
-}
+void finish_drawing(Context& context) { context.gl().Finish(); }
 
 }  // namespace taut::renderer

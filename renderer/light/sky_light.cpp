@@ -43,9 +43,7 @@ float share_of_sphere(int directions) {
 }
 
 // The light of an open studio on a side: the same integral without anything in the way.
-float open_sky(float upwards) {
-  return 0.75F + 0.25F * upwards;
-}
+float open_sky(float upwards) { return 0.75F + 0.25F * upwards; }
 
 // Shares of a window's texels along one axis, from the place of its middle.
 struct WindowAxis {

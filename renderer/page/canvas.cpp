@@ -191,15 +191,9 @@ Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch, const std
   return Canvas(std::move(made));
 }
 
-int Canvas::width_px() const {
-  return surface_->width_px;
-}
-int Canvas::height_px() const {
-  return surface_->height_px;
-}
-float Canvas::smallest_text_px() const {
-  return surface_->smallest_text_px;
-}
+int Canvas::width_px() const { return surface_->width_px; }
+int Canvas::height_px() const { return surface_->height_px; }
+float Canvas::smallest_text_px() const { return surface_->smallest_text_px; }
 
 TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
   cairo_t* pen = surface_->pen.get();

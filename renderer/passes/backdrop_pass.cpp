@@ -29,9 +29,7 @@ int cell_px(int tile_height_px, BackdropGrid fineness) {
 }
 
 // Drawn pixels for a texel of the floor's shadow. More is faster and blurs the shadow's edge.
-int shadow_texel_px(int tile_height_px) {
-  return std::clamp(tile_height_px / 360, 1, 2);
-}
+int shadow_texel_px(int tile_height_px) { return std::clamp(tile_height_px / 360, 1, 2); }
 
 constexpr std::array<std::string_view, 1> with_floor{"FLOOR"};
 constexpr std::array<std::string_view, 1> with_shadow{"SHADED"};

@@ -125,9 +125,7 @@ void CoveredSquares::mark(const glm::ivec4& box, std::uint8_t kind) {
 }
 
 // A triangle that reaches behind the eye may be anywhere.
-void CoveredSquares::mark_all() {
-  std::fill(kinds_.begin(), kinds_.end(), partial_shadow);
-}
+void CoveredSquares::mark_all() { std::fill(kinds_.begin(), kinds_.end(), partial_shadow); }
 
 void CoveredSquares::add_run(int first, int end, int row) {
   const auto clip = [&](int x, int y) {

@@ -65,9 +65,7 @@ OverlayPass::OverlayPass(Context& context) {
   parts_ = std::make_unique<Parts>(context);
 }
 
-OverlayPass::~OverlayPass() {
-  delete_in_context(parts_);
-}
+OverlayPass::~OverlayPass() { delete_in_context(parts_); }
 
 void OverlayPass::set_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage) {
   const GladGLContext& gl = parts_->gl;

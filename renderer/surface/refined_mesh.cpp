@@ -9,9 +9,7 @@ constexpr float corner_cosine = 0.7071F;
 constexpr std::size_t most_triangles = 400'000;
 constexpr int most_levels = 4;
 
-VertexPair sorted(std::uint32_t a, std::uint32_t b) {
-  return {std::min(a, b), std::max(a, b)};
-}
+VertexPair sorted(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 // The only edge that starts (end 0) or ends (end 1) at each vertex.
 std::vector<std::uint32_t> only_edges(const std::vector<BorderEdge>& border, std::size_t end,

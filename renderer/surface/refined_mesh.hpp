@@ -14,9 +14,7 @@ struct TriangleSide {
 };
 
 /// Returns the corner after this one in its triangle; three corners for each.
-inline std::uint32_t next_corner(std::uint32_t corner) {
-  return corner % 3 == 2 ? corner - 2 : corner + 1;
-}
+inline std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
 /// Returns the sides of all triangles in the order of their ends, those with the same ends in that of their
 /// numbers. `triangles` holds three vertices each.

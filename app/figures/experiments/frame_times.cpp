@@ -90,17 +90,11 @@ PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
   return {line.slope, std::exp(line.offset), line.misfit};
 }
 
-double FrameTimes::median_ms() const {
-  return median(frame_ms);
-}
+double FrameTimes::median_ms() const { return median(frame_ms); }
 
-double FrameTimes::shortest_ms() const {
-  return *std::min_element(frame_ms.begin(), frame_ms.end());
-}
+double FrameTimes::shortest_ms() const { return *std::min_element(frame_ms.begin(), frame_ms.end()); }
 
-double FrameTimes::longest_ms() const {
-  return *std::max_element(frame_ms.begin(), frame_ms.end());
-}
+double FrameTimes::longest_ms() const { return *std::max_element(frame_ms.begin(), frame_ms.end()); }
 
 void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results) {
   std::vector<TimedRun> runs = make_timed_runs();

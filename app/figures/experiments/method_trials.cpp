@@ -160,9 +160,7 @@ const char* name_of(MethodTest test) {
   return names[static_cast<std::size_t>(test)];
 }
 
-double MethodTrial::largest_stretch() const {
-  return largest_of(*this, &TrialFrame::stretch);
-}
+double MethodTrial::largest_stretch() const { return largest_of(*this, &TrialFrame::stretch); }
 
 double MethodTrial::largest_surface_stretch() const {
   return largest_of(*this, &TrialFrame::surface_stretch);

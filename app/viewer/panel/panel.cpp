@@ -19,9 +19,7 @@ constexpr float panel_width_px = 320.0F;
 // flicker.
 constexpr double hint_after_s = 0.5;
 
-int panel_width(const WindowLayout& layout) {
-  return static_cast<int>(panel_width_px * layout.scale);
-}
+int panel_width(const WindowLayout& layout) { return static_cast<int>(panel_width_px * layout.scale); }
 
 void lay_out_panel(ViewerState& state, const WindowLayout& layout, const ViewArea& area) {
   ImGui::SetNextWindowPos({static_cast<float>(area.width_px), 0.0F});
@@ -156,9 +154,7 @@ std::optional<std::size_t> list_of(ViewerState& state, const char* label, const 
   return clicked;
 }
 
-bool is_hint_due(const ViewerState& state) {
-  return state.hovered && state.hovered->for_s < hint_after_s;
-}
+bool is_hint_due(const ViewerState& state) { return state.hovered && state.hovered->for_s < hint_after_s; }
 
 void action_button(ViewerState& state, const char* label, Action action, const char* name, float width_px) {
   if (ImGui::Button(label, {width_px, 0.0F})) state.asked.push_back(action);

@@ -98,9 +98,7 @@ UserInterface::UserInterface(double scale)
   make_letters();
 }
 
-UserInterface::~UserInterface() {
-  ImGui::DestroyContext(context_);
-}
+UserInterface::~UserInterface() { ImGui::DestroyContext(context_); }
 
 void UserInterface::set_scale(double scale) {
   if (scale != scale_) {
@@ -182,9 +180,7 @@ struct Feeder {
 
 }  // namespace
 
-void UserInterface::feed(const renderer::WindowEvent& event) {
-  std::visit(Feeder{ImGui::GetIO()}, event);
-}
+void UserInterface::feed(const renderer::WindowEvent& event) { std::visit(Feeder{ImGui::GetIO()}, event); }
 
 void UserInterface::begin_frame(int width_px, int height_px, double elapsed_s) {
   ImGuiIO& io = ImGui::GetIO();
@@ -222,12 +218,8 @@ void UserInterface::end_frame() {
   overlay_.indices = picture_overlay_.indices = indices_;
 }
 
-bool UserInterface::wants_pointer() const {
-  return ImGui::GetIO().WantCaptureMouse;
-}
+bool UserInterface::wants_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
 
-bool UserInterface::wants_keys() const {
-  return ImGui::GetIO().WantTextInput;
-}
+bool UserInterface::wants_keys() const { return ImGui::GetIO().WantTextInput; }
 
 }  // namespace taut::app

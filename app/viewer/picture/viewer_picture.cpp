@@ -168,9 +168,7 @@ void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const W
   interface_.draw(framebuffer, layout, letters, overlay, is_urgent);
 }
 
-ViewerContext::ViewerContext(MakeContext make_context) : make_context_(std::move(make_context)) {
-  renew();
-}
+ViewerContext::ViewerContext(MakeContext make_context) : make_context_(std::move(make_context)) { renew(); }
 
 ViewerContext::~ViewerContext() = default;
 

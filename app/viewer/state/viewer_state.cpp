@@ -186,8 +186,6 @@ DrawnScene with_motion(const DrawnScene& scene, std::size_t body, const Choice& 
   return moved;
 }
 
-std::span<const KeyBinding> key_bindings() {
-  return bindings;
-}
+std::span<const KeyBinding> key_bindings() { return bindings; }
 
 }  // namespace taut::app

@@ -1,4 +1,3 @@
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
@@ -21,24 +20,22 @@ constexpr std::array<NamedSize, 6> named_sizes = {{{"720p", {1280, 720}},
                                                    {"4K", {3840, 2160}},
                                                    {"8K", {7680, 4320}}}};
 
-template <class Names>
-std::string names_of(const Names& entries) {
+template <class Names> std::string names_of(const Names& entries) {
   std::vector<std::string> names;
   for (const auto& entry : entries) names.emplace_back(entry.name);
   return joined(names, ", ");
 }
 
 bool same_word(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+  return std::ranges::equal(a, b, [](char x, char y) {
     return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
   });
 }
 
 // The entry with this name, in small or capital letters; null: none.
-template <class Names>
-auto find_named(const Names& entries, std::string_view text) {
-  const auto found = std::find_if(entries.begin(), entries.end(),
-                                  [&](const auto& entry) { return same_word(entry.name, text); });
+template <class Names> auto find_named(const Names& entries, std::string_view text) {
+  const auto found =
+      std::ranges::find_if(entries, [&](const auto& entry) { return same_word(entry.name, text); });
   return found == entries.end() ? nullptr : &*found;
 }
 

@@ -14,8 +14,7 @@ std::size_t size_of(std::int32_t type) {
   return type == TAUT_FLOAT ? sizeof(float) : sizeof(double);
 }
 
-template <class Points>
-void require_array(const Points* points, std::size_t count) {
+template <class Points> void require_array(const Points* points, std::size_t count) {
   require(points != nullptr, "found NULL, expected points");
   if (points->count != count) throw ArgumentError("found {} points, expected {}", points->count, count);
   const std::size_t smallest = 3 * size_of(points->type);
@@ -26,15 +25,13 @@ void require_array(const Points* points, std::size_t count) {
   require(points->data != nullptr || count == 0, "found points with data of NULL");
 }
 
-template <class Number>
-sim::Vec3 read_point(const char* at) {
+template <class Number> sim::Vec3 read_point(const char* at) {
   Number numbers[3];
   std::memcpy(numbers, at, sizeof(numbers));
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-template <class Number>
-void write_point(const sim::Vec3& point, char* at) {
+template <class Number> void write_point(const sim::Vec3& point, char* at) {
   const Number numbers[3] = {static_cast<Number>(point.x), static_cast<Number>(point.y),
                              static_cast<Number>(point.z)};
   std::memcpy(at, numbers, sizeof(numbers));
@@ -107,7 +104,7 @@ void put_bytes(std::string_view bytes, char* buffer, std::size_t capacity, std::
   *size = bytes.size();
   if (buffer != nullptr) {
     require(capacity >= bytes.size(), "found a buffer that is too small");
-    std::copy(bytes.begin(), bytes.end(), buffer);
+    std::ranges::copy(bytes, buffer);
   }
 }
 

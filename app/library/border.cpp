@@ -10,8 +10,7 @@
 namespace taut::library {
 namespace {
 
-template <class... Errors>
-bool is_any(const std::exception& error) {
+template <class... Errors> bool is_any(const std::exception& error) {
   return (... || (dynamic_cast<const Errors*>(&error) != nullptr));
 }
 

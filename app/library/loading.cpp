@@ -1,4 +1,3 @@
-
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/library/arrays.hpp"

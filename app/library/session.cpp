@@ -16,8 +16,8 @@ constexpr std::array live_sections = {"air.",  "cloth.",  "gravity.", "pins.moti
                                       "rest.", "solver.", "wind."};
 
 bool is_live(const std::string& key) {
-  return key == "forces" || std::any_of(live_sections.begin(), live_sections.end(),
-                                        [&](const char* section) { return key.starts_with(section); });
+  return key == "forces" ||
+         std::ranges::any_of(live_sections, [&](const char* section) { return key.starts_with(section); });
 }
 
 std::vector<sim::Index> counted_up(std::size_t count) {
@@ -202,7 +202,7 @@ void Session::set_pins(const std::vector<sim::Index>& vertices) {
 std::vector<sim::Index> Session::pins() const {
   std::vector<sim::Index> pins;
   for (const sim::Index pin : simulation_.pins().vertices) pins.push_back(vertex_of(pin));
-  std::sort(pins.begin(), pins.end());
+  std::ranges::sort(pins);
   return pins;
 }
 
@@ -211,7 +211,7 @@ void Session::move_pins(const std::vector<sim::Index>& vertices, const std::vect
   std::map<sim::Index, sim::Vec3> next;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     const sim::Index vertex = mesh_vertex(vertices[k]);
-    if (!std::binary_search(pins.begin(), pins.end(), vertex)) {
+    if (!std::ranges::binary_search(pins, vertex)) {
       throw ArgumentError("found vertex {}, expected one that is pinned", vertices[k]);
     }
     next.emplace(vertex, targets_m[k] + beside_own_m(vertex, vertices[k]));

@@ -181,7 +181,7 @@ TautResult taut_get_pins(TautCloth cloth, uint32_t* vertices, size_t count) {
   return with(cloth, [&](const Session& session) {
     const std::vector<sim::Index> pins = session.pins();
     require_room(vertices, count, pins.size());
-    std::copy(pins.begin(), pins.end(), vertices);
+    std::ranges::copy(pins, vertices);
   });
 }
 
@@ -225,7 +225,7 @@ TautResult taut_get_stretch(TautCloth cloth, double* stretch, size_t count) {
   return with(cloth, [&](const Session& session) {
     require_room(stretch, count, session.vertex_count());
     const std::vector<double> found = session.stretch();
-    std::copy(found.begin(), found.end(), stretch);
+    std::ranges::copy(found, stretch);
   });
 }
 
@@ -234,8 +234,7 @@ TautResult taut_get_triangles(TautCloth cloth, uint32_t* vertices, size_t count)
     const std::vector<sim::Triangle>& triangles = session.simulation().garment().mesh.triangles;
     require_room(vertices, count, 3 * triangles.size());
     for (const sim::Triangle& triangle : triangles) {
-      vertices = std::transform(triangle.begin(), triangle.end(), vertices,
-                                [&](sim::Index vertex) { return session.vertex_of(vertex); });
+      for (const sim::Index vertex : triangle) *vertices++ = session.vertex_of(vertex);
     }
   });
 }

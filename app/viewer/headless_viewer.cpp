@@ -14,9 +14,8 @@ HeadlessViewer::HeadlessViewer(const DrawnScene& scene, const SessionStart& star
 
 SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
   throw_if_interrupted();
-  const bool loses_context = std::any_of(frame.events.begin(), frame.events.end(), [](const auto& event) {
-    return std::holds_alternative<ContextLost>(event);
-  });
+  const bool loses_context = std::ranges::any_of(
+      frame.events, [](const auto& event) { return std::holds_alternative<ContextLost>(event); });
   if (loses_context) {
     target_.reset();
     context_.renew();

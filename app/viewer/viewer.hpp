@@ -96,8 +96,7 @@ class Viewer {
   void show_whole_garment();
   void see_from(const Side& side);
   void start_or_stop_recording();
-  template <class Recording>
-  std::string told_end(const Recording& finish);
+  template <class Recording> std::string told_end(const Recording& finish);
   std::optional<std::string> finish_pictures();
   void start_or_stop_clip();
   void follow_clip();

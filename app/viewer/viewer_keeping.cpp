@@ -1,4 +1,3 @@
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/caches/frame_sink.hpp"
@@ -40,8 +39,7 @@ void Viewer::start_or_stop_recording() {
 }
 
 // Completes a recording and says what was written, or why it was not.
-template <class Recording>
-std::string Viewer::told_end(const Recording& finish) {
+template <class Recording> std::string Viewer::told_end(const Recording& finish) {
   std::string outcome;
   if (const std::string error = attempt([&] { outcome = finish(); }); !error.empty()) return error;
   tell(outcome, false);

@@ -59,8 +59,7 @@ void lay_out_motion_list(ViewerState& state) {
   std::string shown = source.motion.empty() ? "none" : source.motion.stem().string();
   std::vector<ListEntry> entries;
   for (const Choice& motion : choices) {
-    const bool is_first =
-        std::none_of(entries.begin(), entries.end(), [](const auto& e) { return e.is_chosen; });
+    const bool is_first = std::ranges::none_of(entries, [](const auto& e) { return e.is_chosen; });
     entries.push_back({motion.label, motion.name, is_first && is_chosen(motion, source)});
     shown = entries.back().is_chosen ? motion.label : shown;
   }

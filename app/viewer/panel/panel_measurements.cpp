@@ -67,7 +67,7 @@ void draw_curve(std::span<const float> values, const ItemPlace& place, float hig
 }
 
 float largest(std::span<const float> values) {
-  return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
+  return values.empty() ? 0.0F : *std::ranges::max_element(values);
 }
 
 // Scales in steps, or they would breathe with every value.

@@ -23,7 +23,7 @@ std::uint64_t hash_of(const renderer::OverlayView& overlay) {
 bool is_beside(const renderer::OverlayView& overlay, const renderer::OverlayPart& part, int scene_width_px) {
   if (part.clip_lower_px.x >= scene_width_px) return true;
   const auto indices = overlay.indices.subspan(part.first_index, part.index_count);
-  return std::all_of(indices.begin(), indices.end(), [&](std::uint16_t index) {
+  return std::ranges::all_of(indices, [&](std::uint16_t index) {
     return overlay.vertices[part.first_vertex + index].position_px.x >= static_cast<float>(scene_width_px);
   });
 }

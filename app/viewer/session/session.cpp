@@ -84,15 +84,13 @@ class Line {
     throw InputError(file_ + ':' + std::to_string(number_) + ": found '" + text_ + "', expected " + expected);
   }
   [[noreturn]] void fail() const {
-    const auto* const form =
-        std::find_if(forms.begin(), forms.end(), [&](const auto& f) { return f.first == verb(); });
+    const auto* const form = std::ranges::find_if(forms, [&](const auto& f) { return f.first == verb(); });
     fail(form != forms.end() ? form->second
                              : "an event, frame, paced or state; scene, set, compare and window stand before "
                                "the first frame");
   }
 
-  template <class Number>
-  Number number(Number lowest, Number highest) {
+  template <class Number> Number number(Number lowest, Number highest) {
     const Json& value = next();
     const bool is_right = std::is_integral_v<Number> ? value.is_number_integer() : value.is_number();
     const double found = is_right ? value.get<double>() : NAN;
@@ -126,7 +124,7 @@ renderer::Resized read_size(Line& line) {
 }
 
 renderer::PointerButton read_button(Line& line) {
-  const auto* const name = std::find(button_names.begin(), button_names.end(), line.text());
+  const auto* const name = std::ranges::find(button_names, line.text());
   return name != button_names.end() ? static_cast<renderer::PointerButton>(name - button_names.begin())
                                     : (line.fail(), renderer::PointerButton::left);
 }
@@ -191,8 +189,7 @@ void read_line(Line& line, Session& session, SessionFrame& frame) {
   if (line.has_more()) line.fail();
 }
 
-template <class Event>
-const Event* as(const SessionEvent& event) {
+template <class Event> const Event* as(const SessionEvent& event) {
   const auto* from_window = std::get_if<WindowEvent>(&event);
   return from_window != nullptr ? std::get_if<Event>(from_window) : nullptr;
 }
@@ -204,7 +201,7 @@ bool moves_pointer(const SessionEvent& event) {
 // Whether the events of a frame hide from it that `next` came after them. What is let go would never have
 // seen the last place it was dragged to.
 bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& taken) {
-  return std::any_of(taken.begin(), taken.end(), [&](const SessionEvent& before) {
+  return std::ranges::any_of(taken, [&](const SessionEvent& before) {
     const auto* button = as<ButtonChanged>(before);
     const auto* key = as<KeyChanged>(before);
     const auto* next_button = as<ButtonChanged>(next);

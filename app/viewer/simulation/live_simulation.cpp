@@ -148,7 +148,7 @@ void LiveSimulation::perform(const TogglePin& toggle) {
     return;  // aimed at a garment that has been replaced since
   }
   std::vector<sim::Index> pins = *now_.pins;
-  const auto place = std::lower_bound(pins.begin(), pins.end(), toggle.vertex);
+  const auto place = std::ranges::lower_bound(pins, toggle.vertex);
   if (place != pins.end() && *place == toggle.vertex) {
     pins.erase(place);
   } else {

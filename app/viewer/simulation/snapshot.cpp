@@ -84,18 +84,14 @@ void Timeline::forget_what_is_past() {
 }
 
 const SnapshotPtr& Timeline::with_serial(std::uint64_t serial) const {
-  const auto found =
-      std::lower_bound(kept_.begin(), kept_.end(), serial,
-                       [](const SnapshotPtr& kept, std::uint64_t wanted) { return kept->serial < wanted; });
+  const auto found = std::ranges::lower_bound(kept_, serial, {}, &Snapshot::serial);
   return found == kept_.end() ? kept_.back() : *found;
 }
 
 SnapshotPtr Timeline::of_frame(const SnapshotPtr& now, int frame) const {
   SnapshotPtr nearest = now;
   PastWalk walk(*now);
-  const auto end =
-      std::upper_bound(kept_.begin(), kept_.end(), now->serial,
-                       [](std::uint64_t serial, const SnapshotPtr& kept) { return serial < kept->serial; });
+  const auto end = std::ranges::upper_bound(kept_, now->serial, {}, &Snapshot::serial);
   for (auto older = std::make_reverse_iterator(end); older != kept_.rend() && nearest->record.frame > frame;
        ++older) {
     if (walk.takes(**older)) nearest = *older;

@@ -167,12 +167,12 @@ std::string lost_cloth(std::span<const sim::Vec3> positions, std::span<const sim
   const renderer::Camera seen = camera.camera();
   const glm::dmat4 to_clip(seen.projection(area.aspect()) * seen.view());
   // By triangles: seen from near by, one may fill the picture with its corners outside.
-  const bool is_seen = std::any_of(triangles.begin(), triangles.end(), [&](const sim::Triangle& triangle) {
+  const bool is_seen = std::ranges::any_of(triangles, [&](const sim::Triangle& triangle) {
     const auto beyond = [&](int corner) { return sides_beyond(positions[triangle[corner]], to_clip); };
     return (beyond(0) & beyond(1) & beyond(2)) == 0U;
   });
   if (is_seen) return "";
-  const bool is_in_reach = std::any_of(positions.begin(), positions.end(), [](const sim::Vec3& position) {
+  const bool is_in_reach = std::ranges::any_of(positions, [](const sim::Vec3& position) {
     const auto is_near = [](double coordinate) { return std::abs(coordinate) < OrbitCamera::farthest_m; };
     return is_near(position.x) && is_near(position.y) && is_near(position.z);
   });

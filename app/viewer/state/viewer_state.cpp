@@ -48,7 +48,7 @@ std::vector<Choice> choices_for(const BodySource& source, const std::shared_ptr<
   std::vector<Choice> choices = files_in("motions", ".bvh");
   for (Choice& motion : choices) {
     motion.label = motion.name;
-    std::replace(motion.label.begin(), motion.label.end(), '_', ' ');
+    std::ranges::replace(motion.label, '_', ' ');
   }
   for (const std::string& clip : names_of_clips(*rig)) choices.push_back({clip, clip + " (its own)", ""});
   std::erase_if(choices, [&](const Choice& motion) { return !fits(source, rig, motion); });
@@ -146,7 +146,7 @@ std::vector<Choice> files_in(const std::string& folder, const std::string& endin
       choices.push_back({entry.path().stem().string(), "", entry.path()});
     }
   }
-  std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.name < b.name; });
+  std::ranges::sort(choices, {}, &Choice::name);
   return choices;
 }
 

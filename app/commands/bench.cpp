@@ -17,17 +17,15 @@ std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
   std::vector<ContactCase> cases =
       options.contact && !options.quick ? all_contact_cases() : quick_contact_cases();
   std::vector<std::string> all;
-  std::transform(cases.begin(), cases.end(), std::back_inserter(all),
-                 [](const ContactCase& one) { return one.name; });
+  std::ranges::transform(cases, std::back_inserter(all), [](const ContactCase& one) { return one.name; });
   for (const std::string& name : options.scenes) {
-    if (std::find(all.begin(), all.end(), name) == all.end()) {
+    if (std::ranges::find(all, name) == all.end()) {
       throw UsageError("--scenes: found '" + name + '\'' + did_you_mean(name, all) + "; expected some of " +
                        joined(all, ","));
     }
   }
   std::erase_if(cases, [&](const ContactCase& one) {
-    return !options.scenes.empty() &&
-           std::find(options.scenes.begin(), options.scenes.end(), one.name) == options.scenes.end();
+    return !options.scenes.empty() && std::ranges::find(options.scenes, one.name) == options.scenes.end();
   });
   return cases;
 }
@@ -84,9 +82,8 @@ int run(const BenchOptions& options) {
     }
   }
   if (options.csv) print(contact_csv(trials), shown);
-  const bool have_all_passed = std::all_of(trials.begin(), trials.end(), [](const ContactTrial& trial) {
-    return facts_of(trial.runs).passed == trial.runs.size();
-  });
+  const bool have_all_passed = std::ranges::all_of(
+      trials, [](const ContactTrial& trial) { return facts_of(trial.runs).passed == trial.runs.size(); });
   return have_all_passed ? 0 : exit_promise_broken;
 }
 

@@ -32,7 +32,7 @@ class FigureWriter {
       write_text_file(noted(figure.name + "_shapes.csv"), figure.shapes_csv(results));
     }
     drawn_.push_back({figure.name, figure.title, std::move(picture)});
-    std::sort(drawn_.begin(), drawn_.end(), [](auto& a, auto& b) { return a.name < b.name; });
+    std::ranges::sort(drawn_, [](auto& a, auto& b) { return a.name < b.name; });
     tell();
   }
 
@@ -70,9 +70,7 @@ class FigureWriter {
 std::vector<Figure> wanted_figures(const std::vector<std::string>& only) {
   std::vector<Figure> wanted;
   for (const Figure& figure : all_figures()) {
-    if (only.empty() || std::find(only.begin(), only.end(), figure.name) != only.end()) {
-      wanted.push_back(figure);
-    }
+    if (only.empty() || std::ranges::find(only, figure.name) != only.end()) wanted.push_back(figure);
   }
   return wanted;
 }
@@ -107,11 +105,9 @@ void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Exp
   run_jobs(jobs, std::thread::hardware_concurrency(), [&](std::size_t job) {
     done.insert(experiments[job]);
     for (const Figure& figure : figures) {
-      const bool is_ready =
-          figure.measure == nullptr &&
-          std::find(figure.needs.begin(), figure.needs.end(), experiments[job]) != figure.needs.end() &&
-          std::all_of(figure.needs.begin(), figure.needs.end(),
-                      [&](Experiment e) { return done.contains(e); });
+      const bool is_ready = figure.measure == nullptr &&
+                            std::ranges::find(figure.needs, experiments[job]) != figure.needs.end() &&
+                            std::ranges::all_of(figure.needs, [&](Experiment e) { return done.contains(e); });
       if (is_ready) writer.write(figure, results);
     }
   });

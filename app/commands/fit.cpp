@@ -1,4 +1,3 @@
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
@@ -26,7 +25,7 @@ constexpr double widest_wall = 1.0;
 DrawnScene scene_of(const FitOptions& options) {
   std::vector<Override> overrides = options.overrides;
   const auto sets = [&](const char* key) {
-    return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
+    return std::ranges::any_of(overrides, [&](const Override& o) { return o.key == key; });
   };
   if (sets("body.file") && !sets("body.dress")) {
     overrides.push_back({"body.dress", usual_dressing, std::string("--dress ") + usual_dressing});
@@ -99,12 +98,9 @@ int run(const FitOptions& asked) {
   FitOptions options = asked;
   DrawnScene scene = scene_of(options);
   if (options.output.empty()) options.output = scene.name + "-fit.png";
-  if (options.output.extension() != ".png") {
-    throw UsageError("--output " + options.output.string() + ": expected a name that ends in .png");
-  }
+  prepare_png(options.output);
   std::FILE* const remarks = options.json ? stderr : stdout;
   print_body_remarks(scene, load_bodies(scene), remarks);
-  prepare_folder_of(options.output);
   Progress progress(scene.name);
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   progress.hide();

@@ -140,6 +140,9 @@ struct SweepOptions {
   std::vector<std::string> sbatch;  ///< more arguments of sbatch
 };
 
+/// Makes the folder of a picture. Throws UsageError unless its name ends in .png.
+void prepare_png(const std::filesystem::path& file);
+
 /// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
 /// UsageError, Interrupted and what the parts it uses throw.
 int run(const BenchOptions& options);

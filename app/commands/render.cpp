@@ -1,4 +1,3 @@
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -129,8 +128,7 @@ class PictureOutput {
 // A picture made again may differ where the program, the garment's file or OpenGL has changed since.
 void compare_with_record(const PictureRecord& again, const std::vector<FrameRecord>& records,
                          const std::string& gl_renderer) {
-  const auto same_frame = std::find_if(records.begin(), records.end(),
-                                       [&](const auto& record) { return record.frame == again.frame; });
+  const auto same_frame = std::ranges::find(records, again.frame, &FrameRecord::frame);
   if (same_frame != records.end() && same_frame->state_hash != again.state_hash) {
     fmt::print(stderr,
                "taut: warning: the cloth is not where it was in the picture (state {:016x}, then {:016x}): "
@@ -181,9 +179,8 @@ std::vector<int> frames_left(std::span<const int> frames, const PictureOutput& o
 // A run that goes on keeps the camera of the pictures that are there.
 void take_camera_of_existing(std::span<const int> frames, DrawnScene& scene, const PictureOutput& output) {
   std::error_code error;
-  const auto there = std::find_if(frames.begin(), frames.end(), [&](int frame) {
-    return std::filesystem::exists(output.path_of(frame), error);
-  });
+  const auto there = std::ranges::find_if(
+      frames, [&](int frame) { return std::filesystem::exists(output.path_of(frame), error); });
   if (there == frames.end() || !is_fitted(scene)) return;
   try {
     const DrawnScene made = read_picture_record(output.path_of(*there), {}).scene;

@@ -92,6 +92,13 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
   }
 }
 
+void prepare_png(const std::filesystem::path& file) {
+  if (file.extension() != ".png") {
+    throw UsageError("--output " + file.string() + ": expected a name that ends in .png");
+  }
+  prepare_folder_of(file);
+}
+
 void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::Simulation& simulation,
                  const std::string& pattern, OffscreenRenderer* offscreen) {
   std::string shown;

@@ -1,4 +1,3 @@
-
 #include <thread>
 
 #include "app/base/errors.hpp"
@@ -15,8 +14,7 @@ namespace {
 
 // A line before the key's; empty for what has no meaning of its own.
 std::string meaning_of(const SceneFormat<DrawnScene>& format, const std::string& name) {
-  const auto key = std::find_if(format.keys.begin(), format.keys.end(),
-                                [&](const Key<DrawnScene>& known) { return known.name == name; });
+  const auto key = std::ranges::find(format.keys, name, &Key<DrawnScene>::name);
   if (key == format.keys.end() || key->meaning.empty()) return "";
   const std::string first_sentence = key->meaning.substr(0, key->meaning.find(". "));
   return "# " + first_sentence + (key->unit.empty() ? "" : " (" + key->unit + ")") + '\n';
@@ -117,10 +115,7 @@ int run(const FabricsOptions& options) {
     print_table(names);
     return 0;
   }
-  if (options.picture.extension() != ".png") {
-    throw UsageError("--output " + options.picture.string() + ": expected a name that ends in .png");
-  }
-  prepare_folder_of(options.picture);
+  prepare_png(options.picture);
   write_picture(options);
   return 0;
 }

@@ -1,4 +1,3 @@
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"

@@ -7,7 +7,7 @@ namespace taut::app {
 namespace {
 
 bool is_drawn(int frame, const FrameOutputs& outputs) {
-  return std::binary_search(outputs.pictures.begin(), outputs.pictures.end(), frame);
+  return std::ranges::binary_search(outputs.pictures, frame);
 }
 
 void advance(sim::Simulation& simulation, int frame) {

@@ -11,8 +11,7 @@ namespace {
 // memory.
 constexpr std::size_t waiting_frames = 3;
 
-template <class Stage>
-std::exception_ptr error_of(const Stage& stage) {
+template <class Stage> std::exception_ptr error_of(const Stage& stage) {
   try {
     stage();
   } catch (...) {

@@ -10,8 +10,7 @@ namespace taut::app {
 
 /// A queue of limited length from one thread to another. A push into a full queue waits, so the faster thread
 /// never gets far ahead.
-template <class T>
-class BoundedQueue {
+template <class T> class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 

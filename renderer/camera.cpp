@@ -141,7 +141,7 @@ std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, con
   const float opening = opening_of(framing);
   const auto farthest = [&](const glm::vec3& axis, float tangent) {
     const glm::vec3 functional = axis + tangent * axes.back;
-    return *std::max_element(points.begin(), points.end(), [&](const glm::vec3& a, const glm::vec3& b) {
+    return *std::ranges::max_element(points, [&](const glm::vec3& a, const glm::vec3& b) {
       return glm::dot(a - middle, functional) < glm::dot(b - middle, functional);
     });
   };

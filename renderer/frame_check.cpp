@@ -8,7 +8,7 @@ constexpr int largest_side_px = 16384;
 bool is_within(int number, int lowest, int highest) { return number >= lowest && number <= highest; }
 
 bool are_finite(std::span<const glm::vec3> values) {
-  return std::all_of(values.begin(), values.end(), [](const glm::vec3& v) {
+  return std::ranges::all_of(values, [](const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
   });
 }
@@ -16,7 +16,7 @@ bool are_finite(std::span<const glm::vec3> values) {
 // Indices in whole groups, each below `count`.
 bool are_indices(std::span<const std::uint32_t> indices, std::size_t group, std::size_t count) {
   return indices.size() % group == 0 &&
-         std::all_of(indices.begin(), indices.end(), [=](std::uint32_t index) { return index < count; });
+         std::ranges::all_of(indices, [=](std::uint32_t index) { return index < count; });
 }
 
 bool are_colours(std::span<const Colour> colours, std::size_t count) {
@@ -35,11 +35,11 @@ bool has_sound_colours(const SurfaceView& surface) {
   const auto& corners = surface.corner_coordinates;
   const auto& of_triangle = surface.base_colour_of_triangle;
   return (corners.empty() || corners.size() == surface.triangles.size()) &&
-         std::all_of(
-             corners.begin(), corners.end(),
+         std::ranges::all_of(
+             corners,
              [](const glm::vec2& place) { return std::isfinite(place.x) && std::isfinite(place.y); }) &&
-         std::all_of(surface.base_colours.begin(), surface.base_colours.end(),
-                     [&](const BaseColour& colour) { return is_map(colour.map, surface); }) &&
+         std::ranges::all_of(surface.base_colours,
+                             [&](const BaseColour& colour) { return is_map(colour.map, surface); }) &&
          (of_triangle.empty() || of_triangle.size() == surface.triangles.size() / 3) &&
          are_indices(of_triangle, 1, surface.base_colours.size());
 }
@@ -61,8 +61,8 @@ bool is_sound(const SurfaceView& surface) {
          (material.empty() || material.size() == count) && are_finite(material) &&
          are_indices(surface.triangles, 3, count) && has_sound_colours(surface) &&
          (!surface.refinement || is_sound(*surface.refinement, surface)) &&
-         std::all_of(
-             surface.trims.begin(), surface.trims.end(),
+         std::ranges::all_of(
+             surface.trims,
              [&](const TrimmedTriangle& trim) { return trim.triangle < surface.triangles.size() / 3; }) &&
          (!surface.wireframe || are_indices(surface.wireframe->edges, 2, count)) &&
          (!surface.scalars ||
@@ -74,7 +74,7 @@ bool is_sound(const SurfaceView& surface) {
 bool is_sound(const FrameView& frame) {
   const Camera& camera = frame.camera;
   const auto all = [](const auto& views, const auto& are_sound) {
-    return std::all_of(views.begin(), views.end(), are_sound);
+    return std::ranges::all_of(views, are_sound);
   };
   return camera.vertical_fov_rad > 0.0F && camera.vertical_fov_rad < 3.1F && camera.near_m > 0.0F &&
          camera.far_m > camera.near_m && std::isfinite(camera.far_m) &&

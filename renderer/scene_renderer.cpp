@@ -22,8 +22,8 @@ bool sees_floor(const FrameView& frame) {
 
 bool has_marks(const FrameView& frame) {
   return !frame.lines.empty() || !frame.points.empty() ||
-         std::any_of(frame.surfaces.begin(), frame.surfaces.end(),
-                     [](const SurfaceView& surface) { return surface.wireframe.has_value(); });
+         std::ranges::any_of(frame.surfaces,
+                             [](const SurfaceView& surface) { return surface.wireframe.has_value(); });
 }
 
 // Light has to be encoded after it is blended, which only the renderer's own target is sure to do.
@@ -247,7 +247,7 @@ std::future<void> SceneRenderer::Parts::begin(FrameBlock& block, const FrameView
   sphere_meshes.clear();
   collect_surfaces(frame);
   casters.clear();
-  std::transform(surfaces.begin(), surfaces.end(), std::back_inserter(casters), coarse_of);
+  std::ranges::transform(surfaces, std::back_inserter(casters), coarse_of);
   light.begin(block, frame, casters, settings);
   std::future<void> light_gathered = std::async(std::launch::async, [this, own = block] {
     light.draw_maps(own);

@@ -1,4 +1,3 @@
-
 #include "renderer/frame_view.hpp"
 
 namespace taut::renderer {

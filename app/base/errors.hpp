@@ -17,8 +17,7 @@ inline constexpr int exit_promise_broken = 3;
 inline constexpr int exit_can_be_resumed = 75;
 
 /// An error whose message may be formatted by fmt: a format and its arguments.
-template <class Base>
-struct Formatted : Base {
+template <class Base> struct Formatted : Base {
   using Base::Base;
   template <class First, class... Rest>
   Formatted(fmt::format_string<First, Rest...> format, First&& first, Rest&&... rest)

@@ -20,8 +20,7 @@ struct GivenUp {};
 std::vector<std::size_t> most_expensive_first(std::span<const Job> jobs) {
   std::vector<std::size_t> order(jobs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return jobs[a].cost > jobs[b].cost; });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return jobs[a].cost > jobs[b].cost; });
   return order;
 }
 
@@ -69,8 +68,7 @@ class JobRunner {
     }
   }
 
-  template <class Change>
-  void note(const Change& change) {
+  template <class Change> void note(const Change& change) {
     {
       const std::lock_guard lock(mutex_);
       change();

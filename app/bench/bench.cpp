@@ -209,7 +209,7 @@ std::vector<ContactCase> quick_contact_cases() {
 
 sim::VectorUnit measured_vector_unit() {
   const std::vector<sim::VectorUnit> available = sim::available_vector_units();
-  const bool has = std::find(available.begin(), available.end(), sim::VectorUnit::avx2) != available.end();
+  const bool has = std::ranges::find(available, sim::VectorUnit::avx2) != available.end();
   return has ? sim::VectorUnit::avx2 : sim::VectorUnit::best;
 }
 

@@ -74,7 +74,7 @@ bool is_clip(const std::string& name) { return !name.empty() && fs::path(name).e
 void require_export(const ExportSettings& settings, const fs::path& garment) {
   const fs::path name = settings.name;
   const std::string ending = name.extension();
-  if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
+  if (std::ranges::find(endings, ending) == endings.end()) {
     refuse(settings.name, "expected a file name that ends in .obj, .pc2, .mdd, .glb or .pvd");
   }
   if (ending != ".obj" && OutputPattern(settings.name, ending).has_field()) {

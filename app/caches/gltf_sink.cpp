@@ -1,4 +1,3 @@
-
 #include <nlohmann/json.hpp>
 
 #include "app/base/counted.hpp"
@@ -55,8 +54,7 @@ double bytes_of(double frames, const SplitVertices& vertices) {
 /// The binary part with what describes it.
 class Buffer {
  public:
-  template <class Numbers>
-  int add(const Numbers& numbers, const char* type, int components, int target = 0) {
+  template <class Numbers> int add(const Numbers& numbers, const char* type, int components, int target = 0) {
     using Number = typename Numbers::value_type;
     Json view = {
         {"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", numbers.size() * sizeof(Number)}};

@@ -1,4 +1,3 @@
-
 #include <fstream>
 
 #include "app/base/counted.hpp"

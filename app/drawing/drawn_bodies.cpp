@@ -66,8 +66,8 @@ constexpr float head_width = 0.4F;
 
 DrawnBodies::DrawnBodies(std::vector<sim::Body> bodies)
     : bodies_(std::move(bodies)),
-      move_(std::any_of(bodies_.begin(), bodies_.end(),
-                        [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
+      move_(std::ranges::any_of(bodies_,
+                                [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
       round_(bodies_.size()) {
   std::size_t first_room = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {

@@ -47,8 +47,8 @@ DrawnColours own(const PictureStyle& style, const SurfaceColours& colours) {
 }
 
 bool has_own(const SurfaceColours& colours) {
-  return std::any_of(colours.materials.begin(), colours.materials.end(),
-                     [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
+  return std::ranges::any_of(colours.materials,
+                             [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
 }
 
 DrawnColours colours_of(const PictureStyle& style, const GarmentInScene& loaded) {

@@ -165,8 +165,7 @@ const char* name_of(StretchOf shown);
 /// The title of the colours' legend.
 const char* legend_title(StretchOf shown);
 
-template <class S>
-struct SceneFormat;
+template <class S> struct SceneFormat;
 
 /// All keys of a scene file, those of the picture included.
 SceneFormat<DrawnScene> drawn_scene_format();

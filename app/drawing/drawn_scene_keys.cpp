@@ -1,4 +1,3 @@
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"
 
@@ -72,8 +71,7 @@ std::optional<SpringBall> ball_in(const toml::node& value) {
                           : std::nullopt;
 }
 
-template <class Access>
-Key<DrawnScene> point_key(std::string name, Access access, std::string meaning) {
+template <class Access> Key<DrawnScene> point_key(std::string name, Access access, std::string meaning) {
   return auto_key(
       std::move(name), "three numbers [x, y, z] or \"auto\"", access, std::move(meaning),
       [](const toml::node& value) {

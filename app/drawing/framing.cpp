@@ -111,7 +111,7 @@ std::optional<float> standing_height(std::span<const sim::Body> bodies, float lo
 
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   std::vector<glm::vec3> nearest(points.size());
-  std::transform(points.begin(), points.end(), nearest.begin(), [](const sim::Vec3& point) {
+  std::ranges::transform(points, nearest.begin(), [](const sim::Vec3& point) {
     return glm::vec3{nearest_float(point.x), nearest_float(point.y), nearest_float(point.z)};
   });
   return nearest;
@@ -252,7 +252,7 @@ float share_in_picture(const renderer::Camera& camera, float aspect, std::span<c
     const glm::vec4 clip = to_clip * glm::vec4(glm::vec3(position), 1.0F);
     return clip.w > 0.0F && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
   };
-  const auto seen = std::count_if(positions.begin(), positions.end(), is_seen);
+  const auto seen = std::ranges::count_if(positions, is_seen);
   return static_cast<float>(seen) / static_cast<float>(std::max<std::size_t>(positions.size(), 1));
 }
 

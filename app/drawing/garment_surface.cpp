@@ -17,8 +17,7 @@ sim::Groups pieces_of(const sim::Garment& garment, std::span<const glm::vec2> co
   const std::vector<renderer::TriangleSide> sides = renderer::sorted_sides(triangles);
   sim::Groups pieces(garment.mesh.triangles.size());
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (sides[i].ends == sides[i + 1].ends &&
-        !std::binary_search(seams.begin(), seams.end(), sides[i].ends)) {
+    if (sides[i].ends == sides[i + 1].ends && !std::ranges::binary_search(seams, sides[i].ends)) {
       pieces.join(sides[i].number / 3, sides[i + 1].number / 3);
     }
   }

@@ -62,7 +62,7 @@ InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) 
   const auto before = [](const sim::Vec3& a, const sim::Vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   };
-  std::sort(places.begin(), places.end(), before);
+  std::ranges::sort(places, before);
   for (std::size_t i = 1; i < places.size(); ++i) {
     if (places[i] == places[i - 1] && (i == 1 || places[i] != places[i - 2])) {
       marks.points.emplace_back((*loaded.placement)(places[i]));

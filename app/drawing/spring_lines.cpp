@@ -7,7 +7,7 @@ namespace {
 constexpr float flexural_width = 2.5F;
 
 bool is_within(const std::optional<SpringBall>& patch, const sim::Garment& garment, const sim::Edge& ends) {
-  return !patch || std::all_of(ends.begin(), ends.end(), [&](sim::Index end) {
+  return !patch || std::ranges::all_of(ends, [&](sim::Index end) {
     return glm::distance(garment.mesh.positions[end], patch->middle_m) <= patch->radius_m;
   });
 }

@@ -29,7 +29,7 @@ Plot convergence_plot(const StepRecording& fall) {
 // The same on a linear axis, as the paper has it.
 Plot linear_inset(const Plot& plot, const StepRecording& fall) {
   Plot inset = plot;
-  const double largest_mm = 1e3 * *std::max_element(fall.moved_m.begin(), fall.moved_m.end());
+  const double largest_mm = 1e3 * *std::ranges::max_element(fall.moved_m);
   inset.x.label = "iteration";
   inset.x.chosen = {0.0, 5000.0, 10000.0, 15000.0};
   std::erase_if(inset.x.chosen, [&](double value) { return value > inset.x.maximum; });
@@ -125,7 +125,7 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
   const std::array markers = {Marker::disc, Marker::square};
   std::vector<int> done;
   for (const FrameTimes& time : times) {
-    if (std::find(done.begin(), done.end(), time.substeps) != done.end()) continue;
+    if (std::ranges::find(done, time.substeps) != done.end()) continue;
     const std::size_t look = std::min<std::size_t>(done.size(), strokes.size() - 1);
     const PowerLaw law = fit_power_law(times, time.substeps);
     plot.curves.push_back(fitted_curve(law, plot.x, strokes[look]));

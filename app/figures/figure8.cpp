@@ -1,4 +1,3 @@
-
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
 #include "app/drawing/plots/plot.hpp"
@@ -86,7 +85,7 @@ Axis stretch_axis(const std::vector<double>& percents) {
   Axis axis = decades_around("largest stretch of an edge", percents);
   axis.suffix = " %";
   for (double tick = axis.minimum; tick < 0.99 * axis.maximum; tick *= 10.0) axis.chosen.push_back(tick);
-  const double largest = *std::max_element(percents.begin(), percents.end());
+  const double largest = *std::ranges::max_element(percents);
   axis.maximum = std::clamp(1.7 * largest, 2.0 * axis.minimum, axis.maximum);
   return axis;
 }
@@ -279,7 +278,7 @@ std::string figure8_csv(const Results& results) {
                    cell(frame.frame_ms), cell(frame.stretch), cell(frame.surface_stretch),
                    cell(frame.energy_j), cell(frame.speed_m_per_s), cell(frame.sunk_m)});
       };
-      std::for_each(trial.frames.begin(), trial.frames.end(), add);
+      std::ranges::for_each(trial.frames, add);
       if (trial.is_lost) {
         // Nothing is known of the frame in which it was lost.
         add({NAN, NAN, NAN, NAN, NAN, NAN, NAN});

@@ -21,13 +21,11 @@ std::vector<const Recording*> shirts_of(const Results& results) {
   return {&*results.shirts[0], &*results.shirts[1], &*results.shirts[2]};
 }
 
-template <auto recordings_of>
-std::string moments_of(const Results& results) {
+template <auto recordings_of> std::string moments_of(const Results& results) {
   return moments_csv(recordings_of(results));
 }
 
-template <auto recordings_of>
-std::string shapes_of(const Results& results) {
+template <auto recordings_of> std::string shapes_of(const Results& results) {
   return shapes_csv(recordings_of(results));
 }
 

@@ -84,8 +84,7 @@ const std::vector<std::string> moment_columns = {"panel",
 const std::vector<std::string> shape_columns = {"panel", "vertex", "x_m", "y_m", "z_m"};
 
 // The panels of a figure go on from one recording to the next.
-template <class Visit>
-void for_each_panel(std::span<const Recording* const> recordings, const Visit& visit) {
+template <class Visit> void for_each_panel(std::span<const Recording* const> recordings, const Visit& visit) {
   char letter = 'a';
   for (const Recording* recording : recordings) {
     for (const Moment& moment : recording->moments) visit(std::string(1, letter++), *recording, moment);

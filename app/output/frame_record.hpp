@@ -98,8 +98,7 @@ struct RunSummary {
 
 /// Calls `field` with the name and the number of every member of a summary, in the order of checkpoints. The
 /// name is the one in the statistics; null: it is not there.
-template <class Summary, class Field>
-void for_each_field(Summary& summary, const Field& field) {
+template <class Summary, class Field> void for_each_field(Summary& summary, const Field& field) {
 #define TAUT_FIELD(type, member, first, name) field(name, summary.member);
   TAUT_SUMMARY(TAUT_FIELD)
 #undef TAUT_FIELD

@@ -120,8 +120,7 @@ bool is_picture(const std::filesystem::path& file) { return file.extension() == 
 PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides) {
   const std::vector<renderer::PngText> texts = texts_of(file);
   const auto entry = [&](const char* keyword) {
-    const auto found =
-        std::find_if(texts.begin(), texts.end(), [&](const auto& text) { return text.keyword == keyword; });
+    const auto found = std::ranges::find(texts, keyword, &renderer::PngText::keyword);
     if (found == texts.end()) {
       throw InputError(
           "the picture '{}' does not say how it was made: it has no entry '{}', as "

@@ -110,7 +110,7 @@ Tested test_free_surface(const Results& results) {
 
 Tested test_convergence(const Results& results) {
   const StepRecording& fall = *results.fall;
-  const double peak_m = *std::max_element(fall.moved_m.begin(), fall.moved_m.end());
+  const double peak_m = *std::ranges::max_element(fall.moved_m);
   const double last_m = fall.moved_m.back();
   return {{{"",
             {{"largest movement in a step", peak_m, "m"},
@@ -422,7 +422,7 @@ void put_cases(std::span<const Case> cases, Texts& texts) {
     return !a.numbers.empty() && !b.numbers.empty() && a.numbers[0].value < b.numbers[0].value;
   };
   texts.push_back(fmt::arg("cases", judged.size()));
-  texts.push_back(fmt::arg("holding", std::count_if(cases.begin(), cases.end(), holds)));
+  texts.push_back(fmt::arg("holding", std::ranges::count_if(cases, holds)));
   texts.push_back(fmt::arg("held", list_of(cases, false, holds)));
   texts.push_back(fmt::arg("others", list_of(cases, false, fails)));
   texts.push_back(fmt::arg("failing", list_of(cases, true, fails)));
@@ -430,8 +430,8 @@ void put_cases(std::span<const Case> cases, Texts& texts) {
       fmt::arg("all", list_of(cases, true, [](const Case& one) { return !one.numbers.empty(); })));
   if (!judged.empty()) {
     texts.push_back(fmt::arg("first", text_of(judged.front())));
-    texts.push_back(fmt::arg("most", text_of(*std::max_element(judged.begin(), judged.end(), is_less))));
-    texts.push_back(fmt::arg("least", text_of(*std::min_element(judged.begin(), judged.end(), is_less))));
+    texts.push_back(fmt::arg("most", text_of(*std::ranges::max_element(judged, is_less))));
+    texts.push_back(fmt::arg("least", text_of(*std::ranges::min_element(judged, is_less))));
   }
 }
 

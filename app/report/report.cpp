@@ -43,9 +43,8 @@ void add_result(const char* figure, const std::optional<Recording>& recording,
   results.push_back(std::move(result));
 }
 
-template <class Predicate>
-std::size_t count(const std::vector<PromiseResult>& results, Predicate predicate) {
-  return static_cast<std::size_t>(std::count_if(results.begin(), results.end(), predicate));
+template <class Predicate> std::size_t count(const std::vector<PromiseResult>& results, Predicate predicate) {
+  return static_cast<std::size_t>(std::ranges::count_if(results, predicate));
 }
 
 using Json = nlohmann::ordered_json;
@@ -195,13 +194,13 @@ renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale,
   std::vector<int> bottoms_px(static_cast<std::size_t>(columns), gap_px);
   std::vector<std::pair<int, int>> corners;
   for (const DrawnFigure& figure : figures) {
-    const auto shortest = std::min_element(bottoms_px.begin(), bottoms_px.end());
+    const auto shortest = std::ranges::min_element(bottoms_px);
     const int column = static_cast<int>(shortest - bottoms_px.begin());
     corners.emplace_back(gap_px + column * (cell_px + gap_px), *shortest);
     *shortest += title_height_px + height_in_cell(figure.picture, cell_px) + gap_px;
   }
-  renderer::Canvas canvas = renderer::Canvas::scaled(
-      gap_px + columns * (cell_px + gap_px), *std::max_element(bottoms_px.begin(), bottoms_px.end()), scale);
+  renderer::Canvas canvas = renderer::Canvas::scaled(gap_px + columns * (cell_px + gap_px),
+                                                     *std::ranges::max_element(bottoms_px), scale);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const auto x_px = static_cast<float>(corners[i].first), y_px = static_cast<float>(corners[i].second);
     canvas.text(x_px, y_px + title_px, figures[i].name, text_style(title_px, palette::ink, true));

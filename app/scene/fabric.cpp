@@ -72,13 +72,11 @@ std::vector<std::string> built_in_fabrics() {
   for (const auto& entry : fs::directory_iterator(fabrics_folder(), error)) {
     if (entry.path().extension() == ending) names.push_back(entry.path().stem().string());
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
-bool is_fabric_key(const std::string& key) {
-  return std::find(settable.begin(), settable.end(), key) != settable.end();
-}
+bool is_fabric_key(const std::string& key) { return std::ranges::find(settable, key) != settable.end(); }
 
 bool is_passed_over(const std::string& key) { return key == "camera" || key == "picture"; }
 

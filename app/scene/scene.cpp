@@ -44,8 +44,8 @@ SolverChoice with_solver(SolverChoice choice, sim::SolverKind kind, const Solver
 }
 
 std::optional<sim::SolverKind> solver_named(std::string_view name) {
-  const auto* const found = std::find_if(sim::all_solver_kinds.begin(), sim::all_solver_kinds.end(),
-                                         [&](sim::SolverKind kind) { return name == sim::name_of(kind); });
+  const auto* const found =
+      std::ranges::find(sim::all_solver_kinds, name, [](sim::SolverKind kind) { return sim::name_of(kind); });
   return found == sim::all_solver_kinds.end() ? std::nullopt : std::optional(*found);
 }
 

@@ -28,7 +28,7 @@ std::vector<BuiltInScene> scenes_in(const fs::path& folder, bool are_of_contact)
       scenes.push_back({entry.path().stem().string(), entry.path(), are_of_contact});
     }
   }
-  std::sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  std::ranges::sort(scenes, {}, &BuiltInScene::name);
   return scenes;
 }
 
@@ -58,7 +58,7 @@ Assets find_assets() {
 }
 
 bool is_set(const Json& value) {
-  return value.is_object() ? std::any_of(value.begin(), value.end(), is_set) : !value.is_null();
+  return value.is_object() ? std::ranges::any_of(value, is_set) : !value.is_null();
 }
 
 // Keys first, then the sections below: behind a section's header TOML has no way back.
@@ -109,8 +109,7 @@ void set_garment(const std::filesystem::path& file, Scene& scene) {
 
 FoundScene locate_scene(const std::string& name) {
   const auto scenes = built_in_scenes();
-  const auto built_in = std::find_if(scenes.begin(), scenes.end(),
-                                     [&](const BuiltInScene& scene) { return scene.name == name; });
+  const auto built_in = std::ranges::find(scenes, name, &BuiltInScene::name);
   if (built_in != scenes.end()) return {name, built_in->file, false};
   fs::path path = name;
   std::error_code error;

@@ -14,10 +14,9 @@ namespace taut::app {
 std::vector<Key<Scene>> scene_keys();
 
 /// How scenes of type S are read and written. S is Scene or a type derived from it.
-template <class S>
-struct SceneFormat {
+template <class S> struct SceneFormat {
   std::vector<Key<S>> keys;
-  /// Checks what concerns several keys. Throws by `fail` (scene_value.hpp).
+  /// Checks what concerns several keys. Throws by `fail` (scene_key.hpp).
   std::function<void(const S&, const Source&)> check;
 };
 
@@ -32,7 +31,7 @@ SceneFormat<Scene> undrawn_format();
 /// begin with "body.". Throws by `fail`.
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene);
 
-/// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_value.hpp).
+/// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_key.hpp).
 void require_one_garment(const toml::table& file, const Source& source);
 
 /// Requires that the garment's files exist. `named` is what the scene file says; `used` is that after
@@ -117,16 +116,14 @@ S find_scene(const SceneFormat<S>& format, const std::string& name, std::span<co
 }
 
 /// All keys with their values, nested as in a file.
-template <class S>
-Json settings_of(const SceneFormat<S>& format, const S& scene) {
+template <class S> Json settings_of(const SceneFormat<S>& format, const S& scene) {
   Json settings;
   for (const Key<S>& key : format.keys) settings[pointer_to(key.name)] = key.write(scene);
   return settings;
 }
 
 /// A key with default, unit, range and meaning, as text for people.
-template <class T>
-std::string describe_key(const Key<T>& key, const T& defaults) {
+template <class T> std::string describe_key(const Key<T>& key, const T& defaults) {
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
   const std::string meaning = key.meaning.empty() ? "" : "; " + key.meaning;
   return "  " + key.name + " = " + to_text(key.write(defaults)) + unit + "\n      " + key.expected + meaning +
@@ -146,8 +143,7 @@ Key<Scene> bodies_key();
 Key<Scene> moving_pins_key();
 
 /// A key for the direction of a model that is up.
-template <class T, class Access>
-Key<T> up_key(std::string name, Access access, std::string meaning) {
+template <class T, class Access> Key<T> up_key(std::string name, Access access, std::string meaning) {
   std::vector<std::pair<std::string, std::optional<ModelAxis>>> choices = {{"auto", std::nullopt}};
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     choices.emplace_back(axis_names[i], static_cast<ModelAxis>(i));

@@ -157,9 +157,8 @@ std::optional<std::array<double, 3>> three_numbers(const toml::node& value, std:
 std::optional<glm::vec3> colour_value(const toml::node& value) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::optional<std::string> text = text_in(value);
-  const auto* const named =
-      std::find_if(named_colours.begin(), named_colours.end(),
-                   [&](const std::pair<const char*, const char*>& entry) { return text == entry.first; });
+  const auto* const named = std::ranges::find_if(
+      named_colours, [&](const std::pair<const char*, const char*>& entry) { return text == entry.first; });
   if (named != named_colours.end()) text = named->second;
   if (!text || text->size() != 7 || text->front() != '#') return std::nullopt;
   glm::vec3 colour(0.0F);
@@ -236,8 +235,8 @@ std::optional<std::string> text_in(const toml::node& value) {
 std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table) {
   std::vector<std::pair<std::string, const toml::node*>> entries;
   for (const auto& [key, value] : table) entries.emplace_back(key.str(), &value);
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const auto& a, const auto& b) { return line_of(*a.second) < line_of(*b.second); });
+  std::ranges::stable_sort(
+      entries, [](const auto& a, const auto& b) { return line_of(*a.second) < line_of(*b.second); });
   return entries;
 }
 
@@ -250,7 +249,7 @@ std::filesystem::path beside(const Source& source, const std::filesystem::path& 
 }
 
 Json::json_pointer pointer_to(std::string key) {
-  std::replace(key.begin(), key.end(), '.', '/');
+  std::ranges::replace(key, '.', '/');
   return Json::json_pointer('/' + key);
 }
 

@@ -58,8 +58,7 @@ std::string to_text(const toml::node& value);
 std::string toml_text(const Json& value);
 
 /// One key of a scene file. It sets something of a T.
-template <class T>
-struct Key {
+template <class T> struct Key {
   std::string name;      ///< with its section: "solver.substeps"
   std::string unit;      ///< empty: no unit
   std::string expected;  ///< what a value must be: "a whole number from 1 to 1000"
@@ -106,22 +105,16 @@ std::string colour_text(const glm::vec3& colour);
   [](auto& s) -> auto& { return s.path; }
 
 // A member that may be without a value is so where the file says 0.
-template <class Number>
-void store(double number, Number& member) {
-  member = static_cast<Number>(number);
-}
-template <class Number>
-void store(double number, std::optional<Number>& member) {
+template <class Number> void store(double number, Number& member) { member = static_cast<Number>(number); }
+template <class Number> void store(double number, std::optional<Number>& member) {
   member = number != 0.0 ? std::optional(static_cast<Number>(number)) : std::nullopt;
 }
-template <class Member>
-double stored(const Member& member) {
+template <class Member> double stored(const Member& member) {
   return static_cast<double>(std::optional(member).value_or(0));
 }
 
 // Stores what was found. Returns false if nothing was.
-template <class Found, class Member>
-bool store(const std::optional<Found>& found, Member& member) {
+template <class Found, class Member> bool store(const std::optional<Found>& found, Member& member) {
   if (found) member = *found;
   return found.has_value();
 }
@@ -173,8 +166,7 @@ Key<T> whole_key(std::string name, const Range& range, Access access, std::strin
                        [](const auto& member) { return static_cast<std::int64_t>(stored(member)); });
 }
 
-template <class T, class Access>
-Key<T> switch_key(std::string name, Access access, std::string meaning) {
+template <class T, class Access> Key<T> switch_key(std::string name, Access access, std::string meaning) {
   return member_key<T>(
       std::move(name), "", "true or false", access, std::move(meaning),
       [](const toml::node& value, bool& member) { return store(value.value_exact<bool>(), member); },
@@ -230,8 +222,7 @@ Key<T> vector_key(std::string name, std::string unit, Access access, std::string
 }
 
 /// The member is a colour, or an optional one.
-template <class T, class Access>
-Key<T> colour_key(std::string name, Access access, std::string meaning) {
+template <class T, class Access> Key<T> colour_key(std::string name, Access access, std::string meaning) {
   return member_key<T>(
       std::move(name), "", "a colour, \"#rrggbb\" or a name such as \"navy\"", access, std::move(meaning),
       [](const toml::node& value, auto& member) { return store(colour_value(value), member); },
@@ -239,8 +230,7 @@ Key<T> colour_key(std::string name, Access access, std::string meaning) {
 }
 
 /// The choices by their names, for choice_key.
-template <class Choices>
-auto named(const Choices& all) {
+template <class Choices> auto named(const Choices& all) {
   std::vector<std::pair<std::string, typename Choices::value_type>> choices;
   for (const auto choice : all) choices.emplace_back(name_of(choice), choice);
   return choices;
@@ -254,22 +244,19 @@ Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> 
   for (const auto& [text, choice] : choices) expected += (expected.empty() ? "\"" : " or \"") + text + '"';
   auto read = [=](const toml::node& value, Choice& member) {
     const auto found = text_in(value);
-    const auto chosen =
-        std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.first == found; });
+    const auto chosen = std::ranges::find_if(choices, [&](const auto& c) { return c.first == found; });
     member = chosen != choices.end() ? chosen->second : member;
     return chosen != choices.end();
   };
   auto write = [=](const Choice& member) {
-    const auto chosen =
-        std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.second == member; });
+    const auto chosen = std::ranges::find_if(choices, [&](const auto& c) { return c.second == member; });
     return chosen != choices.end() ? Json(chosen->first) : Json();
   };
   return member_key<T>(std::move(name), "", std::move(expected), access, std::move(meaning), read, write);
 }
 
 /// The key, written only where it is in use.
-template <class T, class IsUsed>
-Key<T> written_if(Key<T> key, IsUsed is_used) {
+template <class T, class IsUsed> Key<T> written_if(Key<T> key, IsUsed is_used) {
   key.write = [write = std::move(key.write), is_used](const T& entry) {
     return is_used(entry) ? write(entry) : Json();
   };
@@ -277,8 +264,7 @@ Key<T> written_if(Key<T> key, IsUsed is_used) {
 }
 
 /// Reads a list of tables, each into an entry that `read` returns.
-template <class Read>
-bool read_list(const toml::node& value, const Read& read) {
+template <class Read> bool read_list(const toml::node& value, const Read& read) {
   const toml::array* list = value.as_array();
   if (list == nullptr || !(list->empty() || list->is_homogeneous<toml::table>())) return false;
   for (const toml::node& item : *list) read(*item.as_table());
@@ -286,8 +272,7 @@ bool read_list(const toml::node& value, const Read& read) {
 }
 
 /// The values of an entry of a list, nested as in a file; those that are not set are left out.
-template <class T>
-Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
+template <class T> Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
   Json table = Json::object();
   for (const Key<T>& key : keys) {
     Json value = key.write(entry);
@@ -298,13 +283,12 @@ Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
 
 /// Reads a table of a scene file into a T. Every error message names the key that is wrong and, for an
 /// unknown key, those that are near.
-template <class T>
-class KeyReader {
+template <class T> class KeyReader {
  public:
   KeyReader(const std::vector<Key<T>>& keys, const Source& source, T& target)
       : keys_(keys), source_(source), target_(target) {}
 
-  /// Reads all values of the table. Throws by `fail` (scene_value.hpp) at the first one that is not valid.
+  /// Reads all values of the table. Throws by `fail` at the first one that is not valid.
   void read(const toml::table& table, const std::string& section = "") {
     for (const auto& [key, value] : entries_of(table)) {
       read_value(section.empty() ? key : section + '.' + key, *value);

@@ -55,8 +55,7 @@ Json json_of(const std::vector<PinSelector>& pins) {
   return list;
 }
 
-template <class T>
-Json write_list(const std::vector<Key<T>>& keys, const std::vector<T>& entries) {
+template <class T> Json write_list(const std::vector<Key<T>>& keys, const std::vector<T>& entries) {
   Json list = Json::array();
   for (const T& entry : entries) list.push_back(write_entry(keys, entry));
   return list;
@@ -128,8 +127,7 @@ Key<T> path_key(std::string name, std::string unit, Access access, std::string m
 }
 
 /// Adds the keys of a motion; `motion` returns the one of an entry, const or not.
-template <class T, class Access>
-void add_motion(std::vector<Key<T>>& keys, Access motion) {
+template <class T, class Access> void add_motion(std::vector<Key<T>>& keys, Access motion) {
 #define MOTION(member) \
   [=](auto& entry) -> auto& { return motion(entry).member; }
   constexpr Range time = {.lowest = 0.0, .highest = 1e6};

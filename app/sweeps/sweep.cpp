@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 bool names_file(const std::string& key) {
   constexpr std::array names = {"file", "start", "motion", "frames", "checkpoint", "texture"};
   const std::string name = key.substr(key.rfind('.') + 1);
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 /// A fabric is a file where its name says so.
@@ -221,7 +221,7 @@ std::vector<fs::path> files_of(const fs::path& named) {
         files.push_back(entry.path());
       }
     }
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     return files;
   }
   files.push_back(named);

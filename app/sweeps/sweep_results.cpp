@@ -118,8 +118,8 @@ SweepStatus status_of(const Sweep& sweep) {
   const std::set<std::string> locked = stems_of(sweep, ".lock");
   const std::set<std::string> saved = stems_of(sweep, ".checkpoint");
   status.working = locked.size();
-  status.stopped = static_cast<std::size_t>(std::count_if(
-      saved.begin(), saved.end(), [&](const std::string& stem) { return !locked.contains(stem); }));
+  status.stopped = static_cast<std::size_t>(
+      std::ranges::count_if(saved, [&](const std::string& stem) { return !locked.contains(stem); }));
   return status;
 }
 

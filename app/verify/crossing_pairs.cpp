@@ -32,8 +32,7 @@ bool meet(const sim::Extent& a, const sim::Extent& b) {
 
 /// Calls `found` with all pairs of boxes that meet. Sweep and prune (Baraff 1992) along the axis of the
 /// largest extent, in which the fewest boxes are beside each other.
-template <class Found>
-void sweep(std::vector<TriangleBox>& boxes, const Found& found) {
+template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Found& found) {
   sim::Extent all;
   for (const TriangleBox& box : boxes) {
     all.add(box.extent.lower);
@@ -41,7 +40,7 @@ void sweep(std::vector<TriangleBox>& boxes, const Found& found) {
   }
   const sim::Vec3 size = all.size();
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  std::sort(boxes.begin(), boxes.end(), [axis](const TriangleBox& a, const TriangleBox& b) {
+  std::ranges::sort(boxes, [axis](const TriangleBox& a, const TriangleBox& b) {
     return a.extent.lower[axis] < b.extent.lower[axis];
   });
   for (auto a = boxes.begin(); a != boxes.end(); ++a) {
@@ -74,7 +73,7 @@ std::optional<sim::Vec3> place_within(const Surface& cloth, sim::Triangle a, sim
 }
 
 std::vector<CrossingPair> ordered(std::vector<CrossingPair> pairs) {
-  std::sort(pairs.begin(), pairs.end(), [](const CrossingPair& a, const CrossingPair& b) {
+  std::ranges::sort(pairs, [](const CrossingPair& a, const CrossingPair& b) {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   });
   return pairs;

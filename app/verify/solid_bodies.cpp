@@ -38,8 +38,7 @@ Depth outside_cone(const Vec3& p, const Limb& limb) {
 
 /// Whether the function goes below -most_depth_m in the triangle. It is nowhere below its tangents, so that
 /// the smallest of a tangent at the corners is a bound; where that does not tell, the triangle is halved.
-template <class Outside>
-bool enters(const Corners& t, const Outside& outside) {
+template <class Outside> bool enters(const Corners& t, const Outside& outside) {
   const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
   const Depth here = outside(middle);
   if (here.outside_m < -most_depth_m) return true;
@@ -58,8 +57,8 @@ bool enters(const Corners& t, const Outside& outside) {
 }  // namespace
 
 bool enters_half_space(const Corners& triangle, const Vec3& point_m, const Vec3& normal) {
-  return std::any_of(triangle.begin(), triangle.end(),
-                     [&](const Vec3& corner) { return glm::dot(corner - point_m, normal) < -most_depth_m; });
+  return std::ranges::any_of(
+      triangle, [&](const Vec3& corner) { return glm::dot(corner - point_m, normal) < -most_depth_m; });
 }
 
 bool enters_limb(const Corners& triangle, const Limb& limb) {

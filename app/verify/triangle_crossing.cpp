@@ -164,8 +164,7 @@ bool are_far_apart(const Vec3& origin, const Vec3& axis, std::span<const Vec3> b
   };
   const auto is_before = [&](const Vec3& p) { return is_in_front(p, 1.0); };
   const auto is_behind = [&](const Vec3& p) { return is_in_front(p, -1.0); };
-  return std::all_of(before.begin(), before.end(), is_before) &&
-         std::all_of(behind.begin(), behind.end(), is_behind);
+  return std::ranges::all_of(before, is_before) && std::ranges::all_of(behind, is_behind);
 }
 
 Vec3 middle_of(const Corners& t) { return (t[0] + t[1] + t[2]) / 3.0; }

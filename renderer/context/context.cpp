@@ -22,8 +22,7 @@ void* open_library(std::initializer_list<const char*> names) {
 }
 
 // Sets `function` to a function of an open library. Throws ContextError when it has none of that name.
-template <typename Function>
-void find_function(void* library, const char* name, Function& function) {
+template <typename Function> void find_function(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(dlsym(library, name));
   if (function == nullptr) throw ContextError(std::string("the library has no ") + name);
 }

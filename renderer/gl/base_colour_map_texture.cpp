@@ -88,7 +88,7 @@ std::vector<std::uint8_t> texels() {
 }  // namespace
 
 int BaseColourMapTexture::layer_of(const BaseColourMap& map) {
-  const auto known = std::find(maps_.begin(), maps_.end(), map);
+  const auto known = std::ranges::find(maps_, map);
   const auto layer = static_cast<int>(known - maps_.begin());
   if (known == maps_.end()) maps_.push_back(map);
   return layer;

@@ -8,8 +8,7 @@ namespace taut::renderer {
 
 /// Owns an OpenGL object of the kind that Create makes and Delete deletes. The context must be current in the
 /// constructor and the destructor.
-template <auto Create, auto Delete>
-class GlObject {
+template <auto Create, auto Delete> class GlObject {
  public:
   explicit GlObject(const GladGLContext& context) : gl_(&context) { (gl_->*Create)(1, &object_); }
   ~GlObject() {
@@ -60,8 +59,7 @@ void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wr
 
 /// Makes the context of some objects current, in which they then can be deleted. Names without their context
 /// stay: to delete them is undefined, and they go when the process does.
-template <class Parts>
-void delete_in_context(std::unique_ptr<Parts>& parts) {
+template <class Parts> void delete_in_context(std::unique_ptr<Parts>& parts) {
   try {
     parts->context.make_current();
   } catch (const ContextError&) {

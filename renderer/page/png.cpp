@@ -124,7 +124,7 @@ std::vector<PngText> read_png_texts(std::span<const std::uint8_t> png, const std
     const std::string type(rest.begin() + 4, rest.begin() + 8);
     const BytesView data = rest.subspan(8, length);
     if (type == "IEND") return texts;
-    const auto zero = std::find(data.begin(), data.end(), std::uint8_t{0});
+    const auto zero = std::ranges::find(data, std::uint8_t{0});
     if (type == "tEXt" && zero != data.end()) {
       texts.push_back({std::string(data.begin(), zero), std::string(zero + 1, data.end())});
     }

@@ -9,8 +9,7 @@ struct Rows {
   std::vector<std::uint32_t> items;
 
   // `fill` calls what it is handed with a vertex and an item, the same ones every time.
-  template <class Fill>
-  Rows(std::size_t vertex_count, const Fill& fill) : offsets(vertex_count + 1) {
+  template <class Fill> Rows(std::size_t vertex_count, const Fill& fill) : offsets(vertex_count + 1) {
     fill([&](std::uint32_t vertex, std::uint32_t) { ++offsets[vertex + 1]; });
     for (std::size_t v = 0; v < vertex_count; ++v) offsets[v + 1] += offsets[v];
     items.resize(offsets.back());

@@ -67,8 +67,7 @@ void append_column(std::vector<glm::vec2> column, std::vector<glm::vec2>& result
     result.insert(result.end(), column.begin(), column.end());
     return;
   }
-  const auto [low, high] =
-      std::minmax_element(column.begin(), column.end(), [](auto& p, auto& q) { return p.y < q.y; });
+  const auto [low, high] = std::ranges::minmax_element(column, [](auto& p, auto& q) { return p.y < q.y; });
   result.push_back(column.front());
   result.push_back(*std::min(low, high));
   result.push_back(*std::max(low, high));

@@ -37,8 +37,8 @@ SpringPatch patch_of(const sim::Garment& garment, const std::vector<sim::Index>&
 sim::Vec3 normal_around(const sim::Garment& garment, const std::vector<sim::Index>& vertices) {
   sim::Vec3 normal(0.0);
   for (const sim::Triangle& triangle : garment.mesh.triangles) {
-    if (std::all_of(triangle.begin(), triangle.end(), [&](sim::Index corner) {
-          return std::find(vertices.begin(), vertices.end(), corner) != vertices.end();
+    if (std::ranges::all_of(triangle, [&](sim::Index corner) {
+          return std::ranges::find(vertices, corner) != vertices.end();
         })) {
       normal += sim::doubled_area_vector(garment.mesh.positions, triangle);
     }
@@ -126,8 +126,7 @@ void record(const std::string& scene_name, std::optional<int> frames, std::optio
       record_frames(scene, std::array{frames.value_or(scene.frames)}, report_progress, Checking::promises);
 }
 
-template <MethodTest test>
-void run_trials(Results& results, const ProgressCallback& report_progress) {
+template <MethodTest test> void run_trials(Results& results, const ProgressCallback& report_progress) {
   results.trials_of(test) = make_trials(test, report_progress);
 }
 
@@ -163,8 +162,7 @@ constexpr PlannedJob planned_jobs[] = {
 }  // namespace
 
 std::size_t SpringPatch::count(sim::SpringKind kind) const {
-  return static_cast<std::size_t>(std::count_if(
-      springs.begin(), springs.end(), [&](const PatchSpring& spring) { return spring.kind == kind; }));
+  return static_cast<std::size_t>(std::ranges::count(springs, kind, &PatchSpring::kind));
 }
 
 SpringPatch whole_patch(const sim::Garment& garment) {
@@ -180,9 +178,7 @@ SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rin
     for (const sim::Index v : inner) {
       for (const sim::Index edge : garment.adjacency.vertex_edges[v]) {
         const sim::Index neighbour = sim::other_end(garment.adjacency.edges[edge], v);
-        if (std::find(vertices.begin(), vertices.end(), neighbour) == vertices.end()) {
-          vertices.push_back(neighbour);
-        }
+        if (std::ranges::find(vertices, neighbour) == vertices.end()) vertices.push_back(neighbour);
       }
     }
   }

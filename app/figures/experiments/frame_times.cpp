@@ -1,4 +1,3 @@
-
 #include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
@@ -92,9 +91,9 @@ PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
 
 double FrameTimes::median_ms() const { return median(frame_ms); }
 
-double FrameTimes::shortest_ms() const { return *std::min_element(frame_ms.begin(), frame_ms.end()); }
+double FrameTimes::shortest_ms() const { return *std::ranges::min_element(frame_ms); }
 
-double FrameTimes::longest_ms() const { return *std::max_element(frame_ms.begin(), frame_ms.end()); }
+double FrameTimes::longest_ms() const { return *std::ranges::max_element(frame_ms); }
 
 void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results) {
   std::vector<TimedRun> runs = make_timed_runs();

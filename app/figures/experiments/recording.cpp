@@ -57,7 +57,7 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
   if (frames.front() == 0) keep(simulation, 0, recording);
   FrameOutputs outputs;
   outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
-    if (std::binary_search(frames.begin(), frames.end(), frame)) keep(moment, frame, recording);
+    if (std::ranges::binary_search(frames, frame)) keep(moment, frame, recording);
   };
   outputs.report = [&](const FrameRecord& record) {
     note_stretch(record, recording);
@@ -108,7 +108,7 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
     measure_stretches(simulation, record);
     note_stretch(record, recording.frames);
     counter.count(simulation, record);
-    if (recording.came_to_rest || std::binary_search(frames.begin(), frames.end(), frame)) {
+    if (recording.came_to_rest || std::ranges::binary_search(frames, frame)) {
       keep(simulation, frame, recording.frames);
     }
     report_progress(static_cast<double>(frame) / frames.back());

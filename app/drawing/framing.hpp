@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/vec3.hpp>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "renderer/camera.hpp"
 #include "sim/contact/bodies.hpp"
@@ -18,9 +12,7 @@ namespace taut::app {
 inline std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
   std::vector<std::uint32_t> indices;
   indices.reserve(triangles.size() * 3);
-  for (const sim::Triangle& t : triangles) {
-    indices.insert(indices.end(), t.begin(), t.end());
-  }
+  for (const sim::Triangle& t : triangles) indices.insert(indices.end(), t.begin(), t.end());
   return indices;
 }
 

@@ -1,9 +1,6 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <iterator>
-#include <memory>
 
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
@@ -11,8 +8,10 @@
 #include "app/bodies/fit.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/command_line_parts.hpp"
+#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/output_pattern.hpp"
+#include "app/output/run_report.hpp"
 #include "app/scene/scene.hpp"
 #include "renderer/context/context.hpp"
 
@@ -24,16 +23,13 @@ constexpr const char* scene_help_text =
 
 std::string unit_symbols() {
   std::string text;
-  for (const Unit& unit : units) {
-    text += std::string(text.empty() ? "" : ", ") + unit.symbol;
-  }
+  for (const Unit& unit : units) text += std::string(text.empty() ? "" : ", ") + unit.symbol;
   return text;
 }
 
 /// The value of a key that is the unit of a model, in m: that of a symbol, or else the text itself.
 std::string unit_value(const std::string& text) {
-  const auto* const unit =
-      std::find_if(units.begin(), units.end(), [&](const Unit& known) { return text == known.symbol; });
+  const auto* const unit = std::ranges::find(units, text, &Unit::symbol);
   return unit != units.end() ? std::to_string(unit->metres) : text;
 }
 
@@ -81,7 +77,7 @@ void add_keys(CLI::App& command, std::vector<Override>& overrides, std::initiali
 void add_set(CLI::App& command, std::vector<Override>& overrides) {
   const std::string meaning = "KEY=VALUE, any key of the scene; can be repeated (taut help scene)";
   const auto set = [&overrides](const std::vector<std::string>& texts) {
-    std::transform(texts.begin(), texts.end(), std::back_inserter(overrides), parse_override);
+    std::ranges::transform(texts, std::back_inserter(overrides), parse_override);
   };
   command.add_option_function<std::vector<std::string>>("--set", set, meaning)->allow_extra_args(false);
 }
@@ -104,7 +100,8 @@ void add_body(CLI::App& command, std::vector<Override>& overrides) {
        {"--body-units", "body.scale", "of the body, as --units"},
        {"--dress", "body.dress",
         "simulate so many frames before frame 0, in which the body grows from its bones to its shape, into "
-        "what it wears (about 90); a garment that lies elsewhere is moved to it first"},
+        "what it wears (default: 90 of a body that is given together with a garment, where it can); a garment "
+        "that lies elsewhere is moved to it first"},
        {"--body-up", "body.up", "the body's direction that is up, as --up"}});
 }
 
@@ -244,14 +241,10 @@ std::function<int()> add_simulate(CLI::App& app) {
 
 void add_compare(CLI::App& command, std::optional<sim::SolverKind>& compared_with) {
   std::vector<std::string> names;
-  for (const sim::SolverKind kind : sim::all_solver_kinds) {
-    names.emplace_back(sim::name_of(kind));
-  }
+  for (const sim::SolverKind kind : sim::all_solver_kinds) names.emplace_back(sim::name_of(kind));
   const auto set = [&compared_with, known = joined(names, ", ")](const std::string& text) {
     compared_with = solver_named(text);
-    if (!compared_with) {
-      throw UsageError("--compare " + text + ": expected one of " + known);
-    }
+    if (!compared_with) throw UsageError("--compare " + text + ": expected one of " + known);
   };
   command.add_option_function<std::string>(
       "--compare", set, "show the garment a second time, by this solver: " + joined(names, ", "));
@@ -372,6 +365,87 @@ std::function<int()> add_fabrics(CLI::App& app) {
   return [options] { return run(*options); };
 }
 
+std::function<int()> add_bench(CLI::App& app) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* command = app.add_subcommand(
+      "bench", "Measure the time of a frame, its stretch, and whether any frame breaks a promise");
+  command->add_flag("--contact", options->contact, "all scenes about contact and being worn: takes an hour");
+  command->add_flag(
+      "--quick", options->quick,
+      "a shirt that hangs, in winds, and on someone who walks, 60 frames of each, on one thread: "
+      "three minutes at most (default)");
+  command->add_option("--scenes", options->scenes, "some of the rows alone")->delimiter(',');
+  command
+      ->add_option(
+          "--bounds", options->bounds,
+          "largest stretches to be kept, such as 0.05,0.01: a row for each (default: as the scene has it)")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-5, 1.0));
+  command
+      ->add_option("--runs", options->runs,
+                   "so many runs of each scene, each with its start moved at random by a "
+                   "twentieth of the cloth's thickness (default: one run of the scene as it is)")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--frames", options->frames, "frames of each run (default: as the scene has it)")
+      ->check(CLI::Range(1, 1000000));
+  command->add_flag("--csv", options->csv, "print a table (CSV) of all runs instead");
+  command->add_flag("--quiet", options->quiet, "print neither progress nor the table");
+  command->footer(
+      "Ends with exit code 3 if a frame breaks a promise.\n\nExamples:\n"
+      "  taut bench                                   whether a shirt keeps up with the clock\n"
+      "  taut bench --bounds 0.05,0.01,0.001 --scenes wind-10   time against stretch\n"
+      "  taut bench --contact --runs 10               whether cloth crosses, stretches or does neither\n");
+  return [options] { return run(*options); };
+}
+
+// Without those that belong to no group, which are not shown.
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command :
+       app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); })) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+std::string help_about(CLI::App& app, const std::string& topic) {
+  // Else it would be the help of the command that was asked for, which is help.
+  app.clear();
+  if (topic.empty()) return app.help();
+  if (topic == "scene") return scene_help();
+  if (topic == "stats") return statistics_help();
+  std::vector<std::string> topics = command_names(app);
+  if (std::ranges::find(topics, topic) == topics.end()) {
+    topics.insert(topics.end(), {"scene", "stats"});
+    throw UsageError("there is no help about '" + topic + '\'' + did_you_mean(topic, topics) +
+                     " (topics: " + joined(topics) + ')');
+  }
+  return app.get_subcommand(topic)->help(app.get_name());
+}
+
+std::function<int()> add_help(CLI::App& app) {
+  auto topic = std::make_shared<std::string>();
+  CLI::App* command =
+      app.add_subcommand("help", "Explain a command, the keys of scene files or the statistics");
+  command->add_option("TOPIC", *topic, "a command, scene or stats (default: what commands there are)");
+  command->footer("Examples:\n  taut help render\n  taut help scene\n  taut help stats\n");
+  return [&app, topic] {
+    fmt::print("{}", help_about(app, *topic));
+    return 0;
+  };
+}
+
+/// Throws UsageError, with a list of the commands, if the arguments begin neither with a command nor with an
+/// option.
+void require_command(const CLI::App& app, std::span<const char* const> arguments) {
+  const std::string first = arguments.size() > 1 ? arguments[1] : "";
+  const std::vector<std::string> names = command_names(app);
+  const auto is_asked_for = [&](const CLI::App* command) { return command->get_name() == first; };
+  if (first.starts_with('-') || !app.get_subcommands(is_asked_for).empty()) return;
+  throw UsageError((first.empty() ? "expected a command" : "there is no command '" + first + '\'') +
+                   did_you_mean(first, names) + " (commands: " + joined(names) + "; taut help says more)");
+}
+
 /// Of a command line that cannot be understood.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error,
                           std::span<const char* const> arguments) {
@@ -382,18 +456,14 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error,
   const std::vector<std::string> unknown = app.remaining(true);
   const bool is_value = dynamic_cast<const CLI::RequiredError*>(&error) == nullptr &&
                         dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr;
-  if (is_value || unknown.empty()) {
-    return std::string(error.what()) + "; see " + help;
-  }
+  if (is_value || unknown.empty()) return std::string(error.what()) + "; see " + help;
   std::vector<std::string> options;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) {
-      options.push_back("--" + name);
-    }
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
   }
   // In the order of the command line; the first option is wrong, or else what follows it.
   const auto is_unknown = [&](const char* argument) {
-    return std::find(unknown.begin(), unknown.end(), argument) != unknown.end();
+    return std::ranges::find(unknown, argument) != unknown.end();
   };
   const auto is_option = [&](const char* argument) { return *argument == '-' && is_unknown(argument); };
   auto wrong = std::find_if(arguments.begin() + 1, arguments.end(), is_option);
@@ -421,26 +491,22 @@ int run_command_line(std::span<const char* const> arguments) {
       "taut help COMMAND says more. Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a promised bound was "
       "exceeded, a frame could not be made without a crossing, a frame did not keep what --verify checks or "
       "the run diverged, 75 stopped, but saved: it can be resumed.");
-  const std::vector<std::function<int()>> commands = {add_figures(app),  add_render(app, arguments),
-                                                      add_simulate(app), add_view(app),
-                                                      add_inspect(app),  add_fit(app),
-                                                      add_bench(app),    add_scenes(app),
-                                                      add_fabrics(app),
-                                                      add_sweep(app),    add_import_model(app),
-                                                      add_help(app)};
+  const std::vector<std::function<int()>> commands = {add_figures(app),      add_render(app, arguments),
+                                                      add_simulate(app),     add_view(app),
+                                                      add_inspect(app),      add_fit(app),
+                                                      add_bench(app),        add_scenes(app),
+                                                      add_fabrics(app),      add_sweep(app),
+                                                      add_import_model(app), add_help(app)};
   show_help_first(app);
   require_command(app, arguments);
   try {
     app.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      return app.exit(error);
-    }
+    if (error.get_exit_code() == 0) return app.exit(error);
     throw UsageError(what_is_wrong(app, error, arguments));
   }
   const std::vector<CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
-  const auto asked =
-      std::find_if(all.begin(), all.end(), [](const CLI::App* command) { return command->parsed(); });
+  const auto asked = std::ranges::find_if(all, [](const CLI::App* command) { return command->parsed(); });
   return asked != all.end() ? commands[static_cast<std::size_t>(asked - all.begin())]() : 0;
 }
 

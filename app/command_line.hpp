@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include "prelude.hpp"
 
 namespace taut::app {
 

@@ -1,24 +1,13 @@
 #pragma once
 
 #include <CLI/App.hpp>
-#include <functional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/commands/options.hpp"
 
 namespace taut::app {
 
-// Each adds a command to the arguments of the program. Call the result after these were parsed.
-
-std::function<int()> add_bench(CLI::App& app);
-std::function<int()> add_help(CLI::App& app);
+/// Adds the command to the arguments of the program. Call the result after these were parsed.
 std::function<int()> add_sweep(CLI::App& app);
-
-/// Throws UsageError, with a list of the commands, if the arguments begin neither with a command nor with an
-/// option.
-void require_command(const CLI::App& app, std::span<const char* const> arguments);
 
 // Options that stand for keys of the scene, written as a person would say them. Each call adds one to the
 // command; `overrides` must live as long as it does.

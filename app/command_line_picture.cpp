@@ -1,13 +1,4 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <string_view>
-
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
 #include "app/command_line_parts.hpp"
@@ -29,36 +20,23 @@ constexpr std::array<NamedSize, 6> named_sizes = {{{"720p", {1280, 720}},
                                                    {"4K", {3840, 2160}},
                                                    {"8K", {7680, 4320}}}};
 
-template <class Names>
-std::string names_of(const Names& entries) {
+template <class Names> std::string names_of(const Names& entries) {
   std::vector<std::string> names;
-  for (const auto& entry : entries) {
-    names.emplace_back(entry.name);
-  }
+  for (const auto& entry : entries) names.emplace_back(entry.name);
   return joined(names, ", ");
 }
 
 bool same_word(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+  return std::ranges::equal(a, b, [](char x, char y) {
     return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
   });
 }
 
 // The entry with this name, in small or capital letters; null: none.
-template <class Names>
-auto find_named(const Names& entries, std::string_view text) {
-  const auto found = std::find_if(entries.begin(), entries.end(),
-                                  [&](const auto& entry) { return same_word(entry.name, text); });
+template <class Names> auto find_named(const Names& entries, std::string_view text) {
+  const auto found =
+      std::ranges::find_if(entries, [&](const auto& entry) { return same_word(entry.name, text); });
   return found == entries.end() ? nullptr : &*found;
-}
-
-// All of the text; else empty.
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
 // Where the air goes that comes from this side. Angles go around as those of the camera do.
@@ -73,17 +51,15 @@ std::string direction_from(double angle_deg) {
 const char* const size_help = "WIDTHxHEIGHT in pixels, or 720p, 1080p, 1440p, 4K, 8K (default 1280x720)";
 
 renderer::Resized parse_size(const std::string& text, const std::string& option) {
-  if (const NamedSize* named = find_named(named_sizes, text)) {
-    return named->size;
-  }
+  if (const NamedSize* named = find_named(named_sizes, text)) return named->size;
   const std::size_t between = text.find_first_of(",xX");
   const bool is_pair = between != std::string::npos;
   const auto width = number_in<int>(std::string_view(text).substr(0, between));
   const auto height = is_pair ? number_in<int>(std::string_view(text).substr(between + 1)) : std::nullopt;
   const auto is_side = [](std::optional<int> side) { return side && *side >= 1 && *side <= largest_side_px; };
   if (!is_side(width) || !is_side(height)) {
-    throw UsageError(fmt::format("{} {}: expected WIDTHxHEIGHT in pixels, such as 1280x720, or a name: {}",
-                                 option, text, names_of(named_sizes)));
+    throw UsageError("{} {}: expected WIDTHxHEIGHT in pixels, such as 1280x720, or a name: {}", option, text,
+                     names_of(named_sizes));
   }
   return {*width, *height};
 }
@@ -100,9 +76,7 @@ void add_resolution(CLI::App& command, std::vector<Override>& overrides) {
 void add_side(CLI::App& command, std::vector<Override>& overrides) {
   const auto set = [&overrides](const std::string& text) {
     const Side* const side = find_named(sides, text);
-    if (side == nullptr) {
-      throw UsageError("--view " + text + ": expected one of " + names_of(sides));
-    }
+    if (side == nullptr) throw UsageError("--view " + text + ": expected one of " + names_of(sides));
     for (const char* key : {"camera.box", "camera.eye", "camera.target"}) {
       overrides.push_back({key, "auto", "--view " + text});
     }
@@ -123,9 +97,7 @@ void add_wind(CLI::App& command, std::vector<Override>& overrides) {
       throw UsageError(option + ": expected SPEED or SPEED@ANGLE, in m/s and degrees, such as 4@90");
     }
     overrides.push_back({"wind.speed", text.substr(0, at), option});
-    if (angle_deg) {
-      overrides.push_back({"wind.direction", direction_from(*angle_deg), option});
-    }
+    if (angle_deg) overrides.push_back({"wind.direction", direction_from(*angle_deg), option});
   };
   command.add_option_function<std::string>(
       "--wind", set,

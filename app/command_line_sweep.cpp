@@ -1,7 +1,5 @@
 #include <CLI/CLI.hpp>
-#include <memory>
 
-#include "app/base/suggest.hpp"
 #include "app/command_line_parts.hpp"
 namespace taut::app {
 namespace {

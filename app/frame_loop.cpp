@@ -1,7 +1,5 @@
 #include "app/frame_loop.hpp"
 
-#include <algorithm>
-
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
 
@@ -9,7 +7,7 @@ namespace taut::app {
 namespace {
 
 bool is_drawn(int frame, const FrameOutputs& outputs) {
-  return std::binary_search(outputs.pictures.begin(), outputs.pictures.end(), frame);
+  return std::ranges::binary_search(outputs.pictures, frame);
 }
 
 void advance(sim::Simulation& simulation, int frame) {
@@ -23,34 +21,24 @@ void advance(sim::Simulation& simulation, int frame) {
 FrameInWork simulate_frame(sim::Simulation& simulation, int frame, const FrameOutputs& outputs) {
   FrameInWork work;
   const ProcessorStopwatch simulating;
-  if (frame > outputs.start_frame) {
-    advance(simulation, frame);
-  }
+  if (frame > outputs.start_frame) advance(simulation, frame);
   const double sim_ms = simulating.elapsed_ms();
   work.record = measure_frame(simulation, frame, outputs.measured);
   work.record.sim_ms = sim_ms;
-  if (outputs.verify) {
-    work.broken = outputs.verify(simulation, work.record);
-  }
-  if (!work.broken.empty()) {
-    return work;
-  }
+  if (outputs.verify) work.broken = outputs.verify(simulation, work.record);
+  if (!work.broken.empty()) return work;
 
   if (outputs.write_shape) {
     Stopwatch writing;
     outputs.write_shape(frame, simulation);
     work.record.encode_ms = writing.elapsed_ms();
   }
-  if (is_drawn(frame, outputs)) {
-    work.positions = simulation.state().current;
-  }
+  if (is_drawn(frame, outputs)) work.positions = simulation.state().current;
   return work;
 }
 
 void require_promises_kept(const std::string& broken) {
-  if (!broken.empty()) {
-    throw PromiseBroken(broken);
-  }
+  if (!broken.empty()) throw PromiseBroken(broken);
 }
 
 /// Of a start that is not handed out.
@@ -85,46 +73,32 @@ std::vector<FrameRecord> run_frames(sim::Simulation& simulation, int last_frame,
   std::vector<FrameRecord> records;
   const bool hands_out_start = outputs.with_start || is_drawn(outputs.start_frame, outputs);
   int next_frame = outputs.start_frame + (hands_out_start ? 0 : 1);
-  if (!hands_out_start) {
-    verify_start(simulation, outputs);
-  }
+  if (!hands_out_start) verify_start(simulation, outputs);
   const bool overlaps = outputs.overlap && outputs.pictures.size() > 1;
   // Frames that wait between two stages are given up, but in turn there are none.
   const auto give_up_if_interrupted = [overlaps] {
-    if (overlaps) {
-      throw_if_interrupted();
-    }
+    if (overlaps) throw_if_interrupted();
   };
 
   FrameStages stages;
   bool is_broken = false;
   stages.simulate = [&]() -> std::optional<FrameInWork> {
     throw_if_interrupted();
-    if (next_frame > last_frame || is_broken) {
-      return std::nullopt;
-    }
+    if (next_frame > last_frame || is_broken) return std::nullopt;
     FrameInWork work = simulate_frame(simulation, next_frame++, outputs);
     is_broken = !work.broken.empty();
-    if (outputs.simulated) {
-      outputs.simulated(work.record);
-    }
+    if (outputs.simulated) outputs.simulated(work.record);
     return work;
   };
   stages.draw = [&](FrameInWork& work) {
     give_up_if_interrupted();
-    if (work.broken.empty() && is_drawn(work.record.frame, outputs)) {
-      draw_frame(work, outputs);
-    }
+    if (work.broken.empty() && is_drawn(work.record.frame, outputs)) draw_frame(work, outputs);
   };
   stages.write = [&](FrameInWork& work) {
     give_up_if_interrupted();
-    if (work.broken.empty() && is_drawn(work.record.frame, outputs)) {
-      write_frame(work, outputs);
-    }
+    if (work.broken.empty() && is_drawn(work.record.frame, outputs)) write_frame(work, outputs);
     records.push_back(work.record);
-    if (outputs.report) {
-      outputs.report(work.record);
-    }
+    if (outputs.report) outputs.report(work.record);
     require_promises_kept(work.broken);
   };
   if (outputs.before_drawing) {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/base/errors.hpp"
 #include "app/frame_pipeline.hpp"
 #include "app/output/frame_record.hpp"

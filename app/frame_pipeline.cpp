@@ -1,9 +1,6 @@
 #include "app/frame_pipeline.hpp"
 
-#include <array>
-#include <exception>
 #include <thread>
-#include <utility>
 
 #include "app/base/errors.hpp"
 
@@ -14,8 +11,7 @@ namespace {
 // memory.
 constexpr std::size_t waiting_frames = 3;
 
-template <class Stage>
-std::exception_ptr error_of(const Stage& stage) {
+template <class Stage> std::exception_ptr error_of(const Stage& stage) {
   try {
     stage();
   } catch (...) {
@@ -38,9 +34,7 @@ void run_gathered(const FrameStages& stages,
   std::vector<FrameInWork> frames;
   std::exception_ptr simulating_failed;
   try {
-    while (std::optional<FrameInWork> frame = stages.simulate()) {
-      frames.push_back(std::move(*frame));
-    }
+    while (std::optional<FrameInWork> frame = stages.simulate()) frames.push_back(std::move(*frame));
   } catch (const Interrupted&) {
     throw;
   } catch (...) {
@@ -52,9 +46,7 @@ void run_gathered(const FrameStages& stages,
     return next < frames.size() ? std::optional(std::move(frames[next++])) : std::nullopt;
   };
   run_overlapped(rest);
-  if (simulating_failed != nullptr) {
-    std::rethrow_exception(simulating_failed);
-  }
+  if (simulating_failed != nullptr) std::rethrow_exception(simulating_failed);
 }
 
 void run_overlapped(const FrameStages& stages) {
@@ -66,17 +58,13 @@ void run_overlapped(const FrameStages& stages) {
   std::thread simulating([&] {
     simulating_failed = error_of([&] {
       std::optional<FrameInWork> frame = stages.simulate();
-      while (frame && simulated.push(std::move(*frame))) {
-        frame = stages.simulate();
-      }
+      while (frame && simulated.push(std::move(*frame))) frame = stages.simulate();
     });
     simulated.close();
   });
   std::thread writing([&] {
     writing_failed = error_of([&] {
-      while (std::optional<FrameInWork> frame = drawn.pop()) {
-        stages.write(*frame);
-      }
+      while (std::optional<FrameInWork> frame = drawn.pop()) stages.write(*frame);
     });
     drawn.abandon();
   });
@@ -94,9 +82,7 @@ void run_overlapped(const FrameStages& stages) {
 
   // A later stage works on an earlier frame.
   for (const std::exception_ptr& error : std::array{writing_failed, drawing_failed, simulating_failed}) {
-    if (error != nullptr) {
-      std::rethrow_exception(error);
-    }
+    if (error != nullptr) std::rethrow_exception(error);
   }
 }
 

@@ -1,14 +1,7 @@
 #pragma once
 
 #include <condition_variable>
-#include <cstddef>
-#include <deque>
-#include <functional>
 #include <mutex>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/output/frame_record.hpp"
 #include "renderer/page/image.hpp"
@@ -17,8 +10,7 @@ namespace taut::app {
 
 /// A queue of limited length from one thread to another. A push into a full queue waits, so the faster thread
 /// never gets far ahead.
-template <class T>
-class BoundedQueue {
+template <class T> class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
@@ -26,9 +18,7 @@ class BoundedQueue {
   bool push(T item) {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] { return items_.size() < capacity_ || abandoned_; });
-    if (abandoned_) {
-      return false;
-    }
+    if (abandoned_) return false;
     items_.push_back(std::move(item));
     filled_.notify_one();
     return true;
@@ -44,9 +34,7 @@ class BoundedQueue {
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);
     filled_.wait(lock, [this] { return !items_.empty() || closed_; });
-    if (items_.empty()) {
-      return std::nullopt;
-    }
+    if (items_.empty()) return std::nullopt;
     std::optional<T> item(std::move(items_.front()));
     items_.pop_front();
     room_.notify_one();

@@ -1,14 +1,9 @@
-#include <cerrno>
-#include <cstdio>
-#include <exception>
-#include <system_error>
-
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/command_line.hpp"
 #include "sim/simulation.hpp"
 
-// A command reads a scene (scene_lookup, scene_file), loads its garment (garment_loading), and hands a
+// A command reads a scene (scene_file), loads its garment (garment_loading), and hands a
 // simulation to run_frames (frame_loop), which calls the outputs the command has chosen for it.
 
 namespace {

@@ -1,14 +1,7 @@
 #include "renderer/camera.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
-#include <stdexcept>
-#include <vector>
 
 namespace taut::renderer {
 
@@ -106,9 +99,7 @@ Camera fitted(std::span<const glm::vec3> points, const glm::vec3& middle, const 
 
 }  // namespace
 
-glm::mat4 Camera::view() const {
-  return glm::lookAt(eye, target, up);
-}
+glm::mat4 Camera::view() const { return glm::lookAt(eye, target, up); }
 
 glm::mat4 Camera::projection(float aspect) const {
   return glm::perspective(vertical_fov_rad, aspect, near_m, far_m);
@@ -132,9 +123,7 @@ bool is_near(const Box& box) {
   return near;
 }
 
-Box united(const Box& a, const Box& b) {
-  return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
-}
+Box united(const Box& a, const Box& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
 
 Camera fit_camera_to_box(const Box& box, const Framing& framing, float aspect) {
   check(box, framing, aspect);
@@ -152,7 +141,7 @@ std::array<glm::vec3, 4> outermost_points(std::span<const glm::vec3> points, con
   const float opening = opening_of(framing);
   const auto farthest = [&](const glm::vec3& axis, float tangent) {
     const glm::vec3 functional = axis + tangent * axes.back;
-    return *std::max_element(points.begin(), points.end(), [&](const glm::vec3& a, const glm::vec3& b) {
+    return *std::ranges::max_element(points, [&](const glm::vec3& a, const glm::vec3& b) {
       return glm::dot(a - middle, functional) < glm::dot(b - middle, functional);
     });
   };
@@ -165,13 +154,9 @@ Camera fit_camera_to_points(std::span<const glm::vec3> points, const Framing& fr
   check(box, framing, aspect);
   const glm::vec3 middle = 0.5F * (box.lower + box.upper);
   const glm::vec3 half = 0.5F * (box.upper - box.lower);
-  if (std::max({half.x, half.y, half.z}) < smallest_half_m) {
-    return fit_camera_to_box(box, framing, aspect);
-  }
+  if (std::max({half.x, half.y, half.z}) < smallest_half_m) return fit_camera_to_box(box, framing, aspect);
   std::vector<glm::vec3> from_middle(points.begin(), points.end());
-  for (glm::vec3& point : from_middle) {
-    point -= middle;
-  }
+  for (glm::vec3& point : from_middle) point -= middle;
   return fitted(from_middle, middle, half, framing, aspect);
 }
 

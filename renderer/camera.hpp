@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
-#include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
-#include <span>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 

@@ -1,15 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "renderer/camera.hpp"
 #include "renderer/page/colour.hpp"
 

@@ -1,13 +1,5 @@
 #include "renderer/primitives.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
-#include <cmath>
-#include <cstddef>
-#include <glm/geometric.hpp>
-#include <numbers>
-
 namespace taut::renderer {
 namespace {
 
@@ -83,7 +75,7 @@ void vertex_normals(std::span<const glm::vec3> positions, std::span<const std::u
                     std::span<glm::vec3> normals, NormalWeight weight) {
   assert(normals.size() == positions.size());
   assert(triangles.size() % 3 == 0);
-  std::fill(normals.begin(), normals.end(), glm::vec3{0.0F});
+  std::ranges::fill(normals, glm::vec3{0.0F});
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
     assert(std::max({triangles[i], triangles[i + 1], triangles[i + 2]}) < positions.size());
     add_triangle({triangles[i], triangles[i + 1], triangles[i + 2]}, positions, normals, weight);

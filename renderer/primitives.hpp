@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/vec3.hpp>
-#include <span>
-#include <vector>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 

@@ -1,6 +1,5 @@
 #include "renderer/scene_renderer.hpp"
 
-#include <algorithm>
 #include <future>
 
 #include "renderer/frame_check.hpp"
@@ -23,8 +22,8 @@ bool sees_floor(const FrameView& frame) {
 
 bool has_marks(const FrameView& frame) {
   return !frame.lines.empty() || !frame.points.empty() ||
-         std::any_of(frame.surfaces.begin(), frame.surfaces.end(),
-                     [](const SurfaceView& surface) { return surface.wireframe.has_value(); });
+         std::ranges::any_of(frame.surfaces,
+                             [](const SurfaceView& surface) { return surface.wireframe.has_value(); });
 }
 
 // Light has to be encoded after it is blended, which only the renderer's own target is sure to do.
@@ -53,53 +52,6 @@ std::vector<Tile> tiles_of(const Tile& area, int supersampling) {
     }
   }
   return tiles;
-}
-
-/// A frame whose picture needs every shader that pictures of cloth need: a small sheet above a larger one and
-/// a floor. Drawn once to compile them.
-class WarmUpFrame {
- public:
-  /// Returns the frame, valid while this object lives. `scalars`: the sheets show scalars instead of cloth.
-  FrameView view(bool scalars) const;
-  /// Returns the settings for a small and quick picture with the same shaders.
-  static PictureSettings small(const PictureSettings& settings);
-
- private:
-  std::array<glm::vec3, 8> positions_{{{-1, 0, 1},
-                                       {1, 0, 1},
-                                       {1, 0, -1},
-                                       {-1, 0, -1},
-                                       {-0.5F, 0.5F, 0.5F},
-                                       {0.5F, 0.5F, 0.5F},
-                                       {0.5F, 0.5F, -0.5F},
-                                       {-0.5F, 0.5F, -0.5F}}};
-  std::array<glm::vec3, 8> normals_{
-      {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}}};
-  std::array<std::uint32_t, 12> triangles_{0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
-  std::array<float, 8> scalars_{};
-};
-
-FrameView WarmUpFrame::view(bool scalars) const {
-  FrameView frame;
-  SurfaceView surface;
-  surface.positions = positions_;
-  surface.normals = normals_;
-  surface.triangles = triangles_;
-  surface.material_coordinates = positions_;
-  if (scalars) surface.scalars = ScalarColours{scalars_};
-  frame.surfaces.push_back(surface);
-  frame.ground_height_m = -0.5F;
-  frame.camera.eye = {0.0F, 3.0F, 4.0F};
-  frame.camera.target = {0.0F, 0.0F, 0.0F};
-  return frame;
-}
-
-PictureSettings WarmUpFrame::small(const PictureSettings& settings) {
-  PictureSettings less = settings;
-  less.width_px = less.height_px = 64;
-  less.shadow_map_px = 256;
-  less.sky_directions = std::min(settings.sky_directions, 2);
-  return less;
 }
 
 }  // namespace
@@ -144,13 +96,13 @@ struct SceneRenderer::Parts {
 SceneRenderer::Parts::Parts(Context& made)
     : context(made),
       gl(made.gl()),
-      surface_pass(gl, embedded_shaders()),
+      surface_pass(gl),
       light(gl),
-      backdrop_pass(gl, embedded_shaders()),
-      mark_pass(gl, embedded_shaders()),
+      backdrop_pass(gl),
+      mark_pass(gl),
       picture(gl),
       visibility(gl),
-      resolve_pass(gl, embedded_shaders()),
+      resolve_pass(gl),
       large(gl),
       block_buffer(gl) {
   check_errors(gl, "starting the renderer");
@@ -295,7 +247,7 @@ std::future<void> SceneRenderer::Parts::begin(FrameBlock& block, const FrameView
   sphere_meshes.clear();
   collect_surfaces(frame);
   casters.clear();
-  std::transform(surfaces.begin(), surfaces.end(), std::back_inserter(casters), coarse_of);
+  std::ranges::transform(surfaces, std::back_inserter(casters), coarse_of);
   light.begin(block, frame, casters, settings);
   std::future<void> light_gathered = std::async(std::launch::async, [this, own = block] {
     light.draw_maps(own);
@@ -348,27 +300,33 @@ SceneRenderer::SceneRenderer(Context& context) {
   parts_ = std::make_unique<Parts>(context);
 }
 
-SceneRenderer::~SceneRenderer() {
-  try {
-    parts_->context.make_current();
-  } catch (const ContextError&) {
-    // Deleting names without their context is undefined; they go when the process does.
-    static_cast<void>(parts_.release());
-  }
-}
+SceneRenderer::~SceneRenderer() { delete_in_context(parts_); }
 
+// A ball above a larger one and a floor: their picture needs every shader that pictures of cloth need.
 void SceneRenderer::prepare(const PictureSettings& settings, bool scalars) {
-  check_settings(settings);
-  parts_->context.make_current();
-  const WarmUpFrame warm_up;
-  parts_->draw(warm_up.view(scalars), WarmUpFrame::small(settings));
+  const std::array balls{make_sphere({0.0F, 0.0F, 0.0F}, 1.0F, 16),
+                         make_sphere({0.0F, 1.6F, 0.0F}, 0.4F, 16)};
+  const std::vector<float> values(balls[0].positions.size());
+  FrameView frame;
+  for (const TriangleMesh& ball : balls) {
+    SurfaceView& surface = frame.surfaces.emplace_back();
+    surface.positions = surface.material_coordinates = ball.positions;
+    surface.normals = ball.normals;
+    surface.triangles = ball.triangles;
+    if (scalars) surface.scalars = ScalarColours{values};
+  }
+  frame.ground_height_m = -1.5F;
+  frame.camera.eye = {0.0F, 3.0F, 6.0F};
+  frame.camera.target = glm::vec3{0.0F};
+  PictureSettings small = settings;
+  small.width_px = small.height_px = 64;
+  small.shadow_map_px = 256;
+  small.sky_directions = std::min(settings.sky_directions, 2);
+  draw_kept(frame, small);
 }
 
 Image SceneRenderer::draw(const FrameView& frame, const PictureSettings& settings) {
-  check_frame(frame);
-  check_settings(settings);
-  parts_->context.make_current();
-  parts_->draw(frame, settings);
+  draw_kept(frame, settings);
   return frame.backdrop.transparent ? parts_->picture.read_with_alpha() : parts_->picture.read();
 }
 
@@ -378,16 +336,14 @@ bool SceneRenderer::draw_to(unsigned framebuffer, const FrameView& frame, const 
     show_kept(framebuffer, settings.width_px, settings.height_px);
     return true;
   }
-  check_frame(frame);
-  check_settings(settings);
+  check(frame, settings);
   parts_->context.make_current();
   parts_->draw_straight_to(framebuffer, frame, settings);
   return false;
 }
 
 void SceneRenderer::draw_kept(const FrameView& frame, const PictureSettings& settings) {
-  check_frame(frame);
-  check_settings(settings);
+  check(frame, settings);
   parts_->context.make_current();
   parts_->draw(frame, settings);
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "renderer/context/context.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/image.hpp"
@@ -24,7 +22,7 @@ class SceneRenderer {
 
   /// Returns an image of settings.width_px by settings.height_px: RGB, or RGBA where the backdrop is
   /// transparent. Throws std::invalid_argument as
-  /// check_frame and check_settings do, before anything is drawn. Throws ContextError when OpenGL reports an
+  /// check() does (frame_check.hpp), before anything is drawn. Throws ContextError when OpenGL reports an
   /// error, ShaderError when a shader does not compile.
   Image draw(const FrameView& frame, const PictureSettings& settings);
 

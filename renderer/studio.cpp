@@ -1,5 +1,3 @@
-#include <glm/geometric.hpp>
-
 #include "renderer/frame_view.hpp"
 
 namespace taut::renderer {

@@ -1,7 +1,5 @@
 #include "app/base/base64.hpp"
 
-#include <algorithm>
-
 namespace taut::app {
 
 std::string base64(std::span<const std::uint8_t> bytes) {
@@ -11,12 +9,8 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
     std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = (group << 8U) | (k < count ? bytes[i + k] : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= count ? letters[(group >> (18U - 6U * k)) & 63U] : '=';
-    }
+    for (std::size_t k = 0; k < 3; ++k) group = (group << 8U) | (k < count ? bytes[i + k] : 0U);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? letters[(group >> (18U - 6U * k)) & 63U] : '=';
   }
   return text;
 }

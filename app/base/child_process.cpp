@@ -6,18 +6,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
-#include <system_error>
 
 namespace taut::app {
 namespace {
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
-  for (std::string& text : texts) {
-    pointers.push_back(text.data());
-  }
+  for (std::string& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);
   return pointers;
 }
@@ -33,17 +29,13 @@ void redirect(posix_spawn_file_actions_t& files, int from, int to) {
 }  // namespace
 
 Descriptor::~Descriptor() {
-  if (number_ >= 0) {
-    ::close(number_);
-  }
+  if (number_ >= 0) ::close(number_);
 }
 
 ChildProcess::ChildProcess(ChildCommand command) {
   const std::vector<char*> arguments = pointers_to(command.arguments);
   std::vector<char*> environment;
-  for (char** variable = environ; *variable != nullptr; ++variable) {
-    environment.push_back(*variable);
-  }
+  for (char** variable = environ; *variable != nullptr; ++variable) environment.push_back(*variable);
   environment.push_back(command.variable.empty() ? nullptr : command.variable.data());
   environment.push_back(nullptr);
 
@@ -54,16 +46,12 @@ ChildProcess::ChildProcess(ChildCommand command) {
   redirect(files, command.input, STDIN_FILENO);
   redirect(files, command.output, STDOUT_FILENO);
   redirect(files, command.errors, STDERR_FILENO);
-  if (command.own_group) {
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  }
+  if (command.own_group) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   const int error =
       posix_spawnp(&process_, arguments.front(), &files, &attributes, arguments.data(), environment.data());
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
-  if (error != 0) {
-    throw std::system_error(error, std::generic_category());
-  }
+  if (error != 0) throw std::system_error(error, std::generic_category());
 }
 
 ChildProcess::~ChildProcess() {

@@ -2,9 +2,7 @@
 
 #include <sys/types.h>
 
-#include <string>
-#include <utility>
-#include <vector>
+#include "prelude.hpp"
 
 namespace taut::app {
 

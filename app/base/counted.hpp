@@ -2,21 +2,28 @@
 
 #include <fmt/core.h>
 
-#include <concepts>
-#include <string>
+#include <charconv>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 
 /// The count with its noun: "1 vertex", "2 vertices". `many` is the plural.
-template <std::integral Count>
-std::string counted(Count count, const char* one, const char* many) {
+template <std::integral Count> std::string counted(Count count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 /// As above, for a plural in s: "1 frame", "2 frames".
-template <std::integral Count>
-std::string counted(Count count, const char* one) {
+template <std::integral Count> std::string counted(Count count, const char* one) {
   return counted(count, one, (std::string(one) + 's').c_str());
+}
+
+/// The number that the whole text is; empty: it is none. `base`: none, or that of a whole number.
+template <class Number, class... Base> std::optional<Number> number_in(std::string_view text, Base... base) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number, base...);
+  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace taut::app

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <stdexcept>
+#include <fmt/core.h>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 
@@ -14,19 +16,27 @@ inline constexpr int exit_promise_broken = 3;
 /// The run was stopped and can be resumed (EX_TEMPFAIL of sysexits.h).
 inline constexpr int exit_can_be_resumed = 75;
 
+/// An error whose message may be formatted by fmt: a format and its arguments.
+template <class Base> struct Formatted : Base {
+  using Base::Base;
+  template <class First, class... Rest>
+  Formatted(fmt::format_string<First, Rest...> format, First&& first, Rest&&... rest)
+      : Base(fmt::format(format, std::forward<First>(first), std::forward<Rest>(rest)...)) {}
+};
+
 /// A file or a scene cannot be used. The message names where, what was found and what was expected.
-struct InputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct InputError : Formatted<std::runtime_error> {
+  using Formatted::Formatted;
 };
 
 /// The command line cannot be used.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct UsageError : Formatted<std::runtime_error> {
+  using Formatted::Formatted;
 };
 
 /// A frame does not keep a promise that it was to be verified for. The message names the frame and the place.
-struct PromiseBroken : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct PromiseBroken : Formatted<std::runtime_error> {
+  using Formatted::Formatted;
 };
 
 /// SIGINT or SIGTERM asked the program to end. `signal` is its number.

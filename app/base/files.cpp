@@ -3,13 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <cstdlib>
 #include <fstream>
-#include <optional>
-#include <sstream>
-#include <system_error>
 
 #include "app/base/child_process.hpp"
 #include "app/base/errors.hpp"
@@ -19,9 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason_of(int error_number) {
-  return std::generic_category().message(error_number);
-}
+std::string reason_of(int error_number) { return std::generic_category().message(error_number); }
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -32,9 +24,7 @@ fs::path folder_of(const fs::path& file) {
 bool is_written_straight(const fs::path& path) {
   std::error_code error;
   const fs::path link = fs::read_symlink(path, error);
-  if (link.string().starts_with("/proc/") || path.string().starts_with("/proc/")) {
-    return true;
-  }
+  if (link.string().starts_with("/proc/") || path.string().starts_with("/proc/")) return true;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
@@ -83,15 +73,9 @@ std::string host_name() {
 void require_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) {
-    throw InputError("there is no file '" + path.string() + "'");
-  }
-  if (error) {
-    throw InputError("cannot read '" + path.string() + "': " + error.message());
-  }
-  if (fs::is_directory(status)) {
-    throw InputError("'" + path.string() + "' is a folder, not a file");
-  }
+  if (status.type() == fs::file_type::not_found) throw InputError("there is no file '" + path.string() + "'");
+  if (error) throw InputError("cannot read '" + path.string() + "': " + error.message());
+  if (fs::is_directory(status)) throw InputError("'" + path.string() + "' is a folder, not a file");
   if (::access(path.c_str(), R_OK) != 0) {
     throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
   }
@@ -105,9 +89,7 @@ std::string read_text_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
-  if (!file) {
-    throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
-  }
+  if (!file) throw InputError("cannot read '" + path.string() + "': " + reason_of(errno));
   return text.str();
 }
 
@@ -115,15 +97,11 @@ void prepare_folder_of(const fs::path& file) {
   const fs::path folder = folder_of(file);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) {
-    throw InputError("cannot make the output folder '" + folder.string() + "': " + error.message());
-  }
+  if (error) throw InputError("cannot make the output folder '" + folder.string() + "': " + error.message());
   if (fs::is_directory(file, error)) {
     throw InputError("cannot write '" + file.string() + "': there is a folder of this name");
   }
-  if (is_written_straight(file)) {
-    return;
-  }
+  if (is_written_straight(file)) return;
   // Asking for permissions is not enough: a read-only file system, a full quota. Another thread may ask too.
   std::string probe = folder / ".taut.part-XXXXXX";
   const int descriptor = ::mkostemp(probe.data(), O_CLOEXEC);
@@ -138,9 +116,7 @@ fs::path free_name(const fs::path& folder, const std::string& stem, const std::s
   std::error_code error;
   for (int n = 1;; ++n) {
     fs::path path = folder / (stem + '-' + std::to_string(n) + extension);
-    if (!fs::exists(path, error)) {
-      return path;
-    }
+    if (!fs::exists(path, error)) return path;
   }
 }
 
@@ -150,18 +126,14 @@ void write_text_file(const fs::path& path, const std::string& text) {
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   if (is_written_straight(path)) {
-    if (const auto reason = try_to_write(path, bytes, std::ios::app)) {
-      fail_to_write(path, *reason);
-    }
+    if (const auto reason = try_to_write(path, bytes, std::ios::app)) fail_to_write(path, *reason);
     return;
   }
   const fs::path temporary = temporary_name(path);
   // By which the temporary file is also found in a folder that somebody renames meanwhile.
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   try {
-    if (const auto reason = try_to_write(temporary, bytes, std::ios::trunc)) {
-      fail_to_write(path, *reason);
-    }
+    if (const auto reason = try_to_write(temporary, bytes, std::ios::trunc)) fail_to_write(path, *reason);
     put_in_place(temporary, path);
   } catch (...) {
     ::unlinkat(folder.number() >= 0 ? folder.number() : AT_FDCWD,

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <span>
-#include <string>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 

@@ -1,7 +1,6 @@
 #include "app/base/interruption.hpp"
 
 #include <csignal>
-#include <cstdlib>
 
 #include "app/base/errors.hpp"
 
@@ -11,9 +10,7 @@ namespace {
 // A signal handler can reach nothing but static storage.
 volatile std::sig_atomic_t received_signal = 0;
 
-void note_signal(int signal) {
-  received_signal = signal;
-}
+void note_signal(int signal) { received_signal = signal; }
 
 }  // namespace
 
@@ -28,9 +25,7 @@ void watch_for_interruption() {
 }
 
 void throw_if_interrupted() {
-  if (received_signal != 0) {
-    throw Interrupted(received_signal);
-  }
+  if (received_signal != 0) throw Interrupted(received_signal);
 }
 
 void end_by_signal(int signal) {

@@ -2,16 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <deque>
-#include <exception>
 #include <mutex>
-#include <numeric>
 #include <thread>
-#include <vector>
 
 #include "app/base/interruption.hpp"
 #include "app/base/progress.hpp"
@@ -25,8 +20,7 @@ struct GivenUp {};
 std::vector<std::size_t> most_expensive_first(std::span<const Job> jobs) {
   std::vector<std::size_t> order(jobs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return jobs[a].cost > jobs[b].cost; });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return jobs[a].cost > jobs[b].cost; });
   return order;
 }
 
@@ -60,9 +54,7 @@ class JobRunner {
       try {
         jobs_[job].work([this, job](double fraction) {
           fractions_[job] = fraction;
-          if (stop_) {
-            throw GivenUp{};
-          }
+          if (stop_) throw GivenUp{};
         });
         fractions_[job] = 1.0;
         note([&] { finished_.push_back(job); });
@@ -76,8 +68,7 @@ class JobRunner {
     }
   }
 
-  template <class Change>
-  void note(const Change& change) {
+  template <class Change> void note(const Change& change) {
     {
       const std::lock_guard lock(mutex_);
       change();
@@ -92,9 +83,7 @@ class JobRunner {
       throw_if_interrupted();
       show_progress();
     }
-    if (error_) {
-      std::rethrow_exception(error_);
-    }
+    if (error_) std::rethrow_exception(error_);
     const std::size_t job = finished_.front();
     finished_.pop_front();
     return job;

@@ -3,8 +3,6 @@
 #include <dlfcn.h>
 #include <link.h>
 
-#include <system_error>
-
 namespace taut::app {
 
 std::filesystem::path own_file() {

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 

@@ -3,9 +3,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <utility>
-
 namespace taut::app {
 namespace {
 
@@ -18,15 +15,11 @@ constexpr std::chrono::seconds long_time{2};
 
 Progress::Progress(std::string what)
     : what_(std::move(what)), on_terminal_(::isatty(STDERR_FILENO) != 0), began_(Clock::now()) {
-  if (on_terminal_) {
-    ticker_ = std::thread([this] { keep_drawing(); });
-  }
+  if (on_terminal_) ticker_ = std::thread([this] { keep_drawing(); });
 }
 
 Progress::~Progress() {
-  if (!on_terminal_) {
-    return;
-  }
+  if (!on_terminal_) return;
   {
     const std::lock_guard lock(mutex_);
     is_ended_ = true;
@@ -46,9 +39,7 @@ void Progress::show(std::string stage) {
   const std::lock_guard lock(mutex_);
   stage_ = std::move(stage);
   began_ = Clock::now();
-  if (on_terminal_) {
-    draw();
-  }
+  if (on_terminal_) draw();
 }
 
 void Progress::hide() {
@@ -77,9 +68,7 @@ void Progress::clear() {
 
 std::string time_left(double elapsed_s, int done, int all) {
   constexpr double little_s = 1.0;
-  if (done <= 0 || done >= all || elapsed_s < little_s) {
-    return "";
-  }
+  if (done <= 0 || done >= all || elapsed_s < little_s) return "";
   const double left_s = elapsed_s / done * (all - done);
   return left_s < 100.0 ? fmt::format(", {:.0f} s left", left_s)
                         : fmt::format(", {:.0f} min left", left_s / 60.0);
@@ -88,9 +77,7 @@ std::string time_left(double elapsed_s, int done, int all) {
 void Progress::keep_drawing() {
   std::unique_lock lock(mutex_);
   while (!ended_.wait_for(lock, soon, [this] { return is_ended_; })) {
-    if (!stage_.empty() && Clock::now() - began_ >= soon) {
-      draw();
-    }
+    if (!stage_.empty() && Clock::now() - began_ >= soon) draw();
   }
 }
 

@@ -3,8 +3,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <string>
 #include <thread>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 

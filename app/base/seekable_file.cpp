@@ -1,12 +1,7 @@
 #include "app/base/seekable_file.hpp"
 
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <unistd.h>
-
-#include <cerrno>
-#include <system_error>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -28,9 +23,8 @@ void SeekableFile::read(std::uint64_t offset, std::span<char> bytes) const {
     const ssize_t count =
         ::pread(file_.number(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
     if (count == 0 || (count < 0 && errno != EINTR)) {
-      throw InputError(fmt::format("'{}': found {} bytes from byte {} on, expected {}{}", path_.string(),
-                                   done, offset, bytes.size(),
-                                   count == 0 ? "; it was changed while it was read" : ""));
+      throw InputError("'{}': found {} bytes from byte {} on, expected {}{}", path_.string(), done, offset,
+                       bytes.size(), count == 0 ? "; it was changed while it was read" : "");
     }
     done += count > 0 ? static_cast<std::size_t>(count) : 0;
   }

@@ -2,9 +2,7 @@
 
 namespace taut::app {
 
-std::string program_version() {
-  return TAUT_VERSION;
-}
+std::string program_version() { return TAUT_VERSION; }
 
 std::string compiler_version() {
 #if defined(__clang__)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include "prelude.hpp"
 
 namespace taut::app {
 

@@ -1,9 +1,5 @@
 #include "app/bench/bench.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "app/base/errors.hpp"
@@ -13,8 +9,7 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/csv.hpp"
 #include "app/output/frame_verifier.hpp"
-#include "app/output/run_start.hpp"
-#include "app/scene/scene.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/simulation.hpp"
@@ -40,9 +35,7 @@ class Judge {
       broken = fmt::format("frame {}: the solver could not make sure of it", frame);
     }
     const bool is_broken = !broken.empty();
-    if (run_.first_broken.empty()) {
-      run_.first_broken = std::move(broken);
-    }
+    if (run_.first_broken.empty()) run_.first_broken = std::move(broken);
     run_.stretch = holds_surface_ ? verifier_.largest().surface : verifier_.largest().springs;
     return {cpu_ms, simulation.last_report().search.ms, record.contact, record.crossing_pairs.value(),
             is_broken};
@@ -112,15 +105,11 @@ Scene with_settings(Scene scene, const std::vector<Setting>& settings) {
 std::vector<sim::Vec3> jittered_start(const GarmentInScene& cloth, double thickness_m, std::uint64_t seed) {
   std::vector<sim::Vec3> start_m = cloth.start_m.value_or(cloth.garment->mesh.positions);
   std::vector<bool> is_pinned(start_m.size(), false);
-  for (const sim::Index pin : cloth.pins) {
-    is_pinned[pin] = true;
-  }
+  for (const sim::Index pin : cloth.pins) is_pinned[pin] = true;
   std::mt19937_64 random(seed);
   for (std::size_t v = 0; v < start_m.size(); ++v) {
     const double x = random_share(random), y = random_share(random), z = random_share(random);
-    if (!is_pinned[v]) {
-      start_m[v] += jitter_part * thickness_m * sim::Vec3(x, y, z);
-    }
+    if (!is_pinned[v]) start_m[v] += jitter_part * thickness_m * sim::Vec3(x, y, z);
   }
   return start_m;
 }
@@ -130,9 +119,7 @@ ContactRun run_contact(const Scene& scene, const GarmentInScene& cloth, int fram
   Scene awake = scene;
   awake.simulation.rest.speed_m_per_s = 0.0;
   GarmentInScene begun = cloth;
-  if (seed != 0) {
-    begun.start_m = jittered_start(cloth, cloth.garment->material.thickness_m, seed);
-  }
+  if (seed != 0) begun.start_m = jittered_start(cloth, cloth.garment->material.thickness_m, seed);
   sim::Simulation simulation = make_simulation(awake, begun);
   ContactRun run;
   run.seed = seed;
@@ -215,16 +202,14 @@ std::vector<ContactCase> quick_contact_cases() {
       {"hang", "hang"}};
   for (ContactCase& one : cases) {
     one.frames = 60;
-    for (std::vector<Setting>& settings : one.runs) {
-      settings.push_back({"solver.threads", "1"});
-    }
+    for (std::vector<Setting>& settings : one.runs) settings.push_back({"solver.threads", "1"});
   }
   return cases;
 }
 
 sim::VectorUnit measured_vector_unit() {
   const std::vector<sim::VectorUnit> available = sim::available_vector_units();
-  const bool has = std::find(available.begin(), available.end(), sim::VectorUnit::avx2) != available.end();
+  const bool has = std::ranges::find(available, sim::VectorUnit::avx2) != available.end();
   return has ? sim::VectorUnit::avx2 : sim::VectorUnit::best;
 }
 
@@ -247,9 +232,7 @@ std::string contact_head(const std::string& vector_unit) {
          "mm         %  bound     pairs  frames  passed\n";
 }
 
-std::string contact_row(const ContactTrial& trial) {
-  return row_of(trial) + failures_of(trial);
-}
+std::string contact_row(const ContactTrial& trial) { return row_of(trial) + failures_of(trial); }
 
 std::string contact_csv(std::span<const ContactTrial> trials) {
   CsvTable table({"scene", "seed", "triangles", "bound", "frames", "median_ms", "p99_ms", "worst_ms",

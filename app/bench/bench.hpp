@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/models/garment_loading.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/solvers/solver.hpp"

@@ -7,7 +7,7 @@
 #include "app/bodies/body_girths.hpp"
 #include "app/bodies/looping.hpp"
 #include "app/scene/scene.hpp"
-#include "app/scene/scene_value.hpp"
+#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 

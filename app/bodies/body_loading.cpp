@@ -136,7 +136,8 @@ std::shared_ptr<const sim::BodyFrames> frames_of(const BodySource& source, const
 /// Gives a body that has no joints those that its shape shows.
 void take_joints_of_shape(const BodySource& source, const LoadedMesh& loaded, const BodyMeasures& measures,
                           bool is_still, FileVertexPlaces& places, ReadBody& body) {
-  std::optional<Rig> rig = !is_still ? std::nullopt : rig_by_shape({loaded.mesh.positions, loaded.mesh.triangles}, measures);
+  std::optional<Rig> rig =
+      !is_still ? std::nullopt : rig_by_shape({loaded.mesh.positions, loaded.mesh.triangles}, measures);
   if (!rig) {
     refuse_to_dress(source, "without joints");
   }
@@ -165,15 +166,17 @@ std::vector<RigPose> poses_shown(const BodySource& source, const Rig& rig, const
   return poses;
 }
 
-/// Keeps parts of the body apart that close in on each other, so that cloth has room between them. Returns whether
-/// any do.
-bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, LoadedMesh& loaded, ReadBody& body) {
+/// Keeps parts of the body apart that close in on each other, so that cloth has room between them. Returns
+/// whether any do.
+bool make_room(std::span<const RigPose> poses, const FileVertexPlaces& places, LoadedMesh& loaded,
+               ReadBody& body) {
   std::optional<RoomForCloth> room =
       poses.empty() ? std::nullopt : leave_room(*body.rig, poses, places, loaded.mesh.triangles);
   if (room) {
-    body.remarks.push_back(fmt::format("parts of it come near each other: {} stay back by up to {:.1f} cm, so that "
-                                       "cloth has room",
-                                       counted(room->vertices, "vertex", "vertices"), 100.0 * room->most_m));
+    body.remarks.push_back(
+        fmt::format("parts of it come near each other: {} stay back by up to {:.1f} cm, so that "
+                    "cloth has room",
+                    counted(room->vertices, "vertex", "vertices"), 100.0 * room->most_m));
     body.rig = std::make_shared<const Rig>(std::move(room->rig));
     std::vector<sim::Vec3> in_file(body.rig->in_part.size());
     pose_vertices(*body.rig, stored_pose(*body.rig), in_file);
@@ -249,7 +252,8 @@ ReadBody body_of(const BodySource& source, ImportedModel model, const ShownTime&
     }
   }
   if (source.dress > 0) {
-    body.wearer = wearer_of(source, loaded, std::move(places), pose, shown.frame_rate_hz, std::move(measures), body);
+    body.wearer =
+        wearer_of(source, loaded, std::move(places), pose, shown.frame_rate_hz, std::move(measures), body);
     body.mesh.frames = body.wearer->frames;
   }
   body.mesh.data = std::make_shared<const sim::BodyMeshData>(
@@ -285,6 +289,34 @@ std::vector<std::string> load_bodies(Scene& scene) {
                    [&](const std::string& remark) { return name + ": " + remark; });
   }
   return all;
+}
+
+std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> overrides) {
+  const auto gives = [&](const char* key) {
+    return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
+  };
+  const bool is_unsaid = gives("body.file") && !gives("body.dress") && !gives("pins.at") &&
+                         scene.moving_pins.empty() && scene.dressing_frames() == 0;
+  if (!is_unsaid || scene.garment.is_grid() || scene.garment.has_start() || !scene.checkpoint.empty()) {
+    return load_bodies(scene);
+  }
+  Scene worn = scene;
+  worn.body_sources.back().dress = usual_dressing_frames;
+  worn.pins.reset();
+  try {
+    std::vector<std::string> remarks = load_bodies(worn);
+    if (worn.wearers.back() && !worn.wearers.back()->measures.girths.empty()) {
+      remarks.push_back(
+          fmt::format("it is put on the body '{}' in {} frames before frame 0; --dress 0 leaves both "
+                      "where they are",
+                      worn.surroundings.bodies.back().name, usual_dressing_frames));
+      scene = std::move(worn);
+      return remarks;
+    }
+  } catch (const InputError&) {
+    // It is no one who wears clothes, or it cannot be read, which is said below.
+  }
+  return load_bodies(scene);
 }
 
 void print_body_remarks(const Scene& scene, const std::vector<std::string>& remarks, std::FILE* output) {

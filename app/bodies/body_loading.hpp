@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "app/models/garment_import.hpp"
 #include "app/models/rig.hpp"
 #include "app/scene/scene.hpp"
+#include "app/scene/scene_file.hpp"
 
 namespace taut::app {
 
@@ -22,6 +24,14 @@ namespace taut::app {
 /// that the run shows; of later frames PlacedFrames throws it when they are asked for;
 /// - on a body that is to be dressed and whose vertices follow no joints.
 std::vector<std::string> load_bodies(Scene& scene);
+
+/// Frames in which a body grows into its clothes where nobody says how many.
+inline constexpr int usual_dressing_frames = 90;
+
+/// The same of a scene with these overrides. A garment and a body that are given together are worn: where the
+/// overrides name a body that can be dressed and say nothing of it, it grows into the scene's model, whose
+/// pins let go.
+std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> overrides);
 
 /// A body with what its file has besides.
 struct ReadBody {

@@ -1,17 +1,10 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <bit>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/caches/written_cloth.hpp"
 #include "app/models/srgb.hpp"
 #include "renderer/page/png.hpp"
 #include "sim/bytes.hpp"
@@ -61,14 +54,11 @@ double bytes_of(double frames, const SplitVertices& vertices) {
 /// The binary part with what describes it.
 class Buffer {
  public:
-  template <class Numbers>
-  int add(const Numbers& numbers, const char* type, int components, int target = 0) {
+  template <class Numbers> int add(const Numbers& numbers, const char* type, int components, int target = 0) {
     using Number = typename Numbers::value_type;
     Json view = {
         {"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", numbers.size() * sizeof(Number)}};
-    if (target != 0) {
-      view["target"] = target;
-    }
+    if (target != 0) view["target"] = target;
     for (const Number number : numbers) {
       const auto little = sim::little_endian(number);
       bytes_.append(little.begin(), little.end());
@@ -173,10 +163,10 @@ GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
   const double bytes = bytes_of(frames, vertices_);
   if (bytes > most_bytes) {
     throw InputError(
-        fmt::format("cannot write '{}': {:.0f} frames of {} vertices are {:.1f} GiB, and a .glb is held in "
-                    "memory until it "
-                    "is written; expected at most 1 GiB: fewer --frames, or .pc2",
-                    settings.name, frames, vertices_.uv.size(), bytes / most_bytes));
+        "cannot write '{}': {:.0f} frames of {} vertices are {:.1f} GiB, and a .glb is held in "
+        "memory until it "
+        "is written; expected at most 1 GiB: fewer --frames, or .pc2",
+        settings.name, frames, vertices_.uv.size(), bytes / most_bytes);
   }
   const sim::Mesh& mesh = loaded.shown_mesh();
   rest_positions_ = flat_numbers(in_single_precision(mesh.positions));
@@ -185,17 +175,13 @@ GltfSink::GltfSink(const ExportSettings& settings, const GarmentInScene& loaded)
   rest_["NORMAL"] = buffer_.add(rest_normals_, "VEC3", 3, vertex_data);
   if (!loaded.colours.corner_uv.empty()) {
     std::vector<float> uv;
-    for (const glm::vec2& at : vertices_.uv) {
-      uv.insert(uv.end(), {at.x, 1.0F - at.y});
-    }
+    for (const glm::vec2& at : vertices_.uv) uv.insert(uv.end(), {at.x, 1.0F - at.y});
     rest_["TEXCOORD_0"] = buffer_.add(uv, "VEC2", 2, vertex_data);
   }
 }
 
 void GltfSink::write(int frame, const WrittenMoment& moment) {
-  if (!settings_.frames.contains(frame)) {
-    return;
-  }
+  if (!settings_.frames.contains(frame)) return;
   const std::vector<sim::Vec3> positions_m = loaded_.shown_m(moment.state.current);
   std::vector<float> moved = flat_numbers(in_single_precision(positions_m));
   std::vector<float> turned = flat_numbers(mesh_normals(loaded_.shown_mesh(), positions_m));
@@ -264,9 +250,7 @@ Json GltfSink::animation() {
 
 std::string GltfSink::finish() {
   const std::size_t frames = targets_.size();
-  if (frames == 0) {
-    return "wrote nothing";
-  }
+  if (frames == 0) return "wrote nothing";
   Json description;
   description["asset"] = {{"version", "2.0"}, {"generator", "taut " + program_version()}};
   description["scene"] = 0;

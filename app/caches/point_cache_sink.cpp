@@ -1,7 +1,3 @@
-#include <fmt/core.h>
-
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 
 #include "app/base/counted.hpp"
@@ -9,7 +5,6 @@
 #include "app/base/files.hpp"
 #include "app/base/seekable_file.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/caches/written_cloth.hpp"
 
 namespace taut::app {
 namespace {
@@ -59,9 +54,7 @@ PointCacheSink::PointCacheSink(PointCacheFormat format, const ExportSettings& se
 
 PointCacheSink::~PointCacheSink() {
   std::error_code ignored;
-  if (!settings_.can_be_resumed) {
-    fs::remove(part_, ignored);
-  }
+  if (!settings_.can_be_resumed) fs::remove(part_, ignored);
 }
 
 std::string PointCacheSink::header(std::size_t frames) const {
@@ -75,9 +68,7 @@ std::string PointCacheSink::frame_of(const WrittenMoment& moment) const {
 
 void PointCacheSink::put(const std::string& bytes) {
   file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file_) {
-    fail_to_write(part_, std::strerror(errno));
-  }
+  if (!file_) fail_to_write(part_, std::strerror(errno));
 }
 
 // Goes on from the part that an earlier run left, or from its complete file.
@@ -151,9 +142,7 @@ std::string PointCacheSink::finish() {
     fs::remove(part_, error);
     return "wrote nothing";
   }
-  if (written_ < asked) {
-    copy(part_, point_cache_header_bytes(format_, asked), written_, header(written_));
-  }
+  if (written_ < asked) copy(part_, point_cache_header_bytes(format_, asked), written_, header(written_));
   write_text_file(obj_beside(path_), cloth_.obj_at_rest());
   put_in_place(part_, path_);
   return fmt::format("wrote {}, {} of {} vertices, and {}, the rest shape that they move", path_.string(),

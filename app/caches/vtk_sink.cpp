@@ -1,9 +1,6 @@
 #include <fmt/core.h>
 
-#include <cmath>
-#include <limits>
 #include <pugixml.hpp>
-#include <sstream>
 
 #include "app/base/base64.hpp"
 #include "app/base/counted.hpp"
@@ -23,9 +20,7 @@ std::string data_array(const std::string& name, const Numbers& numbers, const st
   using Number = typename Numbers::value_type;
   sim::ByteWriter out;
   out.put(static_cast<std::uint64_t>(numbers.size() * sizeof(Number)));
-  for (const Number number : numbers) {
-    out.put(number);
-  }
+  for (const Number number : numbers) out.put(number);
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(out.bytes().data()), out.bytes().size());
   return fmt::format("<DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">{}</DataArray>\n",
                      std::is_same_v<Number, double> ? "Float64" : "Int64", name, attributes, base64(bytes));
@@ -58,9 +53,7 @@ std::string vtp_text(const WrittenMoment& moment) {
   const sim::Garment& garment = moment.garment;
   const std::vector<sim::Vec3>& positions_m = moment.state.current;
   std::vector<double> coordinates;
-  for (const sim::Vec3& p : positions_m) {
-    coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
-  }
+  for (const sim::Vec3& p : positions_m) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
   return "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
          "<PolyData>\n" +
@@ -90,9 +83,7 @@ class VtkSink final : public FrameSink {
   std::string finish() override {
     const fs::path name = settings_.name;
     const int frames = std::max(last_ - settings_.frames.first + 1, 0);
-    if (frames == 0) {
-      return "wrote nothing";
-    }
+    if (frames == 0) return "wrote nothing";
     write_text_file(name, collection_text());
     return fmt::format("wrote {}, {} in {}", name.string(),
                        counted(static_cast<std::size_t>(frames), "frame"),

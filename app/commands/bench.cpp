@@ -1,10 +1,5 @@
 #include "app/bench/bench.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cstdio>
-
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
 #include "app/base/progress.hpp"
@@ -22,17 +17,15 @@ std::vector<ContactCase> wanted_cases(const BenchOptions& options) {
   std::vector<ContactCase> cases =
       options.contact && !options.quick ? all_contact_cases() : quick_contact_cases();
   std::vector<std::string> all;
-  std::transform(cases.begin(), cases.end(), std::back_inserter(all),
-                 [](const ContactCase& one) { return one.name; });
+  std::ranges::transform(cases, std::back_inserter(all), [](const ContactCase& one) { return one.name; });
   for (const std::string& name : options.scenes) {
-    if (std::find(all.begin(), all.end(), name) == all.end()) {
+    if (std::ranges::find(all, name) == all.end()) {
       throw UsageError("--scenes: found '" + name + '\'' + did_you_mean(name, all) + "; expected some of " +
                        joined(all, ","));
     }
   }
   std::erase_if(cases, [&](const ContactCase& one) {
-    return !options.scenes.empty() &&
-           std::find(options.scenes.begin(), options.scenes.end(), one.name) == options.scenes.end();
+    return !options.scenes.empty() && std::ranges::find(options.scenes, one.name) == options.scenes.end();
   });
   return cases;
 }
@@ -43,9 +36,7 @@ ContactTrial run_trial(const ContactCase& one, std::optional<double> bound, cons
   ContactTrial trial = {one.name, 0.0, 0, {}};
   for (const std::vector<Setting>& settings : one.runs) {
     Scene scene = with_settings(find_scene(one.scene, {}), settings);
-    if (bound) {
-      scene = with_settings(std::move(scene), {{"solver.max_stretch", fmt::format("{}", *bound)}});
-    }
+    if (bound) scene = with_settings(std::move(scene), {{"solver.max_stretch", fmt::format("{}", *bound)}});
     scene.simulation.solver.bounded.vector_unit = measured_vector_unit();
     load_bodies(scene);
     const LoadedGarment loaded = load_garment(scene);
@@ -67,9 +58,7 @@ ContactTrial run_trial(const ContactCase& one, std::optional<double> bound, cons
 }
 
 void print(const std::string& text, Progress* progress) {
-  if (progress != nullptr) {
-    progress->hide();
-  }
+  if (progress != nullptr) progress->hide();
   fmt::print("{}", text);
   std::fflush(stdout);
 }
@@ -81,29 +70,20 @@ int run(const BenchOptions& options) {
   const bool shows_table = !options.csv && !options.quiet;
   std::vector<ContactTrial> trials;
   std::optional<Progress> progress;
-  if (!options.quiet) {
-    progress.emplace("bench");
-  }
+  if (!options.quiet) progress.emplace("bench");
   Progress* const shown = progress ? &*progress : nullptr;
-  if (shows_table) {
-    print(contact_head(sim::name_of(measured_vector_unit())), shown);
-  }
+  if (shows_table) print(contact_head(sim::name_of(measured_vector_unit())), shown);
   std::vector<std::optional<double>> bounds(options.bounds.begin(), options.bounds.end());
   bounds.resize(std::max<std::size_t>(1, bounds.size()));
   for (const ContactCase& one : cases) {
     for (const std::optional<double>& bound : bounds) {
       trials.push_back(run_trial(one, bound, options, shown));
-      if (shows_table) {
-        print(contact_row(trials.back()), shown);
-      }
+      if (shows_table) print(contact_row(trials.back()), shown);
     }
   }
-  if (options.csv) {
-    print(contact_csv(trials), shown);
-  }
-  const bool have_all_passed = std::all_of(trials.begin(), trials.end(), [](const ContactTrial& trial) {
-    return facts_of(trial.runs).passed == trial.runs.size();
-  });
+  if (options.csv) print(contact_csv(trials), shown);
+  const bool have_all_passed = std::ranges::all_of(
+      trials, [](const ContactTrial& trial) { return facts_of(trial.runs).passed == trial.runs.size(); });
   return have_all_passed ? 0 : exit_promise_broken;
 }
 

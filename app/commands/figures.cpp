@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <set>
 #include <thread>
 
 #include "app/base/files.hpp"
@@ -30,14 +27,12 @@ class FigureWriter {
     const std::vector<renderer::PngText> texts = {{"Software", "taut " + program_version()}};
     write_file(noted(figure.name + ".png"), renderer::encode_png(picture, texts));
     write_pdf(noted(figure.name + ".pdf"), drawing, figure.title);
-    if (figure.csv != nullptr) {
-      write_text_file(noted(figure.name + ".csv"), figure.csv(results));
-    }
+    if (figure.csv != nullptr) write_text_file(noted(figure.name + ".csv"), figure.csv(results));
     if (figure.shapes_csv != nullptr) {
       write_text_file(noted(figure.name + "_shapes.csv"), figure.shapes_csv(results));
     }
     drawn_.push_back({figure.name, figure.title, std::move(picture)});
-    std::sort(drawn_.begin(), drawn_.end(), [](auto& a, auto& b) { return a.name < b.name; });
+    std::ranges::sort(drawn_, [](auto& a, auto& b) { return a.name < b.name; });
     tell();
   }
 
@@ -61,9 +56,7 @@ class FigureWriter {
 
   // Over the line of progress, if there is one.
   void tell() {
-    for (const std::filesystem::path& path : written_) {
-      fmt::print("wrote {}\n", path.string());
-    }
+    for (const std::filesystem::path& path : written_) fmt::print("wrote {}\n", path.string());
     std::fflush(stdout);
     written_.clear();
   }
@@ -77,18 +70,14 @@ class FigureWriter {
 std::vector<Figure> wanted_figures(const std::vector<std::string>& only) {
   std::vector<Figure> wanted;
   for (const Figure& figure : all_figures()) {
-    if (only.empty() || std::find(only.begin(), only.end(), figure.name) != only.end()) {
-      wanted.push_back(figure);
-    }
+    if (only.empty() || std::ranges::find(only, figure.name) != only.end()) wanted.push_back(figure);
   }
   return wanted;
 }
 
 std::vector<Experiment> experiments_for(const std::vector<Figure>& figures, bool with_report) {
   std::set<Experiment> needed;
-  for (const Figure& figure : figures) {
-    needed.insert(figure.needs.begin(), figure.needs.end());
-  }
+  for (const Figure& figure : figures) needed.insert(figure.needs.begin(), figure.needs.end());
   if (with_report) {
     needed.insert(
         {Experiment::stiffnesses, Experiment::strong_runs, Experiment::garments, Experiment::restart});
@@ -100,14 +89,10 @@ std::vector<Experiment> experiments_for(const std::vector<Figure>& figures, bool
 void read_and_draw(const std::vector<Figure>& figures, const std::filesystem::path& folder, Results& results,
                    FigureWriter& writer) {
   for (const Figure& figure : figures) {
-    if (figure.read != nullptr) {
-      figure.read(folder, results);
-    }
+    if (figure.read != nullptr) figure.read(folder, results);
   }
   for (const Figure& figure : figures) {
-    if (figure.read != nullptr) {
-      writer.write(figure, results);
-    }
+    if (figure.read != nullptr) writer.write(figure, results);
   }
 }
 
@@ -115,21 +100,15 @@ void read_and_draw(const std::vector<Figure>& figures, const std::filesystem::pa
 void simulate_and_draw(const std::vector<Figure>& figures, const std::vector<Experiment>& experiments,
                        Results& results, FigureWriter& writer) {
   std::vector<Job> jobs;
-  for (const Experiment experiment : experiments) {
-    jobs.push_back(job_of(experiment, results));
-  }
+  for (const Experiment experiment : experiments) jobs.push_back(job_of(experiment, results));
   std::set<Experiment> done;
   run_jobs(jobs, std::thread::hardware_concurrency(), [&](std::size_t job) {
     done.insert(experiments[job]);
     for (const Figure& figure : figures) {
-      const bool is_ready =
-          figure.measure == nullptr &&
-          std::find(figure.needs.begin(), figure.needs.end(), experiments[job]) != figure.needs.end() &&
-          std::all_of(figure.needs.begin(), figure.needs.end(),
-                      [&](Experiment e) { return done.contains(e); });
-      if (is_ready) {
-        writer.write(figure, results);
-      }
+      const bool is_ready = figure.measure == nullptr &&
+                            std::ranges::find(figure.needs, experiments[job]) != figure.needs.end() &&
+                            std::ranges::all_of(figure.needs, [&](Experiment e) { return done.contains(e); });
+      if (is_ready) writer.write(figure, results);
     }
   });
 }
@@ -155,12 +134,8 @@ int run(const FiguresOptions& options) {
       writer.write(figure, results);
     }
   }
-  if (with_report) {
-    writer.write_report(results);
-  }
-  if (are_several) {
-    writer.write_contact_sheet();
-  }
+  if (with_report) writer.write_report(results);
+  if (are_several) writer.write_contact_sheet();
   return 0;
 }
 

@@ -1,7 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
@@ -14,25 +10,24 @@
 #include "app/frame_loop.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/output/frame_record.hpp"
-#include "app/output/run_start.hpp"
-#include "app/scene/scene_value.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "app/scene/scene_key.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Frames in which a body grows into its clothes where nobody says how many.
-constexpr const char* usual_dressing = "90";
 /// Of cloth whose fabric says no limit.
 constexpr double widest_wall = 1.0;
 
 DrawnScene scene_of(const FitOptions& options) {
   std::vector<Override> overrides = options.overrides;
   const auto sets = [&](const char* key) {
-    return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
+    return std::ranges::any_of(overrides, [&](const Override& o) { return o.key == key; });
   };
   if (sets("body.file") && !sets("body.dress")) {
-    overrides.push_back({"body.dress", usual_dressing, std::string("--dress ") + usual_dressing});
+    const std::string frames = std::to_string(usual_dressing_frames);
+    overrides.push_back({"body.dress", frames, "--dress " + frames});
   }
   DrawnScene scene = find_scene(options.scene, overrides);
   if (scene.dressing_frames() == 0) {
@@ -101,15 +96,10 @@ Json json_of(const FitOptions& options, std::span<const FitRow> rows, const Worn
 int run(const FitOptions& asked) {
   FitOptions options = asked;
   DrawnScene scene = scene_of(options);
-  if (options.output.empty()) {
-    options.output = scene.name + "-fit.png";
-  }
-  if (options.output.extension() != ".png") {
-    throw UsageError("--output " + options.output.string() + ": expected a name that ends in .png");
-  }
+  if (options.output.empty()) options.output = scene.name + "-fit.png";
+  prepare_png(options.output);
   std::FILE* const remarks = options.json ? stderr : stdout;
   print_body_remarks(scene, load_bodies(scene), remarks);
-  prepare_folder_of(options.output);
   Progress progress(scene.name);
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   progress.hide();
@@ -141,8 +131,7 @@ int run(const FitOptions& asked) {
   if (options.json) {
     fmt::print("{}\n", json_of(options, rows, worn, tightness).dump(2));
   } else {
-    fmt::print("{}\n{}{}wrote {}\n", measured, describe_worn(rows),
-               tightness.empty() ? "" : tightness + '\n',
+    fmt::print("{}\n{}{}wrote {}\n", measured, describe_worn(rows), tightness.empty() ? "" : tightness + '\n',
                options.output.string());
   }
   return judge_bound(scene, summary);

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/progress.hpp"
@@ -58,16 +56,9 @@ DrawnScene scene_of(const InspectOptions& options) {
 
 int run(const InspectOptions& options) {
   DrawnScene scene = scene_of(options);
-  if (options.garment.empty()) {
-    return inspect_bodies(options, scene);
-  }
+  if (options.garment.empty()) return inspect_bodies(options, scene);
   print_body_remarks(scene, load_bodies(scene), options.json ? stderr : stdout);
-  if (!options.picture.empty()) {
-    if (options.picture.extension() != ".png") {
-      throw UsageError("--output " + options.picture.string() + ": expected a name that ends in .png");
-    }
-    prepare_folder_of(options.picture);
-  }
+  if (!options.picture.empty()) prepare_png(options.picture);
   Progress progress(options.garment.filename().string());
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   print_body_remarks(scene, put_where_it_begins(loaded, scene), options.json ? stderr : stdout);

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "app/models/import_process.hpp"
 #include "app/scene/scene_file.hpp"
@@ -142,6 +139,9 @@ struct SweepOptions {
   std::string memory = "2G";
   std::vector<std::string> sbatch;  ///< more arguments of sbatch
 };
+
+/// Makes the folder of a picture. Throws UsageError unless its name ends in .png.
+void prepare_png(const std::filesystem::path& file);
 
 /// Each `run` does one command and returns the exit code of the program (errors.hpp). Throws InputError,
 /// UsageError, Interrupted and what the parts it uses throw.

@@ -1,10 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cstdio>
-#include <memory>
-#include <numeric>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -18,8 +11,8 @@
 #include "app/output/frame_verifier.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/picture_record.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "app/output/run_report.hpp"
-#include "app/output/run_start.hpp"
 #include "app/output/video_writer.hpp"
 #include "renderer/page/png.hpp"
 
@@ -117,9 +110,7 @@ class PictureOutput {
 
   /// Says what was written.
   std::string finish() {
-    if (!video_) {
-      return describe_written(*pattern_, written_);
-    }
+    if (!video_) return describe_written(*pattern_, written_);
     video_->finish();
     const int left_out = static_cast<int>(written_.size()) - video_->frames();
     return fmt::format(
@@ -137,8 +128,7 @@ class PictureOutput {
 // A picture made again may differ where the program, the garment's file or OpenGL has changed since.
 void compare_with_record(const PictureRecord& again, const std::vector<FrameRecord>& records,
                          const std::string& gl_renderer) {
-  const auto same_frame = std::find_if(records.begin(), records.end(),
-                                       [&](const auto& record) { return record.frame == again.frame; });
+  const auto same_frame = std::ranges::find(records, again.frame, &FrameRecord::frame);
   if (same_frame != records.end() && same_frame->state_hash != again.state_hash) {
     fmt::print(stderr,
                "taut: warning: the cloth is not where it was in the picture (state {:016x}, then {:016x}): "
@@ -181,9 +171,7 @@ std::vector<int> frames_left(std::span<const int> frames, const PictureOutput& o
       continue;
     }
     const std::string obstacle = obstacle_to_resuming(file, frame, origin);
-    if (!obstacle.empty()) {
-      fail_to_resume(obstacle);
-    }
+    if (!obstacle.empty()) fail_to_resume(obstacle);
   }
   return left;
 }
@@ -191,12 +179,9 @@ std::vector<int> frames_left(std::span<const int> frames, const PictureOutput& o
 // A run that goes on keeps the camera of the pictures that are there.
 void take_camera_of_existing(std::span<const int> frames, DrawnScene& scene, const PictureOutput& output) {
   std::error_code error;
-  const auto there = std::find_if(frames.begin(), frames.end(), [&](int frame) {
-    return std::filesystem::exists(output.path_of(frame), error);
-  });
-  if (there == frames.end() || !is_fitted(scene)) {
-    return;
-  }
+  const auto there = std::ranges::find_if(
+      frames, [&](int frame) { return std::filesystem::exists(output.path_of(frame), error); });
+  if (there == frames.end() || !is_fitted(scene)) return;
   try {
     const DrawnScene made = read_picture_record(output.path_of(*there), {}).scene;
     scene.camera = made.camera;
@@ -266,9 +251,7 @@ class Render {
     run_.open_statistics({run_.scene, run_.simulation->garment(), run_.simulation->pins().vertices.size(),
                           offscreen_->gl_renderer(), options_.verify},
                          std::nullopt);
-    if (!options_.shapes.empty()) {
-      run_.shapes = open_sink(exported, run_.loaded, *run_.simulation);
-    }
+    if (!options_.shapes.empty()) run_.shapes = open_sink(exported, run_.loaded, *run_.simulation);
     run_.progress.begin("preparing the first frame");
     LostGarment lost(frames_);
     connect(lost);
@@ -285,9 +268,7 @@ class Render {
 
   void choose_frames() {
     frames_ = job_.frames;
-    if (!options_.resume) {
-      return;
-    }
+    if (!options_.resume) return;
     take_camera_of_existing(job_.frames, run_.scene, output_);
     frames_ = frames_left(job_.frames, output_, origin());
     if (frames_.size() < job_.frames.size()) {
@@ -305,9 +286,7 @@ class Render {
   // Rows come with the frames, which all are simulated before the first is drawn where the camera is fitted.
   void report(const std::string& done, const FrameRecord& record) {
     const int last = job_.frames.back();
-    if (run_.statistics && done != "drawn") {
-      run_.statistics->add(record);
-    }
+    if (run_.statistics && done != "drawn") run_.statistics->add(record);
     run_.progress.show(fmt::format("frame {} of {}{}{}{}, stretch {:.2f} %, of the surface {:.2f} %",
                                    record.frame, last, done.empty() ? "" : " ", done,
                                    time_left(1e-3 * since_start_.elapsed_ms(), record.frame, last),
@@ -317,9 +296,8 @@ class Render {
   void fit_camera(std::span<const FrameInWork> gathered) {
     FittedView fitted(run_.scene, run_.simulation->garment());
     for (const FrameInWork& frame : gathered) {
-      if (!frame.positions.empty()) {
-        fitted.add(frame.positions, frame.record.time_s);
-      }
+      if (frame.positions.empty()) continue;
+      fitted.add(frame.positions, run_.loaded.shown_m(frame.positions), frame.record.time_s);
     }
     fitted.place_camera(run_.scene);
     begin_drawing();
@@ -356,9 +334,7 @@ class Render {
 
   int finish(const std::vector<FrameRecord>& records) {
     RunSummary summary;
-    for (const FrameRecord& record : records) {
-      summary.add(record);
-    }
+    for (const FrameRecord& record : records) summary.add(record);
     run_.progress.begin("finishing " + job_.output);
     const std::string written = output_.finish() + '\n' + run_.finish_shapes();
     run_.progress.hide();
@@ -391,8 +367,6 @@ class Render {
 
 }  // namespace
 
-int run(const RenderOptions& options) {
-  return Render(options, render_job_of(options)).go();
-}
+int run(const RenderOptions& options) { return Render(options, render_job_of(options)).go(); }
 
 }  // namespace taut::app

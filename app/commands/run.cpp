@@ -1,7 +1,5 @@
 #include "app/commands/run.hpp"
 
-#include <fmt/core.h>
-
 #include <future>
 
 #include "app/base/errors.hpp"
@@ -11,7 +9,7 @@
 #include "app/drawing/inspection_picture.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/output/output_pattern.hpp"
-#include "app/output/run_start.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -27,13 +25,11 @@ std::filesystem::path folder_beside(const std::string& pattern, int frame) {
 
 SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE* remarks_to)
     : options(asked_options), remarks(remarks_to), scene(std::move(asked)), progress(scene.name) {
-  print_body_remarks(scene, load_bodies(scene), remarks);
+  print_body_remarks(scene, load_bodies(scene, options.overrides), remarks);
 }
 
 void SceneRun::require_outputs(const ExportSettings& settings) const {
-  if (!options.shapes.empty()) {
-    require_export(settings, scene.garment.file);
-  }
+  if (!options.shapes.empty()) require_export(settings, scene.garment.file);
   if (!options.statistics.empty()) {
     statistics_format(options.statistics);
     prepare_folder_of(options.statistics);
@@ -46,15 +42,11 @@ void SceneRun::load(const std::function<void()>& meanwhile) {
   };
   std::future<LoadedGarment> garment =
       std::async(meanwhile ? std::launch::async : std::launch::deferred, read);
-  if (meanwhile) {
-    meanwhile();
-  }
+  if (meanwhile) meanwhile();
   loaded = garment.get();
   progress.hide();
   print_body_remarks(scene, put_where_it_begins(loaded, scene), remarks);
-  if (remarks != nullptr) {
-    print_remarks(scene, loaded, remarks);
-  }
+  if (remarks != nullptr) print_remarks(scene, loaded, remarks);
   simulation.emplace(make_simulation(scene, loaded));
 }
 
@@ -69,16 +61,12 @@ int SceneRun::begin() {
 }
 
 void SceneRun::open_statistics(const RunDescription& description, std::optional<int> last_kept) {
-  if (!options.statistics.empty()) {
-    statistics.emplace(options.statistics, description, last_kept);
-  }
+  if (!options.statistics.empty()) statistics.emplace(options.statistics, description, last_kept);
 }
 
 std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern,
                                       OffscreenRenderer* offscreen) {
-  if (shapes) {
-    outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment); };
-  }
+  if (shapes) outputs.write_shape = [this](int frame, const auto& moment) { shapes->write(frame, moment); };
   if (options.verify) {
     outputs.verify = [this](const auto& moment, FrameRecord& record) {
       return verifier.check(moment, record);
@@ -86,9 +74,7 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
   }
   const auto end_early = [this] {
     progress.hide();
-    if (keep) {
-      keep();
-    }
+    if (keep) keep();
     const std::string written = finish_shapes();
     fmt::print("{}", is_told ? written : "");
   };
@@ -106,6 +92,13 @@ std::vector<FrameRecord> SceneRun::go(int last_frame, const std::string& pattern
   }
 }
 
+void prepare_png(const std::filesystem::path& file) {
+  if (file.extension() != ".png") {
+    throw UsageError("--output " + file.string() + ": expected a name that ends in .png");
+  }
+  prepare_folder_of(file);
+}
+
 void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::Simulation& simulation,
                  const std::string& pattern, OffscreenRenderer* offscreen) {
   std::string shown;
@@ -113,17 +106,15 @@ void end_blocked(const FrameBlocked& error, const DrawnScene& scene, const sim::
     const std::filesystem::path file = free_name(folder_beside(pattern, error.frame), "blocked", ".png");
     prepare_folder_of(file);
     std::optional<OffscreenRenderer> own;
-    if (offscreen == nullptr) {
-      offscreen = &own.emplace("auto");
-    }
+    if (offscreen == nullptr) offscreen = &own.emplace("auto");
     write_file(file, renderer::encode_png(draw_blocked(offscreen->renderer(), scene, simulation,
                                                        error.blocked, error.what())));
     shown = fmt::format("'{}' shows where, in the frame before", file.string());
   } catch (const std::exception& reason) {
     shown = fmt::format("there is no picture of it: {}", reason.what());
   }
-  throw PromiseBroken(
-      fmt::format("{}; {}; solver.allow_exceeding = \"contact\" goes on all the same", error.what(), shown));
+  throw PromiseBroken("{}; {}; solver.allow_exceeding = \"contact\" goes on all the same", error.what(),
+                      shown);
 }
 
 }  // namespace taut::app

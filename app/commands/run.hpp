@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "app/base/progress.hpp"
 #include "app/caches/frame_sink.hpp"
 #include "app/commands/options.hpp"

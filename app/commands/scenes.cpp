@@ -1,8 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-#include <sstream>
 #include <thread>
 
 #include "app/base/errors.hpp"
@@ -19,11 +14,8 @@ namespace {
 
 // A line before the key's; empty for what has no meaning of its own.
 std::string meaning_of(const SceneFormat<DrawnScene>& format, const std::string& name) {
-  const auto key = std::find_if(format.keys.begin(), format.keys.end(),
-                                [&](const Key<DrawnScene>& known) { return known.name == name; });
-  if (key == format.keys.end() || key->meaning.empty()) {
-    return "";
-  }
+  const auto key = std::ranges::find(format.keys, name, &Key<DrawnScene>::name);
+  if (key == format.keys.end() || key->meaning.empty()) return "";
   const std::string first_sentence = key->meaning.substr(0, key->meaning.find(". "));
   return "# " + first_sentence + (key->unit.empty() ? "" : " (" + key->unit + ")") + '\n';
 }
@@ -52,9 +44,7 @@ std::string commented(const std::string& text) {
 
 int show(const std::string& name) {
   const FoundScene found = locate_scene(name);
-  if (found.is_garment) {
-    throw UsageError(name + ": expected a scene, found a garment file");
-  }
+  if (found.is_garment) throw UsageError(name + ": expected a scene, found a garment file");
   fmt::print(
       "# A scene of taut to start from: taut render FILE.toml draws it, taut help scene lists all keys.\n{}",
       commented(read_text_file(found.file)));
@@ -96,17 +86,13 @@ void write_picture(const FabricsOptions& options) {
 }  // namespace
 
 int run(const ScenesOptions& options) {
-  if (!options.show.empty()) {
-    return show(options.show);
-  }
+  if (!options.show.empty()) return show(options.show);
   const std::vector<BuiltInScene> scenes = built_in_scenes();
   if (scenes.empty()) {
     throw InputError("no built-in scenes were found; set TAUT_ASSETS to the folder that holds scenes/");
   }
   std::size_t width = 0;
-  for (const BuiltInScene& scene : scenes) {
-    width = std::max(width, scene.name.size());
-  }
+  for (const BuiltInScene& scene : scenes) width = std::max(width, scene.name.size());
   bool is_of_contact = scenes.front().is_of_contact;
   for (const BuiltInScene& scene : scenes) {
     fmt::print("{}{:<{}}  {}\n", scene.is_of_contact == is_of_contact ? "" : "\n", scene.name, width,
@@ -129,10 +115,7 @@ int run(const FabricsOptions& options) {
     print_table(names);
     return 0;
   }
-  if (options.picture.extension() != ".png") {
-    throw UsageError("--output " + options.picture.string() + ": expected a name that ends in .png");
-  }
-  prepare_folder_of(options.picture);
+  prepare_png(options.picture);
   write_picture(options);
   return 0;
 }

@@ -1,8 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cstdio>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -14,7 +9,6 @@
 #include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/run_report.hpp"
-#include "app/output/run_start.hpp"
 
 namespace taut::app {
 namespace {
@@ -26,9 +20,7 @@ class FrameLines {
 
   void print(const FrameRecord& record) {
     const bool is_said = record.asleep && sleep_is_said_;
-    if (!range_.contains(record.frame) || is_said) {
-      return;
-    }
+    if (!range_.contains(record.frame) || is_said) return;
     sleep_is_said_ = record.asleep;
     fmt::print(
         "frame {:5}  time {:8.4f} s  max stretch {:8.4f} %  p99 {:8.4f} %  surface {:8.4f} %  p99 {:8.4f} %  "
@@ -89,19 +81,13 @@ struct Running {
   void report(const FrameRecord& record) {
     saved.frame = record.frame;
     saved.summary.add(record);
-    if (run.statistics) {
-      run.statistics->add(record);
-    }
-    if (options.json) {
-      fmt::print("{}", statistics_line(StatisticsFormat::json_lines, record));
-    }
+    if (run.statistics) run.statistics->add(record);
+    if (options.json) fmt::print("{}", statistics_line(StatisticsFormat::json_lines, record));
     if (run.is_told) {
       run.progress.hide();
       lines.print(record);
     }
-    if (record.frame % options.checkpoint_every == 0) {
-      save();
-    }
+    if (record.frame % options.checkpoint_every == 0) save();
     run.progress.begin(fmt::format(
         "frame {} of {}{}", record.frame + 1, last_frame,
         time_left(1e-3 * since_start.elapsed_ms(), record.frame - first_frame, last_frame - first_frame)));
@@ -109,9 +95,7 @@ struct Running {
 
   void save() {
     if (!options.saved_to().empty()) {
-      if (run.shapes) {
-        run.shapes->keep();
-      }
+      if (run.shapes) run.shapes->keep();
       saved.simulation = sim::encode(run.simulation->save(), run.simulation->garment());
       write_run_checkpoint(options.saved_to(), saved);
     }
@@ -137,9 +121,7 @@ struct Running {
       print_summary(saved.summary);
       fmt::print("{}", written);
     }
-    if (options.json) {
-      fmt::print("{}", statistics_end(StatisticsFormat::json_lines, saved.summary));
-    }
+    if (options.json) fmt::print("{}", statistics_end(StatisticsFormat::json_lines, saved.summary));
     if (run.statistics) {
       run.statistics->finish(saved.summary);
       fmt::print("{}", run.is_told ? "wrote " + options.statistics.string() + '\n' : "");
@@ -178,9 +160,7 @@ int run(const SimulateOptions& options) {
   const ExportSettings exported = {options.shapes, range, run.scene.simulation.frame_rate_hz,
                                    !options.saved_to().empty()};
   run.require_outputs(exported);
-  if (!options.saved_to().empty()) {
-    prepare_folder_of(options.saved_to());
-  }
+  if (!options.saved_to().empty()) prepare_folder_of(options.saved_to());
   run.load();
   run.progress.begin("frame 1");
   Running running{options, run, FrameLines(range), begin(options, run), range.last};
@@ -190,9 +170,7 @@ int run(const SimulateOptions& options) {
                                       run.simulation->pins().vertices.size(), "", options.verify};
   const bool goes_on = !options.resume.empty() && running.saved.summary.frames > 0;
   run.open_statistics(description, goes_on ? std::optional(begun) : std::nullopt);
-  if (options.json) {
-    fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
-  }
+  if (options.json) fmt::print("{}", statistics_header(StatisticsFormat::json_lines, description));
   open_shapes(options, exported, begun, run);
   run.outputs.start_frame = begun;
   run.outputs.with_start = options.resume.empty() && range.first <= begun;
@@ -202,9 +180,7 @@ int run(const SimulateOptions& options) {
   try {
     run.go(range.last, options.shapes, nullptr);
   } catch (const Interrupted&) {
-    if (options.saved_to().empty()) {
-      throw;
-    }
+    if (options.saved_to().empty()) throw;
     return running.stop();
   }
   return running.finish();

@@ -1,10 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <charconv>
-#include <cstdio>
-#include <cstdlib>
-#include <sstream>
 #include <thread>
 
 #include "app/base/counted.hpp"
@@ -39,19 +32,15 @@ void say(std::size_t run, const Attempt& attempt) {
 
 void require_index(const Sweep& sweep, std::size_t index) {
   if (index >= sweep.runs()) {
-    throw UsageError(fmt::format("--index: found {}, expected a run from 0 to {}", index, sweep.runs() - 1));
+    throw UsageError("--index: found {}, expected a run from 0 to {}", index, sweep.runs() - 1);
   }
 }
 
 std::size_t task_of_slurm() {
   const char* text = std::getenv("SLURM_ARRAY_TASK_ID");
-  const std::string_view digits = text != nullptr ? text : "";
-  std::size_t task = 0;
-  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), task);
-  if (error != std::errc() || stop != digits.data() + digits.size()) {
-    throw UsageError("expected --index, --task or --all, or $SLURM_ARRAY_TASK_ID as Slurm sets it");
-  }
-  return task;
+  const std::optional<std::size_t> task = number_in<std::size_t>(text != nullptr ? text : "");
+  if (!task) throw UsageError("expected --index, --task or --all, or $SLURM_ARRAY_TASK_ID as Slurm sets it");
+  return *task;
 }
 
 /// One run, or those of a task.
@@ -70,9 +59,7 @@ int run_some(const SweepOptions& options, const Sweep& sweep) {
     const Attempt attempt = attempt_run(sweep, run);
     say(run, attempt);
     worst.add(attempt.end);
-    if (attempt.end == AttemptEnd::stopped) {
-      break;
-    }
+    if (attempt.end == AttemptEnd::stopped) break;
   }
   return worst.exit_code();
 }
@@ -110,9 +97,7 @@ int run_all(const SweepOptions& options, const Sweep& sweep) {
   }
   const SweepStatus status = status_of(sweep);
   fmt::print("{}\n", told(status, sweep));
-  if (status.broken > 0) {
-    worst.add(AttemptEnd::broken);
-  }
+  if (status.broken > 0) worst.add(AttemptEnd::broken);
   return worst.exit_code();
 }
 
@@ -123,9 +108,7 @@ int status(const SweepOptions& options, const Sweep& sweep) {
     return 0;
   }
   fmt::print("{}\n", told(status, sweep));
-  if (!status.first_failure.empty()) {
-    fmt::print("the first that failed: {}\n", status.first_failure);
-  }
+  if (!status.first_failure.empty()) fmt::print("the first that failed: {}\n", status.first_failure);
   return 0;
 }
 
@@ -178,8 +161,8 @@ int submit(const SweepOptions& options, const Sweep& sweep) {
   constexpr std::size_t usual_array_size = 1001;
   const SweepStatus status = status_of(sweep);
   if (status.missing.size() < sweep.runs() && !options.missing) {
-    throw UsageError(fmt::format("{} of {} are there already; --missing submits the others",
-                                 sweep.runs() - status.missing.size(), counted(sweep.runs(), "run")));
+    throw UsageError("{} of {} are there already; --missing submits the others",
+                     sweep.runs() - status.missing.size(), counted(sweep.runs(), "run"));
   }
   const std::filesystem::path folder = std::filesystem::absolute(sweep.folder) / "slurm";
   hand_out(folder / "task.sh", slurm_script(sweep, settings), options.dry_run);
@@ -208,9 +191,7 @@ int submit(const SweepOptions& options, const Sweep& sweep) {
 }  // namespace
 
 int run(const SweepOptions& options) {
-  if (options.action == SweepAction::plan) {
-    return plan(options);
-  }
+  if (options.action == SweepAction::plan) return plan(options);
   const Sweep sweep = read_sweep(options.folder);
   switch (options.action) {
     case SweepAction::run:

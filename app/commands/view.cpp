@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/bodies/body_loading.hpp"
@@ -25,9 +23,7 @@ std::string layout_text(const ViewerState& state) {
 
 Session session_of(const ViewOptions& options) {
   Session session;
-  if (!options.script.empty()) {
-    session = read_session(options.script);
-  }
+  if (!options.script.empty()) session = read_session(options.script);
   if (session.frames.empty()) {
     session.frames.resize(2);  // the panel needs one to know its size
   }
@@ -39,33 +35,23 @@ Session session_of(const ViewOptions& options) {
   }
   session.start.overrides.insert(session.start.overrides.end(), options.overrides.begin(),
                                  options.overrides.end());
-  if (options.size) {
-    session.start.size = *options.size;
-  }
-  if (options.compared_with) {
-    session.start.compared_with = options.compared_with;
-  }
+  if (options.size) session.start.size = *options.size;
+  if (options.compared_with) session.start.compared_with = options.compared_with;
   return session;
 }
 
 void play(const Session& session, HeadlessViewer& viewer, std::optional<SessionRecorder>& recorder) {
   for (std::size_t i = 0; i < session.frames.size(); ++i) {
     SessionFrame played = viewer.play(session.frames[i]);
-    if (i + 1 == session.frames.size()) {
-      played.expected_state = viewer.state_hash();
-    }
-    if (recorder) {
-      recorder->add(played);
-    }
+    if (i + 1 == session.frames.size()) played.expected_state = viewer.state_hash();
+    if (recorder) recorder->add(played);
   }
 }
 
 void view_headless(const ViewOptions& options, const Session& session, const DrawnScene& scene) {
   HeadlessViewer viewer(scene, session.start, options.keep_folder, options.backend);
   std::optional<SessionRecorder> recorder;
-  if (!options.record.empty()) {
-    recorder.emplace(options.record, session.start);
-  }
+  if (!options.record.empty()) recorder.emplace(options.record, session.start);
   try {
     play(session, viewer, recorder);
   } catch (const Interrupted&) {
@@ -81,9 +67,7 @@ void view_headless(const ViewOptions& options, const Session& session, const Dra
     write_file(options.screenshot, renderer::encode_png(viewer.draw()));
     fmt::print("wrote {}\n", options.screenshot.string());
   }
-  if (!options.layout.empty()) {
-    write_text_file(options.layout, layout_text(viewer.viewer().state()));
-  }
+  if (!options.layout.empty()) write_text_file(options.layout, layout_text(viewer.viewer().state()));
   const FrameRecord& shown = viewer.viewer().state().newest->record;
   fmt::print("frame {} state {:016x} largest stretch {:.4f} %, of the surface {:.4f} %, drawn by {}\n",
              shown.frame, viewer.state_hash(), 100.0 * shown.stretch.max, 100.0 * shown.surface_stretch.max,
@@ -100,7 +84,7 @@ int run(const ViewOptions& options) {
   }
   const Session session = session_of(options);
   DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
-  print_body_remarks(scene, load_bodies(scene), stdout);
+  print_body_remarks(scene, load_bodies(scene, session.start.overrides), stdout);
   if (options.headless) {
     view_headless(options, session, scene);
   } else {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <string>
 
 #include "renderer/page/canvas.hpp"
 #include "renderer/page/image.hpp"

@@ -1,10 +1,5 @@
 #include "app/drawing/drawn_bodies.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <utility>
-
 #include "app/drawing/framing.hpp"
 
 namespace taut::app {
@@ -71,8 +66,8 @@ constexpr float head_width = 0.4F;
 
 DrawnBodies::DrawnBodies(std::vector<sim::Body> bodies)
     : bodies_(std::move(bodies)),
-      move_(std::any_of(bodies_.begin(), bodies_.end(),
-                        [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
+      move_(std::ranges::any_of(bodies_,
+                                [](const sim::Body& body) { return sim::is_moving_after(body, 0.0); })),
       round_(bodies_.size()) {
   std::size_t first_room = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -104,9 +99,7 @@ void DrawnBodies::set_detail(float pixels_per_m, std::optional<float> shortest_e
 
 void DrawnBodies::place(double time_s, std::span<const float> rooms_m) {
   const bool stays = placed_s_ && (!move_ || *placed_s_ == time_s);
-  if (stays && rooms_m.empty()) {
-    return;
-  }
+  if (stays && rooms_m.empty()) return;
   for (auto& [body, mesh] : meshes_) {
     mesh.surface->place(
         mesh_positions(bodies_[body], time_s),
@@ -139,9 +132,7 @@ std::vector<renderer::SurfaceView> DrawnBodies::views() const {
 std::vector<glm::vec3> wind_arrows(const sim::Wind& wind, const std::vector<sim::Vec3>& positions) {
   std::vector<glm::vec3> lines;
   const auto speed = static_cast<float>(wind.speed_m_per_s);
-  if (speed <= 0.0F) {
-    return lines;
-  }
+  if (speed <= 0.0F) return lines;
   const glm::vec3 along = glm::normalize(glm::vec3(wind.direction));
   const glm::vec3 up_ish = std::abs(along.y) < 0.9F ? glm::vec3{0, 1, 0} : glm::vec3{0, 0, 1};
   const glm::vec3 right = glm::normalize(glm::cross(along, up_ish));

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <glm/vec3.hpp>
-#include <map>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "renderer/frame_view.hpp"
 #include "renderer/primitives.hpp"
 #include "renderer/surface/smooth_surface.hpp"

@@ -1,7 +1,5 @@
 #include "app/drawing/drawn_colours.hpp"
 
-#include <algorithm>
-
 #include "app/base/errors.hpp"
 #include "app/models/import_process.hpp"
 
@@ -49,14 +47,12 @@ DrawnColours own(const PictureStyle& style, const SurfaceColours& colours) {
 }
 
 bool has_own(const SurfaceColours& colours) {
-  return std::any_of(colours.materials.begin(), colours.materials.end(),
-                     [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
+  return std::ranges::any_of(colours.materials,
+                             [](const SurfaceMaterial& material) { return !material.map_file.empty(); });
 }
 
 DrawnColours colours_of(const PictureStyle& style, const GarmentInScene& loaded) {
-  if (names_image(style.texture)) {
-    return print(style, loaded.colours);
-  }
+  if (names_image(style.texture)) return print(style, loaded.colours);
   const bool is_coloured = style.cloth.outside_colour != renderer::SurfaceStyle().outside_colour;
   if (style.texture == no_texture || is_coloured || !has_own(loaded.colours)) {
     return {loaded.colours.corner_uv, {}, {}};

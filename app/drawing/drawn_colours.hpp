@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/vec2.hpp>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "renderer/frame_view.hpp"

@@ -1,8 +1,5 @@
 #include "app/drawing/drawn_scene.hpp"
 
-#include <algorithm>
-
-#include "app/scene/scene.hpp"
 #include "app/scene/scene_format.hpp"
 #include "renderer/surface/refined_mesh.hpp"
 #include "sim/solvers/bounded/promise.hpp"
@@ -22,28 +19,15 @@ std::optional<double> shown_bound(const DrawnScene& scene) {
   return holds_shown ? stretch_bound(scene) : std::nullopt;
 }
 
-const char* name_of(StretchOf shown) {
-  return shown == StretchOf::springs ? "springs" : "surface";
-}
+const char* name_of(StretchOf shown) { return shown == StretchOf::springs ? "springs" : "surface"; }
 
 const char* legend_title(StretchOf shown) {
   return shown == StretchOf::springs ? "stretch of springs" : "stretch of the surface";
 }
 
 const char* name_of(WhichSprings which) {
-  switch (which) {
-    case WhichSprings::none:
-      return "none";
-    case WhichSprings::structural:
-      return "structural";
-    case WhichSprings::shear:
-      return "shear";
-    case WhichSprings::flexural:
-      return "flexural";
-    case WhichSprings::all:
-      break;
-  }
-  return "all";
+  constexpr std::array names = {"none", "structural", "shear", "flexural", "all"};
+  return names[static_cast<std::size_t>(which)];
 }
 
 renderer::PictureSettings settings_of(const PictureStyle& style) {
@@ -62,15 +46,8 @@ renderer::PictureSettings settings_of(const PictureStyle& style) {
 }
 
 float shortest_edge_px(const PictureStyle& style) {
-  switch (style.quality) {
-    case DrawingQuality::draft:
-      return 16.0F;
-    case DrawingQuality::normal:
-      return renderer::shortest_split_px;
-    case DrawingQuality::high:
-      break;
-  }
-  return 4.0F;
+  constexpr std::array lengths_px = {16.0F, renderer::shortest_split_px, 4.0F};
+  return lengths_px[static_cast<std::size_t>(style.quality)];
 }
 
 renderer::Backdrop backdrop_of(const Background& background) {
@@ -94,12 +71,10 @@ DrawnScene read_scene_text(const std::string& text, const std::string& name,
 DrawnScene find_scene(const std::string& name, std::span<const Override> overrides) {
   DrawnScene scene = find_scene(drawn_scene_format(), name, overrides);
   const auto gives = [&](const char* key) {
-    return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
+    return std::ranges::any_of(overrides, [&](const Override& o) { return o.key == key; });
   };
   // The scene's floor may not be where another body stands.
-  if (gives("body.file") && !gives("picture.ground")) {
-    scene.picture.ground = {};
-  }
+  if (gives("body.file") && !gives("picture.ground")) scene.picture.ground = {};
   return scene;
 }
 
@@ -112,9 +87,7 @@ void set_garment(const std::filesystem::path& file, DrawnScene& scene) {
   scene.picture.show_pins = false;
 }
 
-Json scene_settings(const DrawnScene& scene) {
-  return settings_of(drawn_scene_format(), scene);
-}
+Json scene_settings(const DrawnScene& scene) { return settings_of(drawn_scene_format(), scene); }
 
 std::string scene_text(const DrawnScene& scene, GarmentNaming naming) {
   Json settings = scene_settings(scene);
@@ -130,9 +103,7 @@ std::string scene_help() {
       "garment.file and [garment.grid]. The same keys work with --set KEY=VALUE.\n"
       "A length, speed, weight, angle or time may carry its unit: \"1 mm\", \"36 km/h\".\n\n";
   const DrawnScene defaults;
-  for (const Key<DrawnScene>& key : drawn_scene_format().keys) {
-    text += describe_key(key, defaults);
-  }
+  for (const Key<DrawnScene>& key : drawn_scene_format().keys) text += describe_key(key, defaults);
   return text + list_entries_help();
 }
 

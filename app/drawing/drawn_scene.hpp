@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
 
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
@@ -169,8 +165,7 @@ const char* name_of(StretchOf shown);
 /// The title of the colours' legend.
 const char* legend_title(StretchOf shown);
 
-template <class S>
-struct SceneFormat;
+template <class S> struct SceneFormat;
 
 /// All keys of a scene file, those of the picture included.
 SceneFormat<DrawnScene> drawn_scene_format();

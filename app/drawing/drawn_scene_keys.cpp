@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"
 
@@ -22,9 +20,7 @@ Key<DrawnScene> whole(std::string name, double lowest, double highest, auto acce
 
 std::optional<std::array<double, 2>> two_rising_numbers(const toml::node& value) {
   const toml::array* list = value.as_array();
-  if (list == nullptr || list->size() != 2) {
-    return std::nullopt;
-  }
+  if (list == nullptr || list->size() != 2) return std::nullopt;
   const auto low = finite_number(list->front());
   const auto high = finite_number(list->back());
   return low && high && *low < *high ? std::optional(std::array{*low, *high}) : std::nullopt;
@@ -34,9 +30,7 @@ glm::vec3 to_vec3(const std::array<double, 3>& numbers) {
   return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]), static_cast<float>(numbers[2])};
 }
 
-Json list_of(const glm::vec3& v) {
-  return Json::array({v.x, v.y, v.z});
-}
+Json list_of(const glm::vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 /// A key whose text "auto", which leaves the member empty, is what a file need not say; a command line takes
 /// back with it what a file says. `found(value)` is empty for what is not as expected.
@@ -56,15 +50,11 @@ Key<DrawnScene> auto_key(std::string name, std::string expected, Access access, 
 
 std::optional<renderer::Box> box_in(const toml::node& value) {
   const toml::array* list = value.as_array();
-  if (list == nullptr || list->size() != 2) {
-    return std::nullopt;
-  }
+  if (list == nullptr || list->size() != 2) return std::nullopt;
   const auto lower = three_numbers(list->front());
   const auto upper = three_numbers(list->back());
   for (std::size_t i = 0; lower && upper && i < 3; ++i) {
-    if ((*lower)[i] > (*upper)[i]) {
-      return std::nullopt;
-    }
+    if ((*lower)[i] > (*upper)[i]) return std::nullopt;
   }
   return lower && upper ? std::optional(renderer::Box{to_vec3(*lower), to_vec3(*upper)}) : std::nullopt;
 }
@@ -81,8 +71,7 @@ std::optional<SpringBall> ball_in(const toml::node& value) {
                           : std::nullopt;
 }
 
-template <class Access>
-Key<DrawnScene> point_key(std::string name, Access access, std::string meaning) {
+template <class Access> Key<DrawnScene> point_key(std::string name, Access access, std::string meaning) {
   return auto_key(
       std::move(name), "three numbers [x, y, z] or \"auto\"", access, std::move(meaning),
       [](const toml::node& value) {
@@ -138,9 +127,7 @@ Key<DrawnScene> background_key() {
 Key<DrawnScene> texture_key() {
   auto read = [](const toml::node& value, const Source& source, std::filesystem::path& texture) {
     const auto text = text_in(value);
-    if (text) {
-      texture = names_image(*text) ? beside(source, *text) : std::filesystem::path(*text);
-    }
+    if (text) texture = names_image(*text) ? beside(source, *text) : std::filesystem::path(*text);
     return text.has_value();
   };
   return member_key<DrawnScene>(

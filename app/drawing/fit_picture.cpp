@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "app/bodies/wearing.hpp"
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"

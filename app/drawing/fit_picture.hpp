@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/bodies/fit.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "renderer/page/image.hpp"

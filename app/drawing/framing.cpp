@@ -1,15 +1,5 @@
 #include "app/drawing/framing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec4.hpp>
-#include <limits>
-#include <numbers>
-#include <numeric>
-
 #include "app/drawing/drawn_bodies.hpp"
 #include "app/models/garment_measures.hpp"
 
@@ -104,9 +94,7 @@ std::optional<float> level_plane(std::span<const sim::Body> bodies, double time_
   for (const sim::Body& body : bodies) {
     const sim::Shape shape = sim::shape_at(body, time_s);
     const auto* plane = std::get_if<sim::Plane>(&shape);
-    if (plane != nullptr && plane->normal.y > 0.999) {
-      return static_cast<float>(plane->point_m.y);
-    }
+    if (plane != nullptr && plane->normal.y > 0.999) return static_cast<float>(plane->point_m.y);
   }
   return std::nullopt;
 }
@@ -123,7 +111,7 @@ std::optional<float> standing_height(std::span<const sim::Body> bodies, float lo
 
 std::vector<glm::vec3> to_float(const std::vector<sim::Vec3>& points) {
   std::vector<glm::vec3> nearest(points.size());
-  std::transform(points.begin(), points.end(), nearest.begin(), [](const sim::Vec3& point) {
+  std::ranges::transform(points, nearest.begin(), [](const sim::Vec3& point) {
     return glm::vec3{nearest_float(point.x), nearest_float(point.y), nearest_float(point.z)};
   });
   return nearest;
@@ -149,9 +137,7 @@ renderer::Box expected_reach(const DrawnScene& scene, const sim::Garment& garmen
     reach.lower.y = std::min(reach.lower.y, static_cast<float>(pin.y - distance_m));
   }
   for (const sim::Body& body : scene.surroundings.bodies) {
-    if (const auto box = box_of(body, 0.0)) {
-      reach = renderer::united(reach, *box);
-    }
+    if (const auto box = box_of(body, 0.0)) reach = renderer::united(reach, *box);
   }
   if (const auto height_m = level_plane(scene.surroundings.bodies, 0.0)) {
     reach.lower.y = std::min(reach.lower.y, *height_m);
@@ -195,9 +181,7 @@ renderer::Camera scene_camera(const DrawnScene& scene, const renderer::Box& reac
   return camera;
 }
 
-float ground_below(float lowest_m, float highest_m) {
-  return lowest_m - ground_gap * (highest_m - lowest_m);
-}
+float ground_below(float lowest_m, float highest_m) { return lowest_m - ground_gap * (highest_m - lowest_m); }
 
 std::optional<float> ground_height(const DrawnScene& scene, const renderer::Box& reach) {
   switch (scene.picture.ground.kind) {
@@ -225,12 +209,11 @@ FittedView::FittedView(const DrawnScene& scene, const sim::Garment& garment)
       framing_(framing_of(scene, renderer::bounding_box(to_float(garment.mesh.positions)))),
       aspect_(aspect_beside_legend(scene.picture)) {}
 
-void FittedView::add(const std::vector<sim::Vec3>& positions, double time_s) {
-  std::vector<glm::vec3> points = to_float(positions);
+void FittedView::add(const std::vector<sim::Vec3>& positions, const std::vector<sim::Vec3>& shown,
+                     double time_s) {
+  std::vector<glm::vec3> points = to_float(shown);
   for (const sim::Body& body : scene_.surroundings.bodies) {
-    if (const std::optional<renderer::Box> box = box_of(body, time_s)) {
-      add_box(*box, points);
-    }
+    if (const std::optional<renderer::Box> box = box_of(body, time_s)) add_box(*box, points);
   }
   const glm::vec3 shift =
       scene_.camera.follow ? mean_of(positions) - mean_of(garment_.mesh.positions) : glm::vec3(0.0F);
@@ -244,9 +227,7 @@ void FittedView::add(const std::vector<sim::Vec3>& positions, double time_s) {
 }
 
 void FittedView::place_camera(DrawnScene& scene) const {
-  if (outermost_.empty()) {
-    return;
-  }
+  if (outermost_.empty()) return;
   std::vector<glm::vec3> points = outermost_;
   if (scene_.picture.show_wind) {
     const std::vector<glm::vec3> arrows =
@@ -272,7 +253,7 @@ float share_in_picture(const renderer::Camera& camera, float aspect, std::span<c
     const glm::vec4 clip = to_clip * glm::vec4(glm::vec3(position), 1.0F);
     return clip.w > 0.0F && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
   };
-  const auto seen = std::count_if(positions.begin(), positions.end(), is_seen);
+  const auto seen = std::ranges::count_if(positions, is_seen);
   return static_cast<float>(seen) / static_cast<float>(std::max<std::size_t>(positions.size(), 1));
 }
 

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/vec3.hpp>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "renderer/camera.hpp"
 #include "sim/contact/bodies.hpp"
@@ -18,9 +12,7 @@ namespace taut::app {
 inline std::vector<std::uint32_t> flat(const std::vector<sim::Triangle>& triangles) {
   std::vector<std::uint32_t> indices;
   indices.reserve(triangles.size() * 3);
-  for (const sim::Triangle& t : triangles) {
-    indices.insert(indices.end(), t.begin(), t.end());
-  }
+  for (const sim::Triangle& t : triangles) indices.insert(indices.end(), t.begin(), t.end());
   return indices;
 }
 
@@ -85,8 +77,9 @@ class FittedView {
   /// `scene` and `garment` must outlive this object.
   FittedView(const DrawnScene& scene, const sim::Garment& garment);
 
-  /// Adds the garment at these positions, in metres, and the bodies at this time.
-  void add(const std::vector<sim::Vec3>& positions, double time_s);
+  /// Adds the garment at these positions, in metres, and the bodies at this time. `shown` are those that are
+  /// drawn, of a model that follows: it may reach farther.
+  void add(const std::vector<sim::Vec3>& positions, const std::vector<sim::Vec3>& shown, double time_s);
 
   /// Sets camera.eye and camera.target, and picture.ground where it is automatic and no level plane is there:
   /// the same scene then draws the same pictures, alone or in another range of frames. Changes nothing if

@@ -1,13 +1,6 @@
 #include "app/drawing/garment_painter.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <utility>
-
-#include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/framing.hpp"
-#include "app/drawing/spring_lines.hpp"
 #include "renderer/page/canvas.hpp"
 #include "sim/measures.hpp"
 #include "sim/mesh/extent.hpp"
@@ -99,9 +92,7 @@ std::vector<glm::vec3> borders(const sim::Garment& garment) {
 
 sim::Garment part_measured(const sim::Garment& garment, const PictureStyle& style) {
   sim::Garment part;
-  if (style.surface != SurfaceLook::stretch) {
-    return part;
-  }
+  if (style.surface != SurfaceLook::stretch) return part;
   if (style.stretch_of == StretchOf::surface) {
     part.mesh.triangles = garment.mesh.triangles;
     part.triangles_at_rest = garment.triangles_at_rest;
@@ -122,9 +113,7 @@ DrawnColours shown_colours(const PictureStyle& style, DrawnColours colours) {
 }
 
 std::optional<sim::Garment> followed_model(const DrawnColours& colours, const sim::Garment& garment) {
-  if (!colours.following) {
-    return std::nullopt;
-  }
+  if (!colours.following) return std::nullopt;
   return sim::make_garment(colours.following->mesh, {.flexural_rule = sim::FlexuralRule::none},
                            garment.material);
 }
@@ -139,18 +128,14 @@ SurfaceRooms::SurfaceRooms(const DrawnScene& scene, const sim::Garment& garment,
       positions_m_(garment.mesh.positions) {
   const SolverChoice& solver = scene.simulation.solver;
   const bool layers_apart = solver.kind == sim::SolverKind::bounded && solver.bounded.contact;
-  if (!layers_apart && bodies_.empty()) {
-    return;
-  }
+  if (!layers_apart && bodies_.empty()) return;
   append_mesh_positions(bodies_, 0.0, positions_m_);
   clearances_.emplace(garment.mesh.triangles, triangles_of(bodies_, garment_vertices_), layers_apart,
                       positions_m_);
 }
 
 std::span<const float> SurfaceRooms::find(const std::vector<sim::Vec3>& positions, double time_s) {
-  if (!clearances_) {
-    return {};
-  }
+  if (!clearances_) return {};
   const double size_m = glm::length(sim::extent_of(positions).size());
   if (!(size_m < largest_m)) {
     rooms_m_.assign(positions_m_.size(), 0.0F);
@@ -161,17 +146,13 @@ std::span<const float> SurfaceRooms::find(const std::vector<sim::Vec3>& position
   const std::span<const float> clearances_m = clearances_->find(positions_m_, most_clearance_m_);
   rooms_m_.assign(clearances_m.begin(), clearances_m.end());
   keep_off_shapes(time_s);
-  for (float& room_m : rooms_m_) {
-    room_m *= share_of_clearance;
-  }
+  for (float& room_m : rooms_m_) room_m *= share_of_clearance;
   return rooms_m_;
 }
 
 void SurfaceRooms::keep_off_shapes(double time_s) {
   for (const sim::Body& body : bodies_) {
-    if (std::holds_alternative<sim::BodyMesh>(body.shape)) {
-      continue;
-    }
+    if (std::holds_alternative<sim::BodyMesh>(body.shape)) continue;
     const sim::Shape shape = sim::shape_at(body, time_s);
     for (std::size_t v = 0; v < garment_vertices_; ++v) {
       const double distance_m = sim::nearest_surface(shape, positions_m_[v]).distance_m;
@@ -180,9 +161,7 @@ void SurfaceRooms::keep_off_shapes(double time_s) {
   }
 }
 
-float pin_radius_m(const renderer::Box& reach) {
-  return 0.008F * glm::distance(reach.lower, reach.upper);
-}
+float pin_radius_m(const renderer::Box& reach) { return 0.008F * glm::distance(reach.lower, reach.upper); }
 
 GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnScene& scene,
                                const sim::Garment& garment, std::span<const sim::Index> pins,
@@ -205,18 +184,12 @@ GarmentPainter::GarmentPainter(renderer::SceneRenderer& renderer, const DrawnSce
   surface_.set_freedom(rooms_.freedom());
   camera_ = scene_camera(scene, reach, aspect_of(style_.settings));
   look_from(camera_, shortest_edge_px(style_));
-  if (scene.camera.follow) {
-    followed_from_ = mean_of(garment.mesh.positions);
-  }
+  if (scene.camera.follow) followed_from_ = mean_of(garment.mesh.positions);
   frame_.ground_height_m = ground_height(scene, reach);
   frame_.backdrop = backdrop_of(scene.picture.background);
   pin_radius_m_ = pin_radius_m(reach);
-  if (style_.rest_outline) {
-    add_rest_outline(garment);
-  }
-  if (style_.show_wind) {
-    add_wind(scene, garment);
-  }
+  if (style_.rest_outline) add_rest_outline(garment);
+  if (style_.show_wind) add_wind(scene, garment);
   outlines_ = frame_.lines.size();
 }
 
@@ -224,9 +197,7 @@ void GarmentPainter::place_bodies(double time_s, std::span<const float> rooms_m)
   bodies_.place(time_s, rooms_m);
   frame_.surfaces = bodies_.views();
   if (style_.ground.kind == GroundKind::automatic) {
-    if (const auto height_m = level_plane(bodies_.bodies(), time_s)) {
-      frame_.ground_height_m = height_m;
-    }
+    if (const auto height_m = level_plane(bodies_.bodies(), time_s)) frame_.ground_height_m = height_m;
   }
 }
 
@@ -313,9 +284,7 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
   frame_.spheres.clear();
   if (style_.show_pins && !pins_.empty()) {
     pin_positions_.clear();
-    for (const sim::Index pin : pins_) {
-      pin_positions_.emplace_back(positions[pin]);
-    }
+    for (const sim::Index pin : pins_) pin_positions_.emplace_back(positions[pin]);
     frame_.spheres.push_back({.centres = pin_positions_,
                               .radius_m = pin_radius_m_,
                               .casts_shadow = pins_.size() <= most_pins_with_shadows});
@@ -325,9 +294,7 @@ const renderer::FrameView& GarmentPainter::view(const std::vector<sim::Vec3>& po
 
 renderer::Image GarmentPainter::draw(const std::vector<sim::Vec3>& positions, double time_s) {
   renderer::Image image = renderer_.draw(view(positions, time_s), style_.settings);
-  if (style_.surface != SurfaceLook::stretch || !style_.legend) {
-    return image;
-  }
+  if (style_.surface != SurfaceLook::stretch || !style_.legend) return image;
   const auto height = static_cast<float>(image.height_px);
   renderer::Canvas canvas(image);
   renderer::LegendPlace place;
@@ -347,9 +314,7 @@ renderer::Legend stretch_legend(const DrawnScene& scene) {
   legend.minimum = static_cast<float>(lowest);
   legend.maximum = static_cast<float>(highest);
   legend.map = scene.picture.stretch_colours;
-  if (const std::optional<double> bound = shown_bound(scene)) {
-    legend.bound = static_cast<float>(*bound);
-  }
+  if (const std::optional<double> bound = shown_bound(scene)) legend.bound = static_cast<float>(*bound);
   legend.factor = 100.0F;
   legend.suffix = " %";
   legend.more_above = true;

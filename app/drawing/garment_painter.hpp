@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/vec3.hpp>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/drawn_colours.hpp"
 #include "app/drawing/drawn_scene.hpp"

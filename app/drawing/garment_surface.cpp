@@ -1,14 +1,8 @@
 #include "app/drawing/garment_surface.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <utility>
-
 #include "app/drawing/framing.hpp"
 #include "app/models/garment_measures.hpp"
 #include "app/models/garment_parts.hpp"
-#include "renderer/surface/lines.hpp"
 #include "renderer/surface/refined_mesh.hpp"
 #include "sim/mesh/groups.hpp"
 #include "sim/mesh/mesh.hpp"
@@ -23,8 +17,7 @@ sim::Groups pieces_of(const sim::Garment& garment, std::span<const glm::vec2> co
   const std::vector<renderer::TriangleSide> sides = renderer::sorted_sides(triangles);
   sim::Groups pieces(garment.mesh.triangles.size());
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (sides[i].ends == sides[i + 1].ends &&
-        !std::binary_search(seams.begin(), seams.end(), sides[i].ends)) {
+    if (sides[i].ends == sides[i + 1].ends && !std::ranges::binary_search(seams, sides[i].ends)) {
       pieces.join(sides[i].number / 3, sides[i + 1].number / 3);
     }
   }
@@ -52,9 +45,7 @@ std::vector<renderer::VertexPair> long_ones(std::span<const renderer::VertexPair
   const renderer::Lines lines = renderer::lines_of(edges, rest_positions);
   std::vector<renderer::VertexPair> kept;
   for (const renderer::Lines::Segment& segment : lines.segments) {
-    if (lines.chains[segment.chain].length >= shortest_m) {
-      kept.push_back(segment.ends);
-    }
+    if (lines.chains[segment.chain].length >= shortest_m) kept.push_back(segment.ends);
   }
   return kept;
 }
@@ -72,9 +63,7 @@ std::vector<renderer::BorderBand> bands_of(const sim::Garment& garment, float sh
       const bool ribbed = is_around_neck(opening, marks);
       const float width_m = std::min(share * (ribbed ? neckband_m : hem_m),
                                      most_of_length * static_cast<float>(opening.length_m));
-      for (const sim::Index vertex : opening.vertices) {
-        bands[vertex] = {width_m, ribbed};
-      }
+      for (const sim::Index vertex : opening.vertices) bands[vertex] = {width_m, ribbed};
     }
   }
   return bands;
@@ -96,9 +85,7 @@ float mean_edge_m(const sim::Garment& garment) {
 }  // namespace
 
 std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<const glm::vec2> corner_uv) {
-  if (corner_uv.empty()) {
-    return {};
-  }
+  if (corner_uv.empty()) return {};
   const sim::Mesh& mesh = garment.mesh;
   sim::Groups pieces = pieces_of(garment, corner_uv);
   std::vector<Areas> areas(mesh.triangles.size());
@@ -114,9 +101,7 @@ std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<
   for (sim::Index t = 0; t < mesh.triangles.size(); ++t) {
     const Areas& own = areas[pieces.find(t)];
     const double scale = std::sqrt(own.in_m2 / std::abs(own.in_uv));
-    if (!std::isfinite(scale)) {
-      return {};
-    }
+    if (!std::isfinite(scale)) return {};
     for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
       coordinates.emplace_back(std::copysign(scale, own.in_uv) * corner_uv[corner].x,
                                scale * corner_uv[corner].y);
@@ -128,9 +113,7 @@ std::vector<glm::vec2> cloth_coordinates(const sim::Garment& garment, std::span<
 GarmentSewing sewing_of(const sim::Garment& garment, std::span<const glm::vec2> corner_coordinates) {
   GarmentSewing sewing;
   sewing.rim_radius_m = 0.5F * static_cast<float>(garment.material.thickness_m);
-  if (!garment.mesh.quads.empty()) {
-    return sewing;
-  }
+  if (!garment.mesh.quads.empty()) return sewing;
   const double diagonal_m = glm::length(sim::extent_of(garment.mesh.positions).size());
   const float share = std::clamp(static_cast<float>(diagonal_m / diagonal_of_adult_m), least_share, 1.0F);
   sewing.stitch_m *= share;
@@ -196,15 +179,11 @@ void GarmentSurface::make() {
 
 // The rim has the values of the border that it is at.
 std::vector<glm::vec2> GarmentSurface::fine_corner_values(std::span<const glm::vec2> corners) const {
-  if (corners.empty()) {
-    return {};
-  }
+  if (corners.empty()) return {};
   std::vector<glm::vec2> fine = renderer::refined_corner_values(corners, detail_.levels);
   const std::vector<std::uint32_t>& triangles = surface_->triangles();
   std::vector<glm::vec2> at_vertex(surface_->positions().size(), glm::vec2(0.0F));
-  for (std::size_t corner = 0; corner < fine.size(); ++corner) {
-    at_vertex[triangles[corner]] = fine[corner];
-  }
+  for (std::size_t corner = 0; corner < fine.size(); ++corner) at_vertex[triangles[corner]] = fine[corner];
   const std::size_t coarse = surface_->mesh().coarse_vertex_count();
   for (std::size_t v = surface_->mesh().vertex_count(); v < at_vertex.size(); ++v) {
     at_vertex[v] = at_vertex[surface_->parents()[v - coarse][0]];

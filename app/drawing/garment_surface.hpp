@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "renderer/frame_view.hpp"
 #include "renderer/surface/lines.hpp"
 #include "renderer/surface/smooth_surface.hpp"

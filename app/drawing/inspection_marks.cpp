@@ -2,13 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
-#include <tuple>
-
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
@@ -29,9 +22,7 @@ const renderer::Colour joined_colour = renderer::rgb(0xFFD000);
 constexpr double most_joined = 0.3;
 
 void add_line(const LoadedGarment& loaded, const sim::Edge& ends, InspectionMarks& marks) {
-  for (const sim::Index end : ends) {
-    marks.points.emplace_back(loaded.garment->mesh.positions[end]);
-  }
+  for (const sim::Index end : ends) marks.points.emplace_back(loaded.garment->mesh.positions[end]);
 }
 
 InspectionMarks springs_of(const LoadedGarment& loaded, sim::SpringKind kind, float width_px) {
@@ -56,9 +47,7 @@ template <class Chosen>
 InspectionMarks edges_where(const LoadedGarment& loaded, InspectionMarks marks, const Chosen& chosen) {
   const sim::Adjacency& adjacency = loaded.garment->adjacency;
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
-    if (chosen(e)) {
-      add_line(loaded, adjacency.edges[e], marks);
-    }
+    if (chosen(e)) add_line(loaded, adjacency.edges[e], marks);
   }
   marks.meaning = fmt::format("{}: {}", marks.meaning, marks.points.size() / 2);
   return marks;
@@ -68,14 +57,12 @@ InspectionMarks edges_where(const LoadedGarment& loaded, InspectionMarks marks, 
 InspectionMarks joined_vertices(const LoadedGarment& loaded, float diameter_px) {
   InspectionMarks marks{
       .meaning = "", .colour = joined_colour, .width_px = diameter_px, .dots = true, .seen_through = false};
-  if (!loaded.model || !loaded.placement) {
-    return marks;
-  }
+  if (!loaded.model || !loaded.placement) return marks;
   std::vector<sim::Vec3> places = loaded.model->positions;
   const auto before = [](const sim::Vec3& a, const sim::Vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   };
-  std::sort(places.begin(), places.end(), before);
+  std::ranges::sort(places, before);
   for (std::size_t i = 1; i < places.size(); ++i) {
     if (places[i] == places[i - 1] && (i == 1 || places[i] != places[i - 2])) {
       marks.points.emplace_back((*loaded.placement)(places[i]));

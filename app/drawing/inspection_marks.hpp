@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <glm/vec3.hpp>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "renderer/frame_view.hpp"

@@ -2,12 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <sstream>
-#include <vector>
-
 #include "app/base/counted.hpp"
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/framing.hpp"
@@ -69,9 +63,7 @@ void draw_bar(renderer::Canvas& canvas, float x_px, float y_px, float px_per_m) 
 // A text that is too long ends in dots: a path can have any length.
 std::string shortened(const renderer::Canvas& canvas, std::string text, const renderer::TextStyle& style) {
   const float most_px = page_px - 2.0F * border_px;
-  if (canvas.measure(text, style).width_px <= most_px) {
-    return text;
-  }
+  if (canvas.measure(text, style).width_px <= most_px) return text;
   while (!text.empty() && canvas.measure(text + "…", style).width_px > most_px) {
     do {
       text.pop_back();

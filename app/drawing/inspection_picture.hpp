@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/inspection.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-
 #include "renderer/context/context.hpp"
 #include "renderer/scene_renderer.hpp"
 

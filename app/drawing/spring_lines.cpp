@@ -1,10 +1,5 @@
 #include "app/drawing/spring_lines.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-
-#include "renderer/page/colour.hpp"
-
 namespace taut::app {
 namespace {
 
@@ -12,7 +7,7 @@ namespace {
 constexpr float flexural_width = 2.5F;
 
 bool is_within(const std::optional<SpringBall>& patch, const sim::Garment& garment, const sim::Edge& ends) {
-  return !patch || std::all_of(ends.begin(), ends.end(), [&](sim::Index end) {
+  return !patch || std::ranges::all_of(ends, [&](sim::Index end) {
     return glm::distance(garment.mesh.positions[end], patch->middle_m) <= patch->radius_m;
   });
 }
@@ -20,19 +15,7 @@ bool is_within(const std::optional<SpringBall>& patch, const sim::Garment& garme
 }  // namespace
 
 bool shows(const ShownSprings& shown, sim::SpringKind kind) {
-  switch (shown.which) {
-    case WhichSprings::none:
-      return false;
-    case WhichSprings::structural:
-      return kind == sim::SpringKind::structural;
-    case WhichSprings::shear:
-      return kind == sim::SpringKind::shear;
-    case WhichSprings::flexural:
-      return kind == sim::SpringKind::flexural;
-    case WhichSprings::all:
-      break;
-  }
-  return true;
+  return shown.which == WhichSprings::all || std::strcmp(name_of(shown.which), sim::name_of(kind)) == 0;
 }
 
 SpringLines::SpringLines(const sim::Garment& garment, const ShownSprings& shown, float width_px) {
@@ -40,16 +23,12 @@ SpringLines::SpringLines(const sim::Garment& garment, const ShownSprings& shown,
   const auto last = static_cast<float>(std::max<std::size_t>(springs.size(), 2) - 1);
   for (const sim::SpringKind kind :
        {sim::SpringKind::flexural, sim::SpringKind::shear, sim::SpringKind::structural}) {
-    if (!shows(shown, kind)) {
-      continue;
-    }
+    if (!shows(shown, kind)) continue;
     Lines& lines = lines_.emplace_back();
     const bool is_under = shown.which == WhichSprings::all && kind == sim::SpringKind::flexural;
     lines.width_px = is_under ? flexural_width * width_px : width_px;
     for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
-      if (!is_within(shown.patch, garment, springs.ends[s])) {
-        continue;
-      }
+      if (!is_within(shown.patch, garment, springs.ends[s])) continue;
       lines.springs.push_back(springs.ends[s]);
       if (shown.colours == SpringColours::order) {
         const renderer::Colour colour =
@@ -57,9 +36,7 @@ SpringLines::SpringLines(const sim::Garment& garment, const ShownSprings& shown,
         lines.colours.insert(lines.colours.end(), 2, colour);
       }
     }
-    if (shown.colours == SpringColours::kind) {
-      lines.colours = {spring_colour(kind)};
-    }
+    if (shown.colours == SpringColours::kind) lines.colours = {spring_colour(kind)};
   }
 }
 

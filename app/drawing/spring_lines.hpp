@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <glm/vec3.hpp>
-#include <span>
-#include <vector>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "renderer/frame_view.hpp"
 #include "renderer/page/colour.hpp"

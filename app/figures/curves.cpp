@@ -1,10 +1,7 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/drawing/drawn_scene.hpp"
-#include "app/drawing/plots/plot_sheet.hpp"
+#include "app/drawing/plots/plot.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"
@@ -32,14 +29,12 @@ Plot convergence_plot(const StepRecording& fall) {
 // The same on a linear axis, as the paper has it.
 Plot linear_inset(const Plot& plot, const StepRecording& fall) {
   Plot inset = plot;
-  const double largest_mm = 1e3 * *std::max_element(fall.moved_m.begin(), fall.moved_m.end());
+  const double largest_mm = 1e3 * *std::ranges::max_element(fall.moved_m);
   inset.x.label = "iteration";
   inset.x.chosen = {0.0, 5000.0, 10000.0, 15000.0};
   std::erase_if(inset.x.chosen, [&](double value) { return value > inset.x.maximum; });
   inset.y = {"the same in mm, linear", 0.0, 1.05 * largest_mm};
-  for (DataPoint& point : inset.curves.front().points) {
-    point[1] *= 1e3;
-  }
+  for (DataPoint& point : inset.curves.front().points) point[1] *= 1e3;
   inset.curves.front().stroke.thickness_px = 2.5F;
   return inset;
 }
@@ -130,9 +125,7 @@ Plot frame_time_plot(const std::vector<FrameTimes>& times) {
   const std::array markers = {Marker::disc, Marker::square};
   std::vector<int> done;
   for (const FrameTimes& time : times) {
-    if (std::find(done.begin(), done.end(), time.substeps) != done.end()) {
-      continue;
-    }
+    if (std::ranges::find(done, time.substeps) != done.end()) continue;
     const std::size_t look = std::min<std::size_t>(done.size(), strokes.size() - 1);
     const PowerLaw law = fit_power_law(times, time.substeps);
     plot.curves.push_back(fitted_curve(law, plot.x, strokes[look]));
@@ -173,9 +166,7 @@ Stroke stroke_of(sim::SolverKind kind) {
 std::string legend_name(const MethodRun& run) {
   constexpr std::array names = {"ideal springs", "threshold of 5 %", "strong constraint"};
   std::string name = names[static_cast<std::size_t>(run.kind)];
-  if (run.diverged_at_s) {
-    name += fmt::format(" (diverge after {:.2f} s)", *run.diverged_at_s);
-  }
+  if (run.diverged_at_s) name += fmt::format(" (diverge after {:.2f} s)", *run.diverged_at_s);
   return name;
 }
 
@@ -202,9 +193,7 @@ Plot stretch_plot(const std::vector<MethodRun>& runs) {
   Plot plot;
   plot.x = {"time in s", 0.0, 10.0};
   plot.y = {"largest stretch", 0.0, 20.0, false, " %"};
-  for (const MethodRun& run : runs) {
-    plot.curves.push_back(curve_of(run, run.max_stretch, 100.0));
-  }
+  for (const MethodRun& run : runs) plot.curves.push_back(curve_of(run, run.max_stretch, 100.0));
   plot.levels = {{5.0, ""}};
   return plot;
 }
@@ -213,9 +202,7 @@ Plot unrest_plot(const std::vector<MethodRun>& runs) {
   Plot plot;
   plot.x = {"time in s", 0.0, 10.0};
   plot.y = {"RMS of |p(t) − p(t − Δt)|  in metres", 1e-18, 1.0, true};
-  for (const MethodRun& run : runs) {
-    plot.curves.push_back(curve_of(run, run.moved_rms_m, 1.0));
-  }
+  for (const MethodRun& run : runs) plot.curves.push_back(curve_of(run, run.moved_rms_m, 1.0));
   plot.legend = LegendCorner::none;
   return plot;
 }
@@ -258,9 +245,7 @@ void read_figure3(const std::filesystem::path& folder, Results& results) {
   fall.frames.pins = std::move(loaded.pins);
   fall.vertex = followed_vertex(fall.frames.scene);
   fall.time_step_s = table.number(0, 1);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    fall.moved_m.push_back(table.number(row, 2));
-  }
+  for (std::size_t row = 0; row < table.rows(); ++row) fall.moved_m.push_back(table.number(row, 2));
   // A run that is not over at its last frame ends where the cloth is at rest.
   const auto most_steps = static_cast<std::size_t>(
       fall_frames.back() * sim::equal_substeps(solver_settings(fall.frames.scene.simulation.solver)));
@@ -365,9 +350,7 @@ void read_figure7(const std::filesystem::path& folder, Results& results) {
       results.methods.push_back(std::move(run));
     }
   }
-  if (row < table.rows()) {
-    table.fail(row, "found a method or a time step out of turn");
-  }
+  if (row < table.rows()) table.fail(row, "found a method or a time step out of turn");
 }
 
 // Section III: do springs that are pulled back to a threshold vibrate, and does the strong constraint not?

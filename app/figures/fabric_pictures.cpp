@@ -2,10 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <numeric>
-#include "app/drawing/drawn_scene.hpp"
-
 namespace taut::app {
 Drawing sheet_of_last(std::span<const Recording> recordings, std::span<const Caption> captions,
                       const PictureSize& size, const SheetStyle& style, bool has_floor,

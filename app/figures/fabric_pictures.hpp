@@ -1,9 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/figures/experiments/recording.hpp"
 #include "app/figures/pictures.hpp"

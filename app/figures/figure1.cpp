@@ -1,9 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <glm/common.hpp>
-
 #include "app/drawing/plots/axis.hpp"
 #include "app/figures/figures.hpp"
 
@@ -76,9 +72,7 @@ void draw_patch(renderer::Canvas& canvas, const SpringPatch& patch, const glm::v
 std::string counts_of(const SpringPatch& patch) {
   std::string text = fmt::format("{} mass points", patch.points_m.size());
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
-    if (patch.count(kind) > 0) {
-      text += fmt::format(", {} {}", patch.count(kind), look_of(kind).name);
-    }
+    if (patch.count(kind) > 0) text += fmt::format(", {} {}", patch.count(kind), look_of(kind).name);
   }
   return text + " springs";
 }

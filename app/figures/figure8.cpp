@@ -1,11 +1,6 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "app/base/errors.hpp"
 #include "app/base/suggest.hpp"
-#include "app/drawing/plots/plot_sheet.hpp"
+#include "app/drawing/plots/plot.hpp"
 #include "app/figures/figures.hpp"
 #include "app/output/csv.hpp"
 
@@ -72,9 +67,7 @@ std::vector<Curve> curves_of(const MethodTrials& trials, bool has_markers, AddPo
   for (const sim::SolverKind kind : trial_methods) {
     Curve curve = curve_of(kind, has_markers);
     for (const MethodTrial& trial : trials) {
-      if (trial.kind == kind) {
-        add_points(trial, curve);
-      }
+      if (trial.kind == kind) add_points(trial, curve);
     }
     curves.push_back(std::move(curve));
   }
@@ -91,10 +84,8 @@ Curve line_at(double x, const Axis& y) {
 Axis stretch_axis(const std::vector<double>& percents) {
   Axis axis = decades_around("largest stretch of an edge", percents);
   axis.suffix = " %";
-  for (double tick = axis.minimum; tick < 0.99 * axis.maximum; tick *= 10.0) {
-    axis.chosen.push_back(tick);
-  }
-  const double largest = *std::max_element(percents.begin(), percents.end());
+  for (double tick = axis.minimum; tick < 0.99 * axis.maximum; tick *= 10.0) axis.chosen.push_back(tick);
+  const double largest = *std::ranges::max_element(percents);
   axis.maximum = std::clamp(1.7 * largest, 2.0 * axis.minimum, axis.maximum);
   return axis;
 }
@@ -103,9 +94,7 @@ PlotPanel time_panel(const MethodTrials& trials) {
   Plot plot;
   std::vector<double> times_ms, stretches = {100.0 * trial_max_stretch};
   plot.curves = curves_of(trials, true, [&](const MethodTrial& trial, Curve& curve) {
-    if (trial.is_lost || trial.frames.empty()) {
-      return;
-    }
+    if (trial.is_lost || trial.frames.empty()) return;
     curve.points.push_back({100.0 * trial.largest_stretch(), trial.ranked_ms(0.5)});
     curve.bars.push_back({trial.ranked_ms(0.25), trial.ranked_ms(0.75)});
     times_ms.push_back(trial.ranked_ms(0.5));
@@ -166,9 +155,7 @@ PlotPanel rest_panel(const MethodTrials& trials) {
                        shaken_hz)}};
 }
 
-Axis factor_axis() {
-  return {"length of a time step, times its own", 0.85, 7.5, true, "", {1.0, 2.0, 5.0}};
-}
+Axis factor_axis() { return {"length of a time step, times its own", 0.85, 7.5, true, "", {1.0, 2.0, 5.0}}; }
 
 PlotPanel steps_panel(const MethodTrials& trials) {
   Plot plot;
@@ -176,9 +163,7 @@ PlotPanel steps_panel(const MethodTrials& trials) {
   plot.curves = curves_of(trials, true, [&](const MethodTrial& trial, Curve& curve) {
     const double percent = 100.0 * trial.largest_stretch();
     curve.points.push_back({static_cast<double>(trial.step_factor), percent});
-    if (std::isfinite(percent)) {
-      stretches.push_back(percent);
-    }
+    if (std::isfinite(percent)) stretches.push_back(percent);
   });
   plot.x = factor_axis();
   plot.y = decades_around("largest stretch of an edge", stretches);
@@ -245,9 +230,7 @@ template <class Values>
 auto named(const CsvFile& table, std::size_t row, std::size_t column, const Values& values) {
   std::vector<std::string> names;
   for (const auto value : values) {
-    if (table.text(row, column) == name_of(value)) {
-      return value;
-    }
+    if (table.text(row, column) == name_of(value)) return value;
     names.emplace_back(name_of(value));
   }
   table.fail(row, fmt::format("{}: found '{}', expected one of {}", columns[column], table.text(row, column),
@@ -295,7 +278,7 @@ std::string figure8_csv(const Results& results) {
                    cell(frame.frame_ms), cell(frame.stretch), cell(frame.surface_stretch),
                    cell(frame.energy_j), cell(frame.speed_m_per_s), cell(frame.sunk_m)});
       };
-      std::for_each(trial.frames.begin(), trial.frames.end(), add);
+      std::ranges::for_each(trial.frames, add);
       if (trial.is_lost) {
         // Nothing is known of the frame in which it was lost.
         add({NAN, NAN, NAN, NAN, NAN, NAN, NAN});
@@ -307,14 +290,12 @@ std::string figure8_csv(const Results& results) {
 
 void read_figure8(const std::filesystem::path& folder, Results& results) {
   const CsvFile table(folder / "fig8.csv", columns);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    read_row(table, row, results);
-  }
+  for (std::size_t row = 0; row < table.rows(); ++row) read_row(table, row, results);
   for (const MethodTest test : all_method_tests) {
     const std::size_t found = results.trials_of(test).size(), expected = trials_in(test);
     if (found != expected) {
-      throw InputError(fmt::format("{}: found {} trials of the test {}, expected {}",
-                                   (folder / "fig8.csv").string(), found, name_of(test), expected));
+      throw InputError("{}: found {} trials of the test {}, expected {}", (folder / "fig8.csv").string(),
+                       found, name_of(test), expected);
     }
   }
 }

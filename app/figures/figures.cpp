@@ -11,9 +11,7 @@ void time_strong_shirts(const ProgressCallback& report_progress, Results& result
   measure_frame_times(frame_time_repeats, report_progress, results);
 }
 
-std::vector<const Recording*> falls_of(const Results& results) {
-  return {&results.fall->frames};
-}
+std::vector<const Recording*> falls_of(const Results& results) { return {&results.fall->frames}; }
 
 std::vector<const Recording*> pinned_of(const Results& results) {
   return {&*results.pinned[0], &*results.pinned[1]};
@@ -23,13 +21,11 @@ std::vector<const Recording*> shirts_of(const Results& results) {
   return {&*results.shirts[0], &*results.shirts[1], &*results.shirts[2]};
 }
 
-template <auto recordings_of>
-std::string moments_of(const Results& results) {
+template <auto recordings_of> std::string moments_of(const Results& results) {
   return moments_csv(recordings_of(results));
 }
 
-template <auto recordings_of>
-std::string shapes_of(const Results& results) {
+template <auto recordings_of> std::string shapes_of(const Results& results) {
   return shapes_csv(recordings_of(results));
 }
 
@@ -114,9 +110,7 @@ const std::vector<Figure>& all_figures() {
 
 std::vector<std::string> figure_names() {
   std::vector<std::string> names;
-  for (const Figure& figure : all_figures()) {
-    names.push_back(figure.name);
-  }
+  for (const Figure& figure : all_figures()) names.push_back(figure.name);
   return names;
 }
 

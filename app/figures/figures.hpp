@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "app/drawing/drawing.hpp"
 #include "app/figures/experiments/experiments.hpp"

@@ -1,21 +1,10 @@
 #include "app/figures/pictures.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec4.hpp>
-#include <memory>
-
 #include "app/base/errors.hpp"
 #include "app/drawing/drawn_bodies.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/drawing/garment_painter.hpp"
-#include "app/drawing/offscreen_renderer.hpp"
 #include "app/figures/figures.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/csv.hpp"
@@ -34,9 +23,7 @@ DrawnScene scene_for_print(const PrintedMoment& moment, const PictureSize& size)
   scene.picture.show_wind = true;
   scene.picture.quality = DrawingQuality::high;
   scene.picture.background = {BackgroundKind::colour, renderer::rgb(0xFFFFFF)};
-  if (!moment.has_floor) {
-    scene.picture.ground.kind = GroundKind::none;
-  }
+  if (!moment.has_floor) scene.picture.ground.kind = GroundKind::none;
   if (moment.shows_stretch) {
     scene.picture.surface = SurfaceLook::stretch;
     scene.picture.stretch_of = StretchOf::springs;  // as the paper has it
@@ -52,9 +39,7 @@ void add_points(const PrintedMoment& moment, const glm::vec3& towards_light, std
                 std::vector<glm::vec3>& points) {
   for (const glm::vec3& point : to_float(moment.moment->positions)) {
     points.push_back(point);
-    if (ground_m) {
-      points.push_back(point - towards_light * ((point.y - *ground_m) / towards_light.y));
-    }
+    if (ground_m) points.push_back(point - towards_light * ((point.y - *ground_m) / towards_light.y));
   }
 }
 
@@ -99,13 +84,10 @@ const std::vector<std::string> moment_columns = {"panel",
 const std::vector<std::string> shape_columns = {"panel", "vertex", "x_m", "y_m", "z_m"};
 
 // The panels of a figure go on from one recording to the next.
-template <class Visit>
-void for_each_panel(std::span<const Recording* const> recordings, const Visit& visit) {
+template <class Visit> void for_each_panel(std::span<const Recording* const> recordings, const Visit& visit) {
   char letter = 'a';
   for (const Recording* recording : recordings) {
-    for (const Moment& moment : recording->moments) {
-      visit(std::string(1, letter++), *recording, moment);
-    }
+    for (const Moment& moment : recording->moments) visit(std::string(1, letter++), *recording, moment);
   }
 }
 
@@ -120,9 +102,7 @@ Moment read_moment(const CsvFile& moments, std::size_t row) {
 std::vector<sim::Vec3> read_shape(const CsvFile& shapes, const std::string& panel) {
   std::vector<sim::Vec3> positions;
   for (std::size_t row = 0; row < shapes.rows(); ++row) {
-    if (shapes.text(row, 0) != panel) {
-      continue;
-    }
+    if (shapes.text(row, 0) != panel) continue;
     if (shapes.whole_number(row, 1) != static_cast<int>(positions.size())) {
       shapes.fail(row, fmt::format("panel {}: found vertex {}, expected {}", panel, shapes.text(row, 1),
                                    positions.size()));
@@ -323,15 +303,13 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
   recording.pins = std::move(loaded.pins);
   const std::size_t vertices = recording.garment->mesh.positions.size();
   for (std::size_t row = 0; row < moments.rows(); ++row) {
-    if (moments.text(row, 1) != scene_name) {
-      continue;
-    }
+    if (moments.text(row, 1) != scene_name) continue;
     Moment moment = read_moment(moments, row);
     moment.positions = read_shape(shapes, moments.text(row, 0));
     if (moment.positions.size() != vertices) {
-      throw InputError(fmt::format("{}: panel {}: found {} vertices, expected {}, as the garment of {} has",
-                                   shapes_file.string(), moments.text(row, 0), moment.positions.size(),
-                                   vertices, scene_name));
+      throw InputError("{}: panel {}: found {} vertices, expected {}, as the garment of {} has",
+                       shapes_file.string(), moments.text(row, 0), moment.positions.size(), vertices,
+                       scene_name);
     }
     moment.record.stretch = sim::measure_stretch(recording.garment->springs, moment.positions);
     moment.record.surface_stretch = sim::measure_surface_stretch(*recording.garment, moment.positions);
@@ -339,8 +317,8 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
     recording.moments.push_back(std::move(moment));
   }
   if (recording.moments.empty()) {
-    throw InputError(fmt::format("{}: found no moment of the scene {}, expected one",
-                                 (folder / (figure + ".csv")).string(), scene_name));
+    throw InputError("{}: found no moment of the scene {}, expected one",
+                     (folder / (figure + ".csv")).string(), scene_name);
   }
   return recording;
 }
@@ -349,9 +327,7 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
 Drawing draw_figure2(const Results& results, LazyOffscreenRenderer& offscreen) {
   const Recording& fall = results.fall->frames;
   std::vector<PrintedMoment> moments;
-  for (const Moment& moment : fall.moments) {
-    moments.push_back({&fall, &moment, false});
-  }
+  for (const Moment& moment : fall.moments) moments.push_back({&fall, &moment, false});
   Prints prints = print_moments(offscreen, moments, {720, 620});
   const auto caption_of = [](const PrintedMoment& moment, char letter) -> Caption {
     const FrameRecord& record = moment.moment->record;
@@ -391,9 +367,7 @@ Drawing draw_figure4(const Results& results, LazyOffscreenRenderer& offscreen) {
 // The T-shirt without wind and in two winds.
 Drawing draw_figure5(const Results& results, LazyOffscreenRenderer& offscreen) {
   std::vector<PrintedMoment> moments;
-  for (const auto& recording : results.shirts) {
-    moments.push_back({&*recording, &recording->last(), false});
-  }
+  for (const auto& recording : results.shirts) moments.push_back({&*recording, &recording->last(), false});
   Prints prints = print_moments(offscreen, moments, {980, 860});
   const auto caption_of = [](const PrintedMoment& moment, char letter) -> Caption {
     const FrameRecord& record = moment.moment->record;

@@ -1,11 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/offscreen_renderer.hpp"
@@ -23,9 +18,7 @@ class LazyOffscreenRenderer {
 
   /// The renderer. The first call makes it and may throw renderer::ContextError.
   OffscreenRenderer& open() {
-    if (!offscreen_) {
-      offscreen_ = std::make_unique<OffscreenRenderer>(backend_);
-    }
+    if (!offscreen_) offscreen_ = std::make_unique<OffscreenRenderer>(backend_);
     return *offscreen_;
   }
   float scale() const { return scale_; }

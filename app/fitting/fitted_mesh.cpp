@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
 
 #include "app/fitting/joining.hpp"
 #include "app/fitting/remeshing.hpp"
@@ -18,10 +19,17 @@ namespace {
 constexpr double smallest_sheet = 0.02;           ///< share of the area; what is smaller is carried
 constexpr double smallest_beside_largest = 0.05;  ///< where all are small, of the largest
 constexpr double joined_share = 0.003;            ///< of the size, at most between borders that are joined
+constexpr double gap_share = 0.02;                ///< the same between parts that are apart
+constexpr double flat = 0.02;                     ///< thickness of patterns that lie flat, of the size
 constexpr double first_longer = 1.08;             ///< edges than those of so many equilateral triangles
 constexpr double longer = 1.02;  ///< than they would have to be, where there were too many triangles
 constexpr int most_trials = 4;
-constexpr double closed_hole_edges = 3.0;  ///< round a hole that is closed
+constexpr int most_fits = 4;  ///< each of what the one before came to
+/// Each fit is farther from the model, so that of few crossings, which can be parted, it has to leave less
+/// than half.
+constexpr std::size_t few_crossings = 70;
+constexpr double least_left = 0.8;         ///< of the area
+constexpr double closed_hole_edges = 5.0;  ///< round a hole that is closed
 
 std::vector<double> areas_of_sheets(const Sheets& sheets) {
   std::vector<double> areas(sheets.count, 0.0);
@@ -33,17 +41,20 @@ std::vector<double> areas_of_sheets(const Sheets& sheets) {
   return areas;
 }
 
-std::vector<char> large_sheets(const Sheets& sheets) {
+/// The mesh without crumbs.
+sim::Mesh large_sheets(const Sheets& sheets) {
   const std::vector<double> areas = areas_of_sheets(sheets);
   double all = 0.0, largest = 0.0;
   for (const double area : areas) {
     all += area;
     largest = std::max(largest, area);
   }
-  std::vector<char> large;
-  for (const double area : areas) {
-    large.push_back(
-        static_cast<char>(area >= std::min(smallest_sheet * all, smallest_beside_largest * largest)));
+  const double least = std::min(smallest_sheet * all, smallest_beside_largest * largest);
+  sim::Mesh large{sheets.mesh.positions, {}, {}};
+  for (std::size_t t = 0; t < sheets.sheet_of.size(); ++t) {
+    if (areas[sheets.sheet_of[t]] >= least) {
+      large.triangles.push_back(sheets.mesh.triangles[t]);
+    }
   }
   return large;
 }
@@ -52,9 +63,8 @@ double edge_for(double area_m2, std::size_t triangles) {
   return std::sqrt(4.0 * area_m2 / (std::numbers::sqrt3 * static_cast<double>(triangles)));
 }
 
-}  // namespace
-
-FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
+/// One mesh of a model. What crosses in it are mostly ends of a wall that lie on others.
+FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
   FittedMesh fitted;
   Sheets sheets = cut_into_sheets(model_m);
   turn_outwards(sheets);
@@ -67,16 +77,13 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
   }
   wall = cut_into_sheets(wall).mesh;
   const double size_m = glm::length(sim::extent_of(wall.positions).size());
-  fitted.joined_vertices = join_borders(std::min(settings.join_distance_m, joined_share * size_m), wall);
+  const double distance_m = std::min(settings.join_distance_m, joined_share * size_m);
+  fitted.joined_vertices = join_borders(distance_m, wall);
+  wall = cut_into_sheets(wall).mesh;
+  fitted.joined_vertices += join_parts(gap_between_parts(wall, settings), distance_m, wall);
   Sheets joined = cut_into_sheets(wall);
   turn_outwards(joined);
-  const std::vector<char> large = large_sheets(joined);
-  sim::Mesh surface{joined.mesh.positions, {}, {}};
-  for (std::size_t t = 0; t < joined.sheet_of.size(); ++t) {
-    if (large[joined.sheet_of[t]] != 0) {
-      surface.triangles.push_back(joined.mesh.triangles[t]);
-    }
-  }
+  sim::Mesh surface = large_sheets(joined);
   const double area = sim::surface_area(surface);
   fitted.edge_m = std::max(settings.least_edge_m, first_longer * edge_for(area, settings.most_triangles));
   fitted.closed_holes = fill_small_holes(closed_hole_edges * fitted.edge_m, surface);
@@ -86,10 +93,40 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
     fitted.edge_m *= longer * std::sqrt(found / static_cast<double>(settings.most_triangles));
     fitted.mesh = remesh(surface, fitted.edge_m);
   }
-  fitted.sheets = cut_into_sheets(fitted.mesh).count;
+  // What was joined by an edge alone may have come apart.
+  Sheets cut = cut_into_sheets(large_sheets(cut_into_sheets(fitted.mesh)));
+  fitted.mesh = std::move(cut.mesh);
+  fitted.sheets = cut.count;
   fitted.is_simulated.assign(kept.begin(), kept.end());
   fitted.carried_triangles = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 0));
   fitted.crossings = crossing_pairs({fitted.mesh.positions, fitted.mesh.triangles}).size();
+  return fitted;
+}
+
+}  // namespace
+
+double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settings) {
+  const sim::Vec3 size = sim::extent_of(model_m.positions).size();
+  const bool is_flat = std::min({size.x, size.y, size.z}) < flat * glm::length(size);
+  return is_flat ? 0.0 : std::min(settings.gap_m, gap_share * glm::length(size));
+}
+
+FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings) {
+  FittedMesh fitted = fit_once(model_m, settings);
+  for (int i = 1; i < most_fits && fitted.crossings > 0; ++i) {
+    FittedMesh again = fit_once(fitted.mesh, settings);
+    const std::size_t most =
+        fitted.crossings > few_crossings ? fitted.crossings - 1 : (fitted.crossings - 1) / 2;
+    if (again.crossings > most ||
+        sim::surface_area(again.mesh) < least_left * sim::surface_area(fitted.mesh)) {
+      break;
+    }
+    again.is_simulated = std::move(fitted.is_simulated);
+    again.carried_triangles = fitted.carried_triangles;
+    again.joined_vertices += fitted.joined_vertices;
+    again.closed_holes += fitted.closed_holes;
+    fitted = std::move(again);
+  }
   return fitted;
 }
 

@@ -13,8 +13,9 @@ namespace taut::app {
 /// How a simulation mesh is made of a model.
 struct FittingSettings {
   std::size_t most_triangles = 8000;
-  double least_edge_m = 0.0;        ///< edges are made no shorter than this: cloth is thinner than they are long
+  double least_edge_m = 0.0;  ///< edges are made no shorter than this: cloth is thinner than they are long
   double join_distance_m = 0.0025;  ///< borders nearer than this that run along each other become one
+  double gap_m = 0.02;              ///< across which a part goes on that lies apart from another
 };
 
 /// A mesh to be simulated in place of a model, which goes along.
@@ -32,6 +33,10 @@ struct FittedMesh {
   std::size_t crossings = 0;          ///< pairs of triangles of the mesh that cross
 };
 
+/// The gap of these settings for a garment of this size; 0 for flat pattern pieces, which lie beside each
+/// other as they are cut.
+double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settings = {});
+
 /// Makes a mesh of near-equilateral triangles of one size of any model. Requires a mesh that was welded, in
 /// metres.
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = {});
@@ -40,7 +45,8 @@ FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = 
 bool is_coarse(const sim::Mesh& model);
 
 /// Says for people why the model itself is not fit for simulation; empty if it is. `crossings` is the number
-/// of pairs of its triangles that cross at the start.
-std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings);
+/// of pairs of its triangles that cross at the start; the cloth is so thick.
+std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings,
+                                                      double thickness_m = 0.0);
 
 }  // namespace taut::app

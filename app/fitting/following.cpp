@@ -45,7 +45,8 @@ std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& 
     }
   }
   const double s = on_edge(a, b), t = on_edge(b, c), u = on_edge(c, a);
-  const std::array<std::array<double, 3>, 3> edges = {{{1.0 - s, s, 0.0}, {0.0, 1.0 - t, t}, {u, 0.0, 1.0 - u}}};
+  const std::array<std::array<double, 3>, 3> edges = {
+      {{1.0 - s, s, 0.0}, {0.0, 1.0 - t, t}, {u, 0.0, 1.0 - u}}};
   const auto distance = [&](const std::array<double, 3>& at) {
     return glm::length(at[0] * a + at[1] * b + at[2] * c - p);
   };
@@ -103,6 +104,7 @@ class Binder {
         of_model_(model),
         of_mesh_(mesh),
         normals_(wall_normals(model, is_wall)),
+        facing_(model.positions.size()),
         found_(model.positions.size()) {
     for (const sim::Edge& edge : of_mesh_.adjacency.edges) {
       edge_m_ += glm::distance(mesh.positions[edge[0]], mesh.positions[edge[1]]);
@@ -121,7 +123,8 @@ class Binder {
     }
     std::vector<SurfacePoint> points;
     for (Index v = 0; v < found_.size(); ++v) {
-      points.push_back(found_[v] ? *found_[v] : *nearest(tree_, mesh_, model_.positions[v], Vec3(0.0), infinite));
+      points.push_back(found_[v] ? *found_[v]
+                                 : *nearest(tree_, mesh_, model_.positions[v], Vec3(0.0), infinite));
     }
     return points;
   }
@@ -137,21 +140,29 @@ class Binder {
     return vertex_normals(model.positions, wall);
   }
 
-  SurfacePoint nearest_facing(Index v) const {
-    const SurfacePoint any = *nearest(tree_, mesh_, model_.positions[v], Vec3(0.0), infinite);
-    return nearest(tree_, mesh_, model_.positions[v], normals_[v], any.distance_m + edge_m_).value_or(any);
+  const SurfacePoint& nearest_facing(Index v) {
+    if (!facing_[v]) {
+      const Vec3& place_m = model_.positions[v];
+      const SurfacePoint any = *nearest(tree_, mesh_, place_m, Vec3(0.0), infinite);
+      const Vec3 way = sim::doubled_area_vector(mesh_.positions, mesh_.triangles[any.triangle]);
+      facing_[v] = glm::dot(way, normals_[v]) >= 0.0
+                       ? any
+                       : nearest(tree_, mesh_, place_m, normals_[v], any.distance_m + edge_m_).value_or(any);
+    }
+    return *facing_[v];
   }
 
-  /// The vertices of the wall or the others, those first that are furthest from layers which face the other way.
-  std::vector<Candidate> seeds(bool is_carried) const {
+  /// The vertices of the wall or the others, those first that are furthest from layers which face the other
+  /// way.
+  std::vector<Candidate> seeds(bool is_carried) {
     std::vector<Candidate> seeds;
     for (Index v = 0; v < found_.size(); ++v) {
       if (found_[v] || (normals_[v] == Vec3(0.0)) != is_carried) {
         continue;
       }
-      const SurfacePoint own = nearest_facing(v);
-      const auto other = is_carried ? std::nullopt
-                                    : nearest(tree_, mesh_, model_.positions[v], -normals_[v], 4.0 * edge_m_);
+      const SurfacePoint& own = nearest_facing(v);
+      const auto other =
+          is_carried ? std::nullopt : nearest(tree_, mesh_, model_.positions[v], -normals_[v], 4.0 * edge_m_);
       const double clear_m = other ? other->distance_m : 4.0 * edge_m_;
       seeds.push_back({own.distance_m - clear_m, v, own});
     }
@@ -180,7 +191,7 @@ class Binder {
   }
 
   /// The nearest point that is reached from a triangle without going away, unless the mesh ends there.
-  SurfacePoint near_to(Index triangle, Index vertex) const {
+  SurfacePoint near_to(Index triangle, Index vertex) {
     SurfacePoint best{infinite, triangle, Vec3(0.0)};
     for (bool is_nearer = true; is_nearer;) {
       is_nearer = false;
@@ -191,7 +202,7 @@ class Binder {
         }
       }
     }
-    const SurfacePoint anywhere = nearest_facing(vertex);
+    const SurfacePoint& anywhere = nearest_facing(vertex);
     return best.distance_m > 2.0 * anywhere.distance_m + 3.0 * edge_m_ ? anywhere : best;
   }
 
@@ -213,7 +224,8 @@ class Binder {
   SurfaceTree tree_;
   Neighbours of_model_;
   Neighbours of_mesh_;
-  std::vector<Vec3> normals_;  ///< of vertices of the wall; 0 at others
+  std::vector<Vec3> normals_;                        ///< of vertices of the wall; 0 at others
+  std::vector<std::optional<SurfacePoint>> facing_;  ///< as asked for
   std::vector<std::optional<SurfacePoint>> found_;
   double edge_m_ = 0.0;
 };
@@ -263,10 +275,12 @@ std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const Surfa
 
 }  // namespace
 
-std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m, std::span<const sim::Triangle> triangles) {
+std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m,
+                                 std::span<const sim::Triangle> triangles) {
   std::vector<Vec3> normals(positions_m.size(), Vec3(0.0));
   for (const sim::Triangle& t : triangles) {
-    const Vec3 area = glm::cross(positions_m[t[1]] - positions_m[t[0]], positions_m[t[2]] - positions_m[t[0]]);
+    const Vec3 area =
+        glm::cross(positions_m[t[1]] - positions_m[t[0]], positions_m[t[2]] - positions_m[t[0]]);
     for (const Index v : t) {
       normals[v] += area;
     }
@@ -275,14 +289,16 @@ std::vector<Vec3> vertex_normals(std::span<const Vec3> positions_m, std::span<co
   return normals;
 }
 
-std::vector<Bond> bonds_to(std::span<const Vec3> points_m, const sim::Mesh& mesh, std::span<const Vec3> normals) {
+std::vector<Bond> bonds_to(std::span<const Vec3> points_m, const sim::Mesh& mesh,
+                           std::span<const Vec3> normals) {
   const SurfaceTree tree(mesh.positions, mesh.triangles);
   std::vector<SurfacePoint> found;
   found.reserve(points_m.size());
   for (std::size_t k = 0; k < points_m.size(); ++k) {
     found.push_back(nearest(tree, mesh, points_m[k], Vec3(0.0), infinite).value());
     if (!normals.empty()) {
-      found[k] = nearest(tree, mesh, points_m[k], normals[k], preferred * found[k].distance_m).value_or(found[k]);
+      found[k] =
+          nearest(tree, mesh, points_m[k], normals[k], preferred * found[k].distance_m).value_or(found[k]);
     }
   }
   return bonds_at(points_m, found, mesh);

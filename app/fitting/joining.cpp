@@ -1,6 +1,7 @@
 #include "app/fitting/joining.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double layered =
     0.95;  ///< cosine between the ways into the cloth above which one border lies on the other
-constexpr double facing = -0.3;  ///< and below which borders of one sheet can be a seam
+constexpr double facing = -0.3;    ///< and below which borders of one sheet can be a seam
+constexpr double going_on = -0.7;  ///< and below which another part goes on beyond a gap
 constexpr double not_across =
     0.3;  ///< cosine between the way into the cloth and to the other border of the same sheet
 
@@ -58,6 +60,11 @@ struct Weld {
 };
 
 class Seams {
+  struct Border {
+    sim::Vec3 inwards = sim::Vec3(0.0);
+    std::set<sim::Index> near;  ///< the vertex and those before and after it
+  };
+
  public:
   Seams(double distance_m, sim::Mesh& mesh)
       : distance_m_(distance_m), mesh_(mesh), edges_(border_edges(mesh)), part_of_(mesh.positions.size()) {
@@ -74,8 +81,35 @@ class Seams {
     }
   }
 
-  std::size_t join() {
-    std::vector<Weld> welds = find();
+  /// Of one part and others that lie on each other.
+  std::vector<Weld> find_seams() {
+    return find(distance_m_, [this](sim::Index v, const Border& border, const BorderEdge& edge,
+                                    const SurfacePoint& place) { return may_join(v, border, edge, place); });
+  }
+
+  /// Of other parts, on the other side of a gap along most of a border.
+  std::vector<Weld> find_gaps(double gap_m) {
+    std::vector<Weld> welds = find(gap_m, [this](sim::Index v, const Border& border, const BorderEdge& edge,
+                                                 const SurfacePoint& place) {
+      return part_of_.find(v) != part_of_.find(edge.from) && goes_on_beyond(v, border, edge, place, going_on);
+    });
+    std::vector<std::size_t> loop_of(mesh_.positions.size());
+    std::vector<std::array<std::size_t, 2>> counts;  ///< of its vertices: those found, all
+    for (const std::vector<sim::Index>& loop : border_loops(mesh_)) {
+      for (const sim::Index v : loop) {
+        loop_of[v] = counts.size();
+      }
+      counts.push_back({0, loop.size()});
+    }
+    for (const Weld& weld : welds) {
+      ++counts[loop_of[weld.vertex]][0];
+    }
+    const auto is_most = [&](sim::Index v) { return 2 * counts[loop_of[v]][0] > counts[loop_of[v]][1]; };
+    std::erase_if(welds, [&](const Weld& w) { return !is_most(w.vertex) && !is_most(edges_[w.edge].from); });
+    return welds;
+  }
+
+  std::size_t join(std::vector<Weld> welds) {
     std::sort(welds.begin(), welds.end());
     pairs_.clear();
     for (std::size_t begin = 0; begin < welds.size();) {
@@ -91,25 +125,23 @@ class Seams {
   }
 
  private:
-  struct Border {
-    sim::Vec3 inwards = sim::Vec3(0.0);
-    std::set<sim::Index> near;  ///< the vertex and those before and after it
-  };
-
   bool may_join(sim::Index v, const Border& border, const BorderEdge& edge, const SurfacePoint& place) {
-    const double between = glm::dot(border.inwards, edge.inwards);
-    if (border.near.contains(edge.from) || border.near.contains(edge.to)) {
-      return false;
-    }
     if (part_of_.find(v) != part_of_.find(edge.from)) {
-      return between < layered * glm::length(border.inwards);
+      return glm::dot(border.inwards, edge.inwards) < layered * glm::length(border.inwards);
     }
-    const sim::Vec3 way = place.place_m - mesh_.positions[v];
-    return between < facing * glm::length(border.inwards) &&
-           glm::dot(way, border.inwards) <= not_across * place.distance_m * glm::length(border.inwards);
+    return goes_on_beyond(v, border, edge, place, facing);
   }
 
-  std::vector<Weld> find() {
+  bool goes_on_beyond(sim::Index v, const Border& border, const BorderEdge& edge, const SurfacePoint& place,
+                      double most_cosine) const {
+    const double length = glm::length(border.inwards);
+    return glm::dot(border.inwards, edge.inwards) < most_cosine * length &&
+           glm::dot(place.place_m - mesh_.positions[v], border.inwards) <=
+               not_across * place.distance_m * length;
+  }
+
+  template <class Accept>
+  std::vector<Weld> find(double reach_m, const Accept& accept) {
     std::vector<sim::Triangle> segments;
     for (const BorderEdge& edge : edges_) {
       segments.push_back({edge.from, edge.to, edge.to});
@@ -117,9 +149,11 @@ class Seams {
     const SurfaceTree tree(mesh_.positions, segments);
     std::vector<Weld> welds;
     for (const auto& [v, border] : borders_) {
-      const auto found = tree.nearest(mesh_.positions[v], distance_m_,
+      const auto found = tree.nearest(mesh_.positions[v], reach_m,
                                       [&, vertex = v, &own = border](const SurfacePoint& place) {
-                                        return may_join(vertex, own, edges_[place.triangle], place);
+                                        const BorderEdge& edge = edges_[place.triangle];
+                                        return !own.near.contains(edge.from) && !own.near.contains(edge.to) &&
+                                               accept(vertex, own, edge, place);
                                       });
       if (found) {
         const sim::Vec3& from = mesh_.positions[edges_[found->triangle].from];
@@ -204,7 +238,13 @@ class Seams {
 }  // namespace
 
 std::size_t join_borders(double distance_m, sim::Mesh& mesh) {
-  return Seams(distance_m, mesh).join();
+  Seams seams(distance_m, mesh);
+  return seams.join(seams.find_seams());
+}
+
+std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh) {
+  Seams seams(spacing_m, mesh);
+  return seams.join(seams.find_gaps(gap_m));
 }
 
 std::vector<std::vector<sim::Index>> border_loops(const sim::Mesh& mesh) {

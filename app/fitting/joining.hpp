@@ -12,6 +12,11 @@ namespace taut::app {
 /// to choose. Requires edges with two triangles at most.
 std::size_t join_borders(double distance_m, sim::Mesh& mesh);
 
+/// Joins parts that lie farther apart, where along most of a border another part goes on beyond the gap, as
+/// trousers do below their waistband. Places that are joined are at least `spacing_m` apart. Returns and
+/// requires the same.
+std::size_t join_parts(double gap_m, double spacing_m, sim::Mesh& mesh);
+
 /// Closes holes whose border is shorter than this. Returns how many.
 std::size_t fill_small_holes(double longest_m, sim::Mesh& mesh);
 

@@ -29,6 +29,8 @@ constexpr double most_of_halved = 0.75;  ///< of an edge, for each of its halves
 constexpr double corner = 0.6;           ///< cosine of the turn of a border that stays
 constexpr double corner_reach = 0.7;     ///< of an edge, to both sides of it
 constexpr double same_side = 0.3;        ///< cosine between normals before and after
+constexpr double least_edge = 0.1;       ///< and height of a triangle, of the length edges are made for
+constexpr double least_height = 0.03;
 constexpr double thin = 0.02;  ///< doubled area over the square of the longest side: its normal says nothing
 
 /// A closed border of the model.
@@ -462,10 +464,44 @@ class Remesher {
   std::vector<char> is_corner_;   ///< by vertex
 };
 
+/// Welds the ends of edges that are shorter than this, which no collapse could take away, such as those
+/// between two corners of a border.
+bool weld_ends(double least_m, sim::Mesh& mesh) {
+  sim::Groups groups(mesh.positions.size());
+  bool is_any = false;
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const sim::Index a = t[k], b = t[(k + 1) % 3];
+      if (glm::distance(mesh.positions[a], mesh.positions[b]) < least_m) {
+        groups.join(a, b);
+        is_any = true;
+      }
+    }
+  }
+  std::erase_if(mesh.triangles, [&](sim::Triangle& t) {
+    t = {groups.find(t[0]), groups.find(t[1]), groups.find(t[2])};
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  });
+  return is_any;
+}
+
+/// Drops triangles that are lower than this: those that no flip could take away, mostly at borders.
+bool drop_flat(double least_m, sim::Mesh& mesh) {
+  return std::erase_if(mesh.triangles, [&](const sim::Triangle& t) {
+           const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+           const double side = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+           return glm::length(glm::cross(b - a, c - a)) < least_m * side;
+         }) > 0;
+}
+
 }  // namespace
 
 sim::Mesh remesh(const sim::Mesh& surface, double edge_m) {
-  return Remesher(surface, edge_m).run();
+  sim::Mesh mesh = Remesher(surface, edge_m).run();
+  while (weld_ends(least_edge * edge_m, mesh) || drop_flat(least_height * edge_m, mesh)) {
+    mesh = cut_into_sheets(mesh).mesh;
+  }
+  return mesh;
 }
 
 }  // namespace taut::app

@@ -39,29 +39,33 @@ double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Trian
   return lengths > 0.0 ? -glm::dot(x, y) / lengths : -2.0;
 }
 
+/// At an edge of more than two triangles the two between which the surface goes on most smoothly stay
+/// together, and so on with the rest: layers that were welded to each other are many.
 std::vector<Joint> choose_joints(const sim::Mesh& mesh) {
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
   std::vector<Joint> joints;
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
-    const auto around = adjacency.edge_triangles[e];
     const sim::Edge& edge = adjacency.edges[e];
-    double best = -3.0;
-    sim::Index a = 0, b = 0;
-    for (std::size_t i = 0; i < around.size(); ++i) {
-      for (std::size_t k = i + 1; k < around.size(); ++k) {
-        const double found =
-            around.size() == 2 ? 0.0
-                               : smoothness(mesh, edge, mesh.triangles[around[i]], mesh.triangles[around[k]]);
-        if (found > best) {
-          best = found;
-          a = around[i];
-          b = around[k];
+    const auto triangles = adjacency.edge_triangles[e];
+    std::vector<sim::Index> around(triangles.data(), triangles.data() + triangles.size());
+    while (around.size() > 1) {
+      double best = -3.0;
+      sim::Index a = 0, b = 0;
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        for (std::size_t k = i + 1; k < around.size(); ++k) {
+          const double found = around.size() == 2 ? 0.0
+                                                  : smoothness(mesh, edge, mesh.triangles[around[i]],
+                                                               mesh.triangles[around[k]]);
+          if (found > best) {
+            best = found;
+            a = around[i];
+            b = around[k];
+          }
         }
       }
-    }
-    if (best > -3.0) {
       joints.push_back(
           {edge, a, b, sim::runs_along(mesh.triangles[a], edge) == sim::runs_along(mesh.triangles[b], edge)});
+      std::erase_if(around, [&](sim::Index t) { return t == a || t == b; });
     }
   }
   return joints;

@@ -1,12 +1,5 @@
 #include "app/library/arrays.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
-
 #include "app/library/border.hpp"
 
 namespace taut::library {
@@ -21,30 +14,24 @@ std::size_t size_of(std::int32_t type) {
   return type == TAUT_FLOAT ? sizeof(float) : sizeof(double);
 }
 
-template <class Points>
-void require_array(const Points* points, std::size_t count) {
+template <class Points> void require_array(const Points* points, std::size_t count) {
   require(points != nullptr, "found NULL, expected points");
-  if (points->count != count) {
-    throw ArgumentError(fmt::format("found {} points, expected {}", points->count, count));
-  }
+  if (points->count != count) throw ArgumentError("found {} points, expected {}", points->count, count);
   const std::size_t smallest = 3 * size_of(points->type);
   if (points->stride < smallest ||
       points->stride > std::numeric_limits<std::size_t>::max() / 2 / most_vertices) {
-    throw ArgumentError(
-        fmt::format("found a stride of {} bytes, expected at least {}", points->stride, smallest));
+    throw ArgumentError("found a stride of {} bytes, expected at least {}", points->stride, smallest);
   }
   require(points->data != nullptr || count == 0, "found points with data of NULL");
 }
 
-template <class Number>
-sim::Vec3 read_point(const char* at) {
+template <class Number> sim::Vec3 read_point(const char* at) {
   Number numbers[3];
   std::memcpy(numbers, at, sizeof(numbers));
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-template <class Number>
-void write_point(const sim::Vec3& point, char* at) {
+template <class Number> void write_point(const sim::Vec3& point, char* at) {
   const Number numbers[3] = {static_cast<Number>(point.x), static_cast<Number>(point.y),
                              static_cast<Number>(point.z)};
   std::memcpy(at, numbers, sizeof(numbers));
@@ -68,9 +55,7 @@ std::vector<std::uint32_t> corner_counts(const TautMesh& mesh) {
 }  // namespace
 
 void require(bool holds, const char* message) {
-  if (!holds) {
-    throw ArgumentError(message);
-  }
+  if (!holds) throw ArgumentError(message);
 }
 
 void require_room(const void* array, std::size_t found, std::size_t expected) {
@@ -93,9 +78,7 @@ std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expecte
   for (std::size_t k = 0; k < expected; ++k) {
     const char* at = static_cast<const char*>(points->data) + k * points->stride;
     read.push_back(points->type == TAUT_FLOAT ? read_point<float>(at) : read_point<double>(at));
-    if (!is_finite(read.back())) {
-      throw ArgumentError(fmt::format("found point {} with a number that is not finite", k));
-    }
+    if (!is_finite(read.back())) throw ArgumentError("found point {} with a number that is not finite", k);
   }
   return read;
 }
@@ -103,7 +86,7 @@ std::vector<sim::Vec3> points_from(const TautPoints* points, std::size_t expecte
 std::vector<sim::Vec3> points_from(const TautPoints* points) {
   require(points != nullptr, "found NULL, expected points");
   if (points->count > most_vertices) {
-    throw ArgumentError(fmt::format("found {} points, expected at most {}", points->count, most_vertices));
+    throw ArgumentError("found {} points, expected at most {}", points->count, most_vertices);
   }
   return points_from(points, points->count);
 }
@@ -121,7 +104,7 @@ void put_bytes(std::string_view bytes, char* buffer, std::size_t capacity, std::
   *size = bytes.size();
   if (buffer != nullptr) {
     require(capacity >= bytes.size(), "found a buffer that is too small");
-    std::copy(bytes.begin(), bytes.end(), buffer);
+    std::ranges::copy(bytes, buffer);
   }
 }
 
@@ -136,8 +119,7 @@ std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t
   require(count <= most_vertices, "found more vertices than can be simulated");
   for (std::size_t k = 0; k < count; ++k) {
     if (vertices[k] >= limit) {
-      throw ArgumentError(
-          fmt::format("found vertex {} at place {}, expected one below {}", vertices[k], k, limit));
+      throw ArgumentError("found vertex {} at place {}, expected one below {}", vertices[k], k, limit);
     }
   }
   return {vertices, vertices + count};
@@ -146,8 +128,7 @@ std::vector<sim::Index> vertices_from(const std::uint32_t* vertices, std::size_t
 app::ImportedModel model_from(const TautMesh* given) {
   const TautMesh mesh = read_struct(given);
   if (mesh.corner_count > most_vertices) {
-    throw ArgumentError(
-        fmt::format("found {} corners of faces, expected at most {}", mesh.corner_count, most_vertices));
+    throw ArgumentError("found {} corners of faces, expected at most {}", mesh.corner_count, most_vertices);
   }
   std::vector<sim::Vec3> positions_m = points_from(&mesh.positions);
   std::vector<sim::Index> corners = vertices_from(mesh.corners, mesh.corner_count, positions_m.size());

@@ -1,20 +1,14 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
-
+#include "app/base/errors.hpp"
 #include "app/library/taut.h"
 #include "app/models/garment_import.hpp"
 
 namespace taut::library {
 
 /// An argument of a call cannot be used.
-struct ArgumentError : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
+struct ArgumentError : app::Formatted<std::invalid_argument> {
+  using Formatted::Formatted;
 };
 
 /// Throws ArgumentError with the message, unless it holds.

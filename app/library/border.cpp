@@ -1,12 +1,6 @@
 #include "app/library/border.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <map>
-#include <mutex>
 #include <new>
-#include <stdexcept>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "sim/blocked_contact.hpp"
@@ -16,24 +10,15 @@
 namespace taut::library {
 namespace {
 
-template <class... Errors>
-bool is_any(const std::exception& error) {
+template <class... Errors> bool is_any(const std::exception& error) {
   return (... || (dynamic_cast<const Errors*>(&error) != nullptr));
 }
 
 TautResult result_of(const std::exception& error) {
-  if (is_any<app::UsageError, std::invalid_argument>(error)) {
-    return TAUT_ERROR_ARGUMENT;
-  }
-  if (is_any<app::InputError, sim::BadBytes>(error)) {
-    return TAUT_ERROR_INPUT;
-  }
-  if (is_any<app::PromiseBroken, sim::ContactBlocked>(error)) {
-    return TAUT_ERROR_PROMISE;
-  }
-  if (is_any<sim::Diverged>(error)) {
-    return TAUT_ERROR_DIVERGED;
-  }
+  if (is_any<app::UsageError, std::invalid_argument>(error)) return TAUT_ERROR_ARGUMENT;
+  if (is_any<app::InputError, sim::BadBytes>(error)) return TAUT_ERROR_INPUT;
+  if (is_any<app::PromiseBroken, sim::ContactBlocked>(error)) return TAUT_ERROR_PROMISE;
+  if (is_any<sim::Diverged>(error)) return TAUT_ERROR_DIVERGED;
   return is_any<std::bad_alloc, std::length_error>(error) ? TAUT_ERROR_MEMORY : TAUT_ERROR_INTERNAL;
 }
 
@@ -96,9 +81,7 @@ std::shared_ptr<Held> release(std::uint64_t id) {
   Table& all = table();
   const std::lock_guard lock(all.mutex);
   const auto found = all.cloths.find(id);
-  if (found == all.cloths.end()) {
-    return nullptr;
-  }
+  if (found == all.cloths.end()) return nullptr;
   std::shared_ptr<Held> held = std::move(found->second);
   all.cloths.erase(found);
   return held;

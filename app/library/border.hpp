@@ -1,14 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cfenv>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <memory>
 #include <mutex>
-#include <span>
 
 #include "app/library/arrays.hpp"
 #include "app/library/session.hpp"
@@ -17,38 +11,34 @@
 namespace taut::library {
 
 /// The least that a struct of a caller has, whatever version it was compiled with.
-template <class T>
-inline constexpr std::size_t smallest_size = sizeof(T);
+template <class T> inline constexpr std::size_t smallest_size = sizeof(T);
 // When a struct grows, its size before stands here.
-template <>
-inline constexpr std::size_t smallest_size<TautOptions> = offsetof(TautOptions, bodies);
-template <>
-inline constexpr std::size_t smallest_size<TautBody> = offsetof(TautBody, dress);
-template <>
-inline constexpr std::size_t smallest_size<TautFrame> = offsetof(TautFrame, measured_crossings);
-template <>
-inline constexpr std::size_t smallest_size<TautInfo> = offsetof(TautInfo, crossings_at_start);
+template <> inline constexpr std::size_t smallest_size<TautOptions> = offsetof(TautOptions, bodies);
+template <> inline constexpr std::size_t smallest_size<TautBody> = offsetof(TautBody, dress);
+template <> inline constexpr std::size_t smallest_size<TautFrame> = offsetof(TautFrame, measured_crossings);
+template <> inline constexpr std::size_t smallest_size<TautInfo> = offsetof(TautInfo, crossings_at_start);
 
 /// The largest size that a later version could have.
 inline constexpr std::size_t largest_struct = 1 << 16;
 
-template <class T>
-void init_struct(T* target, std::size_t struct_size) {
-  require(target != nullptr, "found NULL, expected a struct");
-  require(struct_size >= smallest_size<T> && struct_size <= largest_struct,
-          "found a size that no version has");
+/// Throws ArgumentError on null and on a size that no version of the struct has.
+template <class T> void require_struct(const T* given, std::size_t size) {
+  require(given != nullptr, "found NULL, expected a struct");
+  require(size >= smallest_size<T> && size <= largest_struct,
+          "found a struct with a struct_size that no version has; its taut_*_init() sets it");
+}
+
+template <class T> void init_struct(T* target, std::size_t struct_size) {
+  require_struct(target, struct_size);
   std::memset(static_cast<void*>(target), 0, struct_size);
   target->struct_size = static_cast<std::uint32_t>(struct_size);
 }
 
 /// Returns a copy, with zeros where an older caller has nothing. Throws ArgumentError on null, on a size that
 /// no version has, and if a newer caller asks for what this version does not know.
-template <class T>
-T read_struct(const T* source) {
-  require(source != nullptr, "found NULL, expected a struct");
-  const std::size_t size = source->struct_size;
-  require(size >= smallest_size<T> && size <= largest_struct,
-          "found a struct with a struct_size that no version has; its taut_*_init() sets it");
+template <class T> T read_struct(const T* source) {
+  const std::size_t size = source != nullptr ? source->struct_size : 0;
+  require_struct(source, size);
   const char* bytes = reinterpret_cast<const char*>(source);
   require(std::all_of(bytes + std::min(size, sizeof(T)), bytes + size, [](char byte) { return byte == 0; }),
           "found a struct with members that this version does not know");
@@ -58,12 +48,9 @@ T read_struct(const T* source) {
 }
 
 /// Fills in as much as the caller knows of. Throws ArgumentError as read_struct() does.
-template <class T>
-void put_struct(T value, T* target) {
-  require(target != nullptr, "found NULL, expected a struct");
-  const std::size_t size = target->struct_size;
-  require(size >= smallest_size<T> && size <= largest_struct,
-          "found a struct with a struct_size that no version has; its taut_*_init() sets it");
+template <class T> void put_struct(T value, T* target) {
+  const std::size_t size = target != nullptr ? target->struct_size : 0;
+  require_struct(target, size);
   value.struct_size = target->struct_size;
   std::memcpy(static_cast<void*>(target), &value, std::min(size, sizeof(T)));
 }
@@ -116,9 +103,7 @@ class Turn {
  public:
   explicit Turn(Held& held) noexcept : held_(held), is_mine_(!held.is_busy.exchange(true)) {}
   ~Turn() {
-    if (is_mine_) {
-      held_.is_busy = false;
-    }
+    if (is_mine_) held_.is_busy = false;
   }
   Turn(const Turn&) = delete;
   Turn& operator=(const Turn&) = delete;
@@ -131,16 +116,11 @@ class Turn {
 };
 
 /// The border: does it with the cloth, and makes a result of whatever is thrown.
-template <class Work>
-TautResult with(TautCloth cloth, const Work& work) noexcept {
+template <class Work> TautResult with(TautCloth cloth, const Work& work) noexcept {
   const std::shared_ptr<Held> held = find(cloth.id);
-  if (!held) {
-    return TAUT_ERROR_HANDLE;
-  }
+  if (!held) return TAUT_ERROR_HANDLE;
   const Turn turn(*held);
-  if (!turn.is_mine()) {
-    return TAUT_ERROR_BUSY;
-  }
+  if (!turn.is_mine()) return TAUT_ERROR_BUSY;
   const UsualRounding rounding;
   try {
     work(held->session);
@@ -152,8 +132,7 @@ TautResult with(TautCloth cloth, const Work& work) noexcept {
 }
 
 /// The same for calls without a cloth.
-template <class Work>
-TautResult guarded(const Work& work) noexcept {
+template <class Work> TautResult guarded(const Work& work) noexcept {
   char text[sizeof(TautError::text)];
   try {
     work();

@@ -1,11 +1,5 @@
 #include "app/library/given_body.hpp"
 
-#include <fmt/core.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <utility>
-
 #include "app/bodies/body_loading.hpp"
 #include "app/library/arrays.hpp"
 #include "app/library/border.hpp"
@@ -74,9 +68,7 @@ std::size_t Session::add_body(const TautBody* body) {
   app::Scene next = scene_;
   const std::size_t number = put_in(given, next);
   change(std::move(next));
-  if (given.lent) {
-    lent_[number] = std::move(*given.lent);
-  }
+  if (given.lent) lent_[number] = std::move(*given.lent);
   const sim::State& state = simulation_.state();
   const app::StartRemarks remarks = app::remarks_on_body(
       scene_.surroundings.bodies, number, state.time_s, {state.current, simulation_.garment().mesh.triangles},
@@ -90,15 +82,11 @@ std::size_t Session::add_body(const TautBody* body) {
 
 const LentBody& Session::lent_body(std::size_t body) const {
   const auto found = lent_.find(body);
-  if (found == lent_.end()) {
-    throw ArgumentError(fmt::format("found body {}, expected one that was added as a mesh", body));
-  }
+  if (found == lent_.end()) throw ArgumentError("found body {}, expected one that was added as a mesh", body);
   return found->second;
 }
 
-std::size_t Session::positions_of_body(std::size_t body) const {
-  return lent_body(body).vertices;
-}
+std::size_t Session::positions_of_body(std::size_t body) const { return lent_body(body).vertices; }
 
 std::vector<sim::Vec3> Session::in_body(const LentBody& lent,
                                         const std::vector<sim::Vec3>& positions_m) const {
@@ -108,7 +96,7 @@ std::vector<sim::Vec3> Session::in_body(const LentBody& lent,
   }
   const std::size_t lost = sim::first_lost(in_body_m);
   if (lost < in_body_m.size()) {
-    throw ArgumentError(fmt::format("found vertex {} beyond all bounds", lent.places.file_vertex[lost]));
+    throw ArgumentError("found vertex {} beyond all bounds", lent.places.file_vertex[lost]);
   }
   return in_body_m;
 }
@@ -130,9 +118,8 @@ void Session::move_body(std::size_t body, const std::vector<sim::Vec3>& position
   for (std::size_t v = 0; v < target_m.size(); ++v) {
     const double way_m = glm::distance(target_m[v], now_m[v]);
     if (!(way_m <= app::furthest_in_frame_m)) {
-      throw ArgumentError(
-          fmt::format("found vertex {} {:.3g} m from where it is, expected at most {:g} m in a frame",
-                      lent.places.file_vertex[v], way_m, app::furthest_in_frame_m));
+      throw ArgumentError("found vertex {} {:.3g} m from where it is, expected at most {:g} m in a frame",
+                          lent.places.file_vertex[v], way_m, app::furthest_in_frame_m);
     }
   }
   lent_[body].target_m = std::move(target_m);

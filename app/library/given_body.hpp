@@ -1,14 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/bodies/placed_frames.hpp"
 #include "app/library/taut.h"
 #include "app/scene/scene.hpp"
@@ -35,7 +26,7 @@ class WayOfBody final : public sim::BodyFrames {
   double first_s() const override { return first_s_; }
   void positions_in(std::size_t frame, std::span<sim::Vec3> positions_m) const override {
     const std::vector<sim::Vec3>& shape_m = frame <= frame_ ? from_m_ : to_m_;
-    std::copy(shape_m.begin(), shape_m.end(), positions_m.begin());
+    std::ranges::copy(shape_m, positions_m.begin());
   }
 
  private:
@@ -53,7 +44,7 @@ class StillBody final : public sim::BodyFrames {
   std::size_t count() const override { return 1; }
   double rate_hz() const override { return 1.0; }
   void positions_in(std::size_t /*frame*/, std::span<sim::Vec3> positions_m) const override {
-    std::copy(shape_m_.begin(), shape_m_.end(), positions_m.begin());
+    std::ranges::copy(shape_m_, positions_m.begin());
   }
 
  private:

@@ -1,7 +1,3 @@
-#include <cstdio>
-#include <cstdlib>
-#include <string>
-
 #include "app/models/import_process.hpp"
 
 // Reads a model for a program that has libtaut, with the arguments of `taut import-model`.

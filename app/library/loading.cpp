@@ -1,4 +1,3 @@
-
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/wearing.hpp"
 #include "app/library/arrays.hpp"
@@ -36,9 +35,7 @@ app::Scene scene_of(const TautOptions& options, const std::vector<app::Override>
   const int named = (options.scene != nullptr ? 1 : 0) + (options.scene_text != nullptr ? 1 : 0) +
                     (options.mesh != nullptr ? 1 : 0);
   require(named == 1, "expected exactly one of scene, scene_text and mesh");
-  if (options.scene != nullptr) {
-    return app::find_scene(app::undrawn_format(), options.scene, overrides);
-  }
+  if (options.scene != nullptr) return app::find_scene(app::undrawn_format(), options.scene, overrides);
   if (options.scene_text != nullptr) {
     return app::read_scene(app::undrawn_format(), options.scene_text, "scene text", overrides);
   }
@@ -56,17 +53,13 @@ app::Scene scene_of(const TautOptions& options, const std::vector<app::Override>
 void set_importer(const TautOptions& options, app::Scene& scene) {
   if (options.importer != nullptr) {
     scene.garment.importer = options.importer;
-    for (app::BodySource& source : scene.body_sources) {
-      source.importer = options.importer;
-    }
+    for (app::BodySource& source : scene.body_sources) source.importer = options.importer;
   }
 }
 
 void set_threads(const TautOptions& options, app::Scene& scene) {
   require(options.threads >= 0 && options.threads <= sim::most_threads, "threads: expected 1 to 64, or 0");
-  if (options.threads > 0) {
-    scene.simulation.solver.bounded.threads = options.threads;
-  }
+  if (options.threads > 0) scene.simulation.solver.bounded.threads = options.threads;
 }
 
 void put_bodies_in(const TautOptions& options, Start& start) {
@@ -74,9 +67,7 @@ void put_bodies_in(const TautOptions& options, Start& start) {
   for (std::size_t k = 0; k < options.body_count; ++k) {
     GivenBody given = take_body(options.bodies[k], start.scene);
     const std::size_t number = put_in(given, start.scene);
-    if (given.lent) {
-      start.lent[number] = std::move(*given.lent);
-    }
+    if (given.lent) start.lent[number] = std::move(*given.lent);
     start.listener.tell(given.remarks);
   }
 }
@@ -85,9 +76,7 @@ void put_bodies_in(const TautOptions& options, Start& start) {
 
 void Listener::tell(const std::vector<std::string>& lines) const {
   for (const std::string& line : lines) {
-    if (log != nullptr) {
-      log(user, line.c_str());
-    }
+    if (log != nullptr) log(user, line.c_str());
   }
 }
 

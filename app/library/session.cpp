@@ -1,16 +1,7 @@
 #include "app/library/session.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <numeric>
-#include <utility>
-
 #include "app/library/arrays.hpp"
-#include "app/library/given_body.hpp"
 #include "app/models/model_fitting.hpp"
-#include "app/output/run_start.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/checkpoint.hpp"
@@ -19,13 +10,14 @@
 namespace taut::library {
 namespace {
 
-// Settings that may change while a cloth moves. All others say what the cloth is, or when and where it begins.
+// Settings that may change while a cloth moves. All others say what the cloth is, or when and where it
+// begins.
 constexpr std::array live_sections = {"air.",  "cloth.",  "gravity.", "pins.motion.",
                                       "rest.", "solver.", "wind."};
 
 bool is_live(const std::string& key) {
-  return key == "forces" || std::any_of(live_sections.begin(), live_sections.end(),
-                                        [&](const char* section) { return key.starts_with(section); });
+  return key == "forces" ||
+         std::ranges::any_of(live_sections, [&](const char* section) { return key.starts_with(section); });
 }
 
 std::vector<sim::Index> counted_up(std::size_t count) {
@@ -38,9 +30,7 @@ std::vector<sim::Index> counted_up(std::size_t count) {
 std::vector<sim::Index> first_of_each(const std::vector<sim::Index>& mesh_vertex, std::size_t count) {
   std::vector<sim::Index> first(count, sim::no_vertex);
   for (std::size_t v = mesh_vertex.size(); v-- > 0;) {
-    if (mesh_vertex[v] != sim::no_vertex) {
-      first[mesh_vertex[v]] = static_cast<sim::Index>(v);
-    }
+    if (mesh_vertex[v] != sim::no_vertex) first[mesh_vertex[v]] = static_cast<sim::Index>(v);
   }
   return first;
 }
@@ -75,16 +65,12 @@ Session::Session(const TautOptions& options, Start start)
       lent_(std::move(start.lent)),
       crossings_at_start_(start.crossings),
       listener_(start.listener) {
-  if (options.counts_crossings != 0) {
-    verifier_.emplace();
-  }
+  if (options.counts_crossings != 0) verifier_.emplace();
   begin_again();
 }
 
 void Session::begin_again() {
-  if (verifier_) {
-    verifier_->begin(simulation_);
-  }
+  if (verifier_) verifier_->begin(simulation_);
 }
 
 void Session::require_found() const {
@@ -111,9 +97,7 @@ app::FrameRecord Session::step() {
   ++frame_;
   stay_at_targets();
   app::FrameRecord record = app::measure_frame(simulation_, frame_);
-  if (verifier_) {
-    verifier_->check(simulation_, record);
-  }
+  if (verifier_) verifier_->check(simulation_, record);
   return record;
 }
 
@@ -144,9 +128,7 @@ void Session::apply_targets(sim::Surroundings& surroundings) const {
 // A frame depends on the state and on what is given for it, not on how things came to be where they are.
 void Session::stay_at_targets() {
   for (auto& [number, lent] : lent_) {
-    if (lent.target_m) {
-      set_shape(number, std::move(*lent.target_m));
-    }
+    if (lent.target_m) set_shape(number, std::move(*lent.target_m));
   }
   forget_targets();
   simulation_.set_surroundings(surroundings_of(scene_));
@@ -154,9 +136,7 @@ void Session::stay_at_targets() {
 
 void Session::forget_targets() {
   pin_targets_m_.clear();
-  for (auto& [number, lent] : lent_) {
-    lent.target_m.reset();
-  }
+  for (auto& [number, lent] : lent_) lent.target_m.reset();
 }
 
 sim::Surroundings Session::surroundings_of(const app::Scene& scene) const {
@@ -202,9 +182,7 @@ void Session::set_gravity(const sim::Vec3& gravity_m_per_s2) {
 
 void Session::set_forces(const std::vector<sim::Index>& vertices, const std::vector<sim::Vec3>& forces_n) {
   std::vector<sim::PointForce> next;
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    next.push_back({mesh_vertex(vertices[k]), forces_n[k]});
-  }
+  for (std::size_t k = 0; k < vertices.size(); ++k) next.push_back({mesh_vertex(vertices[k]), forces_n[k]});
   forces_.swap(next);
   try {
     simulation_.set_surroundings(surroundings_of(scene_));
@@ -216,19 +194,15 @@ void Session::set_forces(const std::vector<sim::Index>& vertices, const std::vec
 
 void Session::set_pins(const std::vector<sim::Index>& vertices) {
   std::vector<sim::Index> pins;
-  for (const sim::Index vertex : vertices) {
-    pins.push_back(mesh_vertex(vertex));
-  }
+  for (const sim::Index vertex : vertices) pins.push_back(mesh_vertex(vertex));
   simulation_.set_pins(std::move(pins));
   pin_targets_m_.clear();
 }
 
 std::vector<sim::Index> Session::pins() const {
   std::vector<sim::Index> pins;
-  for (const sim::Index pin : simulation_.pins().vertices) {
-    pins.push_back(vertex_of(pin));
-  }
-  std::sort(pins.begin(), pins.end());
+  for (const sim::Index pin : simulation_.pins().vertices) pins.push_back(vertex_of(pin));
+  std::ranges::sort(pins);
   return pins;
 }
 
@@ -237,8 +211,8 @@ void Session::move_pins(const std::vector<sim::Index>& vertices, const std::vect
   std::map<sim::Index, sim::Vec3> next;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     const sim::Index vertex = mesh_vertex(vertices[k]);
-    if (!std::binary_search(pins.begin(), pins.end(), vertex)) {
-      throw ArgumentError(fmt::format("found vertex {}, expected one that is pinned", vertices[k]));
+    if (!std::ranges::binary_search(pins, vertex)) {
+      throw ArgumentError("found vertex {}, expected one that is pinned", vertices[k]);
     }
     next.emplace(vertex, targets_m[k] + beside_own_m(vertex, vertices[k]));
   }
@@ -253,8 +227,7 @@ sim::Vec3 Session::beside_own_m(sim::Index in_mesh, sim::Index own) const {
 
 sim::Index Session::mesh_vertex(sim::Index vertex) const {
   if (vertex >= mesh_vertex_.size() || mesh_vertex_[vertex] == sim::no_vertex) {
-    throw ArgumentError(
-        fmt::format("found vertex {}, expected one of a face, below {}", vertex, vertex_count()));
+    throw ArgumentError("found vertex {}, expected one of a face, below {}", vertex, vertex_count());
   }
   return mesh_vertex_[vertex];
 }
@@ -264,24 +237,18 @@ std::vector<sim::Vec3> Session::in_mesh(const std::vector<sim::Vec3>& positions_
     return app::simulated_m(*loaded_.following, loaded_.garment->mesh, positions_m);
   }
   std::vector<sim::Vec3> in_mesh_m;
-  for (const sim::Index vertex : own_vertex_) {
-    in_mesh_m.push_back(positions_m[vertex]);
-  }
+  for (const sim::Index vertex : own_vertex_) in_mesh_m.push_back(positions_m[vertex]);
   return in_mesh_m;
 }
 
 std::vector<sim::Vec3> Session::positions_m() const {
-  if (!scene_.garment.given) {
-    return simulation_.state().current;
-  }
+  if (!scene_.garment.given) return simulation_.state().current;
   const std::vector<sim::Index>& shown_vertex =
       loaded_.following ? loaded_.following->file_vertices.mesh_vertex : mesh_vertex_;
   const std::vector<sim::Vec3> shown_m = loaded_.shown_m(simulation_.state().current);
   std::vector<sim::Vec3> positions_m = loaded_.file_rest_m;
   for (std::size_t v = 0; v < positions_m.size(); ++v) {
-    if (shown_vertex[v] != sim::no_vertex) {
-      positions_m[v] = shown_m[shown_vertex[v]];
-    }
+    if (shown_vertex[v] != sim::no_vertex) positions_m[v] = shown_m[shown_vertex[v]];
   }
   return positions_m;
 }

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "app/library/given_body.hpp"
 #include "app/library/taut.h"
@@ -94,7 +90,8 @@ class Session {
   void forget_targets();
   void begin_again();
   sim::Index mesh_vertex(sim::Index vertex) const;
-  /// From a vertex of the caller's, where the model follows, to the simulated one that stands for it, at rest.
+  /// From a vertex of the caller's, where the model follows, to the simulated one that stands for it, at
+  /// rest.
   sim::Vec3 beside_own_m(sim::Index in_mesh, sim::Index own) const;
   std::vector<sim::Vec3> in_mesh(const std::vector<sim::Vec3>& positions_m) const;
 

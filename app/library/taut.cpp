@@ -1,9 +1,6 @@
 #include "app/library/taut.h"
 
-#include <algorithm>
-#include <limits>
-#include <string>
-
+#include "app/base/files.hpp"
 #include "app/base/version.hpp"
 #include "app/library/border.hpp"
 #include "app/scene/fabric.hpp"
@@ -52,14 +49,10 @@ std::string names_of(std::int32_t kind) {
   require(kind == TAUT_SCENES || kind == TAUT_FABRICS, "found an unknown kind of names");
   std::string names;
   if (kind == TAUT_FABRICS) {
-    for (const std::string& name : app::built_in_fabrics()) {
-      names += name + '\n';
-    }
+    for (const std::string& name : app::built_in_fabrics()) names += name + '\n';
     return names;
   }
-  for (const app::BuiltInScene& scene : app::built_in_scenes()) {
-    names += scene.name + '\n';
-  }
+  for (const app::BuiltInScene& scene : app::built_in_scenes()) names += scene.name + '\n';
   return names;
 }
 
@@ -73,33 +66,23 @@ std::vector<sim::Vec3> points_for(const Session& session, std::int32_t body, con
 using namespace taut;
 using namespace taut::library;
 
-TautResult taut_error_init(TautError* error, size_t size) {
-  return guarded([&] { init_struct(error, size); });
-}
-TautResult taut_mesh_init(TautMesh* mesh, size_t size) {
-  return guarded([&] { init_struct(mesh, size); });
-}
-TautResult taut_options_init(TautOptions* options, size_t size) {
-  return guarded([&] { init_struct(options, size); });
-}
-TautResult taut_body_init(TautBody* body, size_t size) {
-  return guarded([&] { init_struct(body, size); });
-}
-TautResult taut_frame_init(TautFrame* frame, size_t size) {
-  return guarded([&] { init_struct(frame, size); });
-}
-TautResult taut_info_init(TautInfo* info, size_t size) {
-  return guarded([&] { init_struct(info, size); });
-}
+#define TAUT_INIT(name, Struct)                               \
+  TautResult taut_##name##_init(Struct* given, size_t size) { \
+    return guarded([&] { init_struct(given, size); });        \
+  }
+TAUT_INIT(error, TautError)
+TAUT_INIT(mesh, TautMesh)
+TAUT_INIT(options, TautOptions)
+TAUT_INIT(body, TautBody)
+TAUT_INIT(frame, TautFrame)
+TAUT_INIT(info, TautInfo)
 
 const char* taut_version(void) {
   static const std::string version = app::program_version();
   return version.c_str();
 }
 
-uint32_t taut_abi_version(void) {
-  return TAUT_ABI_VERSION;
-}
+uint32_t taut_abi_version(void) { return TAUT_ABI_VERSION; }
 
 const char* taut_build_info(void) {
   static const std::string info = [] {
@@ -149,9 +132,7 @@ const char* taut_last_error(TautCloth cloth) {
   // A copy of this thread's own: another may destroy the cloth, or fail with it, at any moment.
   static thread_local char text[sizeof(TautError::text)];
   const std::shared_ptr<Held> held = find(cloth.id);
-  if (!held) {
-    return "there is no such cloth";
-  }
+  if (!held) return "there is no such cloth";
   const std::lock_guard lock(held->error_mutex);
   put_text(held->error, text);
   return text;
@@ -163,13 +144,9 @@ TautResult taut_get_info(TautCloth cloth, TautInfo* info) {
 
 TautResult taut_step(TautCloth cloth, TautFrame* frame) {
   return with(cloth, [&](Session& session) {
-    if (frame != nullptr) {
-      read_struct(frame);
-    }
+    if (frame != nullptr) read_struct(frame);
     const TautFrame stepped = frame_of(session.step());
-    if (frame != nullptr) {
-      put_struct(stepped, frame);
-    }
+    if (frame != nullptr) put_struct(stepped, frame);
   });
 }
 
@@ -204,7 +181,7 @@ TautResult taut_get_pins(TautCloth cloth, uint32_t* vertices, size_t count) {
   return with(cloth, [&](const Session& session) {
     const std::vector<sim::Index> pins = session.pins();
     require_room(vertices, count, pins.size());
-    std::copy(pins.begin(), pins.end(), vertices);
+    std::ranges::copy(pins, vertices);
   });
 }
 
@@ -218,9 +195,7 @@ TautResult taut_move_pins(TautCloth cloth, const uint32_t* vertices, const TautP
 TautResult taut_add_body(TautCloth cloth, const TautBody* body, int32_t* number) {
   return with(cloth, [&](Session& session) {
     const std::size_t added = session.add_body(body);
-    if (number != nullptr) {
-      *number = static_cast<int32_t>(added);
-    }
+    if (number != nullptr) *number = static_cast<int32_t>(added);
   });
 }
 
@@ -233,5 +208,85 @@ TautResult taut_move_body(TautCloth cloth, int32_t number, const TautPoints* pos
 TautResult taut_place_body(TautCloth cloth, int32_t number, const TautPoints* positions) {
   return with(cloth, [&](Session& session) {
     session.place_body(static_cast<std::size_t>(number), points_for(session, number, positions));
+  });
+}
+
+TautResult taut_get_positions(TautCloth cloth, const TautPointsOut* positions) {
+  return with(cloth, [&](const Session& session) { put_points(session.positions_m(), positions); });
+}
+
+TautResult taut_set_positions(TautCloth cloth, const TautPoints* positions) {
+  return with(cloth, [&](Session& session) {
+    session.set_positions(points_from(positions, session.vertex_count()));
+  });
+}
+
+TautResult taut_get_stretch(TautCloth cloth, double* stretch, size_t count) {
+  return with(cloth, [&](const Session& session) {
+    require_room(stretch, count, session.vertex_count());
+    const std::vector<double> found = session.stretch();
+    std::ranges::copy(found, stretch);
+  });
+}
+
+TautResult taut_get_triangles(TautCloth cloth, uint32_t* vertices, size_t count) {
+  return with(cloth, [&](const Session& session) {
+    const std::vector<sim::Triangle>& triangles = session.simulation().garment().mesh.triangles;
+    require_room(vertices, count, 3 * triangles.size());
+    for (const sim::Triangle& triangle : triangles) {
+      for (const sim::Index vertex : triangle) *vertices++ = session.vertex_of(vertex);
+    }
+  });
+}
+
+TautResult taut_get_edges(TautCloth cloth, uint32_t* vertices, double* rest_lengths, size_t count) {
+  return with(cloth, [&](const Session& session) {
+    const sim::Garment& garment = session.simulation().garment();
+    const auto& edges = garment.adjacency.edges;
+    require_room(&edges, count, edges.size());
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const auto [a, b] = edges[e];
+      if (vertices != nullptr) {
+        vertices[2 * e] = session.vertex_of(a);
+        vertices[2 * e + 1] = session.vertex_of(b);
+      }
+      if (rest_lengths != nullptr) {
+        rest_lengths[e] = glm::distance(garment.mesh.positions[a], garment.mesh.positions[b]);
+      }
+    }
+  });
+}
+
+TautResult taut_state_hash(TautCloth cloth, uint64_t* hash) {
+  return with(cloth, [&](const Session& session) {
+    require(hash != nullptr, "found a hash of NULL");
+    *hash = sim::hash(session.simulation().state());
+  });
+}
+
+TautResult taut_save(TautCloth cloth, void* buffer, size_t capacity, size_t* size) {
+  return with(cloth, [&](const Session& session) {
+    put_bytes(session.save(), static_cast<char*>(buffer), capacity, size);
+  });
+}
+
+TautResult taut_restore(TautCloth cloth, const void* buffer, size_t size) {
+  return with(cloth, [&](Session& session) {
+    require(buffer != nullptr, "found a buffer of NULL");
+    const std::string_view bytes(static_cast<const char*>(buffer), size);
+    session.restore("buffer", app::run_checkpoint_of(bytes, "buffer"));
+  });
+}
+
+TautResult taut_save_file(TautCloth cloth, const char* path) {
+  return with(cloth, [&](const Session& session) {
+    app::write_text_file(text_of(path, "found a path of NULL"), session.save());
+  });
+}
+
+TautResult taut_restore_file(TautCloth cloth, const char* path) {
+  return with(cloth, [&](Session& session) {
+    const std::string file = text_of(path, "found a path of NULL");
+    session.restore(file, app::read_run_checkpoint(file));
   });
 }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -100,6 +101,37 @@ sim::RepairSettings repair_settings(const GarmentSource& source, double metres_p
           source.weld_m ? 0.0 : sewn_within_m / metres_per_unit};
 }
 
+/// Leaves out four-cornered faces with the places of an earlier one, such as the backs of cloth that is seen from both
+/// sides: cut the other way round they are other triangles. Returns how many triangles.
+std::size_t leave_out_backs(const ImportedModel& model, sim::Mesh& soup) {
+  const std::vector<sim::Index> places = sim::first_at_same_position(soup.positions);
+  std::vector<std::pair<std::array<sim::Index, 4>, std::size_t>> quads;  ///< places ascending, first triangle
+  std::size_t at = 0, triangle = 0;
+  for (const std::uint32_t count : model.faces.corner_counts) {
+    for (std::size_t k = 0; count == 4 && k < 4; ++k) {
+      const sim::Index vertex = model.faces.corners[at + k];
+      const sim::Index position = model.position_of_vertex.empty() ? vertex : model.position_of_vertex[vertex];
+      if (k == 0) {
+        quads.push_back({{}, triangle});
+      }
+      quads.back().first[k] = places[position];
+    }
+    at += count;
+    triangle += count - 2;
+  }
+  for (auto& quad : quads) {
+    std::sort(quad.first.begin(), quad.first.end());
+  }
+  std::sort(quads.begin(), quads.end());
+  std::vector<char> is_back(soup.triangles.size(), 0);
+  for (std::size_t q = 1; q < quads.size(); ++q) {
+    const bool is_same = quads[q].first == quads[q - 1].first;
+    is_back[quads[q].second] = is_back[quads[q].second + 1] = static_cast<char>(is_same);
+  }
+  std::size_t next = 0;
+  return std::erase_if(soup.triangles, [&](const sim::Triangle&) { return is_back[next++] != 0; });
+}
+
 /// Turns surfaces that face inwards, and sews trims to the cloth below where the model itself is simulated.
 void turn_and_sew(const GarmentSource& source, bool is_fitted, sim::Mesh& mesh, LoadedGarment& loaded) {
   const sim::Adjacency adjacency = sim::make_adjacency(mesh);
@@ -178,6 +210,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
                    : import_garment(source.file, {.program = source.importer}, ReadParts::model));
   const std::vector<sim::Triangle> imported = model.triangles;
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
+  const std::size_t backs = leave_out_backs(model, soup);
   loaded.strays = remove_strays(soup);
   PlacementHints hints{source.scale, source.up, model.metres_per_unit, model.up};
   loaded.placement = place(source, soup, hints);
@@ -196,6 +229,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
       valid = sim::weld_and_validate(soup, repair_settings(source, scale), kept);
     }
     loaded.repairs = valid.report;
+    loaded.repairs->duplicate_triangles += backs;
     turn_and_sew(source, fitted.has_value(), valid.mesh, loaded);
     loaded.colours = kept_colours(std::move(model.colours), imported, kept, valid.mesh.triangles);
     loaded.file_vertices = vertices_of_file(model, kept);
@@ -362,21 +396,33 @@ double least_height_left(const sim::Garment& now, const sim::Garment& before) {
   return least;
 }
 
-void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
-  std::vector<sim::Vec3> start_m = loaded.start_m.value_or(loaded.garment->mesh.positions);
-  loaded.untangling =
-      untangle_start(scene, *loaded.garment, start_m, [&](const std::string& stage) { tell(begin, stage); });
-  if (!loaded.untangling) {
-    return;
+/// Cuts a fitted mesh as it was parted: stretched up to its bound, contact may leave it no way back. Leaves it as it was
+/// where that makes triangles too flat.
+bool cut_as_parted(const Scene& scene, const std::vector<sim::Vec3>& parted_m, LoadedGarment& loaded) {
+  const sim::Garment& fitted = *loaded.garment;
+  sim::Garment cut = sim::make_garment({parted_m, fitted.mesh.triangles, {}}, scene.mapping, fitted.material);
+  if (least_height_left(cut, fitted) < least_cut_height) {
+    return false;
   }
+  cut.warps = fitted.warps;
+  loaded.garment = sim::share(std::move(cut));
+  return true;
+}
+
+void untangle(const Scene& scene, LoadedGarment& loaded, const StageReport& begin) {
+  const auto tell_stage = [&](const std::string& stage) { tell(begin, stage); };
+  const bool may_cut = loaded.following && !loaded.start_m;
   const sim::Mesh& rest = loaded.garment->mesh;
-  if (loaded.following && !loaded.start_m) {
-    // Parted, it is stretched up to its bound, and contact may leave it no way back: it is cut as it was parted.
-    sim::Garment cut = sim::make_garment({start_m, rest.triangles, {}}, scene.mapping, loaded.garment->material);
-    if (least_height_left(cut, *loaded.garment) >= least_cut_height) {
-      cut.warps = loaded.garment->warps;
-      loaded.garment = sim::share(std::move(cut));
+  std::vector<sim::Vec3> start_m;
+  // Parted without regard to its bound it can become too flat to be cut, but hardly so within it.
+  for (const bool is_cut_anew : {may_cut, false}) {
+    start_m = loaded.start_m.value_or(rest.positions);
+    loaded.untangling = untangle_start(scene, *loaded.garment, is_cut_anew, start_m, tell_stage);
+    if (!loaded.untangling || (may_cut && cut_as_parted(scene, start_m, loaded))) {
       return;
+    }
+    if (!is_cut_anew) {
+      break;
     }
   }
   if (!loaded.start_m || !crossing_pairs({rest.positions, rest.triangles}).empty()) {

@@ -43,7 +43,8 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
   }
   std::string why = source.mesh == MeshChoice::fitted ? "garment.mesh asks for it" : "";
   if (may_choose) {
-    why = why_not_fit_for_simulation(model_m, crossing_pairs({model_m.positions, model_m.triangles}).size()).value_or("");
+    const std::size_t crossings = crossing_pairs({model_m.positions, model_m.triangles}).size();
+    why = why_not_fit_for_simulation(model_m, crossings, thickness_m).value_or("");
   }
   if (may_choose && why.empty() && !source.given && is_coarse(model_m)) {
     why = fmt::format("it has {} triangles, which are too few for folds", model_m.triangles.size());

@@ -10,7 +10,9 @@
 #include <numbers>
 #include <span>
 
+#include "app/models/garment_parts.hpp"
 #include "app/models/hanging.hpp"
+#include "app/models/support.hpp"
 #include "sim/mesh/extent.hpp"
 
 namespace taut::app {
@@ -35,6 +37,15 @@ constexpr double head_below = 0.01;
 constexpr double upside_down = 0.3;
 // Height of a model that lies on its back, of its size.
 constexpr double lying_height = 0.1;
+// Length of a section that goes around, of its box's longer side: cloth that only goes along it has less.
+constexpr double there_and_back = 1.5;
+// Levels at which legs are apart in the lower half, more than in the upper one, of 11.
+constexpr int clearly_legs = 3;
+constexpr int levels = 11;
+// Height of trousers, of their larger size across.
+constexpr double least_of_legs = 0.7;
+// Extent along the height of a bag's opening, of the height, at most.
+constexpr double level_opening = 0.4;
 // Distance from the origin, as a multiple of the model's size. Farther away, single precision is worse than
 // 0.1 mm on a garment, and the model is moved.
 constexpr double far_away = 1000.0;
@@ -107,10 +118,10 @@ void choose_up(const sim::Vec3& size, const PlacementHints& hints, Placement& pl
     placement.up_text = name(placement.up) + ", guessed from where its openings are";
     return;
   }
-  if (hints.up_by_hanging == ModelAxis::z) {
-    placement.up = ModelAxis::z;
+  if (hints.up_by_hanging && *hints.up_by_hanging != ModelAxis::y) {
+    placement.up = *hints.up_by_hanging;
     placement.guessed = true;
-    placement.up_text = "z, guessed: hung that way its cloth moves less";
+    placement.up_text = name(placement.up) + ", guessed: hung that way it is higher and its cloth moves less";
     return;
   }
   if (!hints.up_by_openings && !hints.up_by_hanging && size.z > clearly_longer * size.y) {
@@ -189,7 +200,11 @@ bool goes_around(const LevelCut& section) {
   std::array<bool, directions> is_met{};
   const sim::Extent box = range_of(section);
   const sim::Vec3 middle = box.middle(), size = box.size();
-  if (!(size.x > 0.0 && size.z > 0.0)) {
+  double length = 0.0;
+  for (const auto& [a, b] : section) {
+    length += glm::distance(a, b);
+  }
+  if (!(size.x > 0.0 && size.z > 0.0 && length >= there_and_back * std::max(size.x, size.z))) {
     return false;
   }
   const auto direction_of = [&](const sim::Vec3& p) {
@@ -207,31 +222,53 @@ bool goes_around(const LevelCut& section) {
   return std::count(is_met.begin(), is_met.end(), false) <= widest_slit;
 }
 
-/// As goes_around, or of both legs.
-bool goes_around_all(const LevelCut& section) {
-  if (goes_around(section)) {
-    return true;
-  }
+/// Whether it goes around both halves, as around legs; those are apart where nothing goes from one to the
+/// other.
+bool goes_around_halves(const LevelCut& section, bool are_apart) {
   const sim::Extent box = range_of(section);
   const int across = box.size().z > box.size().x ? 2 : 0;
+  const double middle = box.middle()[across];
   std::array<LevelCut, 2> halves;
   for (const auto& ends : section) {
-    halves[ends[0][across] > box.middle()[across] ? 1 : 0].push_back(ends);
+    if (are_apart && (ends[0][across] > middle) != (ends[1][across] > middle)) {
+      return false;
+    }
+    halves[ends[0][across] > middle ? 1 : 0].push_back(ends);
   }
   return goes_around(halves[0]) && goes_around(halves[1]);
+}
+
+/// Whether it lies as a flat garment does, whose outline says nothing of what goes around.
+bool is_lying(const sim::Vec3& size) {
+  return size.y <= lying_height * std::max(size.x, size.z);
+}
+
+LevelCut level_of(const sim::Mesh& mesh, const sim::Extent& box, double share) {
+  return section_at(mesh, box.lower.y + share * box.size().y);
 }
 
 /// Returns of how many levels the cloth goes all around, a share of those in the middle half of the height. A
 /// thick garment, whose borders are closed, shows by this how it stands, and so does an open one.
 double share_around(const sim::Mesh& mesh) {
-  constexpr int levels = 11;
   const sim::Extent box = sim::extent_of(mesh.positions);
   int around = 0;
-  for (int k = 0; k < levels; ++k) {
-    const double height = box.lower.y + (0.25 + 0.5 * (k + 0.5) / levels) * box.size().y;
-    around += goes_around_all(section_at(mesh, height));
+  for (int k = 0; k < levels && !is_lying(box.size()); ++k) {
+    const LevelCut section = level_of(mesh, box, 0.25 + 0.5 * (k + 0.5) / levels);
+    around += goes_around(section) || goes_around_halves(section, false);
   }
   return static_cast<double>(around) / levels;
+}
+
+/// Returns at how many levels more of the lower half than of the upper one the cloth goes around two legs.
+int legs_below(const sim::Mesh& mesh) {
+  const sim::Extent box = sim::extent_of(mesh.positions);
+  const sim::Vec3 size = box.size();
+  int below = 0;
+  for (int k = 0; k < levels && size.y >= least_of_legs * std::max(size.x, size.z); ++k) {
+    const int side = 2 * k + 1 < levels ? 1 : 2 * k + 1 > levels ? -1 : 0;
+    below += goes_around_halves(level_of(mesh, box, (k + 0.5) / levels), true) ? side : 0;
+  }
+  return below;
 }
 
 /// Returns how much deeper one sees into the model from below than from above, in the middle of its width and
@@ -276,9 +313,29 @@ double openness_below(const sim::Mesh& mesh) {
   return sum / (across * across * std::max(box.size().y, std::numeric_limits<double>::min()));
 }
 
-/// This axis or the other way round, whichever has the narrower end at the top.
-ModelAxis better_way_up(const sim::Mesh& mesh, ModelAxis up, ModelAxis down, double clearly) {
-  return openness_below(upright(mesh, up)) < -clearly ? down : up;
+bool has_legs(const sim::Mesh& mesh) {
+  return std::abs(legs_below(mesh)) >= clearly_legs;
+}
+
+/// Whether the largest part has one opening, at an end: a sock is not worn as a skirt is, nor is a hat as a
+/// sock.
+bool is_bag(const sim::Mesh& mesh, const sim::Adjacency& adjacency) {
+  const std::vector<GarmentPart> parts = parts_of(mesh, adjacency);
+  const auto largest =
+      std::max_element(parts.begin(), parts.end(),
+                       [](const GarmentPart& a, const GarmentPart& b) { return a.area_m2 < b.area_m2; });
+  const std::vector<const Opening*> openings = large_openings(*largest);
+  return openings.size() == 1 && openings[0]->range.size().y < level_opening * largest->range.size().y;
+}
+
+/// This axis or the other way round: legs are below, and of what has none the narrower end is at the top.
+ModelAxis better_way_up(const sim::Mesh& mesh, const sim::Adjacency& adjacency, ModelAxis up, ModelAxis down,
+                        double clearly) {
+  const sim::Mesh stood = upright(mesh, up);
+  if (has_legs(stood)) {
+    return legs_below(stood) > 0 ? up : down;
+  }
+  return !is_bag(stood, adjacency) && openness_below(stood) < -clearly ? down : up;
 }
 
 /// The share of the model's area that openings at its top can carry.
@@ -299,24 +356,27 @@ std::optional<ModelAxis> up_by_openings(const sim::Mesh& mesh, const sim::Adjace
   const auto can_hang = [&](ModelAxis up) {
     return share_carried(upright(mesh, up), adjacency) >= most_of_area;
   };
-  const sim::Vec3 size = sim::extent_of(mesh.positions).size();
-  const bool is_lying = size.y <= lying_height * std::max(size.x, size.z);
   bool is_y = can_hang(ModelAxis::y);
-  bool is_z = can_hang(ModelAxis::z) || (is_lying && !is_y && can_hang(ModelAxis::minus_z));
+  const bool may_lie = !is_y && is_lying(sim::extent_of(mesh.positions).size());
+  bool is_z = can_hang(ModelAxis::z) || (may_lie && can_hang(ModelAxis::minus_z));
   if (is_y == is_z) {
     const double y = share_around(mesh), z = share_around(upright(mesh, ModelAxis::z));
     const double x = share_around(upright(mesh, ModelAxis::x));
     if (!is_y && x >= y + clearly_around && x >= z + clearly_around) {
-      return better_way_up(mesh, ModelAxis::x, ModelAxis::minus_x, head_below);
+      return better_way_up(mesh, adjacency, ModelAxis::x, ModelAxis::minus_x, head_below);
     }
     is_y = y >= z + clearly_around;
     is_z = z >= y + clearly_around;
-    if (is_y == is_z) {
-      return std::nullopt;
-    }
   }
-  return is_z ? better_way_up(mesh, ModelAxis::z, ModelAxis::minus_z, head_below)
-              : better_way_up(mesh, ModelAxis::y, ModelAxis::minus_y, upside_down);
+  if (is_y == is_z) {
+    is_y = has_legs(mesh);
+    is_z = has_legs(upright(mesh, ModelAxis::z));
+  }
+  if (is_y == is_z) {
+    return std::nullopt;
+  }
+  return is_z ? better_way_up(mesh, adjacency, ModelAxis::z, ModelAxis::minus_z, head_below)
+              : better_way_up(mesh, adjacency, ModelAxis::y, ModelAxis::minus_y, upside_down);
 }
 
 sim::Vec3 Placement::operator()(const sim::Vec3& in_file) const {

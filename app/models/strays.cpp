@@ -27,6 +27,8 @@ constexpr double stray_distance = 0.25;
 // Of bodies: share of all area from which a piece is large; length of their open borders by the square root
 // of their area; mean thickness by their size.
 constexpr double large_piece = 0.1;
+constexpr double body_piece = 0.02;  // the same beside another body: its head, but no button
+constexpr double near_body = 0.25;   // of its size
 constexpr double widest_cut = 0.4;
 constexpr double stoutness = 0.025;
 
@@ -139,8 +141,8 @@ bool is_stout(const Piece& piece) {
          2.0 * std::abs(piece.volume) >= stoutness * size * piece.area;
 }
 
-/// Finds the bodies among the pieces, with the small ones within them, such as eyes. There has to be cloth
-/// besides, and it has to be about them.
+/// Finds the bodies among the pieces, with the small ones within them, such as eyes, and beside them, such as
+/// a head. There has to be cloth besides, and it has to be about them.
 void find_bodies(const sim::Mesh& mesh, std::map<sim::Index, Piece>& pieces, double area) {
   sim::Extent cloth;
   double cloth_area = 0.0;
@@ -156,12 +158,18 @@ void find_bodies(const sim::Mesh& mesh, std::map<sim::Index, Piece>& pieces, dou
     body.is_left_out = body.is_left_out && cloth_area > 0.0 && sim::overlap(body.range, cloth);
   }
   for (auto& [first, body] : pieces) {
+    const double reach = near_body * glm::length(body.range.size());
+    const sim::Extent near{body.range.lower - reach, body.range.upper + reach};
     for (auto& [other, piece] : pieces) {
-      if (body.is_left_out && body.area >= large_piece * area && piece.area < large_piece * area &&
-          sim::overlap(piece.range, body.range) &&
-          std::abs(winding_number(piece.range.middle(), {mesh.positions, body.triangles})) > 0.5) {
-        piece.is_left_out = true;
+      if (!body.is_left_out || body.area < large_piece * area || piece.area >= large_piece * area) {
+        continue;
       }
+      const bool is_apart =
+          piece.area >= body_piece * area && is_stout(piece) && sim::overlap(piece.range, near);
+      const bool is_within =
+          sim::overlap(piece.range, body.range) &&
+          std::abs(winding_number(piece.range.middle(), {mesh.positions, body.triangles})) > 0.5;
+      piece.is_left_out = piece.is_left_out || is_apart || is_within;
     }
   }
 }

@@ -28,16 +28,6 @@ bool is_wide(const GarmentPart& part, const Opening& opening) {
   return opening.range.size()[part.across()] >= narrowest_opening * part.width_m();
 }
 
-std::vector<const Opening*> large_openings(const GarmentPart& part) {
-  std::vector<const Opening*> large;
-  for (const Opening& opening : part.openings) {
-    if (opening.length_m >= shortest_opening * part.size_m()) {
-      large.push_back(&opening);
-    }
-  }
-  return large;
-}
-
 bool is_high_and_level(const GarmentPart& part, const Opening& opening) {
   const double height_m = part.range.size().y;
   return opening.mean_height_m >= part.range.lower.y + lowest_top_opening * height_m &&
@@ -75,6 +65,16 @@ bool are_a_pair(const GarmentPart& part, const Opening& a, const Opening& b) {
 }
 
 }  // namespace
+
+std::vector<const Opening*> large_openings(const GarmentPart& part) {
+  std::vector<const Opening*> large;
+  for (const Opening& opening : part.openings) {
+    if (opening.length_m >= shortest_opening * part.size_m()) {
+      large.push_back(&opening);
+    }
+  }
+  return large;
+}
 
 bool carries(const GarmentPart& part, const sim::Extent& held) {
   const auto reaches = [&](int axis, double slack) {

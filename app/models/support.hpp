@@ -6,6 +6,9 @@
 
 namespace taut::app {
 
+/// The openings that are no holes or faults, for as long as the part is there.
+std::vector<const Opening*> large_openings(const GarmentPart& part);
+
 /// Returns whether the part hangs in balance when it is held over this range: its centre of mass lies within,
 /// seen from above, or hardly beside.
 bool carries(const GarmentPart& part, const sim::Extent& held);

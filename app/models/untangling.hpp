@@ -19,9 +19,9 @@ struct Untangling {
 };
 
 /// Moves the garment, which begins in `start_m`, to a near shape in which it does not cross itself, or less
-/// (sim/untangle), with the bound of the scene's solver. Tells how many pairs cross, round by round. Returns
-/// an empty value, and moves nothing, if nothing crosses.
-std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment& garment,
+/// (sim/untangle), with the bound of the scene's solver, if it is not cut anew. Tells how many pairs cross,
+/// round by round. Returns an empty value, and moves nothing, if there is nothing to be parted.
+std::optional<Untangling> untangle_start(const Scene& scene, const sim::Garment& garment, bool is_cut_anew,
                                          std::vector<sim::Vec3>& start_m,
                                          const std::function<void(const std::string&)>& tell);
 

@@ -1,13 +1,6 @@
 #include "app/output/csv.hpp"
 
-#include <fmt/core.h>
-
-#include <charconv>
-#include <cmath>
-#include <sstream>
-#include <stdexcept>
-#include <utility>
-
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 
@@ -16,9 +9,7 @@ namespace {
 
 std::string line_of(const std::vector<std::string>& cells) {
   std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    line += (i == 0 ? "" : ",") + cells[i];
-  }
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i == 0 ? "" : ",") + cells[i];
   return line + "\n";
 }
 
@@ -40,14 +31,6 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-// The whole of the text, or nothing.
-template <class Number>
-bool read_number(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && stop == end;
-}
-
 }  // namespace
 
 CsvTable::CsvTable(std::vector<std::string> columns) : width_(columns.size()), text_(line_of(columns)) {}
@@ -66,7 +49,7 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::strin
   std::string line;
   std::getline(lines, line);
   if (cells_of(line) != columns_) {
-    throw InputError(fmt::format("{}:1: found the columns {}, expected {}", name_, line, line_of(columns_)));
+    throw InputError("{}:1: found the columns {}, expected {}", name_, line, line_of(columns_));
   }
   while (std::getline(lines, line)) {
     rows_.push_back(cells_of(line));
@@ -75,45 +58,37 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::strin
            fmt::format("found {} cells, expected {}", rows_.back().size(), columns_.size()));
     }
   }
-  if (rows_.empty()) {
-    throw InputError(name_ + ": found no rows, expected at least one");
-  }
+  if (rows_.empty()) throw InputError(name_ + ": found no rows, expected at least one");
 }
 
 double CsvFile::number(std::size_t row, std::size_t column) const {
-  double number = 0.0;
-  if (!read_number(text(row, column), number) || !std::isfinite(number)) {
+  const std::optional<double> number = number_in<double>(text(row, column));
+  if (!number || !std::isfinite(*number)) {
     fail(row, fmt::format("{}: found '{}', expected a number", columns_[column], text(row, column)));
   }
-  return number;
+  return *number;
 }
 
 int CsvFile::whole_number(std::size_t row, std::size_t column) const {
-  int number = 0;
-  if (!read_number(text(row, column), number)) {
+  const std::optional<int> number = number_in<int>(text(row, column));
+  if (!number) {
     fail(row, fmt::format("{}: found '{}', expected a whole number", columns_[column], text(row, column)));
   }
-  return number;
+  return *number;
 }
 
 void CsvFile::fail(std::size_t row, const std::string& what) const {
-  throw InputError(fmt::format("{}:{}: {}", name_, row + 2, what));
+  throw InputError("{}:{}: {}", name_, row + 2, what);
 }
 
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
-}
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
 std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    return text;
-  }
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char letter : text) {
     quoted += letter;
-    if (letter == '"') {
-      quoted += '"';
-    }
+    if (letter == '"') quoted += '"';
   }
   return quoted + '"';
 }

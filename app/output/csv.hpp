@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <string>
-#include <vector>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 

@@ -1,19 +1,13 @@
 #include "app/output/frame_record.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <string>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Holds the solver's word against a measurement: it can be wrong of springs a billion times shorter than others.
+/// Holds the solver's word against a measurement: it can be wrong of springs a billion times shorter than
+/// others.
 bool is_bound_kept(const sim::Simulation& simulation, const FrameRecord& record) {
   const sim::FrameReport& report = simulation.last_report();
   const auto* bounded = std::get_if<sim::BoundedSettings>(&simulation.settings().solver.method);
@@ -29,9 +23,7 @@ void warn_of_stiffness(const Scene& scene, const RunSummary& summary) {
   const double asked = scene.material.compression_stiffness_n_per_m;
   const double followed = summary.followed_compression_n_per_m;
   const bool is_asked_for = asked != sim::Material{}.compression_stiffness_n_per_m;
-  if (!is_asked_for || !(asked > noticeable * followed)) {
-    return;
-  }
+  if (!is_asked_for || !(asked > noticeable * followed)) return;
   const double steps = std::ceil(summary.mean_substeps() * std::sqrt(asked / followed));
   const std::string remedy = steps <= solver.max_substeps
                                  ? fmt::format("solver.substeps = {:.0f} would follow it", steps)
@@ -119,9 +111,7 @@ FrameRecord measure_frame(const sim::Simulation& simulation, int frame, Measured
 }
 
 void RunSummary::add(const FrameRecord& record) {
-  if (frames++ == 0) {
-    crossings_at_start = static_cast<int>(record.contact.crossing_pairs);
-  }
+  if (frames++ == 0) crossings_at_start = static_cast<int>(record.contact.crossing_pairs);
   final_crossings = static_cast<int>(record.contact.crossing_pairs);
   final_left_out_share = record.contact.left_out_share;
   most_left_out_share = std::max(most_left_out_share, record.contact.left_out_share);
@@ -161,13 +151,9 @@ void RunSummary::add(const FrameRecord& record) {
   total_encode_ms += record.encode_ms;
 }
 
-double RunSummary::mean_substeps() const {
-  return total_substeps / std::max(simulated_frames, 1);
-}
+double RunSummary::mean_substeps() const { return total_substeps / std::max(simulated_frames, 1); }
 
-double RunSummary::mean_sim_ms() const {
-  return total_sim_ms / std::max(simulated_frames, 1);
-}
+double RunSummary::mean_sim_ms() const { return total_sim_ms / std::max(simulated_frames, 1); }
 
 std::string describe_crossings(const RunSummary& summary) {
   if (summary.crossings_at_start == 0 && summary.final_crossings == 0 &&
@@ -200,9 +186,7 @@ int judge_bound(const Scene& scene, const RunSummary& summary) {
   warn_of_stiffness(scene, summary);
   warn_of_crossings(summary);
   const std::string excess = describe_excess(scene, summary);
-  if (excess.empty()) {
-    return 0;
-  }
+  if (excess.empty()) return 0;
   const bool allowed = scene.simulation.solver.bounded.allow_exceeding;
   fmt::print(stderr,
              "taut: {}: {}. {} may "

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <string>
-
 #include "app/scene/scene.hpp"
 #include "sim/measures.hpp"
 #include "sim/simulation.hpp"
@@ -54,6 +49,41 @@ enum class Measured { all, promises };
 /// Measures the present state. The times stay 0.
 FrameRecord measure_frame(const sim::Simulation& simulation, int frame, Measured measured = Measured::all);
 
+/// The members of a summary: type, name, value before the first frame, name in the statistics. -1: no frame;
+/// infinite: nothing was near, or any stiffness was followed. Crossings are pairs of triangles, those at the
+/// start measured in the first frame that was added; shares are of the cloth's area, as in
+/// sim::ContactReport.
+// clang-format off
+#define TAUT_SUMMARY(X)                                                    \
+  X(int, frames, 0, "frames")                                              \
+  X(int, simulated_frames, 0, nullptr)                                     \
+  X(double, max_stretch, 0.0, "max_stretch")                               \
+  X(int, max_stretch_frame, 0, "max_stretch_frame")                        \
+  X(double, max_p99_stretch, 0.0, "max_p99_stretch")                       \
+  X(double, final_max_stretch, 0.0, "final_max_stretch")                   \
+  X(double, max_surface_stretch, 0.0, "max_surface_stretch")               \
+  X(int, max_surface_stretch_frame, 0, "max_surface_stretch_frame")        \
+  X(double, max_p99_surface_stretch, 0.0, "max_p99_surface_stretch")       \
+  X(double, final_max_surface_stretch, 0.0, "final_max_surface_stretch")   \
+  X(double, max_raw_stretch, 0.0, "max_raw_stretch")                       \
+  X(int, frames_over_bound, 0, "frames_over_bound")                        \
+  X(int, first_frame_over_bound, -1, nullptr)                              \
+  X(int, frames_blocked, 0, nullptr)                                       \
+  X(int, first_frame_blocked, -1, nullptr)                                 \
+  X(double, total_substeps, 0.0, nullptr)                                  \
+  X(double, followed_compression_n_per_m, INFINITY, nullptr)               \
+  X(double, smallest_distance_m, INFINITY, "smallest_distance")            \
+  X(int, crossings_at_start, 0, "crossings_at_start")                      \
+  X(int, final_crossings, 0, "final_crossings")                            \
+  X(double, most_left_out_share, 0.0, "most_left_out_share")               \
+  X(double, final_left_out_share, 0.0, "final_left_out_share")             \
+  X(double, final_rms_speed_m_per_s, 0.0, "final_rms_speed")               \
+  X(int, asleep_since_frame, -1, "asleep_since_frame")                     \
+  X(double, total_sim_ms, 0.0, "total_sim_ms")                             \
+  X(double, total_draw_ms, 0.0, "total_draw_ms")                           \
+  X(double, total_encode_ms, 0.0, "total_encode_ms")
+// clang-format on
+
 /// A summary of the frames that were added.
 struct RunSummary {
   void add(const FrameRecord& record);
@@ -61,68 +91,17 @@ struct RunSummary {
   double mean_substeps() const;  ///< per simulated frame
   double mean_sim_ms() const;    ///< per simulated frame
 
-  int frames = 0;
-  int simulated_frames = 0;  ///< without frame 0
-  double max_stretch = 0.0;  ///< of all frames
-  int max_stretch_frame = 0;
-  double max_p99_stretch = 0.0;
-  double final_max_stretch = 0.0;
-  double max_surface_stretch = 0.0;  ///< of all frames
-  int max_surface_stretch_frame = 0;
-  double max_p99_surface_stretch = 0.0;
-  double final_max_surface_stretch = 0.0;
-  double max_raw_stretch = 0.0;
-  int frames_over_bound = 0;
-  int first_frame_over_bound = -1;  ///< none: -1
-  int frames_blocked = 0;
-  int first_frame_blocked = -1;  ///< none: -1
-  double total_substeps = 0.0;
-  double followed_compression_n_per_m =
-      std::numeric_limits<double>::infinity();  ///< in the least stiff frame
-  /// Of all frames, as sim::ContactReport has it; infinite: nothing was near.
-  double smallest_distance_m = std::numeric_limits<double>::infinity();
-  int crossings_at_start = 0;  ///< pairs of triangles, measured in the first frame that was added
-  int final_crossings = 0;
-  double most_left_out_share = 0.0;  ///< of the cloth's area, as sim::ContactReport has it
-  double final_left_out_share = 0.0;
-  double final_rms_speed_m_per_s = 0.0;
-  int asleep_since_frame = -1;  ///< none: -1
-  double total_sim_ms = 0.0;
-  double total_draw_ms = 0.0;
-  double total_encode_ms = 0.0;
+#define TAUT_MEMBER(type, member, first, name) type member = first;
+  TAUT_SUMMARY(TAUT_MEMBER)
+#undef TAUT_MEMBER
 };
 
 /// Calls `field` with the name and the number of every member of a summary, in the order of checkpoints. The
 /// name is the one in the statistics; null: it is not there.
-template <class Summary, class Field>
-void for_each_field(Summary& summary, const Field& field) {
-  field("frames", summary.frames);
-  field(nullptr, summary.simulated_frames);
-  field("max_stretch", summary.max_stretch);
-  field("max_stretch_frame", summary.max_stretch_frame);
-  field("max_p99_stretch", summary.max_p99_stretch);
-  field("final_max_stretch", summary.final_max_stretch);
-  field("max_surface_stretch", summary.max_surface_stretch);
-  field("max_surface_stretch_frame", summary.max_surface_stretch_frame);
-  field("max_p99_surface_stretch", summary.max_p99_surface_stretch);
-  field("final_max_surface_stretch", summary.final_max_surface_stretch);
-  field("max_raw_stretch", summary.max_raw_stretch);
-  field("frames_over_bound", summary.frames_over_bound);
-  field(nullptr, summary.first_frame_over_bound);
-  field(nullptr, summary.frames_blocked);
-  field(nullptr, summary.first_frame_blocked);
-  field(nullptr, summary.total_substeps);
-  field(nullptr, summary.followed_compression_n_per_m);
-  field("smallest_distance", summary.smallest_distance_m);
-  field("crossings_at_start", summary.crossings_at_start);
-  field("final_crossings", summary.final_crossings);
-  field("most_left_out_share", summary.most_left_out_share);
-  field("final_left_out_share", summary.final_left_out_share);
-  field("final_rms_speed", summary.final_rms_speed_m_per_s);
-  field("asleep_since_frame", summary.asleep_since_frame);
-  field("total_sim_ms", summary.total_sim_ms);
-  field("total_draw_ms", summary.total_draw_ms);
-  field("total_encode_ms", summary.total_encode_ms);
+template <class Summary, class Field> void for_each_field(Summary& summary, const Field& field) {
+#define TAUT_FIELD(type, member, first, name) field(name, summary.member);
+  TAUT_SUMMARY(TAUT_FIELD)
+#undef TAUT_FIELD
 }
 
 /// Says in how many frames the solver's bound was exceeded, in which first and by how much. Empty: in none.

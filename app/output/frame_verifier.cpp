@@ -2,11 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <iterator>
-#include <map>
-#include <utility>
-
 #include "app/base/counted.hpp"
 
 namespace taut::app {
@@ -35,9 +30,7 @@ std::map<sim::Index, sim::Index> groups_of(const sim::Simulation& simulation,
                                            std::optional<std::size_t> body) {
   std::map<sim::Index, sim::Index> groups;
   for (const sim::LeftOutTriangle& t : simulation.last_report().left_out) {
-    if (t.body == body) {
-      groups[t.triangle] = t.group;
-    }
+    if (t.body == body) groups[t.triangle] = t.group;
   }
   return groups;
 }
@@ -61,17 +54,13 @@ std::string joined(const std::string& one, const std::string& other) {
 
 std::string describe_excess(const LargestStretch& stretch, const sim::SolverSettings& solver) {
   const auto* bounded = std::get_if<sim::BoundedSettings>(&solver.method);
-  if (bounded == nullptr || bounded->allow_exceeding) {
-    return "";
-  }
+  if (bounded == nullptr || bounded->allow_exceeding) return "";
   const double most = bounded->max_stretch + rounding;
   const auto text = [&](const char* what, double largest) {
     return fmt::format("{} stretched by {:.7f} %, more than solver.max_stretch = {:g} %", what,
                        100.0 * largest, 100.0 * bounded->max_stretch);
   };
-  if (!(stretch.springs <= most)) {
-    return text("a spring is", stretch.springs);
-  }
+  if (!(stretch.springs <= most)) return text("a spring is", stretch.springs);
   const bool holds_surface = bounded->bound == sim::BoundKind::surface;
   return holds_surface && !(stretch.surface <= most) ? text("a triangle is", stretch.surface) : "";
 }

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/models/scene_crossings.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/verify/stretch.hpp"

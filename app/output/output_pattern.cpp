@@ -1,9 +1,8 @@
 #include "app/output/output_pattern.hpp"
 
-#include <fmt/core.h>
+#include <regex>
 
-#include <charconv>
-
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 
 namespace taut::app {
@@ -12,38 +11,18 @@ namespace {
 constexpr const char* expected =
     "expected one field {frame} or {frame:04}, as in frames/frame_{frame:04}.png";
 
-// The width in a field such as {frame:04}; 0 without one.
-int width_of(const std::string& field, const std::string& text) {
-  if (field == "frame") {
-    return 0;
-  }
-  int width = 0;
-  const std::string digits = field.starts_with("frame:") ? field.substr(6) : "";
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, width);
-  const bool at_end = stop == end || (stop + 1 == end && *stop == 'd');
-  if (error != std::errc() || !at_end || width < 1 || width > 20 || digits.front() != '0') {
-    throw UsageError("output '" + text + "': found the field {" + field + "}, " + expected);
-  }
-  return width;
-}
-
 // Largest number of a frame.
 constexpr int most_frames = 1000000;
 
 int frame_of(const std::string& word, int last_frame, const std::string& text) {
-  if (word == "last") {
-    return last_frame;
-  }
-  int frame = -1;
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, frame);
-  if (error != std::errc() || stop != end || frame < 0 || frame > most_frames) {
-    throw UsageError(fmt::format(
+  if (word == "last") return last_frame;
+  const std::optional<int> frame = number_in<int>(word);
+  if (!frame || *frame < 0 || *frame > most_frames) {
+    throw UsageError(
         "--frames {}: found '{}', expected a frame from 0 to {} or last, as in 0:120, 30:, :30 or last", text,
-        word, most_frames));
+        word, most_frames);
   }
-  return frame;
+  return *frame;
 }
 
 }  // namespace
@@ -53,26 +32,21 @@ OutputPattern::OutputPattern(const std::string& text, const std::string& extensi
   if (name.extension() != extension || name.stem().empty()) {
     throw UsageError("output '" + text + "': expected a file name that ends in " + extension);
   }
-  const std::size_t open = text.find('{');
-  const std::size_t close = text.find('}');
-  if (open == std::string::npos && close == std::string::npos) {
-    before_ = text;
-    return;
-  }
-  if (open == std::string::npos || close == std::string::npos || close < open ||
-      text.find_first_of("{}", close + 1) != std::string::npos) {
+  // A width has up to 20 digits.
+  static const std::regex form(R"(([^{}]*)(\{frame(?::0([1-9]|1\d|20)d?)?\}([^{}]*))?)");
+  std::smatch parts;
+  if (!std::regex_match(text, parts, form)) {
     throw UsageError("output '" + text + "': found braces that are no field, " + expected);
   }
-  width_ = width_of(text.substr(open + 1, close - open - 1), text);
-  has_field_ = true;
-  before_ = text.substr(0, open);
-  after_ = text.substr(close + 1);
+  before_ = parts[1];
+  has_field_ = parts[2].matched;
+  width_ = parts[3].matched ? std::stoi(parts[3]) : 0;
+  after_ = parts[4];
 }
 
 void OutputPattern::require_distinct_names(std::size_t frame_count) const {
   if (!has_field_ && frame_count > 1) {
-    throw UsageError(
-        fmt::format("output '{}': {} frames need different names; {}", text_, frame_count, expected));
+    throw UsageError("output '{}': {} frames need different names; {}", text_, frame_count, expected);
   }
 }
 
@@ -81,9 +55,7 @@ std::filesystem::path OutputPattern::path_of(int frame) const {
 }
 
 std::string describe_written(const OutputPattern& pattern, std::span<const int> frames) {
-  if (frames.empty()) {
-    return "wrote nothing";
-  }
+  if (frames.empty()) return "wrote nothing";
   const std::string first = pattern.path_of(frames.front()).string();
   return frames.size() == 1 ? "wrote " + first
                             : fmt::format("wrote {} files, {} to {}", frames.size(), first,
@@ -94,12 +66,8 @@ FrameRange frame_range(const std::string& text, int last_frame, NumberMeans numb
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) {
     const int frame = frame_of(text, last_frame, text);
-    if (number == NumberMeans::frame || text == "last") {
-      return {frame, frame};
-    }
-    if (frame == 0) {
-      throw UsageError("--frames 0: expected at least one frame of a video or a clip");
-    }
+    if (number == NumberMeans::frame || text == "last") return {frame, frame};
+    if (frame == 0) throw UsageError("--frames 0: expected at least one frame of a video or a clip");
     return {0, frame - 1};
   }
   const std::string first_word = text.substr(0, colon);
@@ -107,16 +75,16 @@ FrameRange frame_range(const std::string& text, int last_frame, NumberMeans numb
   const FrameRange range = {first_word.empty() ? 0 : frame_of(first_word, last_frame, text),
                             last_word.empty() ? last_frame : frame_of(last_word, last_frame, text)};
   if (range.last < range.first) {
-    throw UsageError(fmt::format("--frames {}: the last frame, {}, comes before the first, {}", text,
-                                 range.last, range.first));
+    throw UsageError("--frames {}: the last frame, {}, comes before the first, {}", text, range.last,
+                     range.first);
   }
   return range;
 }
 
 void require_begun(int start_frame, int frame) {
   if (frame < start_frame) {
-    throw UsageError(fmt::format(
-        "--frames: found frame {}, expected none before {}, which the run begins with", frame, start_frame));
+    throw UsageError("--frames: found frame {}, expected none before {}, which the run begins with", frame,
+                     start_frame);
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
-#include <string>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 

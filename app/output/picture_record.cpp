@@ -1,16 +1,9 @@
 #include "app/output/picture_record.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <charconv>
-#include <string_view>
-#include <system_error>
-
+#include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"
 
 namespace taut::app {
@@ -28,9 +21,7 @@ constexpr const char* renderer_keyword = "Taut Renderer";
 std::string shell_word(const std::string& word) {
   constexpr std::string_view plain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+%@";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
-    return word;
-  }
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
   std::string text;
   for (const char c : word) {
     const auto byte = static_cast<unsigned char>(c);
@@ -45,9 +36,7 @@ std::filesystem::path find_model(const std::filesystem::path& recorded, const st
   std::error_code ignored;
   for (const std::filesystem::path& candidate :
        {assets_folder() / recorded, recorded, folder / recorded.filename()}) {
-    if (std::filesystem::exists(candidate, ignored)) {
-      return candidate;
-    }
+    if (std::filesystem::exists(candidate, ignored)) return candidate;
   }
   return recorded;
 }
@@ -93,14 +82,11 @@ std::vector<renderer::PngText> texts_of(const std::filesystem::path& file) {
 
 template <class Number>
 Number number_of(const std::string& text, int base, const char* keyword, const std::filesystem::path& file) {
-  Number number{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number, base);
-  if (error != std::errc() || stop != end || text.starts_with('-')) {
-    throw InputError(
-        fmt::format("the entry '{}' of '{}' is '{}', expected a number", keyword, file.string(), text));
+  const std::optional<Number> number = number_in<Number>(text, base);
+  if (!number || text.starts_with('-')) {
+    throw InputError("the entry '{}' of '{}' is '{}', expected a number", keyword, file.string(), text);
   }
-  return number;
+  return *number;
 }
 
 }  // namespace
@@ -108,9 +94,7 @@ Number number_of(const std::string& text, int base, const char* keyword, const s
 std::string shell_line(std::span<const std::string> words) {
   std::string text;
   for (const std::string& word : words) {
-    if (!text.empty()) {
-      text += ' ';
-    }
+    if (!text.empty()) text += ' ';
     text += shell_word(word);
   }
   return text;
@@ -131,20 +115,17 @@ std::vector<renderer::PngText> picture_texts(const PictureOrigin& origin, const 
           {surface_stretch_keyword, fmt::format("{}", record.surface_stretch.max)}};
 }
 
-bool is_picture(const std::filesystem::path& file) {
-  return file.extension() == ".png";
-}
+bool is_picture(const std::filesystem::path& file) { return file.extension() == ".png"; }
 
 PictureRecord read_picture_record(const std::filesystem::path& file, std::span<const Override> overrides) {
   const std::vector<renderer::PngText> texts = texts_of(file);
   const auto entry = [&](const char* keyword) {
-    const auto found =
-        std::find_if(texts.begin(), texts.end(), [&](const auto& text) { return text.keyword == keyword; });
+    const auto found = std::ranges::find(texts, keyword, &renderer::PngText::keyword);
     if (found == texts.end()) {
       throw InputError(
-          fmt::format("the picture '{}' does not say how it was made: it has no entry '{}', as "
-                      "pictures of taut render have",
-                      file.string(), keyword));
+          "the picture '{}' does not say how it was made: it has no entry '{}', as "
+          "pictures of taut render have",
+          file.string(), keyword);
     }
     return found->text;
   };

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/frame_record.hpp"
@@ -21,7 +17,7 @@ std::string command_text(std::span<const std::string> arguments);
 /// The sources of a picture. They are stored in the picture.
 struct PictureOrigin {
   std::string command;  ///< from command_text()
-  std::string scene;    ///< from scene_text() (drawn_scene_file.hpp)
+  std::string scene;    ///< from scene_text()
   std::string gl_renderer;
 };
 /// The PNG texts that store the origin of a picture and what was measured of its frame.

@@ -1,18 +1,10 @@
 #include "app/output/run_report.hpp"
 
-#include <fmt/core.h>
-
-#include <array>
-#include <cerrno>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <system_error>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/version.hpp"
-#include "app/drawing/drawn_scene.hpp"
 
 namespace taut::app {
 namespace {
@@ -29,71 +21,62 @@ struct FrameColumn {
 };
 
 // JSON has no infinity, and -1 is no frame.
-Json number_json(double number) {
-  return std::isfinite(number) ? Json(number) : Json();
-}
+Json number_json(double number) { return std::isfinite(number) ? Json(number) : Json(); }
 
-Json number_json(int number) {
-  return number >= 0 ? Json(number) : Json();
-}
+Json number_json(int number) { return number >= 0 ? Json(number) : Json(); }
 
+#define VALUE(of_record) [](const FrameRecord& r) -> Json { return of_record; }
 const FrameColumn frame_columns[] = {
-    {"frame", "", "its number; 0 is the cloth before the first step",
-     [](const auto& r) -> Json { return r.frame; }},
-    {"time_s", "s", "simulated", [](const auto& r) -> Json { return r.time_s; }},
+    {"frame", "", "its number; 0 is the cloth before the first step", VALUE(r.frame)},
+    {"time_s", "s", "simulated", VALUE(r.time_s)},
     {"max_stretch", "", "length / rest length - 1, the largest of all structural springs",
-     [](const auto& r) -> Json { return r.stretch.max; }},
-    {"p99_stretch", "", "99 of 100 springs are stretched no more",
-     [](const auto& r) -> Json { return r.stretch.p99; }},
+     VALUE(r.stretch.max)},
+    {"p99_stretch", "", "99 of 100 springs are stretched no more", VALUE(r.stretch.p99)},
     {"max_surface_stretch", "",
      "the largest singular value of a triangle's deformation gradient - 1: the same of any direction in it",
-     [](const auto& r) -> Json { return r.surface_stretch.max; }},
-    {"p99_surface_stretch", "", "99 of 100 triangles are stretched no more",
-     [](const auto& r) -> Json { return r.surface_stretch.p99; }},
-    {"mean_stretch", "", "of all structural springs", [](const auto& r) -> Json { return r.stretch.mean; }},
+     VALUE(r.surface_stretch.max)},
+    {"p99_surface_stretch", "", "99 of 100 triangles are stretched no more", VALUE(r.surface_stretch.p99)},
+    {"mean_stretch", "", "of all structural springs", VALUE(r.stretch.mean)},
     {"raw_max_stretch", "", "the largest before the solver's last correction, which keeps the bound",
-     [](const auto& r) -> Json { return r.raw_max_stretch; }},
+     VALUE(r.raw_max_stretch)},
     {"bound_kept", "", "false: the solver promised solver.max_stretch of solver.bound and could not keep it",
-     [](const auto& r) -> Json { return r.bound_kept; }},
-    {"substeps", "", "time steps in the frame", [](const auto& r) -> Json { return r.substeps; }},
-    {"max_compression", "", "1 - length / rest length, the largest",
-     [](const auto& r) -> Json { return r.stretch.max_compression; }},
-    {"rms_speed", "m/s", "root of the mean square of all vertices",
-     [](const auto& r) -> Json { return r.rms_speed_m_per_s; }},
-    {"kinetic_energy", "J", "of all vertices", [](const auto& r) -> Json { return r.energy.kinetic_j; }},
-    {"potential_energy", "J", "in gravity", [](const auto& r) -> Json { return r.energy.potential_j; }},
+     VALUE(r.bound_kept)},
+    {"substeps", "", "time steps in the frame", VALUE(r.substeps)},
+    {"max_compression", "", "1 - length / rest length, the largest", VALUE(r.stretch.max_compression)},
+    {"rms_speed", "m/s", "root of the mean square of all vertices", VALUE(r.rms_speed_m_per_s)},
+    {"kinetic_energy", "J", "of all vertices", VALUE(r.energy.kinetic_j)},
+    {"potential_energy", "J", "in gravity", VALUE(r.energy.potential_j)},
     {"convergence", "m", "the largest |p(t) - p(t - dt)| of any vertex, from frame to frame",
-     [](const auto& r) -> Json { return r.convergence_m; }},
+     VALUE(r.convergence_m)},
     {"sim_ms", "ms", "processor time of the thread that simulates; of several threads, the one that leads",
-     [](const auto& r) -> Json { return r.sim_ms; }},
-    {"draw_ms", "ms", "time on the clock", [](const auto& r) -> Json { return r.draw_ms; }},
-    {"encode_ms", "ms", "time on the clock: making and writing the picture or the shape",
-     [](const auto& r) -> Json { return r.encode_ms; }},
+     VALUE(r.sim_ms)},
+    {"draw_ms", "ms", "time on the clock", VALUE(r.draw_ms)},
+    {"encode_ms", "ms", "time on the clock: making and writing the picture or the shape", VALUE(r.encode_ms)},
     {"state_hash", "", "equal where all positions are equal, bit for bit",
-     [](const auto& r) -> Json { return fmt::format("{:016x}", r.state_hash); }},
-    {"asleep", "", "at rest: nothing is computed until something changes",
-     [](const auto& r) -> Json { return r.asleep; }},
+     VALUE(fmt::format("{:016x}", r.state_hash))},
+    {"asleep", "", "at rest: nothing is computed until something changes", VALUE(r.asleep)},
     {"detections", "", "how often all was searched for what is near, for solver.contact and for bodies",
-     [](const auto& r) -> Json { return r.contact.detections; }},
+     VALUE(r.contact.detections)},
     {"partial_detections", "", "how often that was done around single vertices alone",
-     [](const auto& r) -> Json { return r.contact.partial_detections; }},
+     VALUE(r.contact.partial_detections)},
     {"contact_pairs", "", "near pairs that were kept apart at a time, the most of them",
-     [](const auto& r) -> Json { return r.contact.most_pairs; }},
+     VALUE(r.contact.most_pairs)},
     {"smallest_distance", "m",
      "of the two nearest triangles that share no vertex, or from a body, measured at the frame's end; null: "
      "more than twice cloth.thickness",
-     [](const auto& r) -> Json { return number_json(r.contact.smallest_distance_m); }},
+     VALUE(number_json(r.contact.smallest_distance_m))},
     {"measured_crossings", "",
      "pairs of triangles that cross then, and triangles in a body: also where they are left out",
-     [](const auto& r) -> Json { return r.contact.crossing_pairs; }},
+     VALUE(r.contact.crossing_pairs)},
     {"left_out_share", "",
      "of the cloth's area, around what crosses since the start: not kept apart within itself",
-     [](const auto& r) -> Json { return r.contact.left_out_share; }},
+     VALUE(r.contact.left_out_share)},
     {"crossing_pairs", "",
      "with --verify alone: pairs of triangles that cross, and triangles in a body; not those that do so "
      "since the start, nor within what is left out",
-     [](const auto& r) -> Json { return r.crossing_pairs.value_or(0); }, true},
+     VALUE(r.crossing_pairs.value_or(0)), true},
 };
+#undef VALUE
 
 bool is_written(const FrameColumn& column, bool is_verified) {
   return is_verified || !column.of_verified_runs;
@@ -114,18 +97,14 @@ Json garment_json(const sim::Garment& garment, std::size_t pins) {
 
 Json versions_json(const std::string& gl_renderer) {
   Json versions = {{"program", program_version()}, {"compiler", compiler_version()}};
-  if (!gl_renderer.empty()) {
-    versions["gl_renderer"] = gl_renderer;
-  }
+  if (!gl_renderer.empty()) versions["gl_renderer"] = gl_renderer;
   return versions;
 }
 
 Json record_json(const FrameRecord& record) {
   Json json = Json::object();
   for (const FrameColumn& column : frame_columns) {
-    if (is_written(column, record.crossing_pairs.has_value())) {
-      json[column.name] = column.value(record);
-    }
+    if (is_written(column, record.crossing_pairs.has_value())) json[column.name] = column.value(record);
   }
   return json;
 }
@@ -133,9 +112,7 @@ Json record_json(const FrameRecord& record) {
 Json summary_json(const RunSummary& summary) {
   Json json = Json::object();
   for_each_field(summary, [&](const char* name, const auto& number) {
-    if (name == nullptr) {
-      return;
-    }
+    if (name == nullptr) return;
     // Means stand before what they go with.
     if (&number == static_cast<const void*>(&summary.final_rms_speed_m_per_s)) {
       json["mean_substeps"] = summary.mean_substeps();
@@ -147,9 +124,7 @@ Json summary_json(const RunSummary& summary) {
   return json;
 }
 
-Json point_json(const sim::Vec3& p) {
-  return {p.x, p.y, p.z};
-}
+Json point_json(const sim::Vec3& p) { return {p.x, p.y, p.z}; }
 
 Json parts_json(const std::vector<HungPart>& parts) {
   constexpr std::array ways = {"top opening",  "highest points", "back edge", "neck",
@@ -166,9 +141,7 @@ Json parts_json(const std::vector<HungPart>& parts) {
 }
 
 Json start_json(const std::optional<StretchAtStart>& start) {
-  if (!start) {
-    return {};
-  }
+  if (!start) return {};
   return {{"max_stretch", start->springs.max},
           {"p99_stretch", start->springs.p99},
           {"max_surface_stretch", start->surface.max},
@@ -196,9 +169,7 @@ std::string text_of(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::string line_of(const Json& json) {
-  return text_of(json, -1);
-}
+std::string line_of(const Json& json) { return text_of(json, -1); }
 
 namespace fs = std::filesystem;
 
@@ -249,17 +220,13 @@ std::string statistics_header(StatisticsFormat format, const RunDescription& run
   }
   std::string names;
   for (const FrameColumn& column : frame_columns) {
-    if (is_written(column, run.is_verified)) {
-      names += (names.empty() ? "" : ",") + std::string(column.name);
-    }
+    if (is_written(column, run.is_verified)) names += (names.empty() ? "" : ",") + std::string(column.name);
   }
   return names + '\n';
 }
 
 std::string statistics_line(StatisticsFormat format, const FrameRecord& record) {
-  if (format == StatisticsFormat::json_lines) {
-    return line_of(record_json(record));
-  }
+  if (format == StatisticsFormat::json_lines) return line_of(record_json(record));
   std::string row;
   for (const Json& value : record_json(record)) {
     row += (row.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
@@ -290,9 +257,7 @@ std::string statistics_help() {
 
 std::string inspection_json(const Inspection& i) {
   Json landmarks = Json::object();
-  for (const LandmarkSize& landmark : i.landmarks) {
-    landmarks[landmark.name] = landmark.vertices;
-  }
+  for (const LandmarkSize& landmark : i.landmarks) landmarks[landmark.name] = landmark.vertices;
   const Json import = {{"format", i.model.format},
                        {"meshes", i.model.meshes},
                        {"triangles", i.model.file_triangles},
@@ -352,26 +317,16 @@ std::string inspection_json(const Inspection& i) {
 
 StatisticsFile::StatisticsFile(const fs::path& file, const RunDescription& run, std::optional<int> last_kept)
     : path_(file), format_(statistics_format(file)) {
-  if (last_kept) {
-    fs::resize_file(file, end_of_frame(file, format_, run, *last_kept));
-  }
+  if (last_kept) fs::resize_file(file, end_of_frame(file, format_, run, *last_kept));
   is_plain_ = !fs::exists(file) || fs::is_regular_file(file);
   file_.reset(std::fopen(file.c_str(), last_kept || !is_plain_ ? "ab" : "wb"));
-  if (!file_) {
-    fail_to_write(path_, errno);
-  }
-  if (!last_kept) {
-    write(statistics_header(format_, run));
-  }
+  if (!file_) fail_to_write(path_, errno);
+  if (!last_kept) write(statistics_header(format_, run));
 }
 
-void StatisticsFile::add(const FrameRecord& record) {
-  write(statistics_line(format_, record));
-}
+void StatisticsFile::add(const FrameRecord& record) { write(statistics_line(format_, record)); }
 
-void StatisticsFile::finish(const RunSummary& summary) {
-  write(statistics_end(format_, summary));
-}
+void StatisticsFile::finish(const RunSummary& summary) { write(statistics_end(format_, summary)); }
 
 void StatisticsFile::write(const std::string& lines) {
   std::error_code ignored;

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/inspection.hpp"

@@ -1,18 +1,10 @@
 #include "app/output/video_writer.hpp"
 
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
-
-#include <array>
-#include <cerrno>
-#include <cmath>
-#include <system_error>
-#include <utility>
-#include <vector>
 
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
@@ -27,9 +19,7 @@ namespace fs = std::filesystem;
 // Frames of a GIF last whole hundredths of a second. Viewers slow down frames of less than two hundredths.
 constexpr double fastest_gif_hz = 50.0;
 
-bool is_gif(const fs::path& file) {
-  return file.extension() == ".gif";
-}
+bool is_gif(const fs::path& file) { return file.extension() == ".gif"; }
 
 int pictures_for_a_frame(const fs::path& file, double frame_rate_hz) {
   return is_gif(file) ? static_cast<int>(std::ceil(frame_rate_hz / fastest_gif_hz)) : 1;
@@ -81,25 +71,21 @@ std::vector<std::string> ffmpeg_arguments(const fs::path& file, const fs::path& 
   // Without the date and the library's version in it, the same pictures are the same file.
   const std::vector<std::string> output = {"-fflags", "+bitexact", "-flags:v", "+bitexact",
                                            "file:" + temporary.string()};
-  for (const auto& part : {input, kind, output}) {
-    arguments.insert(arguments.end(), part.begin(), part.end());
-  }
+  for (const auto& part : {input, kind, output}) arguments.insert(arguments.end(), part.begin(), part.end());
   return arguments;
 }
 
 }  // namespace
 
-bool is_video(const fs::path& file) {
-  return file.extension() == ".mp4" || file.extension() == ".gif";
-}
+bool is_video(const fs::path& file) { return file.extension() == ".mp4" || file.extension() == ".gif"; }
 
 void require_video_size(const fs::path& file, const VideoSettings& settings) {
   const bool is_even = settings.width_px % 2 == 0 && settings.height_px % 2 == 0;
   if (file.extension() == ".mp4" && !is_even) {
     throw UsageError(
-        fmt::format("output '{}': an MP4 needs an even width and height, found {} x {}; "
-                    "choose another --resolution or a .gif",
-                    file.string(), settings.width_px, settings.height_px));
+        "output '{}': an MP4 needs an even width and height, found {} x {}; "
+        "choose another --resolution or a .gif",
+        file.string(), settings.width_px, settings.height_px);
   }
 }
 
@@ -149,9 +135,7 @@ void VideoWriter::add(const renderer::Image& picture) {
 }
 
 void VideoWriter::stop_if_interrupted() const {
-  if (!is_live_) {
-    throw_if_interrupted();
-  }
+  if (!is_live_) throw_if_interrupted();
 }
 
 void VideoWriter::send(std::span<const std::uint8_t> bytes) {
@@ -174,8 +158,8 @@ void VideoWriter::finish() {
   input_ = Descriptor();
   const int status = wait_for_end();
   if (status != 0) {
-    throw InputError(fmt::format("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(),
-                                 describe_end(status), counted(frames_, "frame"), last_words()));
+    throw InputError("cannot make '{}': ffmpeg failed with {} after {}{}", file_.string(),
+                     describe_end(status), counted(frames_, "frame"), last_words());
   }
   put_in_place(temporary_, file_);
 }
@@ -183,8 +167,8 @@ void VideoWriter::finish() {
 void VideoWriter::fail_stopped() {
   input_ = Descriptor();
   const int status = wait_for_end();
-  throw InputError(fmt::format("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(),
-                               describe_end(status), counted(frames_, "frame"), last_words()));
+  throw InputError("cannot make '{}': ffmpeg stopped with {} after {}{}", file_.string(),
+                   describe_end(status), counted(frames_, "frame"), last_words());
 }
 
 int VideoWriter::wait_for_end() {
@@ -204,9 +188,7 @@ std::string VideoWriter::last_words() const {
   const ssize_t count =
       ::pread(messages_.number(), text.data(), enough, std::max<off_t>(0, size - off_t{enough}));
   text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-  while (!text.empty() && text.back() == '\n') {
-    text.pop_back();
-  }
+  while (!text.empty() && text.back() == '\n') text.pop_back();
   return text.empty() ? "" : ": " + text;
 }
 

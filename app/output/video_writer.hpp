@@ -1,10 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
 
 #include "app/base/child_process.hpp"
 #include "renderer/page/image.hpp"

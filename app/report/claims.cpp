@@ -4,11 +4,6 @@
 #include <fmt/core.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-
 #include "app/base/counted.hpp"
 #include "app/drawing/plots/axis.hpp"
 #include "app/figures/experiments/recording.hpp"
@@ -26,17 +21,11 @@ struct Tested {
   Cases bounded = {};
 };
 
-MeasuredNumber percent(const char* name, double fraction) {
-  return {name, 100.0 * fraction, "%"};
-}
+MeasuredNumber percent(const char* name, double fraction) { return {name, 100.0 * fraction, "%"}; }
 
-bool keeps(double stretch) {
-  return stretch <= paper_stretch_bound;
-}
+bool keeps(double stretch) { return stretch <= paper_stretch_bound; }
 
-bool vibrates(double speed_m_per_s) {
-  return !(speed_m_per_s <= vibration_m_per_s);
-}
+bool vibrates(double speed_m_per_s) { return !(speed_m_per_s <= vibration_m_per_s); }
 
 bool exceeds_springs(double surface, double springs) {
   return std::isfinite(surface) && surface > (1.0 + surface_excess) * springs;
@@ -121,7 +110,7 @@ Tested test_free_surface(const Results& results) {
 
 Tested test_convergence(const Results& results) {
   const StepRecording& fall = *results.fall;
-  const double peak_m = *std::max_element(fall.moved_m.begin(), fall.moved_m.end());
+  const double peak_m = *std::ranges::max_element(fall.moved_m);
   const double last_m = fall.moved_m.back();
   return {{{"",
             {{"largest movement in a step", peak_m, "m"},
@@ -174,9 +163,7 @@ Case case_of(const GarmentTrial& trial) {
   const Mapping& mapping = trial.mapping;
   const bool is_mapped = trial.refusal.empty() && mapping.edges > 0 && mapping.structural == mapping.edges &&
                          mapping.loose_vertices == 0 && mapping.flexural > 0;
-  if (!trial.refusal.empty()) {
-    return {fmt::format("{} was refused: {}", trial.file, trial.refusal), {}};
-  }
+  if (!trial.refusal.empty()) return {fmt::format("{} was refused: {}", trial.file, trial.refusal), {}};
   return {
       fmt::format("{}: {}, {} triangles; {} structural and {} flexural springs{}", trial.file, trial.kind,
                   mapping.triangles, mapping.structural, mapping.flexural,
@@ -255,9 +242,7 @@ Tested test_speed(const Results& results, sim::SolverKind own, std::span<const s
   for (const int triangles : trial_meshes) {
     const auto ms_of = [&](sim::SolverKind kind) { return timed(results, kind, triangles).ranked_ms(0.5); };
     double fastest_ms = INFINITY;
-    for (const sim::SolverKind kind : slower) {
-      fastest_ms = std::min(fastest_ms, ms_of(kind));
-    }
+    for (const sim::SolverKind kind : slower) fastest_ms = std::min(fastest_ms, ms_of(kind));
     const double ratio = fastest_ms / ms_of(own);
     tested.cases.push_back({mesh_name(triangles),
                             {{"a frame", ms_of(own), "ms"}, {"compared with", fastest_ms, "ms"}},
@@ -380,9 +365,7 @@ template <class Predicate>
 std::string list_of(std::span<const Case> cases, bool has_numbers, Predicate predicate) {
   std::string text;
   for (const Case& one : cases) {
-    if (predicate(one)) {
-      text += (text.empty() ? "" : "; ") + (has_numbers ? text_of(one) : one.name);
-    }
+    if (predicate(one)) text += (text.empty() ? "" : "; ") + (has_numbers ? text_of(one) : one.name);
   }
   return text.empty() ? "none" : text;
 }
@@ -439,7 +422,7 @@ void put_cases(std::span<const Case> cases, Texts& texts) {
     return !a.numbers.empty() && !b.numbers.empty() && a.numbers[0].value < b.numbers[0].value;
   };
   texts.push_back(fmt::arg("cases", judged.size()));
-  texts.push_back(fmt::arg("holding", std::count_if(cases.begin(), cases.end(), holds)));
+  texts.push_back(fmt::arg("holding", std::ranges::count_if(cases, holds)));
   texts.push_back(fmt::arg("held", list_of(cases, false, holds)));
   texts.push_back(fmt::arg("others", list_of(cases, false, fails)));
   texts.push_back(fmt::arg("failing", list_of(cases, true, fails)));
@@ -447,8 +430,8 @@ void put_cases(std::span<const Case> cases, Texts& texts) {
       fmt::arg("all", list_of(cases, true, [](const Case& one) { return !one.numbers.empty(); })));
   if (!judged.empty()) {
     texts.push_back(fmt::arg("first", text_of(judged.front())));
-    texts.push_back(fmt::arg("most", text_of(*std::max_element(judged.begin(), judged.end(), is_less))));
-    texts.push_back(fmt::arg("least", text_of(*std::min_element(judged.begin(), judged.end(), is_less))));
+    texts.push_back(fmt::arg("most", text_of(*std::ranges::max_element(judged, is_less))));
+    texts.push_back(fmt::arg("least", text_of(*std::ranges::min_element(judged, is_less))));
   }
 }
 
@@ -459,9 +442,7 @@ std::string filled(const toml::table& claim, const char* key, const Texts& texts
 }  // namespace
 
 std::string number_text(const MeasuredNumber& number) {
-  if (!std::isfinite(number.value)) {
-    return "diverged";
-  }
+  if (!std::isfinite(number.value)) return "diverged";
   std::string digits = fmt::format("{:.{}g}", number.value, number.digits);
   if (std::abs(number.value) >= 10.0 && std::abs(number.value) < 1e6) {
     // Never 8.5e+02, and no noughts behind a number of things.
@@ -490,9 +471,7 @@ Verdict verdict_of(std::span<const Case> cases, Quorum quorum) {
     at_least_in_part += one.is_judged && (one.holds || one.holds_in_part) ? 1 : 0;
   }
   const bool are_most = 2 * holding > all;
-  if (all > 0 && (quorum == Quorum::half ? are_most : holding == all)) {
-    return Verdict::holds;
-  }
+  if (all > 0 && (quorum == Quorum::half ? are_most : holding == all)) return Verdict::holds;
   const bool is_in_part = quorum == Quorum::all    ? at_least_in_part == all
                           : quorum == Quorum::most ? are_most
                                                    : holding > 0;
@@ -512,9 +491,7 @@ std::vector<Claim> judge_claims(const Results& results) {
                            "",
                            {filled(claim, "finding", texts), numbers_of(tested.cases)},
                            {filled(claim, "bounded", of_bounded), numbers_of(tested.bounded)}};
-    if (judgement.verdict == Verdict::holds_in_part) {
-      judgement.part = filled(claim, "part", texts);
-    }
+    if (judgement.verdict == Verdict::holds_in_part) judgement.part = filled(claim, "part", texts);
     claims.push_back(
         {{id, filled(claim, "section", texts), filled(claim, "claim", texts), filled(claim, "test", texts),
           filled(claim, "rule", texts), filled(claim, "remark", texts), filled(claim, "figure", texts)},

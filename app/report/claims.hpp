@@ -1,9 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/figures/experiments/experiments.hpp"
 
 namespace taut::app {

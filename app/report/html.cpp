@@ -1,8 +1,5 @@
 #include <fmt/core.h>
 
-#include <array>
-#include <cmath>
-
 #include "app/base/base64.hpp"
 #include "app/report/report.hpp"
 #include "app/report/report_texts.hpp"
@@ -66,9 +63,7 @@ std::string claim_html(const Claim& claim) {
   html +=
       fmt::format("<p><span class=\"verdict\">{}</span> {} <span class=\"small\">(section {} of the paper",
                   name_of(judgement.verdict), escaped(judgement.part), escaped(text.section));
-  if (!text.figure.empty()) {
-    html += fmt::format("; see <a href=\"#{0}\">{0}</a>", text.figure);
-  }
+  if (!text.figure.empty()) html += fmt::format("; see <a href=\"#{0}\">{0}</a>", text.figure);
   html += fmt::format(")</span></p>\n<p>{}</p>\n<p class=\"small\">Test: {}</p>\n{}",
                       escaped(judgement.finding.text), escaped(text.test),
                       numbers_html(judgement.finding.measured));
@@ -110,16 +105,12 @@ std::string promise_html(const PromiseResult& result) {
 }
 
 std::string promises_html(const std::vector<PromiseResult>& promises) {
-  if (promises.empty()) {
-    return "<p>No frame was checked.</p>\n";
-  }
+  if (promises.empty()) return "<p>No frame was checked.</p>\n";
   std::string html = fmt::format(
       "<p>{}</p>\n<table>\n<tr><th>scene</th><th>frames</th><th>largest stretch</th><th>bound</th><th></th>"
       "<th>crossing pairs</th><th></th></tr>\n",
       escaped(describe(promises)));
-  for (const PromiseResult& result : promises) {
-    html += promise_html(result);
-  }
+  for (const PromiseResult& result : promises) html += promise_html(result);
   return html + "</table>\n";
 }
 
@@ -144,9 +135,7 @@ std::string machine_html(const Machine& machine) {
       escaped(machine.program), escaped(machine.compiler), escaped(machine.gl_renderer));
 }
 
-std::string cell_html(const std::string& text) {
-  return fmt::format("<td class=\"number\">{}</td>", text);
-}
+std::string cell_html(const std::string& text) { return fmt::format("<td class=\"number\">{}</td>", text); }
 
 std::string percent(double fraction) {
   return cell_html(std::isfinite(fraction) ? fmt::format("{:.3g} %", 100.0 * fraction) : "lost");
@@ -178,13 +167,9 @@ std::string report_html(std::span<const Claim> claims, const std::vector<Promise
     html.replace(html.find(place), place.size(), text);
   };
   std::string claims_html = summary_html(claims);
-  for (const Claim& claim : claims) {
-    claims_html += claim_html(claim);
-  }
+  for (const Claim& claim : claims) claims_html += claim_html(claim);
   std::string figures_html;
-  for (const DrawnFigure& figure : figures) {
-    figures_html += figure_html(figure);
-  }
+  for (const DrawnFigure& figure : figures) figures_html += figure_html(figure);
   put("<!--machine-->\n", machine_html(machine));
   put("<!--claims-->\n", claims_html);
   put("<!--promises-->\n", promises_html(promises));
@@ -197,9 +182,7 @@ std::string methods_html(const Results& results) {
   std::string html = methods_text;
   const std::string place = "<!--rows-->\n";
   std::string rows;
-  for (const sim::SolverKind kind : trial_methods) {
-    rows += row_html(results, kind);
-  }
+  for (const sim::SolverKind kind : trial_methods) rows += row_html(results, kind);
   html.replace(html.find(place), place.size(), rows);
   return html;
 }

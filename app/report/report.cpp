@@ -3,9 +3,6 @@
 #include <fmt/core.h>
 #include <sys/utsname.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -22,27 +19,21 @@ std::string processor_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
     const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) {
-      return line.substr(colon + 2);
-    }
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown";
 }
 
 std::string system_name() {
   utsname name = {};
-  if (::uname(&name) != 0) {
-    return "unknown";
-  }
+  if (::uname(&name) != 0) return "unknown";
   // Not the node: reports are passed on.
   return std::string(name.sysname) + ' ' + name.release + ' ' + name.machine;
 }
 
 void add_result(const char* figure, const std::optional<Recording>& recording,
                 std::vector<PromiseResult>& results) {
-  if (!recording || !recording->promises) {
-    return;
-  }
+  if (!recording || !recording->promises) return;
   const SolverChoice& solver = recording->scene.simulation.solver;
   PromiseResult result = {figure, recording->scene.name, {}, false, *recording->promises};
   if (solver.kind == sim::SolverKind::bounded) {
@@ -52,9 +43,8 @@ void add_result(const char* figure, const std::optional<Recording>& recording,
   results.push_back(std::move(result));
 }
 
-template <class Predicate>
-std::size_t count(const std::vector<PromiseResult>& results, Predicate predicate) {
-  return static_cast<std::size_t>(std::count_if(results.begin(), results.end(), predicate));
+template <class Predicate> std::size_t count(const std::vector<PromiseResult>& results, Predicate predicate) {
+  return static_cast<std::size_t>(std::ranges::count_if(results, predicate));
 }
 
 using Json = nlohmann::ordered_json;
@@ -62,21 +52,15 @@ using Json = nlohmann::ordered_json;
 Json number_json(const MeasuredNumber& number) {
   Json json = {{"name", number.name}, {"value", nullptr}, {"unit", number.unit}};
   // JSON has no infinity: a run that diverged has no value.
-  if (std::isfinite(number.value)) {
-    json["value"] = number.value;
-  }
+  if (std::isfinite(number.value)) json["value"] = number.value;
   return json;
 }
 
-Json text_or_null(const std::string& text) {
-  return text.empty() ? Json(nullptr) : Json(text);
-}
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json numbers_json(const Finding& finding) {
   Json json = Json::array();
-  for (const MeasuredNumber& number : finding.measured) {
-    json.push_back(number_json(number));
-  }
+  for (const MeasuredNumber& number : finding.measured) json.push_back(number_json(number));
   return json;
 }
 
@@ -111,9 +95,7 @@ Json promise_json(const PromiseResult& result) {
                {"crossing_pairs", result.counts.crossing_pairs},
                {"most_crossing_pairs", result.counts.most_pairs},
                {"crossing_frames", result.counts.crossing_frames}};
-  if (result.bound) {
-    json["bound"] = *result.bound;
-  }
+  if (result.bound) json["bound"] = *result.bound;
   return json;
 }
 
@@ -137,9 +119,7 @@ Machine this_machine(const std::string& gl_renderer) {
   machine.processor = processor_name();
   machine.threads = std::thread::hardware_concurrency();
   machine.system = system_name();
-  if (::getloadavg(&machine.load, 1) != 1) {
-    machine.load = 0.0;
-  }
+  if (::getloadavg(&machine.load, 1) != 1) machine.load = 0.0;
   machine.compiler = compiler_version();
   machine.program = "taut " + program_version();
   machine.gl_renderer = gl_renderer;
@@ -152,15 +132,9 @@ bool PromiseResult::is_bound_kept() const {
 
 std::vector<PromiseResult> promise_results(const Results& results) {
   std::vector<PromiseResult> all;
-  if (results.fall) {
-    add_result("fig2", results.fall->frames, all);
-  }
-  for (const auto& recording : results.pinned) {
-    add_result("fig4", recording, all);
-  }
-  for (const auto& recording : results.shirts) {
-    add_result("fig5", recording, all);
-  }
+  if (results.fall) add_result("fig2", results.fall->frames, all);
+  for (const auto& recording : results.pinned) add_result("fig4", recording, all);
+  for (const auto& recording : results.shirts) add_result("fig5", recording, all);
   return all;
 }
 
@@ -199,12 +173,8 @@ std::string claims_json(const std::vector<Claim>& claims, const std::vector<Prom
        {{"program", machine.program}, {"compiler", machine.compiler}, {"gl_renderer", machine.gl_renderer}}},
       {"claims", Json::array()},
       {"promises", Json::array()}};
-  for (const Claim& claim : claims) {
-    json["claims"].push_back(claim_json(claim));
-  }
-  for (const PromiseResult& result : promises) {
-    json["promises"].push_back(promise_json(result));
-  }
+  for (const Claim& claim : claims) json["claims"].push_back(claim_json(claim));
+  for (const PromiseResult& result : promises) json["promises"].push_back(promise_json(result));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
@@ -224,13 +194,13 @@ renderer::Image contact_sheet(std::span<const DrawnFigure> figures, float scale,
   std::vector<int> bottoms_px(static_cast<std::size_t>(columns), gap_px);
   std::vector<std::pair<int, int>> corners;
   for (const DrawnFigure& figure : figures) {
-    const auto shortest = std::min_element(bottoms_px.begin(), bottoms_px.end());
+    const auto shortest = std::ranges::min_element(bottoms_px);
     const int column = static_cast<int>(shortest - bottoms_px.begin());
     corners.emplace_back(gap_px + column * (cell_px + gap_px), *shortest);
     *shortest += title_height_px + height_in_cell(figure.picture, cell_px) + gap_px;
   }
-  renderer::Canvas canvas = renderer::Canvas::scaled(
-      gap_px + columns * (cell_px + gap_px), *std::max_element(bottoms_px.begin(), bottoms_px.end()), scale);
+  renderer::Canvas canvas = renderer::Canvas::scaled(gap_px + columns * (cell_px + gap_px),
+                                                     *std::ranges::max_element(bottoms_px), scale);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const auto x_px = static_cast<float>(corners[i].first), y_px = static_cast<float>(corners[i].second);
     canvas.text(x_px, y_px + title_px, figures[i].name, text_style(title_px, palette::ink, true));

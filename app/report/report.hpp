@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/figures/experiments/experiments.hpp"
 #include "app/report/claims.hpp"
 #include "renderer/page/image.hpp"

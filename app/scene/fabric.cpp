@@ -31,26 +31,18 @@ constexpr std::array settable = {"garment.areal_density",
                                  "picture.weave",
                                  "picture.weave_contrast"};
 
-fs::path fabrics_folder() {
-  return assets_folder() / "fabrics";
-}
+fs::path fabrics_folder() { return assets_folder() / "fabrics"; }
 
-bool is_file_name(const std::string& name) {
-  return fs::path(name).extension() == ending;
-}
+bool is_file_name(const std::string& name) { return fs::path(name).extension() == ending; }
 
 /// Facts about the fabric itself.
 std::vector<Key<Fabric>> own_keys() {
   const auto read_band = [](const toml::node& value, const Source&, Fabric& fabric) {
     const toml::array* list = value.as_array();
-    if (list == nullptr || list->size() != 2) {
-      return false;
-    }
+    if (list == nullptr || list->size() != 2) return false;
     const auto lowest = finite_number((*list)[0]);
     const auto highest = finite_number((*list)[1]);
-    if (!lowest || !highest || *lowest < 0.0 || *highest > 100.0 || *lowest > *highest) {
-      return false;
-    }
+    if (!lowest || !highest || *lowest < 0.0 || *highest > 100.0 || *lowest > *highest) return false;
     fabric.published_drape_percent = {*lowest, *highest};
     return true;
   };
@@ -78,29 +70,21 @@ std::vector<std::string> built_in_fabrics() {
   std::vector<std::string> names;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(fabrics_folder(), error)) {
-    if (entry.path().extension() == ending) {
-      names.push_back(entry.path().stem().string());
-    }
+    if (entry.path().extension() == ending) names.push_back(entry.path().stem().string());
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
-bool is_fabric_key(const std::string& key) {
-  return std::find(settable.begin(), settable.end(), key) != settable.end();
-}
+bool is_fabric_key(const std::string& key) { return std::ranges::find(settable, key) != settable.end(); }
 
-bool is_passed_over(const std::string& key) {
-  return key == "camera" || key == "picture";
-}
+bool is_passed_over(const std::string& key) { return key == "camera" || key == "picture"; }
 
 Fabric find_fabric(const std::string& name, const Source& source, int line) {
   Fabric fabric;
   fabric.file = is_file_name(name) ? fs::path(name) : fabrics_folder() / (name + ending);
   std::error_code error;
-  if (!fs::exists(fabric.file, error)) {
-    fail_unknown(name, source, line);
-  }
+  if (!fs::exists(fabric.file, error)) fail_unknown(name, source, line);
   fabric.name = fabric.file.stem().string();
   const Source own{fabric.file.string(), false};
   fabric.keys = read_toml_text(read_text_file(fabric.file), own.name);
@@ -118,9 +102,7 @@ Fabric find_fabric(const std::string& name, const Source& source, int line) {
 Key<Scene> fabric_key() {
   const auto read = [](const toml::node& value, const Source& source, Scene& scene) {
     const std::optional<std::string> name = text_in(value);
-    if (name) {
-      scene.fabric = is_file_name(*name) ? beside(source, *name).string() : *name;
-    }
+    if (name) scene.fabric = is_file_name(*name) ? beside(source, *name).string() : *name;
     return name.has_value();
   };
   return {"cloth.fabric",

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_key.hpp"

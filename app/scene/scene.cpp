@@ -1,7 +1,5 @@
 #include "app/scene/scene.hpp"
 
-#include <algorithm>
-
 #include "sim/solvers/bounded/promise.hpp"
 
 namespace taut::app {
@@ -46,8 +44,8 @@ SolverChoice with_solver(SolverChoice choice, sim::SolverKind kind, const Solver
 }
 
 std::optional<sim::SolverKind> solver_named(std::string_view name) {
-  const auto* const found = std::find_if(sim::all_solver_kinds.begin(), sim::all_solver_kinds.end(),
-                                         [&](sim::SolverKind kind) { return name == sim::name_of(kind); });
+  const auto* const found =
+      std::ranges::find(sim::all_solver_kinds, name, [](sim::SolverKind kind) { return sim::name_of(kind); });
   return found == sim::all_solver_kinds.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -73,12 +71,8 @@ std::optional<double> stretch_bound(const Scene& scene) {
   const sim::SolverMethod method = solver_settings(solver).method;
   return std::visit(
       [&](const auto& settings) {
-        constexpr bool has_bound = requires {
-          settings.max_stretch;
-        }
-        || requires {
-          settings.max_strain;
-        };
+        constexpr bool has_bound = requires { settings.max_stretch; }
+        || requires { settings.max_strain; };
         return has_bound ? std::optional(solver.bounded.max_stretch) : std::nullopt;
       },
       method);

@@ -1,14 +1,8 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
 
+#include "prelude.hpp"
 #include "sim/material.hpp"
 #include "sim/mesh/grid.hpp"
 #include "sim/simulation.hpp"

@@ -1,13 +1,9 @@
 #include "app/scene/scene_file.hpp"
 
-#include <algorithm>
-#include <cstdlib>
-#include <system_error>
-
 #include "app/base/errors.hpp"
 #include "app/base/own_file.hpp"
 #include "app/base/suggest.hpp"
-#include "app/scene/scene_value.hpp"
+#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 namespace {
@@ -19,9 +15,7 @@ std::vector<fs::path> asset_folders() {
   if (const char* chosen = std::getenv("TAUT_ASSETS"); chosen != nullptr && *chosen != '\0') {
     folders.emplace_back(chosen);
   }
-  for (const fs::path& above : folders_above(own_file())) {
-    folders.push_back(above / "share" / "taut");
-  }
+  for (const fs::path& above : folders_above(own_file())) folders.push_back(above / "share" / "taut");
   folders.emplace_back(TAUT_SOURCE_ASSETS);
   return folders;
 }
@@ -34,7 +28,7 @@ std::vector<BuiltInScene> scenes_in(const fs::path& folder, bool are_of_contact)
       scenes.push_back({entry.path().stem().string(), entry.path(), are_of_contact});
     }
   }
-  std::sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  std::ranges::sort(scenes, {}, &BuiltInScene::name);
   return scenes;
 }
 
@@ -49,36 +43,28 @@ Assets find_assets() {
     std::vector<BuiltInScene> scenes = scenes_in(folder / "scenes", false);
     const std::vector<BuiltInScene> of_contact = scenes_in(folder / "scenes" / "contact", true);
     scenes.insert(scenes.end(), of_contact.begin(), of_contact.end());
-    if (!scenes.empty()) {
-      return {fs::absolute(folder).lexically_normal(), scenes};
-    }
+    if (!scenes.empty()) return {fs::absolute(folder).lexically_normal(), scenes};
   }
   return {};
 }
 
 [[noreturn]] void fail_unknown(const std::string& name) {
   const bool looks_like_file = name.find('/') != std::string::npos || fs::path(name).has_extension();
-  if (looks_like_file) {
-    throw InputError("there is no file '" + name + "'");
-  }
+  if (looks_like_file) throw InputError("there is no file '" + name + "'");
   std::vector<std::string> names;
-  for (const BuiltInScene& scene : built_in_scenes()) {
-    names.push_back(scene.name);
-  }
+  for (const BuiltInScene& scene : built_in_scenes()) names.push_back(scene.name);
   throw InputError("there is no scene '" + name + '\'' + did_you_mean(name, names) +
                    " (built-in scenes: " + joined(names) + "; a scene file or a garment file does as well)");
 }
 
 bool is_set(const Json& value) {
-  return value.is_object() ? std::any_of(value.begin(), value.end(), is_set) : !value.is_null();
+  return value.is_object() ? std::ranges::any_of(value, is_set) : !value.is_null();
 }
 
 // Keys first, then the sections below: behind a section's header TOML has no way back.
 void append_section(std::string& text, const std::string& section, const Json& table) {
   for (const auto& [key, value] : table.items()) {
-    if (!value.is_null() && !value.is_object()) {
-      text += key + " = " + toml_text(value) + '\n';
-    }
+    if (!value.is_null() && !value.is_object()) text += key + " = " + toml_text(value) + '\n';
   }
   for (const auto& [key, value] : table.items()) {
     if (value.is_object() && is_set(value)) {
@@ -92,34 +78,24 @@ void append_section(std::string& text, const std::string& section, const Json& t
 template <class Files, class Models>
 void name_files(const Files& files, const Models& models, GarmentNaming naming, Json& table) {
   for (const auto& [key, member] : files) {
-    if (table.contains(key) && !table[key].is_null()) {
-      table[key] = name_in_scene(models.*member, naming);
-    }
+    if (table.contains(key) && !table[key].is_null()) table[key] = name_in_scene(models.*member, naming);
   }
 }
 
 }  // namespace
 
-std::vector<BuiltInScene> built_in_scenes() {
-  return find_assets().scenes;
-}
+std::vector<BuiltInScene> built_in_scenes() { return find_assets().scenes; }
 
-std::filesystem::path assets_folder() {
-  return find_assets().folder;
-}
+std::filesystem::path assets_folder() { return find_assets().folder; }
 
 std::optional<std::filesystem::path> find_asset(const std::filesystem::path& file) {
   const fs::path assets = assets_folder();
-  if (assets.empty() || file.empty() || file.is_absolute()) {
-    return std::nullopt;
-  }
+  if (assets.empty() || file.empty() || file.is_absolute()) return std::nullopt;
   std::error_code error;
   for (const char* folder : {"", "garments", "garments/contact", "bodies", "motions", "textures"}) {
     for (const char* ending : {"", ".obj", ".glb", ".bvh", ".png"}) {
       const fs::path candidate = assets / folder / (file.string() + ending);
-      if (fs::is_regular_file(candidate, error)) {
-        return candidate;
-      }
+      if (fs::is_regular_file(candidate, error)) return candidate;
     }
   }
   return std::nullopt;
@@ -133,18 +109,13 @@ void set_garment(const std::filesystem::path& file, Scene& scene) {
 
 FoundScene locate_scene(const std::string& name) {
   const auto scenes = built_in_scenes();
-  const auto built_in = std::find_if(scenes.begin(), scenes.end(),
-                                     [&](const BuiltInScene& scene) { return scene.name == name; });
-  if (built_in != scenes.end()) {
-    return {name, built_in->file, false};
-  }
+  const auto built_in = std::ranges::find(scenes, name, &BuiltInScene::name);
+  if (built_in != scenes.end()) return {name, built_in->file, false};
   fs::path path = name;
   std::error_code error;
   if (!fs::exists(path, error)) {
     const std::optional<fs::path> asset = find_asset(name);
-    if (!asset) {
-      fail_unknown(name);
-    }
+    if (!asset) fail_unknown(name);
     path = *asset;
   }
   return {path.stem().string(), path, path.extension() != ".toml"};
@@ -160,9 +131,7 @@ Override parse_override(const std::string& text) {
 
 std::string name_in_scene(const std::filesystem::path& file, GarmentNaming naming) {
   const std::filesystem::path full = std::filesystem::absolute(file).lexically_normal();
-  if (naming == GarmentNaming::full_path) {
-    return full.string();
-  }
+  if (naming == GarmentNaming::full_path) return full.string();
   const std::filesystem::path assets = assets_folder();
   const std::filesystem::path relative = full.lexically_relative(assets);
   const bool is_inside = !assets.empty() && !relative.empty() && *relative.begin() != "..";
@@ -177,9 +146,7 @@ std::string text_of(Json settings, const Scene& scene, GarmentNaming naming) {
     settings["cloth"]["fabric"] = name_in_scene(scene.fabric, GarmentNaming::full_path);
   }
   Json& garment = settings["garment"];
-  if (!scene.garment.file.empty()) {
-    garment.erase("grid");
-  }
+  if (!scene.garment.file.empty()) garment.erase("grid");
   name_files(garment_files, scene.garment, naming, garment);
   for (std::size_t k = 0; k < scene.body_sources.size(); ++k) {
     name_files(body_files, scene.body_sources[k], naming, settings["bodies"][k]);

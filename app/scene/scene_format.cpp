@@ -1,11 +1,6 @@
 #include "app/scene/scene_format.hpp"
 
-
 #include "app/base/errors.hpp"
-#include "app/base/files.hpp"
-#include "app/scene/fabric.hpp"
-#include "app/scene/scene.hpp"
-#include "app/scene/scene_lists.hpp"
 
 namespace taut::app {
 namespace {
@@ -32,9 +27,7 @@ Key<Scene> allow_key() {
   auto read = [](const toml::node& value, sim::BoundedSettings& bounded) {
     const std::optional<bool> both = value.value_exact<bool>();
     const std::optional<std::string> one = text_in(value);
-    if (!both && one != "bound" && one != "contact") {
-      return false;
-    }
+    if (!both && one != "bound" && one != "contact") return false;
     bounded.allow_exceeding = both.value_or(one == "bound");
     bounded.allow_crossing = both.value_or(one == "contact");
     return true;
@@ -214,9 +207,7 @@ std::vector<Key<Scene>> scene_keys() {
 
 SceneFormat<Scene> simulation_format() {
   const auto check = [](const Scene& scene, const Source& source) {
-    if (const std::optional<std::string> reason = beyond_promise(scene)) {
-      fail(source, 0, *reason);
-    }
+    if (const std::optional<std::string> reason = beyond_promise(scene)) fail(source, 0, *reason);
   };
   return {scene_keys(), check};
 }

@@ -1,17 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/base/files.hpp"
 #include "app/scene/fabric.hpp"
 #include "app/scene/scene.hpp"
 #include "app/scene/scene_file.hpp"
 #include "app/scene/scene_key.hpp"
-#include "app/scene/scene_value.hpp"
 
 namespace taut::app {
 
@@ -19,10 +14,9 @@ namespace taut::app {
 std::vector<Key<Scene>> scene_keys();
 
 /// How scenes of type S are read and written. S is Scene or a type derived from it.
-template <class S>
-struct SceneFormat {
+template <class S> struct SceneFormat {
   std::vector<Key<S>> keys;
-  /// Checks what concerns several keys. Throws by `fail` (scene_value.hpp).
+  /// Checks what concerns several keys. Throws by `fail` (scene_key.hpp).
   std::function<void(const S&, const Source&)> check;
 };
 
@@ -37,7 +31,7 @@ SceneFormat<Scene> undrawn_format();
 /// begin with "body.". Throws by `fail`.
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene);
 
-/// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_value.hpp).
+/// Requires that the file names exactly one garment: a model or a grid. Throws by `fail` (scene_key.hpp).
 void require_one_garment(const toml::table& file, const Source& source);
 
 /// Requires that the garment's files exist. `named` is what the scene file says; `used` is that after
@@ -55,9 +49,7 @@ void require_named(const std::string& key, const std::filesystem::path& named, c
 template <class S>
 void apply_fabric(const SceneFormat<S>& format, const toml::node& value, const Source& source, S& scene) {
   KeyReader(format.keys, source, scene).read_value("cloth.fabric", value);
-  if (scene.fabric.empty()) {
-    return;
-  }
+  if (scene.fabric.empty()) return;
   const Fabric fabric = find_fabric(scene.fabric, source, line_of(value));
   std::vector<Key<S>> keys = format.keys;
   std::erase_if(keys,
@@ -86,9 +78,7 @@ void apply_overrides(const SceneFormat<S>& format, std::span<const Override> ove
       }
     }
   }
-  if (!overrides.empty()) {
-    format.check(scene, {overrides.back().option, true});
-  }
+  if (!overrides.empty()) format.check(scene, {overrides.back().option, true});
 }
 
 /// Reads a scene from text. `name` is its file; relative garment files are looked for beside it. Throws
@@ -100,9 +90,7 @@ S read_scene(const SceneFormat<S>& format, const std::string& text, const std::s
   const toml::table file = read_toml_text(text, name);
   const Source source{name, false};
   S scene;
-  if (const toml::node* fabric = file["cloth"]["fabric"].node()) {
-    apply_fabric(format, *fabric, source, scene);
-  }
+  if (const toml::node* fabric = file["cloth"]["fabric"].node()) apply_fabric(format, *fabric, source, scene);
   KeyReader(format.keys, source, scene).read(file);
   require_one_garment(file, source);
   format.check(scene, source);
@@ -128,18 +116,14 @@ S find_scene(const SceneFormat<S>& format, const std::string& name, std::span<co
 }
 
 /// All keys with their values, nested as in a file.
-template <class S>
-Json settings_of(const SceneFormat<S>& format, const S& scene) {
+template <class S> Json settings_of(const SceneFormat<S>& format, const S& scene) {
   Json settings;
-  for (const Key<S>& key : format.keys) {
-    settings[pointer_to(key.name)] = key.write(scene);
-  }
+  for (const Key<S>& key : format.keys) settings[pointer_to(key.name)] = key.write(scene);
   return settings;
 }
 
 /// A key with default, unit, range and meaning, as text for people.
-template <class T>
-std::string describe_key(const Key<T>& key, const T& defaults) {
+template <class T> std::string describe_key(const Key<T>& key, const T& defaults) {
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
   const std::string meaning = key.meaning.empty() ? "" : "; " + key.meaning;
   return "  " + key.name + " = " + to_text(key.write(defaults)) + unit + "\n      " + key.expected + meaning +
@@ -148,5 +132,25 @@ std::string describe_key(const Key<T>& key, const T& defaults) {
 
 /// The keys of [[forces]], [[pins.moving]] and [[bodies]], as describe_key() writes them.
 std::string list_entries_help();
+
+// Keys of scenes whose values are neither one number nor one name.
+
+Key<Scene> pins_key();
+Key<Scene> weld_key();
+Key<Scene> gravity_path_key();
+Key<Scene> forces_key();
+Key<Scene> bodies_key();
+Key<Scene> moving_pins_key();
+
+/// A key for the direction of a model that is up.
+template <class T, class Access> Key<T> up_key(std::string name, Access access, std::string meaning) {
+  std::vector<std::pair<std::string, std::optional<ModelAxis>>> choices = {{"auto", std::nullopt}};
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    choices.emplace_back(axis_names[i], static_cast<ModelAxis>(i));
+  }
+  Key<T> key = choice_key<T>(std::move(name), choices, access, std::move(meaning));
+  key.expected = "\"auto\" or \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\"";
+  return key;
+}
 
 }  // namespace taut::app

@@ -1,13 +1,11 @@
 #include "app/scene/scene_key.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
+#include "app/scene/scene_file.hpp"
 
 namespace taut::app {
+
 namespace {
 
 // Names of CSS Color Module Level 4.
@@ -45,21 +43,17 @@ constexpr std::array<UnitOfKey, 12> units_of_keys = {{
     {"s", "s"},
 }};
 
-std::optional<double> number_in(std::string_view text) {
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-  return is_number ? std::optional(number) : std::nullopt;
+std::optional<double> finite_number_in(std::string_view text) {
+  const std::optional<double> number = number_in<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 /// The number times a power of ten, as exact as if it had been written so: "0.18" of -3 is 0.00018.
 std::optional<double> shifted_number_in(const std::string& text, int exponent) {
-  if (!number_in(text)) {
-    return std::nullopt;
-  }
+  if (!finite_number_in(text)) return std::nullopt;
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
   const int own = end < text.size() ? std::atoi(text.c_str() + end + 1) : 0;
-  return number_in(fmt::format("{}e{}", text.substr(0, end), own + exponent));
+  return finite_number_in(fmt::format("{}e{}", text.substr(0, end), own + exponent));
 }
 
 std::optional<double> number_with_unit(std::string_view text, std::string_view unit) {
@@ -75,14 +69,40 @@ std::optional<double> number_with_unit(std::string_view text, std::string_view u
   return std::nullopt;
 }
 
+std::string message_word(const Json& value) {
+  if (value.is_null()) return "not set";
+  if (value.is_string()) return '"' + value.get<std::string>() + '"';
+  return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>()) : value.dump();
+}
+
+std::string toml_word(const Json& value) {
+  if (value.is_string()) {
+    const Json readable = Json::parse(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    std::ostringstream text;
+    text << toml::toml_formatter(toml::value(readable.get<std::string>()), toml::format_flags::none);
+    return text.str();
+  }
+  if (!value.is_number_float()) return value.dump();
+  // The fewest digits that read back as the same bits; with a point, or TOML takes -0 for a whole 0.
+  const std::string text = fmt::format("{}", value.get<double>());
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string joined_words(const Json& value, std::string (*word)(const Json&)) {
+  if (!value.is_structured()) return word(value);
+  std::string text;
+  for (const auto& [key, item] : value.items()) {
+    text += (text.empty() ? "" : ", ") + (value.is_object() ? key + " = " : "") + joined_words(item, word);
+  }
+  return value.is_object() ? "{ " + text + " }" : '[' + text + ']';
+}
+
 }  // namespace
 
 std::string units_like(std::string_view unit) {
   std::vector<std::string> names;
   for (const UnitOfKey& known : units_of_keys) {
-    if (known.of == unit) {
-      names.emplace_back(known.name);
-    }
+    if (known.of == unit) names.emplace_back(known.name);
   }
   return joined(names, " or ");
 }
@@ -107,19 +127,13 @@ std::string describe(const VectorLimits& limits) {
 
 bool allows(const VectorLimits& limits, const std::array<double, 3>& numbers) {
   double size = 0.0;
-  for (const double number : numbers) {
-    size = std::max(size, std::abs(number));
-  }
+  for (const double number : numbers) size = std::max(size, std::abs(number));
   return size <= limits.largest && (limits.may_be_zero || size > 0.0);
 }
 
 std::optional<double> finite_number(const toml::node& value, std::string_view unit) {
-  if (const auto* text = value.as_string()) {
-    return number_with_unit(text->get(), unit);
-  }
-  if (const auto* whole = value.as_integer()) {
-    return static_cast<double>(whole->get());
-  }
+  if (const auto* text = value.as_string()) return number_with_unit(text->get(), unit);
+  if (const auto* whole = value.as_integer()) return static_cast<double>(whole->get());
   const auto* number = value.as_floating_point();
   return number != nullptr && std::isfinite(number->get()) ? std::optional(number->get()) : std::nullopt;
 }
@@ -130,15 +144,11 @@ std::optional<std::int64_t> whole_number(const toml::node& value) {
 
 std::optional<std::array<double, 3>> three_numbers(const toml::node& value, std::string_view unit) {
   const toml::array* list = value.as_array();
-  if (list == nullptr || list->size() != 3) {
-    return std::nullopt;
-  }
+  if (list == nullptr || list->size() != 3) return std::nullopt;
   std::array<double, 3> numbers{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::optional<double> number = finite_number((*list)[i], unit);
-    if (!number) {
-      return std::nullopt;
-    }
+    if (!number) return std::nullopt;
     numbers[i] = *number;
   }
   return numbers;
@@ -147,22 +157,15 @@ std::optional<std::array<double, 3>> three_numbers(const toml::node& value, std:
 std::optional<glm::vec3> colour_value(const toml::node& value) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::optional<std::string> text = text_in(value);
-  const auto* const named =
-      std::find_if(named_colours.begin(), named_colours.end(),
-                   [&](const std::pair<const char*, const char*>& entry) { return text == entry.first; });
-  if (named != named_colours.end()) {
-    text = named->second;
-  }
-  if (!text || text->size() != 7 || text->front() != '#') {
-    return std::nullopt;
-  }
+  const auto* const named = std::ranges::find_if(
+      named_colours, [&](const std::pair<const char*, const char*>& entry) { return text == entry.first; });
+  if (named != named_colours.end()) text = named->second;
+  if (!text || text->size() != 7 || text->front() != '#') return std::nullopt;
   glm::vec3 colour(0.0F);
   for (std::size_t i = 0; i < 6; ++i) {
     const char lower = static_cast<char>((*text)[i + 1] | 0x20);
     const std::size_t digit = digits.find(lower);
-    if (digit == std::string_view::npos || ((*text)[i + 1] < '0')) {
-      return std::nullopt;
-    }
+    if (digit == std::string_view::npos || ((*text)[i + 1] < '0')) return std::nullopt;
     colour[static_cast<int>(i / 2)] += static_cast<float>(digit * (i % 2 == 0 ? 16 : 1)) / 255.0F;
   }
   return colour;
@@ -175,5 +178,85 @@ std::string colour_text(const glm::vec3& colour) {
   }
   return text;
 }
+
+Json json_of(const toml::node& node) {
+  return node.visit([](const auto& value) -> Json {
+    using Type = decltype(value);
+    if constexpr (toml::is_table<Type>) {
+      Json object = Json::object();
+      for (const auto& [key, item] : entries_of(value)) object[key] = json_of(*item);
+      return object;
+    } else if constexpr (toml::is_array<Type>) {
+      Json list = Json::array();
+      for (const toml::node& item : value) list.push_back(json_of(item));
+      return list;
+    } else if constexpr (toml::is_chronological<Type>) {
+      return *text_in(value);
+    } else {
+      return value.get();
+    }
+  });
+}
+
+void fail(const Source& source, int line, const std::string& message) {
+  if (source.is_command_line) throw UsageError(source.name + ": " + message);
+  throw InputError(line > 0 ? fmt::format("{}:{}: {}", source.name, line, message)
+                            : fmt::format("{}: {}", source.name, message));
+}
+
+int line_of(const toml::node& value) { return static_cast<int>(value.source().begin.line); }
+
+toml::table read_toml_text(const std::string& text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    fail({name}, static_cast<int>(error.source().begin.line),
+         "this is not TOML: " + std::string(error.description()));
+  }
+}
+
+toml::table read_toml_value(const std::string& text) {
+  try {
+    return toml::parse("value = " + text);
+  } catch (const toml::parse_error&) {
+    return toml::table{{"value", text}};
+  }
+}
+
+std::optional<std::string> text_in(const toml::node& value) {
+  if (value.is_date() || value.is_time() || value.is_date_time()) {
+    std::ostringstream text;
+    text << toml::node_view(value);
+    return text.str();
+  }
+  return value.value_exact<std::string>();
+}
+
+std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table) {
+  std::vector<std::pair<std::string, const toml::node*>> entries;
+  for (const auto& [key, value] : table) entries.emplace_back(key.str(), &value);
+  std::ranges::stable_sort(
+      entries, [](const auto& a, const auto& b) { return line_of(*a.second) < line_of(*b.second); });
+  return entries;
+}
+
+std::filesystem::path beside(const Source& source, const std::filesystem::path& file) {
+  const auto folder =
+      source.is_command_line ? std::filesystem::path() : std::filesystem::path(source.name).parent_path();
+  const std::filesystem::path named = (folder / file).lexically_normal();
+  std::error_code ignored;
+  return std::filesystem::exists(named, ignored) ? named : find_asset(file).value_or(named);
+}
+
+Json::json_pointer pointer_to(std::string key) {
+  std::ranges::replace(key, '.', '/');
+  return Json::json_pointer('/' + key);
+}
+
+std::string to_text(const Json& value) { return joined_words(value, message_word); }
+
+std::string to_text(const toml::node& value) { return to_text(json_of(value)); }
+
+std::string toml_text(const Json& value) { return joined_words(value, toml_word); }
 
 }  // namespace taut::app

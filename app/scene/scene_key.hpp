@@ -1,25 +1,64 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
+#include <toml++/toml.h>
+
 #include <filesystem>
-#include <functional>
-#include <glm/vec3.hpp>
-#include <limits>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
+#include <nlohmann/json.hpp>
 
 #include "app/base/suggest.hpp"
-#include "app/scene/scene_value.hpp"
 
 namespace taut::app {
 
+/// A value to be written. Keys stay in the order in which they were inserted; null means not set.
+using Json = nlohmann::ordered_json;
+
+/// Where a value comes from, for messages.
+struct Source {
+  std::string name;  ///< a file, or an option with its argument
+  bool is_command_line = false;
+};
+
+/// Throws `message` with the source and the line in front: UsageError for the command line, InputError for a
+/// file. 0: no line.
+[[noreturn]] void fail(const Source& source, int line, const std::string& message);
+
+/// Line of the value in its file; 0: not from a file.
+int line_of(const toml::node& value);
+
+/// Parses a TOML text. `name` is for messages. Throws InputError with the name, the line and the reason.
+toml::table read_toml_text(const std::string& text, const std::string& name);
+
+/// Parses the argument after `key=` on the command line. Returns a table with the one key `value`. What is
+/// not TOML becomes a text, so that a shell user need not quote twice.
+toml::table read_toml_value(const std::string& text);
+
+/// The text that a value holds; a date counts as text. Empty for anything else.
+std::optional<std::string> text_in(const toml::node& value);
+
+/// The entries of a table, in the order of their lines. toml++ sorts them by name, but a message should name
+/// the first mistake of the file. Valid as long as the table.
+std::vector<std::pair<std::string, const toml::node*>> entries_of(const toml::table& table);
+
+/// The path of a file that a scene names: relative to the scene file, or where the command line runs; if
+/// there is none, that of a garment, a body or a motion that comes with the program (find_asset).
+std::filesystem::path beside(const Source& source, const std::filesystem::path& file);
+
+/// The place of a key with its sections, such as "solver.substeps", in a nested value.
+Json::json_pointer pointer_to(std::string key);
+
+/// The value as it is written; a date becomes text.
+Json json_of(const toml::node& value);
+
+/// The value for messages: numbers with six digits, texts in quotes, tables in braces, "not set" for null.
+std::string to_text(const Json& value);
+std::string to_text(const toml::node& value);
+
+/// The value as TOML, on one line. Reading it gives the same bits. ASCII only. File names can hold bytes that
+/// are not UTF-8; these become U+FFFD.
+std::string toml_text(const Json& value);
+
 /// One key of a scene file. It sets something of a T.
-template <class T>
-struct Key {
+template <class T> struct Key {
   std::string name;      ///< with its section: "solver.substeps"
   std::string unit;      ///< empty: no unit
   std::string expected;  ///< what a value must be: "a whole number from 1 to 1000"
@@ -62,31 +101,21 @@ std::optional<glm::vec3> colour_value(const toml::node& value);
 std::string colour_text(const glm::vec3& colour);
 
 /// `access` of a key: the member, in a const T or not.
-#define MEMBER(path)     \
-  [](auto& s) -> auto& { \
-    return s.path;       \
-  }
+#define MEMBER(path) \
+  [](auto& s) -> auto& { return s.path; }
 
 // A member that may be without a value is so where the file says 0.
-template <class Number>
-void store(double number, Number& member) {
-  member = static_cast<Number>(number);
-}
-template <class Number>
-void store(double number, std::optional<Number>& member) {
+template <class Number> void store(double number, Number& member) { member = static_cast<Number>(number); }
+template <class Number> void store(double number, std::optional<Number>& member) {
   member = number != 0.0 ? std::optional(static_cast<Number>(number)) : std::nullopt;
 }
-template <class Member>
-double stored(const Member& member) {
+template <class Member> double stored(const Member& member) {
   return static_cast<double>(std::optional(member).value_or(0));
 }
 
 // Stores what was found. Returns false if nothing was.
-template <class Found, class Member>
-bool store(const std::optional<Found>& found, Member& member) {
-  if (found) {
-    member = *found;
-  }
+template <class Found, class Member> bool store(const std::optional<Found>& found, Member& member) {
+  if (found) member = *found;
   return found.has_value();
 }
 
@@ -116,9 +145,7 @@ Key<T> number_key(std::string name, std::string unit, const Range& range, Access
   auto read = [=](const toml::node& value, auto& member) {
     const std::optional<double> number = finite_number(value, unit);
     const bool is_within = number && range.contains(*number);
-    if (is_within) {
-      store(*number * factor, member);
-    }
+    if (is_within) store(*number * factor, member);
     return is_within;
   };
   return member_key<T>(std::move(name), unit, describe("a number", range), access, std::move(meaning), read,
@@ -131,9 +158,7 @@ Key<T> whole_key(std::string name, const Range& range, Access access, std::strin
   auto read = [=](const toml::node& value, auto& member) {
     const std::optional<std::int64_t> number = whole_number(value);
     const bool is_within = number && range.contains(static_cast<double>(*number));
-    if (is_within) {
-      store(static_cast<double>(*number), member);
-    }
+    if (is_within) store(static_cast<double>(*number), member);
     return is_within;
   };
   return member_key<T>(std::move(name), std::move(unit), describe("a whole number", range), access,
@@ -141,8 +166,7 @@ Key<T> whole_key(std::string name, const Range& range, Access access, std::strin
                        [](const auto& member) { return static_cast<std::int64_t>(stored(member)); });
 }
 
-template <class T, class Access>
-Key<T> switch_key(std::string name, Access access, std::string meaning) {
+template <class T, class Access> Key<T> switch_key(std::string name, Access access, std::string meaning) {
   return member_key<T>(
       std::move(name), "", "true or false", access, std::move(meaning),
       [](const toml::node& value, bool& member) { return store(value.value_exact<bool>(), member); },
@@ -162,9 +186,7 @@ template <class T, class Access>
 Key<T> file_key(std::string name, Access access, std::string meaning, bool may_be_empty = false) {
   auto read = [=](const toml::node& value, const Source& source, std::filesystem::path& member) {
     const std::optional<std::string> text = text_in(value);
-    if (!text || (text->empty() && !may_be_empty)) {
-      return false;
-    }
+    if (!text || (text->empty() && !may_be_empty)) return false;
     member = text->empty() ? std::filesystem::path() : beside(source, *text);
     return true;
   };
@@ -190,9 +212,7 @@ Key<T> vector_key(std::string name, std::string unit, Access access, std::string
   auto read = [=](const toml::node& value, auto& member) {
     const auto numbers = three_numbers(value, unit);
     const bool is_allowed = numbers && allows(limits, *numbers);
-    if (is_allowed) {
-      member = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
-    }
+    if (is_allowed) member = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     return is_allowed;
   };
   return member_key<T>(std::move(name), unit, describe(limits), access, std::move(meaning), read,
@@ -202,8 +222,7 @@ Key<T> vector_key(std::string name, std::string unit, Access access, std::string
 }
 
 /// The member is a colour, or an optional one.
-template <class T, class Access>
-Key<T> colour_key(std::string name, Access access, std::string meaning) {
+template <class T, class Access> Key<T> colour_key(std::string name, Access access, std::string meaning) {
   return member_key<T>(
       std::move(name), "", "a colour, \"#rrggbb\" or a name such as \"navy\"", access, std::move(meaning),
       [](const toml::node& value, auto& member) { return store(colour_value(value), member); },
@@ -211,12 +230,9 @@ Key<T> colour_key(std::string name, Access access, std::string meaning) {
 }
 
 /// The choices by their names, for choice_key.
-template <class Choices>
-auto named(const Choices& all) {
+template <class Choices> auto named(const Choices& all) {
   std::vector<std::pair<std::string, typename Choices::value_type>> choices;
-  for (const auto choice : all) {
-    choices.emplace_back(name_of(choice), choice);
-  }
+  for (const auto choice : all) choices.emplace_back(name_of(choice), choice);
   return choices;
 }
 
@@ -225,27 +241,22 @@ template <class T, class Choice, class Access>
 Key<T> choice_key(std::string name, std::vector<std::pair<std::string, Choice>> choices, Access access,
                   std::string meaning) {
   std::string expected;
-  for (const auto& [text, choice] : choices) {
-    expected += (expected.empty() ? "\"" : " or \"") + text + '"';
-  }
+  for (const auto& [text, choice] : choices) expected += (expected.empty() ? "\"" : " or \"") + text + '"';
   auto read = [=](const toml::node& value, Choice& member) {
     const auto found = text_in(value);
-    const auto chosen =
-        std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.first == found; });
+    const auto chosen = std::ranges::find_if(choices, [&](const auto& c) { return c.first == found; });
     member = chosen != choices.end() ? chosen->second : member;
     return chosen != choices.end();
   };
   auto write = [=](const Choice& member) {
-    const auto chosen =
-        std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.second == member; });
+    const auto chosen = std::ranges::find_if(choices, [&](const auto& c) { return c.second == member; });
     return chosen != choices.end() ? Json(chosen->first) : Json();
   };
   return member_key<T>(std::move(name), "", std::move(expected), access, std::move(meaning), read, write);
 }
 
 /// The key, written only where it is in use.
-template <class T, class IsUsed>
-Key<T> written_if(Key<T> key, IsUsed is_used) {
+template <class T, class IsUsed> Key<T> written_if(Key<T> key, IsUsed is_used) {
   key.write = [write = std::move(key.write), is_used](const T& entry) {
     return is_used(entry) ? write(entry) : Json();
   };
@@ -253,40 +264,31 @@ Key<T> written_if(Key<T> key, IsUsed is_used) {
 }
 
 /// Reads a list of tables, each into an entry that `read` returns.
-template <class Read>
-bool read_list(const toml::node& value, const Read& read) {
+template <class Read> bool read_list(const toml::node& value, const Read& read) {
   const toml::array* list = value.as_array();
-  if (list == nullptr || !(list->empty() || list->is_homogeneous<toml::table>())) {
-    return false;
-  }
-  for (const toml::node& item : *list) {
-    read(*item.as_table());
-  }
+  if (list == nullptr || !(list->empty() || list->is_homogeneous<toml::table>())) return false;
+  for (const toml::node& item : *list) read(*item.as_table());
   return true;
 }
 
 /// The values of an entry of a list, nested as in a file; those that are not set are left out.
-template <class T>
-Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
+template <class T> Json write_entry(const std::vector<Key<T>>& keys, const T& entry) {
   Json table = Json::object();
   for (const Key<T>& key : keys) {
     Json value = key.write(entry);
-    if (!value.is_null()) {
-      table[pointer_to(key.name)] = std::move(value);
-    }
+    if (!value.is_null()) table[pointer_to(key.name)] = std::move(value);
   }
   return table;
 }
 
 /// Reads a table of a scene file into a T. Every error message names the key that is wrong and, for an
 /// unknown key, those that are near.
-template <class T>
-class KeyReader {
+template <class T> class KeyReader {
  public:
   KeyReader(const std::vector<Key<T>>& keys, const Source& source, T& target)
       : keys_(keys), source_(source), target_(target) {}
 
-  /// Reads all values of the table. Throws by `fail` (scene_value.hpp) at the first one that is not valid.
+  /// Reads all values of the table. Throws by `fail` at the first one that is not valid.
   void read(const toml::table& table, const std::string& section = "") {
     for (const auto& [key, value] : entries_of(table)) {
       read_value(section.empty() ? key : section + '.' + key, *value);
@@ -325,9 +327,7 @@ class KeyReader {
 
   bool is_section(const std::string& name) const {
     for (const Key<T>& key : keys_) {
-      if (key.name.starts_with(name + '.')) {
-        return true;
-      }
+      if (key.name.starts_with(name + '.')) return true;
     }
     return false;
   }
@@ -340,9 +340,7 @@ class KeyReader {
       if (key.name.starts_with(prefix)) {
         const std::string rest = key.name.substr(prefix.size());
         const std::string name = rest.substr(0, rest.find('.'));
-        if (names.empty() || names.back() != name) {
-          names.push_back(name);
-        }
+        if (names.empty() || names.back() != name) names.push_back(name);
       }
     }
     return joined(names);

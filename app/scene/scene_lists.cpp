@@ -1,17 +1,10 @@
-#include "app/scene/scene_lists.hpp"
-
 #include <fmt/core.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
 
 #include "app/scene/scene_format.hpp"
 
 // `access` of a key of a body that has the shape.
-#define MEMBER_OF(Shape, member)                      \
-  [](auto& b) -> auto& {                              \
-    return std::get<sim::Shape>(b.body.shape).member; \
-  }
+#define MEMBER_OF(Shape, member) \
+  [](auto& b) -> auto& { return std::get<sim::Shape>(b.body.shape).member; }
 
 namespace taut::app {
 namespace {
@@ -27,15 +20,11 @@ std::optional<NearestTo> nearest_of(const toml::node& value) {
 }
 
 std::optional<PinSelector> pin_of(const toml::node& value) {
-  if (const auto text = text_in(value)) {
-    return *text;
-  }
+  if (const auto text = text_in(value)) return *text;
   if (const auto index = whole_number(value); index && *index >= 0 && *index < 0xFFFFFFFFLL) {
     return static_cast<sim::Index>(*index);
   }
-  if (const auto nearest = nearest_of(value)) {
-    return *nearest;
-  }
+  if (const auto nearest = nearest_of(value)) return *nearest;
   return std::nullopt;
 }
 
@@ -49,18 +38,12 @@ struct PinWriter {
 };
 
 std::optional<std::vector<PinSelector>> pins_in(const toml::node& value) {
-  if (const auto text = text_in(value)) {
-    return std::vector<PinSelector>{*text};
-  }
-  if (!value.is_array()) {
-    return std::nullopt;
-  }
+  if (const auto text = text_in(value)) return std::vector<PinSelector>{*text};
+  if (!value.is_array()) return std::nullopt;
   std::vector<PinSelector> pins;
   for (const toml::node& item : *value.as_array()) {
     const auto pin = pin_of(item);
-    if (!pin) {
-      return std::nullopt;
-    }
+    if (!pin) return std::nullopt;
     pins.push_back(*pin);
   }
   return pins;
@@ -68,18 +51,13 @@ std::optional<std::vector<PinSelector>> pins_in(const toml::node& value) {
 
 Json json_of(const std::vector<PinSelector>& pins) {
   Json list = Json::array();
-  for (const PinSelector& pin : pins) {
-    list.push_back(std::visit(PinWriter{}, pin));
-  }
+  for (const PinSelector& pin : pins) list.push_back(std::visit(PinWriter{}, pin));
   return list;
 }
 
-template <class T>
-Json write_list(const std::vector<Key<T>>& keys, const std::vector<T>& entries) {
+template <class T> Json write_list(const std::vector<Key<T>>& keys, const std::vector<T>& entries) {
   Json list = Json::array();
-  for (const T& entry : entries) {
-    list.push_back(write_entry(keys, entry));
-  }
+  for (const T& entry : entries) list.push_back(write_entry(keys, entry));
   return list;
 }
 
@@ -98,14 +76,10 @@ std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
     std::array<double, 4> numbers{};
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const auto number = row != nullptr && row->size() == 4 ? finite_number((*row)[k]) : std::nullopt;
-      if (!number || std::abs(*number) > largest_offset_m) {
-        return std::nullopt;
-      }
+      if (!number || std::abs(*number) > largest_offset_m) return std::nullopt;
       numbers[k] = *number;
     }
-    if (!path.empty() && !(numbers[0] > path.back().time_s)) {
-      return std::nullopt;
-    }
+    if (!path.empty() && !(numbers[0] > path.back().time_s)) return std::nullopt;
     path.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}});
   }
   return path.empty() ? std::nullopt : std::optional(path);
@@ -116,12 +90,8 @@ std::optional<std::vector<sim::PathPoint>> path_in(const toml::node& value) {
 void normalise(sim::Vec3& direction) {
   constexpr double rounded_off = 4e-15;
   constexpr double least_squared = 1e-200;  // below it squares are lost
-  if (glm::dot(direction, direction) < least_squared) {
-    direction *= 1.0 / least_squared;
-  }
-  if (std::abs(glm::dot(direction, direction) - 1.0) > rounded_off) {
-    direction = glm::normalize(direction);
-  }
+  if (glm::dot(direction, direction) < least_squared) direction *= 1.0 / least_squared;
+  if (std::abs(glm::dot(direction, direction) - 1.0) > rounded_off) direction = glm::normalize(direction);
 }
 
 template <class Part>
@@ -157,12 +127,9 @@ Key<T> path_key(std::string name, std::string unit, Access access, std::string m
 }
 
 /// Adds the keys of a motion; `motion` returns the one of an entry, const or not.
-template <class T, class Access>
-void add_motion(std::vector<Key<T>>& keys, Access motion) {
-#define MOTION(member)           \
-  [=](auto& entry) -> auto& {    \
-    return motion(entry).member; \
-  }
+template <class T, class Access> void add_motion(std::vector<Key<T>>& keys, Access motion) {
+#define MOTION(member) \
+  [=](auto& entry) -> auto& { return motion(entry).member; }
   constexpr Range time = {.lowest = 0.0, .highest = 1e6};
   const std::string begins = "when it begins; not set: at 0", ends = "when it ends; not set: never";
   const auto shifts = [=](const T& e) { return motion(e).shift != sim::Shift{}; };
@@ -208,9 +175,7 @@ const std::array<std::pair<const char*, sim::Shape>, 4> shapes = {{{"plane", sim
                                                                    {"mesh", sim::BodyMesh{}}}};
 constexpr const char* shape_names = "\"plane\" or \"sphere\" or \"capsule\" or \"mesh\"";
 
-const char* name_of(const sim::Shape& shape) {
-  return shapes[shape.index()].first;
-}
+const char* name_of(const sim::Shape& shape) { return shapes[shape.index()].first; }
 
 struct BodyInScene {
   sim::Body body;
@@ -310,13 +275,9 @@ std::vector<Key<BodyInScene>> body_keys(const sim::Shape& shape) {
 sim::Shape shape_of(const toml::table& entry, const Source& source) {
   const std::string expected = std::string("expected a shape, ") + shape_names;
   const toml::node* shape = entry.get("shape");
-  if (shape == nullptr) {
-    fail(source, line_of(entry), "an entry of bodies has no shape; " + expected);
-  }
+  if (shape == nullptr) fail(source, line_of(entry), "an entry of bodies has no shape; " + expected);
   for (const auto& [name, found] : shapes) {
-    if (text_in(*shape) == name) {
-      return found;
-    }
+    if (text_in(*shape) == name) return found;
   }
   fail(source, line_of(*shape), "bodies.shape: found " + to_text(*shape) + ", " + expected);
 }
@@ -326,9 +287,7 @@ BodyInScene read_body(const toml::table& table, const Source& source) {
   const auto keys = body_keys(entry.body.shape);
   KeyReader(keys, source, entry).read(table);
   check_motion(source, line_of(table), entry.body.motion);
-  if (auto* plane = std::get_if<sim::Plane>(&entry.body.shape)) {
-    normalise(plane->normal);
-  }
+  if (auto* plane = std::get_if<sim::Plane>(&entry.body.shape)) normalise(plane->normal);
   if (std::holds_alternative<sim::BodyMesh>(entry.body.shape) && entry.source.file.empty()) {
     fail(source, line_of(table),
          "a body of shape \"mesh\" has no file; expected file = \"...\", a closed 3D model");
@@ -339,9 +298,7 @@ BodyInScene read_body(const toml::table& table, const Source& source) {
 template <class T>
 std::string entry_help(const std::string& title, const std::vector<Key<T>>& keys, const T& defaults) {
   std::string text = '\n' + title + ":\n";
-  for (const Key<T>& key : keys) {
-    text += describe_key(key, defaults);
-  }
+  for (const Key<T>& key : keys) text += describe_key(key, defaults);
   return text;
 }
 
@@ -349,17 +306,13 @@ std::string entry_help(const std::string& title, const std::vector<Key<T>>& keys
 
 int Scene::dressing_frames() const {
   int most = 0;
-  for (const BodySource& source : body_sources) {
-    most = std::max(most, source.dress);
-  }
+  for (const BodySource& source : body_sources) most = std::max(most, source.dress);
   return most;
 }
 
 bool set_body_key(const std::string& name, const toml::node& value, const Source& source, Scene& scene) {
   constexpr std::string_view section = "body.";
-  if (!name.starts_with(section)) {
-    return false;
-  }
+  if (!name.starts_with(section)) return false;
   std::vector<sim::Body>& bodies = scene.surroundings.bodies;
   scene.body_sources.resize(bodies.size());
   if (name == "body.file") {
@@ -377,9 +330,7 @@ bool set_body_key(const std::string& name, const toml::node& value, const Source
   BodyInScene entry{bodies[k], scene.body_sources[k]};
   const std::vector<Key<BodyInScene>> keys = body_keys(entry.body.shape);
   KeyReader(keys, source, entry).read_value(name.substr(section.size()), value);
-  if (name == "body.file") {
-    entry.body.name = entry.source.file.stem().string();
-  }
+  if (name == "body.file") entry.body.name = entry.source.file.stem().string();
   bodies[k] = std::move(entry.body);
   scene.body_sources[k] = std::move(entry.source);
   return true;

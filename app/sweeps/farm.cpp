@@ -1,11 +1,6 @@
 #include "app/sweeps/farm.hpp"
 
-#include <fmt/core.h>
 #include <unistd.h>
-
-#include <array>
-#include <optional>
-#include <system_error>
 
 #include "app/base/child_process.hpp"
 #include "app/base/errors.hpp"
@@ -17,9 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string full(const fs::path& path) {
-  return fs::absolute(path).lexically_normal().string();
-}
+std::string full(const fs::path& path) { return fs::absolute(path).lexically_normal().string(); }
 
 std::string task_command(const Sweep& sweep, const FarmSettings& settings) {
   return this_command({"sweep", "run", full(sweep.folder), "--chunk", std::to_string(settings.chunk)});
@@ -28,18 +21,14 @@ std::string task_command(const Sweep& sweep, const FarmSettings& settings) {
 /// As sbatch reads it in a script: in quotes.
 std::string sbatch_quoted(const std::string& text) {
   std::string quoted = "\"";
-  for (const char letter : text) {
-    quoted.append(letter == '"' || letter == '\\' ? "\\" : "").append(1, letter);
-  }
+  for (const char letter : text) quoted.append(letter == '"' || letter == '\\' ? "\\" : "").append(1, letter);
   return quoted + '"';
 }
 
 /// A log beside the runs, whose name may have Slurm's symbols while its folder's has none.
 std::string sbatch_log(const Sweep& sweep, const std::string& name) {
   std::string path;
-  for (const char letter : full(sweep.folder / "slurm")) {
-    path.append(letter == '%' ? 2 : 1, letter);
-  }
+  for (const char letter : full(sweep.folder / "slurm")) path.append(letter == '%' ? 2 : 1, letter);
   return sbatch_quoted(path + '/' + name);
 }
 
@@ -62,9 +51,7 @@ std::vector<ArrayJob> array_jobs(std::span<const std::size_t> missing, std::size
       finish();
       offset = task - task % max_array_size;
     }
-    if (tasks.empty() || tasks.back() != task - offset) {
-      tasks.push_back(task - offset);
-    }
+    if (tasks.empty() || tasks.back() != task - offset) tasks.push_back(task - offset);
   }
   finish();
   return jobs;
@@ -87,9 +74,7 @@ std::string slurm_script(const Sweep& sweep, const FarmSettings& settings) {
       "# Half a minute to save what was simulated, before time is up.\n"
       "#SBATCH --signal=B:TERM@30\n",
       sbatch_quoted("taut-" + sweep.scene_name), sbatch_log(sweep, "%A.log"), settings.memory);
-  for (const std::string& option : settings.sbatch) {
-    text += "#SBATCH " + option + '\n';
-  }
+  for (const std::string& option : settings.sbatch) text += "#SBATCH " + option + '\n';
   return text + "exec " + task_command(sweep, settings) + " --offset \"$1\"\n";
 }
 
@@ -106,9 +91,7 @@ std::string this_command(const std::vector<std::string>& arguments) {
 
 std::string output_of(const std::vector<std::string>& command) {
   std::array<int, 2> ends{};
-  if (::pipe(ends.data()) != 0) {
-    throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
-  }
+  if (::pipe(ends.data()) != 0) throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
   const Descriptor read_end(ends[0]);
   std::optional<Descriptor> write_end(std::in_place, ends[1]);
   try {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/sweeps/sweep.hpp"
 
 namespace taut::app {

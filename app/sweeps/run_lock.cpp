@@ -5,13 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <sstream>
-#include <system_error>
 
 #include "app/base/child_process.hpp"
 #include "app/base/files.hpp"
@@ -35,9 +30,7 @@ std::string owner_in(const fs::path& file) {
 
 /// Whether a process of this machine is gone, or has ended and was not waited for.
 bool is_over(pid_t process) {
-  if (::kill(process, 0) != 0) {
-    return errno == ESRCH;
-  }
+  if (::kill(process, 0) != 0) return errno == ESRCH;
   std::ifstream in("/proc/" + std::to_string(process) + "/stat");
   std::string line;
   std::getline(in, line);
@@ -67,9 +60,7 @@ bool is_stale(const fs::path& lock, const fs::path& just_written) {
 /// queues, and the last one has it.
 bool take_over(const fs::path& own, const fs::path& lock) {
   const Descriptor left(::open(lock.c_str(), O_RDWR | O_CLOEXEC));
-  if (::flock(left.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    return false;
-  }
+  if (::flock(left.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   struct stat opened {
   }, named{};
   if (::fstat(left.number(), &opened) != 0 || ::stat(lock.c_str(), &named) != 0 ||
@@ -95,9 +86,7 @@ RunLock::RunLock(fs::path file)
   // The answer of a network file system may be lost, and it says to the second try that the name is taken.
   bool is_taken = ::link(own.c_str(), file_.c_str()) == 0 || fs::hard_link_count(own, error) == 2;
   const std::string other = owner_in(file_);
-  if (!is_taken) {
-    is_taken = fs::exists(file_, error) ? take_over(own, file_) : take_without_link(own, file_);
-  }
+  if (!is_taken) is_taken = fs::exists(file_, error) ? take_over(own, file_) : take_without_link(own, file_);
   is_held_ = is_taken && owner_in(file_) == owner_;
   owner_ = is_held_ ? owner_ : other;
   fs::remove(own, error);

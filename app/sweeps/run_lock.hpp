@@ -2,7 +2,8 @@
 
 #include <chrono>
 #include <filesystem>
-#include <string>
+
+#include "prelude.hpp"
 
 namespace taut::app {
 

@@ -1,14 +1,8 @@
 #include "app/sweeps/sweep.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <map>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_format.hpp"
 #include "sim/bytes.hpp"
 
@@ -21,7 +15,7 @@ namespace fs = std::filesystem;
 bool names_file(const std::string& key) {
   constexpr std::array names = {"file", "start", "motion", "frames", "checkpoint", "texture"};
   const std::string name = key.substr(key.rfind('.') + 1);
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 /// A fabric is a file where its name says so.
@@ -29,9 +23,7 @@ bool is_fabric_file(const std::string& key, const std::string& value) {
   return key.ends_with("fabric") && value.ends_with(".toml");
 }
 
-bool is_input(const std::string& name) {
-  return name.starts_with(inputs_folder);
-}
+bool is_input(const std::string& name) { return name.starts_with(inputs_folder); }
 
 std::vector<Override> overrides(const Sweep& sweep, std::size_t run) {
   const auto in_folder = [&](const std::string& name) {
@@ -57,9 +49,7 @@ SweepAxis read_axis(const Json& json, const std::string& where) {
 
 std::size_t Sweep::runs() const {
   std::size_t count = 1;
-  for (const SweepAxis& axis : axes) {
-    count *= axis.values.size();
-  }
+  for (const SweepAxis& axis : axes) count *= axis.values.size();
   return count;
 }
 
@@ -74,9 +64,7 @@ std::vector<std::size_t> Sweep::choice(std::size_t run) const {
 Json Sweep::values(std::size_t run) const {
   Json values = Json::object();
   const std::vector<std::size_t> chosen = choice(run);
-  for (std::size_t k = 0; k < axes.size(); ++k) {
-    values[axes[k].key] = axes[k].values[chosen[k]];
-  }
+  for (std::size_t k = 0; k < axes.size(); ++k) values[axes[k].key] = axes[k].values[chosen[k]];
   return values;
 }
 
@@ -117,9 +105,7 @@ Sweep read_sweep(const fs::path& folder) {
     sweep.scene_name = json.at("scene");
     sweep.pictures = json.at("pictures");
     sweep.program = json.at("program");
-    for (const Json& axis : json.at("axes")) {
-      sweep.axes.push_back(read_axis(axis, file.string()));
-    }
+    for (const Json& axis : json.at("axes")) sweep.axes.push_back(read_axis(axis, file.string()));
     sweep.scene_text = read_text_file(folder / "scene.toml");
     if (hash_text(sim::fnv1a(sim::fnv1a_of_nothing, sweep.scene_text)) != json.at("scene_hash")) {
       throw InputError("scene.toml is not what was planned");
@@ -132,24 +118,18 @@ Sweep read_sweep(const fs::path& folder) {
 
 std::string sweep_text(const Sweep& sweep, bool with_program) {
   Json axes = Json::array();
-  for (const SweepAxis& axis : sweep.axes) {
-    axes.push_back({{"key", axis.key}, {"values", axis.values}});
-  }
+  for (const SweepAxis& axis : sweep.axes) axes.push_back({{"key", axis.key}, {"values", axis.values}});
   Json json = {{"scene", sweep.scene_name},
                {"scene_hash", hash_text(sim::fnv1a(sim::fnv1a_of_nothing, sweep.scene_text))},
                {"pictures", sweep.pictures},
                {"axes", axes},
                {"runs", sweep.runs()}};
-  if (with_program) {
-    json["program"] = sweep.program;
-  }
+  if (with_program) json["program"] = sweep.program;
   return json.dump(2) + '\n';
 }
 
 std::string value_label(const Json& value) {
-  if (!value.is_string()) {
-    return toml_text(value);
-  }
+  if (!value.is_string()) return toml_text(value);
   const std::string text = value;
   return is_input(text) ? fs::path(text).stem().string() : text;
 }
@@ -162,13 +142,9 @@ Json with_files(const std::string& key, const Json& value,
   }
   Json renamed = value;
   if (value.is_object()) {
-    for (const auto& [name, item] : value.items()) {
-      renamed[name] = with_files(name, item, rename);
-    }
+    for (const auto& [name, item] : value.items()) renamed[name] = with_files(name, item, rename);
   } else if (value.is_array()) {
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      renamed[i] = with_files(key, value[i], rename);
-    }
+    for (std::size_t i = 0; i < value.size(); ++i) renamed[i] = with_files(key, value[i], rename);
   }
   return renamed;
 }
@@ -186,9 +162,7 @@ std::string program_hash() {
   return hash_text(sim::fnv1a(sim::fnv1a_of_nothing, read_text_file("/proc/self/exe")));
 }
 
-std::string hash_text(std::uint64_t hash) {
-  return fmt::format("{:016x}", hash);
-}
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 namespace {
 
@@ -247,15 +221,13 @@ std::vector<fs::path> files_of(const fs::path& named) {
         files.push_back(entry.path());
       }
     }
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     return files;
   }
   files.push_back(named);
   for (const char* ending : belongings) {
     const fs::path other = named.parent_path() / (named.stem().string() + ending);
-    if (other != named && fs::is_regular_file(other)) {
-      files.push_back(other);
-    }
+    if (other != named && fs::is_regular_file(other)) files.push_back(other);
   }
   return files;
 }
@@ -265,9 +237,7 @@ class Inputs {
  public:
   /// The name of a file in the sweep's folder; what is no file stays as it is.
   std::string name_of(const std::string& full) {
-    if (!fs::path(full).is_absolute()) {
-      return full;
-    }
+    if (!fs::path(full).is_absolute()) return full;
     std::string& name = names_[full];
     if (name.empty()) {
       const bool is_folder = fs::is_directory(full);
@@ -277,9 +247,7 @@ class Inputs {
         hash = sim::fnv1a(sim::fnv1a(hash, file.filename().string()), read_text_file(file));
       }
       const fs::path folder = fs::path(inputs_folder) / hash_text(hash);
-      for (const fs::path& file : files) {
-        copies.emplace_back(file, folder / file.filename());
-      }
+      for (const fs::path& file : files) copies.emplace_back(file, folder / file.filename());
       name = (is_folder ? folder : folder / fs::path(full).filename()).string();
     }
     return name;
@@ -293,12 +261,9 @@ class Inputs {
 
 void require_few(const Sweep& sweep, const std::string& study) {
   double runs = 1.0;
-  for (const SweepAxis& axis : sweep.axes) {
-    runs *= static_cast<double>(axis.values.size());
-  }
+  for (const SweepAxis& axis : sweep.axes) runs *= static_cast<double>(axis.values.size());
   if (runs > static_cast<double>(most_runs)) {
-    throw InputError(
-        fmt::format("{}: the axes make {:.0f} runs, expected at most {}", study, runs, most_runs));
+    throw InputError("{}: the axes make {:.0f} runs, expected at most {}", study, runs, most_runs);
   }
 }
 
@@ -327,9 +292,7 @@ Study read_study(const fs::path& file, Sweep& sweep) {
   const Source source{file.string(), false};
   toml::table table = read_toml_text(read_text_file(file), source.name);
   const toml::table* axes = table["axes"].as_table();
-  if (axes == nullptr) {
-    fail(source, 0, "expected a table [axes], such as \"wind.speed\" = [0, 1, 10]");
-  }
+  if (axes == nullptr) fail(source, 0, "expected a table [axes], such as \"wind.speed\" = [0, 1, 10]");
   read_axes(*axes, "", source, sweep);
   table.erase("axes");
   Study study;
@@ -361,14 +324,10 @@ PlannedSweep plan_sweep(const fs::path& file, const fs::path& folder) {
   Inputs inputs;
   const auto taken_in = [&](const std::string& name) { return inputs.name_of(name); };
   for (SweepAxis& axis : sweep.axes) {
-    for (Json& value : axis.values) {
-      value = with_files(axis.key, value, taken_in);
-    }
+    for (Json& value : axis.values) value = with_files(axis.key, value, taken_in);
   }
   Json settings = scene_settings(base);
-  if (!base.garment.file.empty()) {
-    settings["garment"].erase("grid");
-  }
+  if (!base.garment.file.empty()) settings["garment"].erase("grid");
   settings = with_files("", settings, [&](const auto& name) { return full_name(name, {name, true}); });
   sweep.scene_text = settings_text(with_files("", settings, taken_in));
   sweep.folder = folder;
@@ -388,9 +347,7 @@ bool write_sweep(const PlannedSweep& planned) {
       throw InputError("'" + folder.string() +
                        "' holds the sweep of another study; choose another folder, or remove it");
     }
-    if (there.program == sweep.program && fs::exists(folder / "manifest")) {
-      return false;
-    }
+    if (there.program == sweep.program && fs::exists(folder / "manifest")) return false;
   }
   prepare_folder_of(folder / "sweep.json");
   for (const auto& [from, to] : planned.copies) {

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/scene/scene_file.hpp"
-#include "app/scene/scene_value.hpp"
+#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 

@@ -1,10 +1,6 @@
 #include "app/sweeps/sweep_results.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <fstream>
-#include <set>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -28,9 +24,7 @@ std::set<std::string> stems_of(const Sweep& sweep, const char* ending) {
   std::set<std::string> stems;
   std::error_code error;
   for (const auto& entry : fs::recursive_directory_iterator(sweep.folder / "runs", error)) {
-    if (entry.path().extension() == ending) {
-      stems.insert(entry.path().stem().string());
-    }
+    if (entry.path().extension() == ending) stems.insert(entry.path().stem().string());
   }
   return stems;
 }
@@ -119,15 +113,13 @@ SweepStatus status_of(const Sweep& sweep) {
     if (end == "failed" && status.first_failure.empty()) {
       status.first_failure = fmt::format("run {}: {}", run, result->value("where", ""));
     }
-    if (result == nullptr || !is_final(*result)) {
-      status.missing.push_back(run);
-    }
+    if (result == nullptr || !is_final(*result)) status.missing.push_back(run);
   });
   const std::set<std::string> locked = stems_of(sweep, ".lock");
   const std::set<std::string> saved = stems_of(sweep, ".checkpoint");
   status.working = locked.size();
-  status.stopped = static_cast<std::size_t>(std::count_if(
-      saved.begin(), saved.end(), [&](const std::string& stem) { return !locked.contains(stem); }));
+  status.stopped = static_cast<std::size_t>(
+      std::ranges::count_if(saved, [&](const std::string& stem) { return !locked.contains(stem); }));
   return status;
 }
 
@@ -135,9 +127,7 @@ std::string ranges_text(std::span<const std::size_t> numbers) {
   std::string text;
   for (std::size_t i = 0; i < numbers.size();) {
     std::size_t last = i;
-    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
-      ++last;
-    }
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
     text += (text.empty() ? "" : ",") + std::to_string(numbers[i]) +
             (last > i ? '-' + std::to_string(numbers[last]) : "");
     i = last + 1;
@@ -147,22 +137,16 @@ std::string ranges_text(std::span<const std::size_t> numbers) {
 
 std::string sweep_table(const Sweep& sweep) {
   std::vector<std::string> columns = {"index"};
-  for (const SweepAxis& axis : sweep.axes) {
-    columns.push_back(cell(axis.key));
-  }
+  for (const SweepAxis& axis : sweep.axes) columns.push_back(cell(axis.key));
   columns.emplace_back("end");
   columns.insert(columns.end(), measures.begin(), measures.end());
   CsvTable table(columns);
   for_each_result(sweep, [&](std::size_t run, const Json* result) {
     std::vector<std::string> row = {std::to_string(run)};
     const Json values = sweep.values(run);
-    for (const Json& value : values) {
-      row.push_back(cell(value_label(value)));
-    }
+    for (const Json& value : values) row.push_back(cell(value_label(value)));
     row.push_back(result != nullptr ? cell_of(result, "end") : "missing");
-    for (const char* name : measures) {
-      row.push_back(cell_of(result, name));
-    }
+    for (const char* name : measures) row.push_back(cell_of(result, name));
     table.add(std::move(row));
   });
   return table.text();
@@ -177,9 +161,7 @@ renderer::Image sweep_sheet(const Sweep& sweep) {
       pictures.push_back({title_of(sweep, run), "", read_picture(file)});
     }
   }
-  if (pictures.empty()) {
-    return {};
-  }
+  if (pictures.empty()) return {};
   // Where some are missing, what is there fills up.
   const std::size_t columns = step == 1 ? columns_of(sweep) : 10;
   return contact_sheet(pictures, 1.0F,

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/sweeps/sweep.hpp"
 #include "renderer/page/image.hpp"
 

@@ -1,10 +1,5 @@
 #include "app/sweeps/sweep_run.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <optional>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/stopwatch.hpp"
@@ -19,7 +14,6 @@
 #include "app/output/picture_record.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/run_report.hpp"
-#include "app/output/run_start.hpp"
 #include "app/sweeps/run_lock.hpp"
 #include "app/sweeps/sweep_results.hpp"
 
@@ -57,7 +51,7 @@ renderer::Image draw(Loaded& run) {
   const double time_s = run.simulation.state().time_s;
   if (is_fitted(run.scene)) {
     FittedView fitted(run.scene, run.simulation.garment());
-    fitted.add(positions, time_s);
+    fitted.add(positions, run.garment.shown_m(positions), time_s);
     fitted.place_camera(run.scene);
   }
   OffscreenRenderer offscreen("auto");
@@ -103,9 +97,7 @@ class SweepRun {
     loaded_.emplace(Loaded::of(sweep_.scene(run_)));
     sim::Simulation& simulation = loaded_->simulation;
     const int frames = loaded_->scene.frames;
-    if (!resume()) {
-      saved_.frame = go_to_start(loaded_->scene, simulation);
-    }
+    if (!resume()) saved_.frame = go_to_start(loaded_->scene, simulation);
     FrameOutputs outputs;
     outputs.start_frame = saved_.frame;
     outputs.overlap = false;
@@ -113,12 +105,8 @@ class SweepRun {
       saved_.frame = record.frame;
       saved_.summary.add(record);
       lock_.beat();
-      if (record.frame % checkpoint_every == 0 && record.frame < frames) {
-        save();
-      }
-      if (report) {
-        report(static_cast<double>(record.frame) / frames);
-      }
+      if (record.frame % checkpoint_every == 0 && record.frame < frames) save();
+      if (report) report(static_cast<double>(record.frame) / frames);
     };
     run_frames(simulation, frames, outputs);
     if (sweep_.pictures) {
@@ -132,14 +120,10 @@ class SweepRun {
 
   /// Whether it goes on from where an earlier attempt at this very run stopped.
   bool resume() {
-    if (std::error_code error; !std::filesystem::exists(checkpoint_, error)) {
-      return false;
-    }
+    if (std::error_code error; !std::filesystem::exists(checkpoint_, error)) return false;
     try {
       RunCheckpoint saved = read_run_checkpoint(checkpoint_);
-      if (saved.scene_name != saved_.scene_name) {
-        return false;
-      }
+      if (saved.scene_name != saved_.scene_name) return false;
       restore(checkpoint_, saved, loaded_->simulation);
       saved_ = std::move(saved);
       return true;
@@ -161,9 +145,7 @@ class SweepRun {
                    {"scene", sweep_.scene_hash(run_)},
                    {"program", sweep_.program},
                    {"end", name_of(attempt.end)}};
-    if (!attempt.what.empty()) {
-      result["where"] = attempt.what;
-    }
+    if (!attempt.what.empty()) result["where"] = attempt.what;
     if (loaded_ && saved_.summary.frames > 0) {
       result["vertices"] = loaded_->simulation.garment().mesh.positions.size();
       result["triangles"] = loaded_->simulation.garment().mesh.triangles.size();
@@ -204,26 +186,18 @@ void remove_unfinished(const Sweep& sweep, std::size_t run) {
     const std::string name = entry.path().filename().string();
     const bool is_of_run =
         name.starts_with(any.filename().string()) && name.find(".lock") == std::string::npos;
-    if (is_of_run && name.find(".part-") != std::string::npos) {
-      unfinished.push_back(entry.path());
-    }
+    if (is_of_run && name.find(".part-") != std::string::npos) unfinished.push_back(entry.path());
   }
-  for (const fs::path& file : unfinished) {
-    fs::remove(file, ignored);
-  }
+  for (const fs::path& file : unfinished) fs::remove(file, ignored);
 }
 
 }  // namespace
 
 Attempt attempt_run(const Sweep& sweep, std::size_t run, const ProgressCallback& report) {
-  if (const auto there = earlier(sweep, run)) {
-    return *there;
-  }
+  if (const auto there = earlier(sweep, run)) return *there;
   prepare_folder_of(sweep.file(run, ".json"));
   RunLock lock(sweep.file(run, ".lock"));
-  if (!lock.is_held()) {
-    return {AttemptEnd::busy, lock.owner() + " works on it"};
-  }
+  if (!lock.is_held()) return {AttemptEnd::busy, lock.owner() + " works on it"};
   remove_unfinished(sweep, run);
   // It may have come while this process waited for nothing but a file system.
   const auto there = earlier(sweep, run);
@@ -259,9 +233,9 @@ void require_planned_program(const Sweep& sweep) {
   const std::string program = program_hash();
   if (program != sweep.program) {
     throw InputError(
-        fmt::format("'{}' was planned for the program {}, found {}; taut sweep plan again makes all "
-                    "runs anew with this one",
-                    sweep.folder.string(), sweep.program, program));
+        "'{}' was planned for the program {}, found {}; taut sweep plan again makes all "
+        "runs anew with this one",
+        sweep.folder.string(), sweep.program, program);
   }
 }
 

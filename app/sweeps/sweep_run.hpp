@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "app/base/job_runner.hpp"
 #include "app/sweeps/sweep.hpp"
 

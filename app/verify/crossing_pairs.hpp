@@ -1,10 +1,6 @@
 #pragma once
 
-#include <compare>
-#include <span>
-#include <string>
-#include <vector>
-
+#include "prelude.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::app {

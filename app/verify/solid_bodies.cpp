@@ -1,10 +1,5 @@
 #include "app/verify/solid_bodies.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-
 namespace taut::app {
 namespace {
 
@@ -31,12 +26,8 @@ Depth outside_cone(const Vec3& p, const Limb& limb) {
   const double length_m = glm::length(axis);
   const Vec3 along = axis / length_m;
   const double at_m = glm::dot(p - limb.start_m, along);
-  if (at_m < 0.0) {
-    return {-at_m, -along};
-  }
-  if (at_m > length_m) {
-    return {at_m - length_m, along};
-  }
+  if (at_m < 0.0) return {-at_m, -along};
+  if (at_m > length_m) return {at_m - length_m, along};
   const double slope = (limb.end_radius_m - limb.start_radius_m) / length_m;
   const Vec3 across = p - limb.start_m - at_m * along;
   const Depth side = {glm::length(across) - limb.start_radius_m - slope * at_m,
@@ -47,20 +38,13 @@ Depth outside_cone(const Vec3& p, const Limb& limb) {
 
 /// Whether the function goes below -most_depth_m in the triangle. It is nowhere below its tangents, so that
 /// the smallest of a tangent at the corners is a bound; where that does not tell, the triangle is halved.
-template <class Outside>
-bool enters(const Corners& t, const Outside& outside) {
+template <class Outside> bool enters(const Corners& t, const Outside& outside) {
   const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
   const Depth here = outside(middle);
-  if (here.outside_m < -most_depth_m) {
-    return true;
-  }
+  if (here.outside_m < -most_depth_m) return true;
   double rises_m = 0.0;
-  for (const Vec3& corner : t) {
-    rises_m = std::min(rises_m, glm::dot(here.gradient, corner - middle));
-  }
-  if (here.outside_m + rises_m >= -most_depth_m || rises_m > -1e-3 * most_depth_m) {
-    return false;
-  }
+  for (const Vec3& corner : t) rises_m = std::min(rises_m, glm::dot(here.gradient, corner - middle));
+  if (here.outside_m + rises_m >= -most_depth_m || rises_m > -1e-3 * most_depth_m) return false;
   const auto length = [&](std::size_t k) { return glm::distance(t[k], t[(k + 1) % 3]); };
   const std::size_t longest = length(0) >= length(1) && length(0) >= length(2) ? 0
                               : length(1) >= length(2)                         ? 1
@@ -73,8 +57,8 @@ bool enters(const Corners& t, const Outside& outside) {
 }  // namespace
 
 bool enters_half_space(const Corners& triangle, const Vec3& point_m, const Vec3& normal) {
-  return std::any_of(triangle.begin(), triangle.end(),
-                     [&](const Vec3& corner) { return glm::dot(corner - point_m, normal) < -most_depth_m; });
+  return std::ranges::any_of(
+      triangle, [&](const Vec3& corner) { return glm::dot(corner - point_m, normal) < -most_depth_m; });
 }
 
 bool enters_limb(const Corners& triangle, const Limb& limb) {

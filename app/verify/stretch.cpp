@@ -1,9 +1,5 @@
 #include "app/verify/stretch.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 namespace taut::app {
 namespace {
 

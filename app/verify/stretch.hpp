@@ -1,7 +1,6 @@
 #pragma once
 
-#include <span>
-
+#include "prelude.hpp"
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::app {

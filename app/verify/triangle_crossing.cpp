@@ -1,14 +1,9 @@
 #include "app/verify/triangle_crossing.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <span>
-
-#include "app/verify/orientation.hpp"
+#include <gmpxx.h>
 
 namespace taut::app {
+
 namespace {
 
 using sim::Vec2;
@@ -19,13 +14,9 @@ struct Segment {
   Vec3 from, to;
 };
 
-Segment edge_of(const Corners& t, std::size_t k) {
-  return {t[k], t[(k + 1) % 3]};
-}
+Segment edge_of(const Corners& t, std::size_t k) { return {t[k], t[(k + 1) % 3]}; }
 
-Vec2 without(int axis, const Vec3& p) {
-  return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
-}
+Vec2 without(int axis, const Vec3& p) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
 int orientation_without(int axis, const Vec3& a, const Vec3& b, const Vec3& c) {
   return orientation(without(axis, a), without(axis, b), without(axis, c));
@@ -89,9 +80,7 @@ bool is_inside(const Vec3& p, const Corners& t) {
 /// Of a segment in the triangle's plane, or of any segment if the triangle has no area.
 std::optional<Vec3> place_in_plane(const Segment& s, const Corners& t) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (segments_meet(s, edge_of(t, k))) {
-      return meeting_place(s, edge_of(t, k));
-    }
+    if (segments_meet(s, edge_of(t, k))) return meeting_place(s, edge_of(t, k));
   }
   return is_inside(s.from, t) ? std::optional(s.from) : std::nullopt;
 }
@@ -108,9 +97,7 @@ struct SidesOfEnds {
   bool are_none() const { return first == 0 && second == 0; }
 };
 
-int side_of(const Corners& plane, const Vec3& p) {
-  return orientation(plane[0], plane[1], plane[2], p);
-}
+int side_of(const Corners& plane, const Vec3& p) { return orientation(plane[0], plane[1], plane[2], p); }
 
 SidesOfEnds sides_of(const Corners& plane, const Vec3& a, const Vec3& b) {
   return {side_of(plane, a), side_of(plane, b)};
@@ -118,21 +105,15 @@ SidesOfEnds sides_of(const Corners& plane, const Vec3& a, const Vec3& b) {
 
 /// A point that the segment, whose ends are on these sides, has in common with the triangle.
 std::optional<Vec3> common_place(const Segment& s, const SidesOfEnds& sides, const Corners& t) {
-  if (sides.are_one()) {
-    return std::nullopt;
-  }
-  if (sides.are_none()) {
-    return place_in_plane(s, t);
-  }
+  if (sides.are_one()) return std::nullopt;
+  if (sides.are_none()) return place_in_plane(s, t);
   bool is_left = false, is_right = false;
   for (std::size_t k = 0; k < 3; ++k) {
     const int side = orientation(s.from, s.to, edge_of(t, k).from, edge_of(t, k).to);
     is_left = is_left || side > 0;
     is_right = is_right || side < 0;
   }
-  if (is_left && is_right) {
-    return std::nullopt;
-  }
+  if (is_left && is_right) return std::nullopt;
   const double before = distance_from_plane(s.from, t), behind = distance_from_plane(s.to, t);
   return before + behind > 0.0 ? glm::mix(s.from, s.to, before / (before + behind)) : s.from;
 }
@@ -147,16 +128,13 @@ SidesOfCorners sides_of(const Corners& plane, const Corners& t) {
   return {side_of(plane, t[0]), side_of(plane, t[1]), side_of(plane, t[2])};
 }
 
-bool are_one(const SidesOfCorners& s) {
-  return s[0] * s[1] > 0 && s[1] * s[2] > 0;
-}
+bool are_one(const SidesOfCorners& s) { return s[0] * s[1] > 0 && s[1] * s[2] > 0; }
 
-/// Returns the first place where an edge of `a` pierces `b`. `sides` are those of `b` on which corners of `a` are.
+/// Returns the first place where an edge of `a` pierces `b`. `sides` are those of `b` on which corners of `a`
+/// are.
 std::optional<Vec3> first_place_along_edges(const Corners& a, const SidesOfCorners& sides, const Corners& b) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (const auto place = common_place(edge_of(a, k), {sides[k], sides[(k + 1) % 3]}, b)) {
-      return place;
-    }
+    if (const auto place = common_place(edge_of(a, k), {sides[k], sides[(k + 1) % 3]}, b)) return place;
   }
   return std::nullopt;
 }
@@ -165,13 +143,9 @@ std::optional<Vec3> first_place_along_edges(const Corners& a, const SidesOfCorne
 /// for that of `a`, whose ends are on these sides of `b`. In a triangle without area the corner may lie on
 /// that edge, and its ends stand for it.
 std::optional<Vec3> place_opposite(const Corners& a, const SidesOfEnds& sides, const Corners& b) {
-  if (!is_without_area(a)) {
-    return common_place({a[1], a[2]}, sides, b);
-  }
+  if (!is_without_area(a)) return common_place({a[1], a[2]}, sides, b);
   for (const Vec3& end : {a[1], a[2]}) {
-    if (end != a[0] && common_place(end, b)) {
-      return end;
-    }
+    if (end != a[0] && common_place(end, b)) return end;
   }
   return std::nullopt;
 }
@@ -190,13 +164,10 @@ bool are_far_apart(const Vec3& origin, const Vec3& axis, std::span<const Vec3> b
   };
   const auto is_before = [&](const Vec3& p) { return is_in_front(p, 1.0); };
   const auto is_behind = [&](const Vec3& p) { return is_in_front(p, -1.0); };
-  return std::all_of(before.begin(), before.end(), is_before) &&
-         std::all_of(behind.begin(), behind.end(), is_behind);
+  return std::ranges::all_of(before, is_before) && std::ranges::all_of(behind, is_behind);
 }
 
-Vec3 middle_of(const Corners& t) {
-  return (t[0] + t[1] + t[2]) / 3.0;
-}
+Vec3 middle_of(const Corners& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
 /// A direction from corner 0 between both sides.
 Vec3 inwards(const Corners& t) {
@@ -209,40 +180,89 @@ bool reaches_beyond_edge(const Corners& a, const Corners& b) {
   return !segments_meet({a[2], a[2]}, edge_of(a, 0)) && common_place(a[2], b);
 }
 
+constexpr double unit_roundoff = 0x1p-53;
+// Rounding errors of the determinants of differences, in parts of the sum of the sizes of their terms.
+constexpr double error_of_3 = (7.0 + 56.0 * unit_roundoff) * unit_roundoff;
+constexpr double error_of_2 = (3.0 + 16.0 * unit_roundoff) * unit_roundoff;
+// Below it products may have lost digits at the small end of the numbers, which those bounds do not count.
+constexpr double smallest_sum = 1e-200;
+
+int sign_of(double value) { return (value > 0.0) - (value < 0.0); }
+
+bool is_certain(double determinant, double error, double sum_of_sizes) {
+  return sum_of_sizes > smallest_sum && std::abs(determinant) > error * sum_of_sizes;
+}
+
+mpz_class minor_of(const mpz_class& a, const mpz_class& b, const mpz_class& c, const mpz_class& d) {
+  return a * d - b * c;
+}
+
+/// Coordinates as multiples of one power of two, which are whole numbers.
+class WholeNumbers {
+ public:
+  explicit WholeNumbers(std::initializer_list<double> coordinates) {
+    for (const double x : coordinates) {
+      exponent_ = x != 0.0 ? std::min(exponent_, std::ilogb(x) - digits) : exponent_;
+    }
+  }
+
+  mpz_class operator()(double x) const {
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    return x != 0.0 ? mpz_class(std::ldexp(mantissa, digits)) << (exponent - digits - exponent_)
+                    : mpz_class(0);
+  }
+
+ private:
+  static constexpr int digits = std::numeric_limits<double>::digits;
+  int exponent_ = std::numeric_limits<int>::max();
+};
+
+int exact_orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, const sim::Vec3& d) {
+  mpz_class u[3], v[3], w[3];
+  for (int k = 0; k < 3; ++k) {
+    // Each axis has a scale of its own, which leaves the sign.
+    const WholeNumbers whole({a[k], b[k], c[k], d[k]});
+    const mpz_class origin = whole(d[k]);
+    u[k] = whole(a[k]) - origin;
+    v[k] = whole(b[k]) - origin;
+    w[k] = whole(c[k]) - origin;
+  }
+  const mpz_class determinant = u[0] * minor_of(v[1], v[2], w[1], w[2]) +
+                                u[1] * minor_of(v[2], v[0], w[2], w[0]) +
+                                u[2] * minor_of(v[0], v[1], w[0], w[1]);
+  return sgn(determinant);
+}
+
+int exact_orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {
+  const WholeNumbers x({a.x, b.x, c.x}), y({a.y, b.y, c.y});
+  const mpz_class ux = x(a.x) - x(c.x), uy = y(a.y) - y(c.y);
+  const mpz_class vx = x(b.x) - x(c.x), vy = y(b.y) - y(c.y);
+  return sgn(minor_of(ux, uy, vx, vy));
+}
+
 }  // namespace
 
 std::optional<Vec3> crossing_place(const Corners& a, const Corners& b) {
   const Vec3 from = middle_of(b), to = middle_of(a);
-  if (are_far_apart(0.5 * (from + to), to - from, a, b)) {
-    return std::nullopt;
-  }
+  if (are_far_apart(0.5 * (from + to), to - from, a, b)) return std::nullopt;
   const SidesOfCorners of_b = sides_of(a, b);
-  if (are_one(of_b)) {
-    return std::nullopt;
-  }
+  if (are_one(of_b)) return std::nullopt;
   const SidesOfCorners of_a = sides_of(b, a);
-  if (are_one(of_a)) {
-    return std::nullopt;
-  }
+  if (are_one(of_a)) return std::nullopt;
   const std::optional<Vec3> place = first_place_along_edges(a, of_a, b);
   return place ? place : first_place_along_edges(b, of_b, a);
 }
 
 std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners& b) {
   const Vec3 axis = glm::normalize(inwards(a)) - glm::normalize(inwards(b));
-  if (are_far_apart(a[0], axis, std::span(a).subspan(1), std::span(b).subspan(1))) {
-    return std::nullopt;
-  }
+  if (are_far_apart(a[0], axis, std::span(a).subspan(1), std::span(b).subspan(1))) return std::nullopt;
   const SidesOfEnds of_b = sides_of(a, b[1], b[2]);
-  if (of_b.are_one()) {
-    return std::nullopt;
-  }
+  if (of_b.are_one()) return std::nullopt;
   // In one plane nothing is on a side, and to find that out is dear. Without area, `a` has none to be asked
   // for.
   const SidesOfEnds of_a = of_b.are_none() ? SidesOfEnds{0, 0} : sides_of(b, a[1], a[2]);
-  if (of_a.are_one()) {
-    return std::nullopt;
-  }
+  if (of_a.are_one()) return std::nullopt;
   const std::optional<Vec3> place = place_opposite(a, of_a, b);
   return place ? place : place_opposite(b, of_b, a);
 }
@@ -250,22 +270,40 @@ std::optional<Vec3> crossing_place_beside_vertex(const Corners& a, const Corners
 std::optional<Vec3> crossing_place_beside_edge(const Corners& a, const Corners& b) {
   const Vec3 edge = a[1] - a[0], side = a[2] - a[0];
   const Vec3 across = side - glm::dot(side, edge) / glm::dot(edge, edge) * edge;
-  if (are_far_apart(a[0], across, std::span(a).last(1), std::span(b).last(1))) {
-    return std::nullopt;
-  }
-  if (orientation(a[0], a[1], a[2], b[2]) != 0) {
-    return std::nullopt;
-  }
+  if (are_far_apart(a[0], across, std::span(a).last(1), std::span(b).last(1))) return std::nullopt;
+  if (orientation(a[0], a[1], a[2], b[2]) != 0) return std::nullopt;
   bool is_folded = false;
   for (int axis = 0; axis < 3; ++axis) {
     is_folded = is_folded ||
                 orientation_without(axis, a[0], a[1], a[2]) * orientation_without(axis, b[0], b[1], b[2]) > 0;
   }
   // Without area both are segments along the line of the edge.
-  if (is_folded || reaches_beyond_edge(a, b) || reaches_beyond_edge(b, a)) {
-    return 0.5 * (a[0] + a[1]);
-  }
+  if (is_folded || reaches_beyond_edge(a, b) || reaches_beyond_edge(b, a)) return 0.5 * (a[0] + a[1]);
   return std::nullopt;
+}
+
+int orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, const sim::Vec3& d) {
+  const sim::Vec3 u = a - d, v = b - d, w = c - d;
+  double determinant = 0.0, sum_of_sizes = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    // Cloth that begins flat, along two of the axes, is not worth long numbers.
+    if (u[k] == 0.0 && v[k] == 0.0 && w[k] == 0.0) return 0;
+    const double plus = v[i] * w[j], minus = v[j] * w[i];
+    determinant += u[k] * (plus - minus);
+    sum_of_sizes += std::abs(u[k]) * (std::abs(plus) + std::abs(minus));
+  }
+  return is_certain(determinant, error_of_3, sum_of_sizes) ? sign_of(determinant)
+                                                           : exact_orientation(a, b, c, d);
+}
+
+int orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {
+  const sim::Vec2 u = a - c, v = b - c;
+  if ((u.x == 0.0 || v.y == 0.0) && (u.y == 0.0 || v.x == 0.0)) return 0;
+  const double plus = u.x * v.y, minus = u.y * v.x;
+  const double determinant = plus - minus;
+  return is_certain(determinant, error_of_2, std::abs(plus) + std::abs(minus)) ? sign_of(determinant)
+                                                                               : exact_orientation(a, b, c);
 }
 
 }  // namespace taut::app

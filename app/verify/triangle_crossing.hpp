@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
+#include "prelude.hpp"
 #include "sim/mesh/types.hpp"
 
 namespace taut::app {
@@ -22,5 +20,16 @@ std::optional<sim::Vec3> crossing_place_beside_vertex(const Corners& a, const Co
 /// For triangles that share their corners 0 and 1: they cross if they are folded flat onto each other, so
 /// that they have a point in common that is not on that edge. The place is then the middle of the edge.
 std::optional<sim::Vec3> crossing_place_beside_edge(const Corners& a, const Corners& b);
+
+// Coordinates must be finite and of sizes below 1e100.
+
+/// Returns the sign, -1, 0 or 1, of (a - d) . ((b - d) x (c - d)): 0 exactly if the four points are in one
+/// plane. The sign is exact: a value that rounding could have turned (Shewchuk 1997, the error bounds "A") is
+/// computed again with whole numbers of any length.
+int orientation(const sim::Vec3& a, const sim::Vec3& b, const sim::Vec3& c, const sim::Vec3& d);
+
+/// Returns the sign, -1, 0 or 1, of (a - c) x (b - c): 0 exactly if the three points are on one line. Exact
+/// as well.
+int orientation(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c);
 
 }  // namespace taut::app

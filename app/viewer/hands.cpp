@@ -6,9 +6,7 @@ using renderer::PointerButton;
 
 std::optional<PickedPoint> cloth_under(const glm::vec2& place_px, const ViewArea& area,
                                        const ViewerState& state) {
-  if (!area.contains(place_px)) {
-    return std::nullopt;
-  }
+  if (!area.contains(place_px)) return std::nullopt;
   return pick(state.camera.ray_through(place_px, area), pointed_at(state).positions(),
               state.shown->loaded->garment->mesh.triangles);
 }
@@ -48,33 +46,21 @@ void Hands::pull(const Pointer& pointer, const ViewArea& area, const ViewerState
 void Hands::update(const Pointer& pointer, bool is_free, const ViewArea& area, ViewerState& state,
                    std::vector<SimulationCommand>& commands) {
   if (is_free && area.contains(pointer.place_px)) {
-    if (pointer.was_pressed(PointerButton::left)) {
-      press(pointer, area, state, commands);
-    }
+    if (pointer.was_pressed(PointerButton::left)) press(pointer, area, state, commands);
     is_moving_ =
         is_moving_ || pointer.was_pressed(PointerButton::right) || pointer.was_pressed(PointerButton::middle);
-    if (pointer.notches != 0.0F) {
-      state.camera.zoom(pointer.notches, pointer.place_px, area);
-    }
+    if (pointer.notches != 0.0F) state.camera.zoom(pointer.notches, pointer.place_px, area);
   }
   if (!pointer.is_down(PointerButton::left)) {
-    if (hold_) {
-      commands.emplace_back(LetGo{});
-    }
+    if (hold_) commands.emplace_back(LetGo{});
     hold_.reset();
     is_turning_ = false;
   }
   is_moving_ =
       is_moving_ && (pointer.is_down(PointerButton::right) || pointer.is_down(PointerButton::middle));
-  if (is_turning_) {
-    state.camera.orbit(pointer.way_px, area);
-  }
-  if (is_moving_) {
-    state.camera.pan(pointer.way_px, area);
-  }
-  if (hold_) {
-    pull(pointer, area, state, commands);
-  }
+  if (is_turning_) state.camera.orbit(pointer.way_px, area);
+  if (is_moving_) state.camera.pan(pointer.way_px, area);
+  if (hold_) pull(pointer, area, state, commands);
 }
 
 }  // namespace taut::app

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "app/viewer/simulation/simulation_command.hpp"
 #include "app/viewer/state/orbit_camera.hpp"
 #include "app/viewer/state/viewer_state.hpp"

@@ -1,27 +1,21 @@
 #include "app/viewer/headless_viewer.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
-#include "app/viewer/simulation/simulation_host.hpp"
 
 namespace taut::app {
 
 HeadlessViewer::HeadlessViewer(const DrawnScene& scene, const SessionStart& start,
                                const std::filesystem::path& keep_folder, const std::string& backend)
-    : simulation_(std::make_unique<SteppedSimulation>(scene)),
-      viewer_(*simulation_, {start.size, start.scale, keep_folder, start.compared_with, false}),
+    : simulation_(scene, SimulationHost::Runs::when_asked),
+      viewer_(simulation_, {start.size, start.scale, keep_folder, start.compared_with, false}),
       context_([backend] { return renderer::create_context(backend); }),
       target_(std::make_unique<renderer::ColourTarget>(context_.context())) {}
 
 SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
   throw_if_interrupted();
-  const bool loses_context = std::any_of(frame.events.begin(), frame.events.end(), [](const auto& event) {
-    return std::holds_alternative<ContextLost>(event);
-  });
+  const bool loses_context = std::ranges::any_of(
+      frame.events, [](const auto& event) { return std::holds_alternative<ContextLost>(event); });
   if (loses_context) {
     target_.reset();
     context_.renew();
@@ -29,12 +23,10 @@ SessionFrame HeadlessViewer::play(const SessionFrame& frame) {
     viewer_.tell("the graphics driver lost the picture; it was made anew", true);
   }
   SessionFrame played = viewer_.update(frame);
-  if (viewer_.wants_picture()) {
-    viewer_.take_picture(draw_scene());
-  }
-  if (frame.expected_state && *frame.expected_state != simulation_->state_hash()) {
-    throw InputError(fmt::format("the state is {:016x}, the session expects {:016x}",
-                                 simulation_->state_hash(), *frame.expected_state));
+  if (viewer_.wants_picture()) viewer_.take_picture(draw_scene());
+  if (frame.expected_state && *frame.expected_state != simulation_.state_hash()) {
+    throw InputError("the state is {:016x}, the session expects {:016x}", simulation_.state_hash(),
+                     *frame.expected_state);
   }
   return played;
 }

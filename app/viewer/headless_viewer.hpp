@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "app/viewer/picture/viewer_picture.hpp"
 #include "app/viewer/simulation/simulation_host.hpp"
 #include "app/viewer/viewer.hpp"
@@ -27,11 +25,11 @@ class HeadlessViewer {
 
   Viewer& viewer() { return viewer_; }
   /// Hash of the newest state of the simulation.
-  std::uint64_t state_hash() { return simulation_->state_hash(); }
+  std::uint64_t state_hash() { return simulation_.state_hash(); }
   const std::string& gl_renderer() { return context_.context().renderer(); }
 
  private:
-  std::unique_ptr<SimulationHost> simulation_;
+  SimulationHost simulation_;
   Viewer viewer_;
   ViewerContext context_;
   std::unique_ptr<renderer::ColourTarget> target_;

@@ -1,12 +1,5 @@
 #include "app/viewer/keeping.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <array>
-#include <glm/trigonometric.hpp>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -21,14 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // H.264 wants even sides.
-int even(int side_px) {
-  return std::max(side_px / 2 * 2, 2);
-}
+int even(int side_px) { return std::max(side_px / 2 * 2, 2); }
 
 renderer::Image cropped(const renderer::Image& image, int width_px, int height_px) {
-  if (image.width_px == width_px && image.height_px == height_px) {
-    return image;
-  }
+  if (image.width_px == width_px && image.height_px == height_px) return image;
   renderer::Image part = renderer::make_image(width_px, height_px);
   for (int y = 0; y < height_px; ++y) {
     std::copy_n(image.at(0, y), static_cast<std::size_t>(width_px) * 3U, part.at(0, y));
@@ -63,9 +52,7 @@ fs::path file_in(const fs::path& folder, ClipFormat format, const std::string& s
   return free_name(folder, scene, "-clip") / (scene + endings[static_cast<std::size_t>(format)]);
 }
 
-WrittenMoment moment_of(const Snapshot& snapshot) {
-  return {*snapshot.garment, *snapshot.checkpoint};
-}
+WrittenMoment moment_of(const Snapshot& snapshot) { return {*snapshot.garment, *snapshot.checkpoint}; }
 
 // A simulation that goes back or starts again changes it; one that goes on does not.
 std::int64_t frames_not_advanced(const Snapshot& snapshot) {
@@ -80,17 +67,13 @@ DrawnScene kept_scene(const ViewerState& state, const ViewArea& area) {
   DrawnScene scene = state.scene;
   const Snapshot& shown = *state.shown;
   const std::vector<sim::Index>& pins = *shown.pins;
-  if (pins != shown.loaded->pins) {
-    scene.pins = numbered_in_file(pins, shown.loaded->file_vertices);
-  }
+  if (pins != shown.loaded->pins) scene.pins = numbered_in_file(pins, shown.loaded->file_vertices);
   const renderer::Camera camera = state.camera.camera();
   scene.camera.eye = camera.eye;
   scene.camera.target = camera.target;
   scene.camera.framing.vertical_fov_rad = camera.vertical_fov_rad;
   scene.frames = std::max(1, shown.record.frame);
-  if (!scene.checkpoint.empty()) {
-    scene.checkpoint = fs::absolute(scene.checkpoint);
-  }
+  if (!scene.checkpoint.empty()) scene.checkpoint = fs::absolute(scene.checkpoint);
   scene.picture.settings.width_px = std::max(area.width_px, smallest_side_px);
   scene.picture.settings.height_px = std::max(area.height_px, smallest_side_px);
   return scene;
@@ -148,9 +131,7 @@ void WindowRecorder::add(const renderer::Image& picture, double elapsed_s) {
 }
 
 std::string WindowRecorder::finish() {
-  if (video_) {
-    video_->finish();
-  }
+  if (video_) video_->finish();
   return fmt::format("wrote {}, {}", target_.string(), counted(frames_, "frame"));
 }
 
@@ -170,9 +151,7 @@ ClipRecorder::ClipRecorder(const fs::path& folder, ClipFormat format, const Snap
 
 ClipRecorder::~ClipRecorder() {
   queue_.close();
-  if (thread_.joinable()) {
-    thread_.join();
-  }
+  if (thread_.joinable()) thread_.join();
 }
 
 fs::path ClipRecorder::file() const {
@@ -200,12 +179,8 @@ bool ClipRecorder::take(SimulationHost& simulation, bool waits) {
   const int last = std::min(newest_->record.frame, frames_.last);
   for (; next_ <= last && (waits || queue_.has_room()); ++next_) {
     SnapshotPtr snapshot = simulation.past_frame(newest_, next_);
-    if (snapshot->record.frame != next_) {
-      return false;
-    }
-    if (!queue_.push(std::move(snapshot))) {
-      rethrow();
-    }
+    if (snapshot->record.frame != next_) return false;
+    if (!queue_.push(std::move(snapshot))) rethrow();
   }
   return true;
 }
@@ -225,9 +200,7 @@ void ClipRecorder::write() {
 void ClipRecorder::rethrow() {
   queue_.close();
   thread_.join();
-  if (failure_) {
-    std::rethrow_exception(failure_);
-  }
+  if (failure_) std::rethrow_exception(failure_);
 }
 
 std::string ClipRecorder::finish(SimulationHost& simulation) {

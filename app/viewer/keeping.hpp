@@ -1,9 +1,6 @@
 #pragma once
 
-#include <exception>
 #include <filesystem>
-#include <memory>
-#include <string>
 #include <thread>
 
 #include "app/caches/frame_sink.hpp"

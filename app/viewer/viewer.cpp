@@ -1,13 +1,8 @@
 #include "app/viewer/viewer.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/base/errors.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/viewer/state/orbit_camera.hpp"
-#include "app/viewer/state/viewer_state.hpp"
 
 namespace taut::app {
 namespace {
@@ -47,9 +42,7 @@ SessionFrame Viewer::update(SessionFrame frame) {
   pointer_.pressed = {};
   pointer_.notches = 0.0F;
   pointer_.way_px = {0.0F, 0.0F};
-  for (const SessionEvent& event : frame.events) {
-    take(event);
-  }
+  for (const SessionEvent& event : frame.events) take(event);
 
   const std::uint64_t advances_before = state_.newest->advances;
   note_snapshot(simulation_.begin_frame(frame.elapsed_s, frame.pace));
@@ -118,9 +111,7 @@ void Viewer::take_key(const renderer::KeyChanged& event) {
     return;
   }
   const bool has_control = is_down(keys_down_, keys::left_control, keys::right_control);
-  if (interface_.wants_keys() || is_down(keys_down_, keys::left_alt, keys::right_alt)) {
-    return;
-  }
+  if (interface_.wants_keys() || is_down(keys_down_, keys::left_alt, keys::right_alt)) return;
   for (const KeyBinding& binding : key_bindings()) {
     const bool is_pressed = binding.key == event.key && binding.needs_control == has_control;
     if (binding.action && is_pressed && (!repeats || binding.repeats)) {
@@ -135,9 +126,7 @@ void Viewer::note_snapshot(SnapshotPtr newest) {
   const bool has_other_area =
       state_.newest && (newest->compared != nullptr) != (state_.newest->compared != nullptr);
   state_.newest = std::move(newest);
-  if (is_new_garment) {
-    adopt_scene();
-  }
+  if (is_new_garment) adopt_scene();
   for (const Notice& notice : *state_.newest->notices) {
     if (notice.number > told_notice_) {
       told_notice_ = notice.number;
@@ -146,18 +135,14 @@ void Viewer::note_snapshot(SnapshotPtr newest) {
   }
   note_measurements();
   choose_shown();
-  if (is_new_garment || has_other_area) {
-    state_.camera = OrbitCamera(first_camera());
-  }
+  if (is_new_garment || has_other_area) state_.camera = OrbitCamera(first_camera());
 }
 
 void Viewer::adopt_scene() {
   state_.scene = state_.newest->loaded->scene;
   state_.motions = motion_choices(state_.scene, state_.motions);
   told_ = ChangeSettings(state_.scene);
-  if (!own_cloth_) {
-    own_cloth_ = {state_.scene.fabric, state_.scene.material, state_.scene.picture.cloth};
-  }
+  if (!own_cloth_) own_cloth_ = {state_.scene.fabric, state_.scene.material, state_.scene.picture.cloth};
   state_.past_frame.reset();
   hands_.drop();
   noted_frame_.reset();
@@ -174,7 +159,8 @@ renderer::Camera Viewer::first_camera() const {
   if (is_fitted(scene)) {
     scene.camera.framing.margin = std::max(scene.camera.framing.margin, window_margin);
     FittedView fitted(scene, *loaded.garment);
-    fitted.add(state_.newest->positions(), state_.newest->checkpoint->state.time_s);
+    const std::vector<sim::Vec3>& positions = state_.newest->positions();
+    fitted.add(positions, loaded.shown_m(positions), state_.newest->checkpoint->state.time_s);
     fitted.place_camera(scene);
   }
   return scene_camera(scene, expected_reach(scene, *loaded.garment, loaded.pins), area.aspect());
@@ -206,9 +192,7 @@ void Viewer::choose_shown() {
 
 SnapshotPtr Viewer::within_present_bound(const SnapshotPtr& past) {
   const sim::SolverSettings solver = solver_settings(state_.scene.simulation.solver);
-  if (past == past_ && solver == past_bound_) {
-    return past_within_bound_;
-  }
+  if (past == past_ && solver == past_bound_) return past_within_bound_;
   past_ = past_within_bound_ = past;
   past_bound_ = solver;
   if (solver != past->settings.solver) {
@@ -265,9 +249,7 @@ void Viewer::collect_settings() {
 
 // The panel shows the effect of input one frame later, so it has to settle before it is still.
 void Viewer::note_changes(const SessionFrame& frame) {
-  for (Message& message : state_.messages) {
-    message.left_s -= frame.elapsed_s;
-  }
+  for (Message& message : state_.messages) message.left_s -= frame.elapsed_s;
   const std::size_t gone =
       std::erase_if(state_.messages, [](const Message& message) { return message.left_s <= 0.0; });
   const bool is_changing = (!state_.paused && moves(*state_.newest)) || !frame.events.empty() || gone > 0 ||

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <set>
-#include <string>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/hands.hpp"
 #include "app/viewer/keeping.hpp"
@@ -88,6 +84,9 @@ class Viewer {
   SnapshotPtr within_present_bound(const SnapshotPtr& past);
 
   void perform(Action action);
+  /// Says what goes wrong in some work, but for an interruption, which it throws. Returns that; empty:
+  /// nothing.
+  std::string attempt(const std::function<void()>& work);
   void perform_asked();
   void pause(bool paused);
   void go_on_from_shown();
@@ -97,6 +96,7 @@ class Viewer {
   void show_whole_garment();
   void see_from(const Side& side);
   void start_or_stop_recording();
+  template <class Recording> std::string told_end(const Recording& finish);
   std::optional<std::string> finish_pictures();
   void start_or_stop_clip();
   void follow_clip();

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <glm/trigonometric.hpp>
-#include <utility>
-
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/drawing/drawn_scene.hpp"
@@ -24,84 +19,67 @@ constexpr double turn_step_rad = 0.08726646259971647;  // 5 degrees
 
 }  // namespace
 
+std::string Viewer::attempt(const std::function<void()>& work) {
+  try {
+    work();
+    return "";
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    tell(error.what(), true);
+    return error.what();
+  }
+}
+
 void Viewer::perform_asked() {
   std::vector<Action> actions = std::exchange(key_actions_, {});
   actions.insert(actions.end(), state_.asked.begin(), state_.asked.end());
   state_.asked.clear();
-  for (const Action action : actions) {
-    try {
-      perform(action);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const std::exception& error) {
-      tell(error.what(), true);
-    }
-  }
+  for (const Action action : actions) attempt([&] { perform(action); });
 }
 
 void Viewer::perform(Action action) {
-  switch (action) {
-    case Action::pause:
-      return pause(!state_.paused);
-    case Action::step:
-      pause(true);
-      go_on_from_shown();
-      commands_.emplace_back(StepOnce{});
-      return;
-    case Action::reset:
-      state_.past_frame.reset();
-      commands_.emplace_back(Reset{});
-      return;
-    case Action::more_wind:
-      return change_wind(wind_step_m_per_s);
-    case Action::less_wind:
-      return change_wind(-wind_step_m_per_s);
-    case Action::turn_wind_left:
-      return turn_wind(turn_step_rad);
-    case Action::turn_wind_right:
-      return turn_wind(-turn_step_rad);
-    case Action::toggle_pin:
-      return toggle_pin();
-    case Action::release_left:
-      commands_.emplace_back(ReleasePins{.right = false});
-      return;
-    case Action::release_right:
-      commands_.emplace_back(ReleasePins{.right = true});
-      return;
-    case Action::show_whole_garment:
-      return show_whole_garment();
-    case Action::see_front:
-    case Action::see_side:
-    case Action::see_back:
-    case Action::see_three_quarters:
-      return see_from(sides[static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::see_front)]);
-    case Action::screenshot:
-      screenshot_ = true;
-      return;
-    case Action::record:
-      return start_or_stop_recording();
-    case Action::save_scene:
-      return save_scene();
-    case Action::export_shape:
-      return export_shape();
-    case Action::record_clip:
-      return start_or_stop_clip();
-    case Action::copy_camera:
-      clipboard_ = camera_text(state_.camera.camera());
-      return tell("copied the camera", false);
-    case Action::show_keys:
-      state_.show_keys = !state_.show_keys;
-      return;
-    case Action::close_keys:
-      state_.show_keys = false;
-      return;
-    case Action::show_panel:
-      state_.show_panel = !state_.show_panel;
-      return;
-    case Action::quit:
-      is_ended_ = true;
-      return;
-  }
+  const auto ask = [this](SimulationCommand command) { commands_.emplace_back(std::move(command)); };
+  const auto step = [&] {
+    pause(true);
+    go_on_from_shown();
+    ask(StepOnce{});
+  };
+  const auto reset = [&] {
+    state_.past_frame.reset();
+    ask(Reset{});
+  };
+  const auto copy = [&] {
+    clipboard_ = camera_text(state_.camera.camera());
+    tell("copied the camera", false);
+  };
+  const std::map<Action, std::function<void()>> work = {
+      {Action::pause, [&] { pause(!state_.paused); }},
+      {Action::step, step},
+      {Action::reset, reset},
+      {Action::more_wind, [&] { change_wind(wind_step_m_per_s); }},
+      {Action::less_wind, [&] { change_wind(-wind_step_m_per_s); }},
+      {Action::turn_wind_left, [&] { turn_wind(turn_step_rad); }},
+      {Action::turn_wind_right, [&] { turn_wind(-turn_step_rad); }},
+      {Action::toggle_pin, [&] { toggle_pin(); }},
+      {Action::release_left, [&] { ask(ReleasePins{.right = false}); }},
+      {Action::release_right, [&] { ask(ReleasePins{.right = true}); }},
+      {Action::show_whole_garment, [&] { show_whole_garment(); }},
+      {Action::see_front, [&] { see_from(sides[0]); }},
+      {Action::see_side, [&] { see_from(sides[1]); }},
+      {Action::see_back, [&] { see_from(sides[2]); }},
+      {Action::see_three_quarters, [&] { see_from(sides[3]); }},
+      {Action::screenshot, [&] { screenshot_ = true; }},
+      {Action::record, [&] { start_or_stop_recording(); }},
+      {Action::save_scene, [&] { save_scene(); }},
+      {Action::export_shape, [&] { export_shape(); }},
+      {Action::record_clip, [&] { start_or_stop_clip(); }},
+      {Action::copy_camera, copy},
+      {Action::show_keys, [&] { state_.show_keys = !state_.show_keys; }},
+      {Action::close_keys, [&] { state_.show_keys = false; }},
+      {Action::show_panel, [&] { state_.show_panel = !state_.show_panel; }},
+      {Action::quit, [&] { is_ended_ = true; }}};
+  work.at(action)();
 }
 
 void Viewer::pause(bool paused) {
@@ -109,15 +87,11 @@ void Viewer::pause(bool paused) {
     state_.paused = paused;
     commands_.emplace_back(SetPaused{paused});
   }
-  if (!paused) {
-    go_on_from_shown();
-  }
+  if (!paused) go_on_from_shown();
 }
 
 void Viewer::go_on_from_shown() {
-  if (state_.past_frame && state_.shown != state_.newest) {
-    commands_.emplace_back(GoBack{state_.shown});
-  }
+  if (state_.past_frame && state_.shown != state_.newest) commands_.emplace_back(GoBack{state_.shown});
   state_.past_frame.reset();
 }
 
@@ -191,9 +165,7 @@ void Viewer::load_asked() {
   const auto motion = std::exchange(state_.motion_asked, std::nullopt);
   const auto fabric = std::exchange(state_.fabric_asked, std::nullopt);
   try {
-    if (fabric) {
-      choose_fabric(*fabric);
-    }
+    if (fabric) choose_fabric(*fabric);
     if (name) {
       DrawnScene scene = find_scene(*name, {});
       const std::vector<std::string> remarks = load_bodies(scene);
@@ -223,9 +195,7 @@ void Viewer::load_asked() {
 }
 
 void Viewer::load(DrawnScene scene, const std::vector<std::string>& remarks) {
-  for (const std::string& remark : remarks) {
-    tell(remark, false);
-  }
+  for (const std::string& remark : remarks) tell(remark, false);
   tell("loading " + scene.name, false);
   commands_.emplace_back(LoadScene{std::make_shared<const DrawnScene>(std::move(scene))});
 }

@@ -1,10 +1,6 @@
-#include <fmt/core.h>
-
-#include <utility>
-
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
-#include "app/caches/written_cloth.hpp"
+#include "app/caches/frame_sink.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
@@ -42,19 +38,18 @@ void Viewer::start_or_stop_recording() {
   tell("recording; F10 ends it", false);
 }
 
-std::optional<std::string> Viewer::finish_pictures() {
-  if (!recorder_) {
-    return std::nullopt;
-  }
-  state_.is_recording = false;
+// Completes a recording and says what was written, or why it was not.
+template <class Recording> std::string Viewer::told_end(const Recording& finish) {
   std::string outcome;
-  try {
-    outcome = recorder_->finish();
-    tell(outcome, false);
-  } catch (const InputError& error) {
-    outcome = error.what();
-    tell(outcome, true);
-  }
+  if (const std::string error = attempt([&] { outcome = finish(); }); !error.empty()) return error;
+  tell(outcome, false);
+  return outcome;
+}
+
+std::optional<std::string> Viewer::finish_pictures() {
+  if (!recorder_) return std::nullopt;
+  state_.is_recording = false;
+  const std::string outcome = told_end([this] { return recorder_->finish(); });
   recorder_.reset();
   return outcome;
 }
@@ -72,70 +67,43 @@ void Viewer::start_or_stop_clip() {
 }
 
 void Viewer::follow_clip() {
-  if (!clip_) {
-    return;
-  }
-  try {
-    const std::string end = clip_->follow(state_.newest, simulation_);
+  if (!clip_) return;
+  std::string end;
+  const std::string error = attempt([&] {
+    end = clip_->follow(state_.newest, simulation_);
     state_.clip = {clip_->file().filename(), clip_->frames()};
-    if (!end.empty()) {
-      finish_clip(end);
-    }
-  } catch (const std::exception& error) {
-    tell(error.what(), true);
+  });
+  if (!error.empty()) {
     clip_.reset();
     state_.clip.reset();
+  } else if (!end.empty()) {
+    finish_clip(end);
   }
 }
 
 std::optional<std::string> Viewer::finish_clip(const std::string& reason) {
   state_.clip.reset();
   const std::unique_ptr<ClipRecorder> clip = std::move(clip_);
-  if (!clip) {
-    return std::nullopt;
-  }
-  std::string outcome;
-  try {
-    outcome = clip->finish(simulation_) + reason;
-    tell(outcome, false);
-  } catch (const std::exception& error) {
-    outcome = error.what();
-    tell(outcome, true);
-  }
-  return outcome;
+  return clip ? std::optional(told_end([&] { return clip->finish(simulation_) + reason; })) : std::nullopt;
 }
 
 std::vector<std::string> Viewer::finish_recordings() {
   std::vector<std::string> outcomes;
   for (auto& outcome : {finish_pictures(), finish_clip("")}) {
-    if (outcome) {
-      outcomes.push_back(*outcome);
-    }
+    if (outcome) outcomes.push_back(*outcome);
   }
   return outcomes;
 }
 
 void Viewer::take_picture(const renderer::Image& picture) {
-  try {
-    if (std::exchange(screenshot_, false)) {
+  if (std::exchange(screenshot_, false)) {
+    attempt([&] {
       const std::filesystem::path file = free_name(keep_folder_, state_.scene.name, ".png");
       write_file(file, renderer::encode_png(picture));
       tell("wrote " + file.string(), false);
-    }
-  } catch (const std::runtime_error& error) {
-    tell(error.what(), true);
+    });
   }
-  if (!recorder_) {
-    return;
-  }
-  try {
-    recorder_->add(picture, elapsed_s_);
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const std::exception& error) {
-    tell(error.what(), true);
-    finish_pictures();
-  }
+  if (recorder_ && !attempt([&] { recorder_->add(picture, elapsed_s_); }).empty()) finish_pictures();
 }
 
 }  // namespace taut::app

@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
-#include <optional>
 #include <thread>
-#include <utility>
 
 #include "app/base/interruption.hpp"
 #include "app/base/stopwatch.hpp"
@@ -30,7 +28,7 @@ class WindowViewer {
  public:
   WindowViewer(const DrawnScene& scene, const SessionStart& start, const std::filesystem::path& keep_folder,
                const std::filesystem::path& record_to)
-      : simulation_(scene),
+      : simulation_(scene, SimulationHost::Runs::by_itself),
         title_(title_of(scene)),
         context_([this, size = start.size] { return open(title_, size); }),
         viewer_(simulation_, {window_->framebuffer_size(), window_->content_scale(), keep_folder,
@@ -56,9 +54,7 @@ class WindowViewer {
  private:
   // Nobody can see messages any more, but the terminal is there.
   void finish() {
-    for (const std::string& outcome : viewer_.finish_recordings()) {
-      fmt::print("{}\n", outcome);
-    }
+    for (const std::string& outcome : viewer_.finish_recordings()) fmt::print("{}\n", outcome);
     finish_record();
   }
 
@@ -70,12 +66,8 @@ class WindowViewer {
       SessionFrame frame =
           viewer_.update({queue_.take_frame(), next_elapsed_s(), std::nullopt, std::nullopt});
       panel_ms_ = laying_out.elapsed_ms();
-      if (recorder_) {
-        recorder_->add(frame);
-      }
-      if (const auto text = viewer_.take_clipboard()) {
-        window_->set_clipboard(*text);
-      }
+      if (recorder_) recorder_->add(frame);
+      if (const auto text = viewer_.take_clipboard()) window_->set_clipboard(*text);
       name_window();
       show();
     }
@@ -128,9 +120,7 @@ class WindowViewer {
   }
 
   void show() {
-    if (!viewer_.is_still()) {
-      since_change_ = Stopwatch();
-    }
+    if (!viewer_.is_still()) since_change_ = Stopwatch();
     const renderer::Resized size = window_->framebuffer_size();
     const bool is_minimised = size.width_px < 1 || size.height_px < 1;
     const bool is_best_wanted =
@@ -138,14 +128,10 @@ class WindowViewer {
     const std::size_t level = is_best_wanted ? 0 : quality_.level();
     const bool is_shown =
         context_.picture().is_drawn(viewer_.state(), viewer_.layout(), level, viewer_.overlay());
-    if (is_minimised || (!window_->take_damage() && is_shown && !viewer_.wants_picture())) {
-      return;
-    }
+    if (is_minimised || (!window_->take_damage() && is_shown && !viewer_.wants_picture())) return;
     try {
       draw(level);
-      if (window_->is_lost()) {
-        throw renderer::ContextError("the graphics driver lost the picture");
-      }
+      if (window_->is_lost()) throw renderer::ContextError("the graphics driver lost the picture");
     } catch (const renderer::ContextError& error) {
       recover(error);
     }
@@ -171,13 +157,9 @@ class WindowViewer {
 
   // The window's picture is gone, the simulation is not.
   void recover(const renderer::ContextError& error) {
-    if (since_loss_.elapsed_ms() > 1000.0 * losses_forgotten_after_s) {
-      losses_ = 0;
-    }
+    if (since_loss_.elapsed_ms() > 1000.0 * losses_forgotten_after_s) losses_ = 0;
     since_loss_ = Stopwatch();
-    if (++losses_ > most_losses) {
-      throw error;
-    }
+    if (++losses_ > most_losses) throw error;
     context_.renew();
     queue_.add(renderer::WindowEvent(window_->framebuffer_size()));
     queue_.add(renderer::WindowEvent(renderer::ScaleChanged{window_->content_scale()}));
@@ -190,14 +172,12 @@ class WindowViewer {
       SessionFrame last = viewer_.update({{}, 0.0, std::nullopt, std::nullopt});
       simulation_.end();
       last.pace->advances = simulation_.advances();
-      if (!simulation_.gave_up_frame()) {
-        last.expected_state = simulation_.state_hash();
-      }
+      if (!simulation_.gave_up_frame()) last.expected_state = simulation_.state_hash();
       recorder_->add(last);
     }
   }
 
-  SimulationThread simulation_;
+  SimulationHost simulation_;
   std::string title_;
   renderer::Window* window_ = nullptr;  ///< the context of `context_`
   ViewerContext context_;

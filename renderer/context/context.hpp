@@ -1,10 +1,6 @@
 #pragma once
 
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "prelude.hpp"
 
 struct GladGLContext;  // <glad/gl.h>
 

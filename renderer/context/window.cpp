@@ -4,9 +4,6 @@
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <utility>
-
 namespace taut::renderer {
 
 namespace {

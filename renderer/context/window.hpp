@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "renderer/context/context.hpp"
 #include "renderer/context/window_event.hpp"
 

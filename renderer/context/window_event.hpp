@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-#include <variant>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 

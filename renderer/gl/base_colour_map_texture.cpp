@@ -1,11 +1,5 @@
 #include "renderer/gl/base_colour_map_texture.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <vector>
-
 #include "renderer/gl/shader.hpp"
 
 namespace taut::renderer {
@@ -94,7 +88,7 @@ std::vector<std::uint8_t> texels() {
 }  // namespace
 
 int BaseColourMapTexture::layer_of(const BaseColourMap& map) {
-  const auto known = std::find(maps_.begin(), maps_.end(), map);
+  const auto known = std::ranges::find(maps_, map);
   const auto layer = static_cast<int>(known - maps_.begin());
   if (known == maps_.end()) maps_.push_back(map);
   return layer;
@@ -122,11 +116,9 @@ void BaseColourMapTexture::upload() {
     gl_->TexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(layer), width_px, height_px, 1,
                        GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
   }
+  // Between levels too, which repeat as a new texture does.
   gl_->GenerateMipmap(GL_TEXTURE_2D_ARRAY);
   gl_->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  gl_->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  gl_->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
   uploaded_ = maps_;
 }
 
@@ -137,10 +129,7 @@ const Texture& ColourMapTexture::texture() {
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, texels_of_map, static_cast<GLsizei>(rows.size()), 0, GL_RGB,
                   GL_UNSIGNED_BYTE, texels().data());
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  set_sampling(*gl_, GL_TEXTURE_2D, GL_LINEAR);
   return *made_;
 }
 

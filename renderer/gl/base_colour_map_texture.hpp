@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "renderer/frame_view.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/page/colour.hpp"

@@ -1,12 +1,7 @@
 #include "renderer/gl/frame_block.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 namespace taut::renderer {
 
@@ -39,13 +34,9 @@ glm::vec4 light(const glm::vec3& towards, float strength) {
   return {unit, strength};
 }
 
-float radius_of(const Box& box) {
-  return std::max(0.5F * glm::length(box.upper - box.lower), 1e-3F);
-}
+float radius_of(const Box& box) { return std::max(0.5F * glm::length(box.upper - box.lower), 1e-3F); }
 
-glm::vec3 middle_of(const Box& box) {
-  return 0.5F * (box.lower + box.upper);
-}
+glm::vec3 middle_of(const Box& box) { return 0.5F * (box.lower + box.upper); }
 
 void set_shadow(FrameBlock& block, const Lighting& lighting, const PictureSettings& settings,
                 const std::optional<Box>& casters, float most_bulge_m) {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <glm/mat4x4.hpp>
-#include <glm/vec4.hpp>
-#include <optional>
-#include <span>
-
 #include "renderer/frame_view.hpp"
 
 namespace taut::renderer {

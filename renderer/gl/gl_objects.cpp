@@ -1,10 +1,5 @@
 #include "renderer/gl/gl_objects.hpp"
 
-#include <cstdio>
-#include <string>
-
-#include "renderer/context/context.hpp"
-
 namespace taut::renderer {
 
 namespace {
@@ -31,6 +26,14 @@ void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffe
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture) {
   gl.ActiveTexture(GL_TEXTURE0 + unit);
   gl.BindTexture(target, texture.name());
+}
+
+void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wrap) {
+  gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+  gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
+  gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
+  gl.TexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
+  gl.TexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
 }
 
 void begin_blending_over(const GladGLContext& gl) {

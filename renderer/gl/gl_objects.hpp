@@ -2,15 +2,13 @@
 
 #include <glad/gl.h>
 
-#include <span>
-#include <utility>
+#include "renderer/context/context.hpp"
 
 namespace taut::renderer {
 
 /// Owns an OpenGL object of the kind that Create makes and Delete deletes. The context must be current in the
 /// constructor and the destructor.
-template <auto Create, auto Delete>
-class GlObject {
+template <auto Create, auto Delete> class GlObject {
  public:
   explicit GlObject(const GladGLContext& context) : gl_(&context) { (gl_->*Create)(1, &object_); }
   ~GlObject() {
@@ -54,6 +52,20 @@ void set_attribute(const GladGLContext& gl, GLuint location, const Buffer& buffe
 
 /// Binds a texture to a texture unit, which becomes the active one.
 void bind_texture(const GladGLContext& gl, unsigned unit, GLenum target, const Texture& texture);
+
+/// Sets how the bound texture is sampled: filtered so, repeated or not beyond its sides, at its largest level
+/// alone.
+void set_sampling(const GladGLContext& gl, GLenum target, GLint filter, GLint wrap = GL_CLAMP_TO_EDGE);
+
+/// Makes the context of some objects current, in which they then can be deleted. Names without their context
+/// stay: to delete them is undefined, and they go when the process does.
+template <class Parts> void delete_in_context(std::unique_ptr<Parts>& parts) {
+  try {
+    parts->context.make_current();
+  } catch (const ContextError&) {
+    static_cast<void>(parts.release());
+  }
+}
 
 /// Begin and end blending with the "over" operator (Porter and Duff 1984): fragments are premultiplied linear
 /// light, the framebuffer is sRGB-encoded.

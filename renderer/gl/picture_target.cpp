@@ -1,9 +1,5 @@
 #include "renderer/gl/picture_target.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "renderer/gl/shader.hpp"
 #include "renderer/page/colour.hpp"
 
@@ -57,9 +53,7 @@ VisibilityBuffer::VisibilityBuffer(const GladGLContext& context)
 }
 
 // Four is what shaders/surface.frag counts with.
-int VisibilityBuffer::usable_samples(int wanted) const {
-  return wanted > 1 && most_samples_ >= 4 ? 4 : 1;
-}
+int VisibilityBuffer::usable_samples(int wanted) const { return wanted > 1 && most_samples_ >= 4 ? 4 : 1; }
 
 void VisibilityBuffer::begin(int width_px, int height_px, int wanted_samples) {
   const int usable = usable_samples(wanted_samples);
@@ -86,9 +80,7 @@ void VisibilityBuffer::allocate_texture(const Texture& texture, GLenum format) c
   gl_->TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width_px_, height_px_, 0,
                   whole_numbers ? GL_RED_INTEGER : GL_RGBA,
                   whole_numbers ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE, nullptr);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  set_sampling(*gl_, GL_TEXTURE_2D, GL_NEAREST);
 }
 
 void VisibilityBuffer::allocate(int width_px, int height_px, int samples) {
@@ -175,9 +167,7 @@ void PictureTarget::clear() const {
   gl_->Clear(GL_COLOR_BUFFER_BIT);
 }
 
-Image PictureTarget::read() const {
-  return read_framebuffer(*gl_, finished_.name(), width_px_, height_px_);
-}
+Image PictureTarget::read() const { return read_framebuffer(*gl_, finished_.name(), width_px_, height_px_); }
 
 Image PictureTarget::read_with_alpha() const {
   Image image = read_pixels(*gl_, finished_.name(), {width_px_, height_px_, 4, {}});
@@ -198,6 +188,20 @@ Image read_framebuffer(const GladGLContext& gl, GLuint framebuffer, int width_px
   return read_pixels(gl, framebuffer, {width_px, height_px, 3, {}});
 }
 
+void GrowingTarget::begin(const glm::ivec2& size_px) {
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  const glm::ivec2 roomy_px = glm::max(size_px, size_px_);
+  if (roomy_px != size_px_) {
+    size_px_ = roomy_px;
+    bind();
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, format_, size_px_.x, size_px_.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    set_sampling(*gl_, GL_TEXTURE_2D, GL_LINEAR);
+    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+    check_framebuffer(*gl_, "coarser picture");
+  }
+  gl_->Viewport(0, 0, size_px.x, size_px.y);
+}
+
 struct ColourTarget::Parts {
   Context& context;
   PictureTarget picture;
@@ -210,14 +214,7 @@ ColourTarget::ColourTarget(Context& context) {
   parts_ = std::make_unique<Parts>(context);
 }
 
-ColourTarget::~ColourTarget() {
-  try {
-    parts_->context.make_current();
-  } catch (const ContextError&) {
-    // Deleting names without their context is undefined; they go when the process does.
-    static_cast<void>(parts_.release());
-  }
-}
+ColourTarget::~ColourTarget() { delete_in_context(parts_); }
 
 unsigned ColourTarget::framebuffer(int width_px, int height_px) {
   parts_->picture.begin(width_px, height_px);
@@ -249,8 +246,6 @@ void clear_framebuffer(Context& context, unsigned framebuffer, int width_px, int
   gl.Clear(GL_COLOR_BUFFER_BIT);
 }
 
-void finish_drawing(Context& context) {
-  context.gl().Finish();
-}
+void finish_drawing(Context& context) { context.gl().Finish(); }
 
 }  // namespace taut::renderer

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <glm/vec4.hpp>
-#include <memory>
-#include <optional>
-
 #include "renderer/context/context.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/page/image.hpp"
@@ -93,6 +89,29 @@ class PictureTarget {
   Framebuffer finished_;
   int width_px_ = 0;
   int height_px_ = 0;
+};
+
+/// A texture that is drawn to and then looked up. Its size changes with every step of a garment: it only
+/// grows.
+class GrowingTarget {
+ public:
+  /// The context must be current and outlive this object. The texture is bound to `unit`.
+  GrowingTarget(const GladGLContext& context, GLint stored_as, unsigned texture_unit)
+      : gl_(&context), format_(stored_as), unit_(texture_unit), texture_(context), framebuffer_(context) {}
+  /// Binds the framebuffer and sets the viewport to its lower left size_px. Throws ContextError.
+  void begin(const glm::ivec2& size_px);
+  /// Binds the texture to its unit.
+  void bind() const { bind_texture(*gl_, unit_, GL_TEXTURE_2D, texture_); }
+  /// Returns the size of the texture.
+  const glm::ivec2& size_px() const { return size_px_; }
+
+ private:
+  const GladGLContext* gl_;
+  GLint format_;
+  unsigned unit_;
+  Texture texture_;
+  Framebuffer framebuffer_;
+  glm::ivec2 size_px_{0};
 };
 
 /// Returns the lower left width_px by height_px of a framebuffer as RGB, top row first. The context must be

@@ -1,81 +1,37 @@
 #include "renderer/gl/shader.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <glm/gtc/type_ptr.hpp>
-#include <utility>
 
 namespace taut::renderer {
 namespace {
 
-// A stage's source with the names of its files; the index of a name is the source number in #line.
-struct Assembled {
-  std::string text;
-  std::vector<std::string> names;
-};
+// The names of samplers, by their units.
+constexpr std::array<const char*, unit_count> samplers = {
+    "shadow_compare", "shadow_depth",  "ground_light",  "scalar_maps",  "drawn",  "visibility_buffer",
+    "vertex_data",    "triangle_data", "material_data", "floor_shadow", "halved", "base_colour_maps",
+    "corner_data",    "trim_data"};
 
-std::string_view text_of(std::span<const ShaderFile> files, std::string_view name,
-                         std::string_view wanted_by) {
+std::string_view text_of(std::span<const ShaderFile> files, std::string_view name) {
   for (const ShaderFile& file : files) {
     if (file.name == name) return file.text;
   }
-  throw ShaderError("there is no shader file '" + std::string(name) + "', needed by '" +
-                    std::string(wanted_by) + "'");
+  throw ShaderError("there is no shader file '" + std::string(name) + "'");
 }
 
-std::string_view included_file(std::string_view line) {
-  constexpr std::string_view start = "#include \"";
-  if (!line.starts_with(start)) return {};
-  line.remove_prefix(start.size());
-  return line.substr(0, line.find('"'));
+// The version stays the first line.
+std::string with_defines(std::string_view text, std::string_view defines) {
+  const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+  return std::string(text.substr(0, end)).append(defines).append("#line 2\n").append(text.substr(end));
 }
 
-void append_file(Assembled& out, std::span<const ShaderFile> files, std::string_view name,
-                 std::string_view wanted_by, std::string_view defines) {
-  if (std::find(out.names.begin(), out.names.end(), name) != out.names.end()) return;
-  std::string_view text = text_of(files, name, wanted_by);
-  const std::size_t number = out.names.size();
-  out.names.emplace_back(name);
-  const auto mark_line = [&out, number](int line) {
-    out.text += "#line " + std::to_string(line) + " " + std::to_string(number) + "\n";
-  };
-  // The version has to stay the very first line.
-  if (number > 0) mark_line(1);
-  for (int line_number = 1; !text.empty(); ++line_number) {
-    const std::size_t end = text.find('\n');
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    const std::string_view include = included_file(line);
-    if (include.empty()) {
-      out.text.append(line).append("\n");
-    } else {
-      append_file(out, files, include, name, {});
-      mark_line(line_number + 1);
-    }
-    if (line.starts_with("#version")) {
-      out.text.append(defines);
-      mark_line(line_number + 1);
-    }
-  }
-}
-
-// Drivers write "0:12(5): error" (Mesa) or "0(12) : error" (NVIDIA): the source number leads every line.
-std::string with_file_names(const std::string& log, const std::vector<std::string>& names) {
+// Drivers begin every line with the number of the source, 0: "0:12(5): error" (Mesa), "0(12) : error"
+// (NVIDIA).
+std::string with_file_name(const std::string& log, std::string_view name) {
+  std::istringstream lines(log);
   std::string out;
-  std::size_t start = 0;
-  while (start < log.size()) {
-    const std::size_t end = std::min(log.find('\n', start), log.size());
-    std::string line = log.substr(start, end - start);
-    start = end + 1;
-    std::size_t digits = 0;
-    while (digits < line.size() && std::isdigit(static_cast<unsigned char>(line[digits])) != 0) ++digits;
-    const bool led =
-        digits > 0 && digits < 4 && digits < line.size() && (line[digits] == ':' || line[digits] == '(');
-    if (led) {
-      const std::size_t number = std::stoul(line.substr(0, digits));
-      if (number < names.size()) line.replace(0, digits, names[number]);
-    }
-    out += "\n  " + line;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_numbered = line.starts_with("0:") || line.starts_with("0(");
+    out += "\n  " + (is_numbered ? std::string(name) + line.substr(1) : line);
   }
   return out;
 }
@@ -110,17 +66,15 @@ struct Stage {
 
  private:
   void compile(std::span<const ShaderFile> files, std::string_view name, std::string_view defines) const {
-    Assembled source;
-    append_file(source, files, name, name, defines);
-    const char* text = source.text.c_str();
+    const std::string source = with_defines(text_of(files, name), defines);
+    const char* text = source.c_str();
     gl.ShaderSource(shader, 1, &text, nullptr);
     gl.CompileShader(shader);
     GLint compiled = GL_FALSE;
     gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (compiled == GL_TRUE) return;
     const std::string log = info_log(shader, gl.GetShaderiv, gl.GetShaderInfoLog);
-    throw ShaderError("the shader '" + std::string(name) +
-                      "' does not compile:" + with_file_names(log, source.names));
+    throw ShaderError("the shader '" + std::string(name) + "' does not compile:" + with_file_name(log, name));
   }
 };
 
@@ -153,9 +107,7 @@ Program::~Program() {
 
 Program::Program(Program&& other) noexcept : gl_(other.gl_), program_(std::exchange(other.program_, 0)) {}
 
-void Program::use() const {
-  gl_->UseProgram(program_);
-}
+void Program::use() const { gl_->UseProgram(program_); }
 
 void Program::set(const char* uniform, int value) const {
   gl_->Uniform1i(gl_->GetUniformLocation(program_, uniform), value);
@@ -177,25 +129,12 @@ void Program::bind_block(const char* block, unsigned binding) const {
 void bind_shared_inputs(const Program& program) {
   program.bind_block("Frame", frame_block_binding);
   program.use();
-  program.set("shadow_compare", static_cast<int>(shadow_compare_unit));
-  program.set("shadow_depth", static_cast<int>(shadow_depth_unit));
-  program.set("ground_light", static_cast<int>(ground_light_unit));
-  program.set("scalar_maps", static_cast<int>(scalar_maps_unit));
-  program.set("drawn", static_cast<int>(drawn_unit));
-  program.set("visibility_buffer", static_cast<int>(visibility_unit));
-  program.set("halved", static_cast<int>(halved_unit));
-  program.set("base_colour_maps", static_cast<int>(base_colour_maps_unit));
-  program.set("corner_data", static_cast<int>(corner_data_unit));
-  program.set("floor_shadow", static_cast<int>(floor_shadow_unit));
-  program.set("vertex_data", static_cast<int>(vertex_data_unit));
-  program.set("triangle_data", static_cast<int>(triangle_data_unit));
-  program.set("material_data", static_cast<int>(material_data_unit));
-  program.set("trim_data", static_cast<int>(trim_data_unit));
+  for (unsigned unit = 0; unit < unit_count; ++unit) program.set(samplers[unit], static_cast<int>(unit));
 }
 
 const Program& LazyProgram::use() {
   if (!program_) {
-    program_.emplace(*gl_, files_, vertex_, fragment_, defines_);
+    program_.emplace(*gl_, embedded_shaders(), vertex_, fragment_, defines_);
     bind_shared_inputs(*program_);
   }
   program_->use();

@@ -2,11 +2,7 @@
 
 #include <glad/gl.h>
 
-#include <glm/vec4.hpp>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <string_view>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 
@@ -15,16 +11,16 @@ struct ShaderError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One file of the shaders folder.
+/// One shader of the shaders folder.
 struct ShaderFile {
   std::string_view name;  ///< without folder, e.g. "surface.frag"
-  std::string_view text;  ///< the source
+  std::string_view text;  ///< the source, with what it includes
 };
 
-/// Returns all files of the shaders folder, as they were when the program was built.
+/// Returns all shaders, as they were when the program was built.
 std::span<const ShaderFile> embedded_shaders();
 
-/// A linked vertex and fragment shader. A line `#include "file"` is replaced by that file, once per stage.
+/// A linked vertex and fragment shader.
 class Program {
  public:
   /// Compiles two of `files`, by name. Each of `defines` is defined in both. Throws ShaderError.
@@ -74,24 +70,18 @@ inline constexpr unsigned unit_count = 14;
 void bind_shared_inputs(const Program& program);
 
 /// A Program that is compiled at its first use, since a picture needs few of all programs. The arguments are
-/// as those of Program; what they point at must outlive this object.
+/// as those of Program, of embedded_shaders(); what they point at must outlive this object.
 class LazyProgram {
  public:
-  LazyProgram(const GladGLContext& context, std::span<const ShaderFile> shader_files,
-              std::string_view vertex_file, std::string_view fragment_file,
+  LazyProgram(const GladGLContext& context, std::string_view vertex_file, std::string_view fragment_file,
               std::span<const std::string_view> define_names = {})
-      : gl_(&context),
-        files_(shader_files),
-        vertex_(vertex_file),
-        fragment_(fragment_file),
-        defines_(define_names) {}
+      : gl_(&context), vertex_(vertex_file), fragment_(fragment_file), defines_(define_names) {}
 
   /// Returns the program, bound as in bindings.hpp and in use. Throws ShaderError.
   const Program& use();
 
  private:
   const GladGLContext* gl_;
-  std::span<const ShaderFile> files_;
   std::string_view vertex_;
   std::string_view fragment_;
   std::span<const std::string_view> defines_;

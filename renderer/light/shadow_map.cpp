@@ -1,11 +1,5 @@
 #include "renderer/light/shadow_map.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include "renderer/light/surface_buffers.hpp"
 #include "renderer/page/ticks.hpp"
 
@@ -41,7 +35,7 @@ void project_to_map(const glm::mat4& world_to_map, int side_px, std::span<const 
                     std::vector<glm::vec3>& projected) {
   const auto scale = static_cast<float>(side_px);
   projected.resize(positions.size());
-  std::transform(positions.begin(), positions.end(), projected.begin(), [&](const glm::vec3& position) {
+  std::ranges::transform(positions, projected.begin(), [&](const glm::vec3& position) {
     const glm::vec3 place{world_to_map * glm::vec4{position, 1.0F}};
     return glm::vec3{place.x * scale, place.y * scale, place.z};
   });
@@ -163,14 +157,14 @@ void ShadowClassifier::compare(const SurfaceView& surface, std::vector<KeyVisibi
 // Penumbrae start at vertices which both light and shadow touch.
 void ShadowClassifier::find_shadow_edges(std::span<const std::uint32_t> triangles,
                                          const std::vector<KeyVisibility>& visibility) {
-  std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
+  std::ranges::fill(touched_, std::uint8_t{0});
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const KeyVisibility own = visibility[i / 3];
     touched_[triangles[i]] |= own == KeyVisibility::shadowed ? by_shadow
                               : own == KeyVisibility::lit    ? by_light
                                                              : 3;
   }
-  std::fill(reaches_m_.begin(), reaches_m_.end(), 0.0F);
+  std::ranges::fill(reaches_m_, 0.0F);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const std::uint32_t vertex = triangles[i];
     if (touched_[vertex] == (by_light | by_shadow)) {

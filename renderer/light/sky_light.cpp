@@ -1,16 +1,5 @@
 #include "renderer/light/sky_light.hpp"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <numbers>
-
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/light/shadow_map.hpp"
 #include "renderer/light/surface_buffers.hpp"
@@ -54,9 +43,7 @@ float share_of_sphere(int directions) {
 }
 
 // The light of an open studio on a side: the same integral without anything in the way.
-float open_sky(float upwards) {
-  return 0.75F + 0.25F * upwards;
-}
+float open_sky(float upwards) { return 0.75F + 0.25F * upwards; }
 
 // Shares of a window's texels along one axis, from the place of its middle.
 struct WindowAxis {
@@ -88,8 +75,7 @@ FourNumbers kept(float weight, const FourMasks& mask) {
 }
 
 // Share of the window in which the map's depth is at least (or, if not `beyond`, at most) the place's own.
-template <bool beyond>
-float open_share(const std::vector<float>& map, const glm::vec3& place) {
+template <bool beyond> float open_share(const std::vector<float>& map, const glm::vec3& place) {
   const WindowAxis across = window_axis(place.x * static_cast<float>(map_px));
   const WindowAxis up = window_axis(place.y * static_cast<float>(map_px));
   const FourNumbers own{place.z, place.z, place.z, place.z};
@@ -151,10 +137,9 @@ void SkyLight::draw(Pair& pair, std::span<const SurfaceView* const> casters) {
 void SkyLight::gather(const SurfaceView& surface, std::vector<glm::vec2>& light) {
   light.assign(surface.positions.size(), glm::vec2{0.0F});
   if (pairs_.empty()) {
-    std::transform(surface.normals.begin(), surface.normals.end(), light.begin(),
-                   [](const glm::vec3& normal) {
-                     return glm::vec2{open_sky(normal.y), open_sky(-normal.y)};
-                   });
+    std::ranges::transform(surface.normals, light.begin(), [](const glm::vec3& normal) {
+      return glm::vec2{open_sky(normal.y), open_sky(-normal.y)};
+    });
     return;
   }
   for (const Pair& pair : pairs_) gather_pair(pair, surface, light);

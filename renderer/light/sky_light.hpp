@@ -1,10 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "renderer/camera.hpp"
 #include "renderer/frame_view.hpp"
 

@@ -1,7 +1,6 @@
 #include "renderer/light/studio_light.hpp"
 
 #include <future>
-#include <glm/common.hpp>
 
 #include "renderer/gl/shader.hpp"
 
@@ -15,15 +14,6 @@ void set_up(const GladGLContext& gl, const Sampler& sampler, GLint filter) {
   // Nothing reaches the map's edge, so that clamping shows nothing in the way outside.
   gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.SamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
-void set_up_floor(const GladGLContext& gl, const Texture& texture) {
-  gl.BindTexture(GL_TEXTURE_2D, texture.name());
-  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-    gl.TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
-  }
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 std::optional<Box> box_around(std::span<const SurfaceView* const> casters) {
@@ -57,7 +47,8 @@ StudioLight::StudioLight(const GladGLContext& context)
   gl_->SamplerParameteri(compare_.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl_->SamplerParameteri(compare_.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   set_up(*gl_, plain_, GL_NEAREST);
-  set_up_floor(*gl_, floor_texture_);
+  gl_->BindTexture(GL_TEXTURE_2D, floor_texture_.name());
+  set_sampling(*gl_, GL_TEXTURE_2D, GL_LINEAR);
 }
 
 void StudioLight::begin(FrameBlock& block, const FrameView& frame, std::span<const SurfaceView> surfaces,

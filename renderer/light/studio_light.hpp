@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/light/shadow_map.hpp"

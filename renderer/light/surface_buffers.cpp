@@ -1,11 +1,5 @@
 #include "renderer/light/surface_buffers.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <string>
-#include <utility>
-
 #include "renderer/context/context.hpp"
 #include "renderer/gl/shader.hpp"
 #include "renderer/surface/refined_mesh.hpp"

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-#include <vector>
-
 #include "renderer/frame_view.hpp"
 #include "renderer/gl/base_colour_map_texture.hpp"
 #include "renderer/gl/gl_objects.hpp"

@@ -3,18 +3,6 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <memory>
-#include <numbers>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-#include "renderer/page/image.hpp"
-
 namespace taut::renderer {
 
 namespace {
@@ -98,12 +86,11 @@ void set_font_options(cairo_t* pen) {
 void select_font(cairo_t* pen, const TextStyle& style) {
   cairo_select_font_face(pen, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(pen, static_cast<double>(style.size_px));
+  cairo_set_font_size(pen, style.size_px);
 }
 
 void set_colour(cairo_t* pen, Colour colour, float opacity = 1.0F) {
-  cairo_set_source_rgba(pen, static_cast<double>(colour.r), static_cast<double>(colour.g),
-                        static_cast<double>(colour.b), static_cast<double>(opacity));
+  cairo_set_source_rgba(pen, colour.r, colour.g, colour.b, opacity);
 }
 
 float horizontal_shift(HorizontalAlign align, const TextSize& size) {
@@ -141,7 +128,7 @@ struct Canvas::Surface {
   void start() {
     pen = PenHandle(cairo_create(surface.get()), cairo_destroy);
     set_font_options(pen.get());
-    cairo_scale(pen.get(), static_cast<double>(scale), static_cast<double>(scale));
+    cairo_scale(pen.get(), scale, scale);
   }
   void start_image(Colour background) {
     const auto pixels = [this](int length) {
@@ -204,15 +191,9 @@ Canvas Canvas::pdf(int width_px, int height_px, float pixels_per_inch, const std
   return Canvas(std::move(made));
 }
 
-int Canvas::width_px() const {
-  return surface_->width_px;
-}
-int Canvas::height_px() const {
-  return surface_->height_px;
-}
-float Canvas::smallest_text_px() const {
-  return surface_->smallest_text_px;
-}
+int Canvas::width_px() const { return surface_->width_px; }
+int Canvas::height_px() const { return surface_->height_px; }
+float Canvas::smallest_text_px() const { return surface_->smallest_text_px; }
 
 TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
   cairo_t* pen = surface_->pen.get();
@@ -226,15 +207,12 @@ TextSize Canvas::measure(std::string_view text, const TextStyle& style) const {
 }
 
 void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle& style) {
-  if (!text.empty()) {
-    surface_->smallest_text_px = std::min(surface_->smallest_text_px, style.size_px);
-  }
+  if (!text.empty()) surface_->smallest_text_px = std::min(surface_->smallest_text_px, style.size_px);
   const TextSize size = measure(text, style);
   cairo_t* pen = surface_->pen.get();
   set_colour(pen, style.colour);
   const float baseline = surface_->on_whole_pixel(y_px + vertical_shift(style.vertical, size));
-  cairo_move_to(pen, static_cast<double>(x_px + horizontal_shift(style.horizontal, size)),
-                static_cast<double>(baseline));
+  cairo_move_to(pen, x_px + horizontal_shift(style.horizontal, size), baseline);
   cairo_show_text(pen, std::string(text).c_str());
   // The end of a text is a point that an arc would be joined to, which some PDF viewers show as a hairline.
   cairo_new_path(pen);
@@ -243,9 +221,9 @@ void Canvas::text(float x_px, float y_px, std::string_view text, const TextStyle
 void Canvas::line(float x0_px, float y0_px, float x1_px, float y1_px, Colour colour, float thickness_px) {
   cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour);
-  cairo_set_line_width(pen, static_cast<double>(thickness_px));
-  cairo_move_to(pen, static_cast<double>(x0_px), static_cast<double>(y0_px));
-  cairo_line_to(pen, static_cast<double>(x1_px), static_cast<double>(y1_px));
+  cairo_set_line_width(pen, thickness_px);
+  cairo_move_to(pen, x0_px, y0_px);
+  cairo_line_to(pen, x1_px, y1_px);
   cairo_stroke(pen);
 }
 
@@ -253,9 +231,8 @@ void Canvas::rectangle(float x_px, float y_px, float width_px, float height_px, 
                        float thickness_px) {
   cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour);
-  cairo_set_line_width(pen, static_cast<double>(thickness_px));
-  cairo_rectangle(pen, static_cast<double>(x_px), static_cast<double>(y_px), static_cast<double>(width_px),
-                  static_cast<double>(height_px));
+  cairo_set_line_width(pen, thickness_px);
+  cairo_rectangle(pen, x_px, y_px, width_px, height_px);
   cairo_stroke(pen);
 }
 
@@ -263,16 +240,14 @@ void Canvas::fill_rectangle(float x_px, float y_px, float width_px, float height
                             float opacity) {
   cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour, opacity);
-  cairo_rectangle(pen, static_cast<double>(x_px), static_cast<double>(y_px), static_cast<double>(width_px),
-                  static_cast<double>(height_px));
+  cairo_rectangle(pen, x_px, y_px, width_px, height_px);
   cairo_fill(pen);
 }
 
 void Canvas::circle(float x_px, float y_px, float radius_px, Colour colour, float opacity) {
   cairo_t* pen = surface_->pen.get();
   set_colour(pen, colour, opacity);
-  cairo_arc(pen, static_cast<double>(x_px), static_cast<double>(y_px), static_cast<double>(radius_px), 0.0,
-            2.0 * std::numbers::pi);
+  cairo_arc(pen, x_px, y_px, radius_px, 0.0, 2.0 * std::numbers::pi);
   cairo_fill(pen);
 }
 
@@ -284,7 +259,7 @@ void Canvas::image(float x_px, float y_px, float width_px, float height_px, cons
   const SurfaceHandle source = to_cairo(image);
   cairo_t* pen = surface_->pen.get();
   cairo_save(pen);
-  cairo_translate(pen, static_cast<double>(x_px), static_cast<double>(y_px));
+  cairo_translate(pen, x_px, y_px);
   const bool as_is = surface_->has_as_many_pixels(width_px, image.width_px) &&
                      surface_->has_as_many_pixels(height_px, image.height_px);
   cairo_scale(pen, static_cast<double>(width_px) / image.width_px,

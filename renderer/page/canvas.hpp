@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <string_view>
-
 #include "renderer/page/colour.hpp"
 #include "renderer/page/image.hpp"
 

@@ -1,13 +1,5 @@
 #include "renderer/page/colour.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <span>
-
 namespace taut::renderer {
 
 namespace {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <stdexcept>
-#include <vector>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 

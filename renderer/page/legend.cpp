@@ -1,7 +1,5 @@
 #include "renderer/page/legend.hpp"
 
-#include <cmath>
-
 #include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "renderer/page/canvas.hpp"
 #include "renderer/page/colour.hpp"
 

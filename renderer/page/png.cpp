@@ -3,13 +3,6 @@
 
 #include <libdeflate.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <memory>
-#include <stdexcept>
-#include <string_view>
-
 namespace taut::renderer {
 namespace {
 
@@ -25,7 +18,8 @@ unsigned char* compress(const unsigned char* bytes, int count, int* compressed_c
   const std::size_t most = libdeflate_zlib_compress_bound(compressor.get(), size);
   auto* compressed = static_cast<unsigned char*>(std::malloc(most));
   if (compressed == nullptr) return nullptr;
-  *compressed_count = static_cast<int>(libdeflate_zlib_compress(compressor.get(), bytes, size, compressed, most));
+  *compressed_count =
+      static_cast<int>(libdeflate_zlib_compress(compressor.get(), bytes, size, compressed, most));
   return compressed;
 }
 
@@ -45,7 +39,7 @@ using Bytes = std::vector<std::uint8_t>;
 using BytesView = std::span<const std::uint8_t>;
 
 constexpr std::array<std::uint8_t, 8> signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-constexpr std::size_t frame_bytes = 12;  // length, type and checksum around a chunk's data
+constexpr std::size_t frame_bytes = 12;               // length, type and checksum around a chunk's data
 constexpr std::ptrdiff_t header_bytes = 8 + 12 + 13;  // the signature and the first chunk, the size
 
 void append_u32(Bytes& bytes, std::uint32_t value) {
@@ -130,7 +124,7 @@ std::vector<PngText> read_png_texts(std::span<const std::uint8_t> png, const std
     const std::string type(rest.begin() + 4, rest.begin() + 8);
     const BytesView data = rest.subspan(8, length);
     if (type == "IEND") return texts;
-    const auto zero = std::find(data.begin(), data.end(), std::uint8_t{0});
+    const auto zero = std::ranges::find(data, std::uint8_t{0});
     if (type == "tEXt" && zero != data.end()) {
       texts.push_back({std::string(data.begin(), zero), std::string(zero + 1, data.end())});
     }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "renderer/page/image.hpp"
 
 namespace taut::renderer {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cmath>
-#include <cstdio>
-#include <string>
-#include <vector>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 
@@ -18,8 +15,7 @@ inline int whole_within(float value, int lowest, int highest) {
 // decide to which pixel its tick is rounded.
 
 /// 1, 2 or 5 times a power of ten: the step that gives about six ticks in a range above 0.
-template <class Number>
-Number round_step(Number range) {
+template <class Number> Number round_step(Number range) {
   const Number rough = range / Number(6.0);
   const Number power = std::pow(Number(10.0), std::floor(std::log10(rough)));
   for (const Number factor : {Number(1.0), Number(2.0), Number(5.0)}) {
@@ -29,8 +25,7 @@ Number round_step(Number range) {
 }
 
 /// The multiples of `step` from minimum to maximum, ascending.
-template <class Number>
-std::vector<Number> multiples_within(Number minimum, Number maximum, Number step) {
+template <class Number> std::vector<Number> multiples_within(Number minimum, Number maximum, Number step) {
   const Number slack = Number(0.001);
   std::vector<Number> values;
   for (Number i = std::ceil(minimum / step - slack); i * step <= maximum + slack * step; i += Number(1.0)) {
@@ -40,8 +35,7 @@ std::vector<Number> multiples_within(Number minimum, Number maximum, Number step
 }
 
 /// A multiple of `step` with as many decimals as the step has, at most 40.
-template <class Number>
-std::string tick_text(Number value, Number step) {
+template <class Number> std::string tick_text(Number value, Number step) {
   const int decimals = whole_within(static_cast<float>(std::ceil(-std::log10(step) - Number(0.001))), 0, 40);
   char text[384];
   // Adding zero turns a minus zero into zero.

@@ -1,13 +1,5 @@
 #include "renderer/passes/backdrop_pass.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/matrix.hpp>
-#include <stdexcept>
-
-#include "renderer/gl/shader.hpp"
 #include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {
@@ -37,9 +29,7 @@ int cell_px(int tile_height_px, BackdropGrid fineness) {
 }
 
 // Drawn pixels for a texel of the floor's shadow. More is faster and blurs the shadow's edge.
-int shadow_texel_px(int tile_height_px) {
-  return std::clamp(tile_height_px / 360, 1, 2);
-}
+int shadow_texel_px(int tile_height_px) { return std::clamp(tile_height_px / 360, 1, 2); }
 
 constexpr std::array<std::string_view, 1> with_floor{"FLOOR"};
 constexpr std::array<std::string_view, 1> with_shadow{"SHADED"};
@@ -83,33 +73,14 @@ std::array<PixelRect, 4> bands_around(const PixelRect& part, const glm::ivec2& s
            {0, top_px, size_px.x, size_px.y - top_px}}};
 }
 
-BackdropPass::CoarseMap::CoarseMap(const GladGLContext& context) : texture(context) {}
-
-BackdropPass::BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files)
+BackdropPass::BackdropPass(const GladGLContext& context)
     : gl_(&context),
-      lit_(context, files, "backdrop_grid.vert", "backdrop.frag"),
-      floor_shadow_(context, files, "fullscreen.vert", "floor_shadow.frag", with_floor),
-      shaded_(context, files, "backdrop_grid.vert", "backdrop.frag", with_shadow),
-      floor_depth_(context, files, "ground.vert", "depth.frag"),
-      floor_shadow_map_(context),
-      shadow_framebuffer_(context),
+      lit_(context, "backdrop_grid.vert", "backdrop.frag"),
+      floor_shadow_(context, "fullscreen.vert", "floor_shadow.frag", with_floor),
+      shaded_(context, "backdrop_grid.vert", "backdrop.frag", with_shadow),
+      floor_depth_(context, "ground.vert", "depth.frag"),
+      floor_shadow_map_(context, GL_R8, floor_shadow_unit),
       no_arrays_(context) {}
-
-// To be called with the framebuffer bound that it is to be attached to.
-void BackdropPass::allocate(CoarseMap& map, const glm::ivec2& size_px, GLint format,
-                            GLenum attachment) const {
-  if (size_px == map.size_px) return;
-  map.size_px = size_px;
-  gl_->ActiveTexture(GL_TEXTURE0 + floor_shadow_unit);
-  gl_->BindTexture(GL_TEXTURE_2D, map.texture.name());
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, format, size_px.x, size_px.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-    gl_->TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
-  }
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  gl_->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, map.texture.name(), 0);
-}
 
 void BackdropPass::draw_grid(const Program& program, const FrameBlock& block, bool floor,
                              BackdropGrid fineness) const {
@@ -127,14 +98,7 @@ void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& p
   const int texel = shadow_texel_px(static_cast<int>(block.viewport.y));
   // One texel more: the last pixels blend with what is beyond them.
   const glm::ivec2 size_px = (glm::ivec2{part.width_px, part.height_px} + texel - 1) / texel + 1;
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.name());
-  // Its size changes with every step of a garment: it only grows.
-  const glm::ivec2 roomy_px = glm::max(size_px, floor_shadow_map_.size_px);
-  if (roomy_px != floor_shadow_map_.size_px) {
-    allocate(floor_shadow_map_, roomy_px, GL_R8, GL_COLOR_ATTACHMENT0);
-    check_framebuffer(*gl_, "floor's shadow");
-  }
-  gl_->Viewport(0, 0, size_px.x, size_px.y);
+  floor_shadow_map_.begin(size_px);
   floor_shadow_.use().set("coarse", glm::vec4{static_cast<float>(part.x_px), static_cast<float>(part.y_px),
                                               static_cast<float>(texel), 0.0F});
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
@@ -142,8 +106,8 @@ void BackdropPass::draw_floor_shadow(const FrameBlock& block, const PixelRect& p
 
 void BackdropPass::draw_shaded(const FrameBlock& block, const PixelRect& part, BackdropGrid fineness) {
   const auto texel = static_cast<float>(shadow_texel_px(static_cast<int>(block.viewport.y)));
-  const glm::vec2 scale = 1.0F / (texel * glm::vec2{floor_shadow_map_.size_px});
-  bind_texture(*gl_, floor_shadow_unit, GL_TEXTURE_2D, floor_shadow_map_.texture);
+  const glm::vec2 scale = 1.0F / (texel * glm::vec2{floor_shadow_map_.size_px()});
+  floor_shadow_map_.bind();
   gl_->Scissor(part.x_px, part.y_px, part.width_px, part.height_px);
   const Program& program = shaded_.use();
   program.set("shaded_part", glm::vec4{scale, -scale * glm::vec2{part.x_px, part.y_px}});

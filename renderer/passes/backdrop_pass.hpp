@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
-#include <glm/vec2.hpp>
-
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/gl/gl_objects.hpp"
+#include "renderer/gl/picture_target.hpp"
 #include "renderer/gl/shader.hpp"
 
 namespace taut::renderer {
@@ -22,8 +20,8 @@ enum class BackdropGrid { fine, coarse, coarsest };
 /// Draws the background: the backdrop and the floor with its shadow.
 class BackdropPass {
  public:
-  /// The context must be current and outlive this object. `files`: all shaders.
-  BackdropPass(const GladGLContext& context, std::span<const ShaderFile> files);
+  /// The context must be current and outlive this object.
+  explicit BackdropPass(const GladGLContext& context);
 
   /// Draws the block's tile to the lower left corner of a framebuffer, without the depth test. `floor`:
   /// whether the floor is visible. The block `Frame` and the light's textures must be bound.
@@ -33,13 +31,6 @@ class BackdropPass {
   void draw_floor_depth();
 
  private:
-  // A texture that is drawn with larger pixels than the picture.
-  struct CoarseMap {
-    explicit CoarseMap(const GladGLContext& context);
-    Texture texture;
-    glm::ivec2 size_px{0};
-  };
-  void allocate(CoarseMap& map, const glm::ivec2& size_px, GLint format, GLenum attachment) const;
   void draw_grid(const Program& program, const FrameBlock& block, bool floor, BackdropGrid fineness) const;
   void draw_floor_shadow(const FrameBlock& block, const PixelRect& part);
   void draw_shaded(const FrameBlock& block, const PixelRect& part, BackdropGrid fineness);
@@ -49,8 +40,7 @@ class BackdropPass {
   LazyProgram floor_shadow_;
   LazyProgram shaded_;
   LazyProgram floor_depth_;
-  CoarseMap floor_shadow_map_;
-  Framebuffer shadow_framebuffer_;
+  GrowingTarget floor_shadow_map_;  // drawn with larger pixels than the picture
   VertexArray no_arrays_;
 };
 

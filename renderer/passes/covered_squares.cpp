@@ -1,9 +1,5 @@
 #include "renderer/passes/covered_squares.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-
 #include "renderer/page/ticks.hpp"
 
 namespace taut::renderer {
@@ -80,12 +76,9 @@ Tile screen_bounds(const FrameView& frame, std::span<const SurfaceView> surfaces
 
 bool reaches_below(float height_m, const FrameView& frame, std::span<const SurfaceView> surfaces) {
   const auto below = [&](std::span<const glm::vec3> points) {
-    return std::any_of(points.begin(), points.end(),
-                       [&](const glm::vec3& point) { return point.y < height_m; });
+    return std::ranges::any_of(points, [&](const glm::vec3& point) { return point.y < height_m; });
   };
-  const auto any = [](const auto& views, const auto& holds) {
-    return std::any_of(views.begin(), views.end(), holds);
-  };
+  const auto any = [](const auto& views, const auto& holds) { return std::ranges::any_of(views, holds); };
   return any(surfaces, [&](const SurfaceView& surface) { return below(surface.positions); }) ||
          any(frame.lines, [&](const LineView& lines) { return below(lines.points); }) ||
          any(frame.points, [&](const PointView& points) { return below(points.centres); });
@@ -129,9 +122,7 @@ void CoveredSquares::mark(const glm::ivec4& box, std::uint8_t kind) {
 }
 
 // A triangle that reaches behind the eye may be anywhere.
-void CoveredSquares::mark_all() {
-  std::fill(kinds_.begin(), kinds_.end(), partial_shadow);
-}
+void CoveredSquares::mark_all() { std::ranges::fill(kinds_, partial_shadow); }
 
 void CoveredSquares::add_run(int first, int end, int row) {
   const auto clip = [&](int x, int y) {

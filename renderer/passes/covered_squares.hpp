@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
-#include <span>
-#include <vector>
-
 #include "renderer/gl/frame_block.hpp"
 #include "renderer/light/surface_buffers.hpp"
 

@@ -1,9 +1,5 @@
 #include "renderer/passes/mark_pass.hpp"
 
-#include <array>
-
-#include "renderer/gl/shader.hpp"
-
 namespace taut::renderer {
 namespace {
 
@@ -63,10 +59,10 @@ SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres) {
   return view;
 }
 
-MarkPass::MarkPass(const GladGLContext& context, std::span<const ShaderFile> files)
+MarkPass::MarkPass(const GladGLContext& context)
     : gl_(&context),
-      line_(context, files, "line.vert", "line.frag"),
-      point_(context, files, "point.vert", "point.frag"),
+      line_(context, "line.vert", "line.frag"),
+      point_(context, "point.vert", "point.frag"),
       line_arrays_(context),
       line_buffer_(context),
       point_arrays_(context),
@@ -125,10 +121,10 @@ void MarkPass::draw_points(const PointView& points) {
   gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(marks_.size()));
 }
 
-ResolvePass::ResolvePass(const GladGLContext& context, std::span<const ShaderFile> files)
+ResolvePass::ResolvePass(const GladGLContext& context)
     : gl_(&context),
-      one_(context, files, "fullscreen.vert", "resolve.frag"),
-      many_(context, files, "fullscreen.vert", "resolve.frag", multisampled),
+      one_(context, "fullscreen.vert", "resolve.frag"),
+      many_(context, "fullscreen.vert", "resolve.frag", multisampled),
       no_arrays_(context) {}
 
 void ResolvePass::draw(const Texture& drawn, int samples, int supersampling, const glm::ivec2& corner_px) {

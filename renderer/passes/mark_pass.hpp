@@ -1,9 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <span>
-#include <vector>
-
 #include "renderer/frame_view.hpp"
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/gl/shader.hpp"
@@ -20,8 +16,8 @@ SurfaceView view_of(const TriangleMesh& mesh, const SphereView& spheres);
 /// Draws marks: lines, wireframes and points of constant width in pixels, with antialiased edges.
 class MarkPass {
  public:
-  /// The context must be current and outlive this object. `files`: all shaders.
-  MarkPass(const GladGLContext& context, std::span<const ShaderFile> files);
+  /// The context must be current and outlive this object.
+  explicit MarkPass(const GladGLContext& context);
 
   /// Draw marks over the bound framebuffer. Blending must be on and depth writes off; the block `Frame` must
   /// be bound. They switch the depth test.
@@ -56,8 +52,8 @@ class MarkPass {
 /// Averages samples and supersampled pixels and blends the result over the bound framebuffer.
 class ResolvePass {
  public:
-  /// The context must be current and outlive this object. `files`: all shaders.
-  ResolvePass(const GladGLContext& context, std::span<const ShaderFile> files);
+  /// The context must be current and outlive this object.
+  explicit ResolvePass(const GladGLContext& context);
 
   /// Averages `drawn` in linear light over its `samples` and over squares of `supersampling` pixels. `drawn`
   /// is sRGB-encoded and was premultiplied in linear light. The viewport must be its place in the

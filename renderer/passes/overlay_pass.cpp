@@ -1,8 +1,5 @@
 #include "renderer/passes/overlay_pass.hpp"
 
-#include <algorithm>
-#include <cstddef>
-
 #include "renderer/gl/gl_objects.hpp"
 #include "renderer/gl/shader.hpp"
 
@@ -68,23 +65,14 @@ OverlayPass::OverlayPass(Context& context) {
   parts_ = std::make_unique<Parts>(context);
 }
 
-OverlayPass::~OverlayPass() {
-  try {
-    parts_->context.make_current();
-  } catch (const ContextError&) {
-    // Deleting names without their context is undefined; they go when the process does.
-    static_cast<void>(parts_.release());
-  }
-}
+OverlayPass::~OverlayPass() { delete_in_context(parts_); }
 
 void OverlayPass::set_coverage(int width_px, int height_px, std::span<const std::uint8_t> coverage) {
   const GladGLContext& gl = parts_->gl;
   bind_texture(gl, 0, GL_TEXTURE_2D, parts_->coverage);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width_px, height_px, 0, GL_RED, GL_UNSIGNED_BYTE, coverage.data());
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  set_sampling(gl, GL_TEXTURE_2D, GL_LINEAR);
   gl.BindTexture(GL_TEXTURE_2D, 0);
   check_errors(gl, "storing the letters");
 }

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <glm/vec2.hpp>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "renderer/context/context.hpp"
 
 namespace taut::renderer {

@@ -1,9 +1,5 @@
 #include "renderer/passes/surface_pass.hpp"
 
-#include <glm/common.hpp>
-
-#include "renderer/gl/shader.hpp"
-
 namespace taut::renderer {
 
 namespace {
@@ -34,9 +30,9 @@ std::vector<std::string_view> defines(std::size_t variant) {
 
 }  // namespace
 
-SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFile> files)
+SurfacePass::SurfacePass(const GladGLContext& context)
     : gl_(&context),
-      visibility_(context, files, "visibility.vert", "visibility.frag"),
+      visibility_(context, "visibility.vert", "visibility.frag"),
       corner_arrays_(context),
       corner_buffer_(context),
       colour_maps_(context),
@@ -44,12 +40,11 @@ SurfacePass::SurfacePass(const GladGLContext& context, std::span<const ShaderFil
       surface_buffers_(context),
       square_arrays_(context),
       square_corners_(context),
-      upscaling_(context, files, "squares.vert", "surface_halved.frag"),
-      halved_colour_(context),
-      halved_framebuffer_(context) {
+      upscaling_(context, "squares.vert", "surface_halved.frag"),
+      halved_(context, GL_RGBA8, halved_unit) {
   for (std::size_t variant = 0; variant < variants; ++variant) variant_defines_.push_back(defines(variant));
   for (const auto& names : variant_defines_) {
-    shading_.emplace_back(context, files, "squares.vert", "surface.frag", names);
+    shading_.emplace_back(context, "squares.vert", "surface.frag", names);
   }
   gl_->BindVertexArray(corner_arrays_.name());
   set_attribute(*gl_, 0, corner_buffer_, 3, 3, 0);
@@ -119,38 +114,18 @@ void SurfacePass::shade_squares(std::size_t kind, const VisibilityBuffer& visibi
   }
 }
 
-// Its size changes with every step of a garment: it only grows.
-void SurfacePass::begin_halved(const glm::ivec2& size_px) {
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, halved_framebuffer_.name());
-  const glm::ivec2 roomy_px = glm::max(size_px, halved_px_);
-  if (roomy_px != halved_px_) {
-    halved_px_ = roomy_px;
-    bind_texture(*gl_, halved_unit, GL_TEXTURE_2D, halved_colour_);
-    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, halved_px_.x, halved_px_.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                    nullptr);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
-      gl_->TexParameteri(GL_TEXTURE_2D, side, GL_CLAMP_TO_EDGE);
-    }
-    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, halved_colour_.name(), 0);
-    check_framebuffer(*gl_, "halved surfaces");
-  }
-  gl_->Viewport(0, 0, size_px.x, size_px.y);
-  gl_->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-  gl_->Clear(GL_COLOR_BUFFER_BIT);
-}
-
 void SurfacePass::shade_halved(const VisibilityBuffer& visibility, GLuint framebuffer,
                                const PixelRect& place) {
-  begin_halved({place.width_px / 2, place.height_px / 2});
+  halved_.begin({place.width_px / 2, place.height_px / 2});
+  gl_->ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+  gl_->Clear(GL_COLOR_BUFFER_BIT);
   shade_squares(halved, visibility, {0, 0});
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl_->Viewport(place.x_px, place.y_px, place.width_px, place.height_px);
-  bind_texture(*gl_, halved_unit, GL_TEXTURE_2D, halved_colour_);
+  halved_.bind();
   const Program& program = upscaling_.use();
   program.set("corner", glm::ivec4{place.x_px, place.y_px, 0, 0});
-  program.set("halved_part", glm::vec4{0.5F / glm::vec2{halved_px_}, 0.0F, 0.0F});
+  program.set("halved_part", glm::vec4{0.5F / glm::vec2{halved_.size_px()}, 0.0F, 0.0F});
   for (const bool partial : {false, true}) draw_squares(partial);
 }
 

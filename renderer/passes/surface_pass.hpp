@@ -1,10 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <span>
-#include <vector>
-
 #include "renderer/frame_view.hpp"
 #include "renderer/gl/base_colour_map_texture.hpp"
 #include "renderer/gl/frame_block.hpp"
@@ -20,8 +15,8 @@ namespace taut::renderer {
 /// `Frame` and the light's textures must be bound.
 class SurfacePass {
  public:
-  /// The context must be current and outlive this object. `files`: all shaders.
-  SurfacePass(const GladGLContext& context, std::span<const ShaderFile> files);
+  /// The context must be current and outlive this object.
+  explicit SurfacePass(const GladGLContext& context);
 
   /// Uploads the corners of all surfaces, which draw_visibility() needs.
   void upload_positions(std::span<const SurfaceView> surfaces);
@@ -41,7 +36,6 @@ class SurfacePass {
  private:
   void draw_squares(bool partial);
   void shade_squares(std::size_t kind, const VisibilityBuffer& visibility, const glm::ivec2& corner_px);
-  void begin_halved(const glm::ivec2& size_px);
   void shade_halved(const VisibilityBuffer& visibility, GLuint framebuffer, const PixelRect& place);
 
   const GladGLContext* gl_;
@@ -58,9 +52,7 @@ class SurfacePass {
   VertexArray square_arrays_;
   Buffer square_corners_;
   LazyProgram upscaling_;
-  Texture halved_colour_;
-  Framebuffer halved_framebuffer_;
-  glm::ivec2 halved_px_{0};
+  GrowingTarget halved_;
   SurfaceLight surface_light_;  // scratch
   bool any_scalars_ = false;
 };

@@ -1,12 +1,5 @@
 #include "renderer/surface/lines.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <queue>
-#include <utility>
-
 namespace taut::renderer {
 namespace {
 
@@ -16,8 +9,7 @@ struct Rows {
   std::vector<std::uint32_t> items;
 
   // `fill` calls what it is handed with a vertex and an item, the same ones every time.
-  template <class Fill>
-  Rows(std::size_t vertex_count, const Fill& fill) : offsets(vertex_count + 1) {
+  template <class Fill> Rows(std::size_t vertex_count, const Fill& fill) : offsets(vertex_count + 1) {
     fill([&](std::uint32_t vertex, std::uint32_t) { ++offsets[vertex + 1]; });
     for (std::size_t v = 0; v < vertex_count; ++v) offsets[v + 1] += offsets[v];
     items.resize(offsets.back());
@@ -202,9 +194,7 @@ struct Trimming {
     const NearestOnLine& own = nearest[vertex];
     if (own.segment != NearestOnLine::none && lines.segments[own.segment].chain == segment.chain) {
       const float most = most_curved * std::abs(straight - main.along) + most_shifted * length;
-      if (std::abs(own.along - straight) < most) {
-        return {own.distance, scale * own.along};
-      }
+      if (std::abs(own.along - straight) < most) return {own.distance, scale * own.along};
     }
     return {own.distance, scale * straight};
   }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "renderer/frame_view.hpp"
 #include "renderer/surface/refined_mesh.hpp"
 #include "renderer/surface/smooth_surface.hpp"

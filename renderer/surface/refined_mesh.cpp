@@ -1,11 +1,5 @@
 #include "renderer/surface/refined_mesh.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 namespace taut::renderer {
 namespace {
 
@@ -15,9 +9,7 @@ constexpr float corner_cosine = 0.7071F;
 constexpr std::size_t most_triangles = 400'000;
 constexpr int most_levels = 4;
 
-VertexPair sorted(std::uint32_t a, std::uint32_t b) {
-  return {std::min(a, b), std::max(a, b)};
-}
+VertexPair sorted(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 // The only edge that starts (end 0) or ends (end 1) at each vertex.
 std::vector<std::uint32_t> only_edges(const std::vector<BorderEdge>& border, std::size_t end,
@@ -93,7 +85,7 @@ std::vector<TriangleSide> sorted_sides(std::span<const std::uint32_t> triangles)
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     sides.push_back({sorted(triangles[i], triangles[next_corner(i)]), i});
   }
-  std::sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+  std::ranges::sort(sides, [](const TriangleSide& a, const TriangleSide& b) {
     return a.ends != b.ends ? a.ends < b.ends : a.number < b.number;
   });
   return sides;
@@ -107,7 +99,7 @@ std::vector<BorderEdge> border_edges(std::span<const glm::vec3> rest_positions,
     while (end < sides.size() && sides[end].ends == sides[first].ends) ++end;
     if (end == first + 1) single.push_back(sides[first].number);
   }
-  std::sort(single.begin(), single.end());
+  std::ranges::sort(single);
   std::vector<BorderEdge> border;
   border.reserve(single.size());
   for (const std::uint32_t side : single) {
@@ -124,7 +116,7 @@ RefinedMesh::RefinedMesh(std::span<const glm::vec3> rest_positions, std::span<co
       triangles_(triangles.begin(), triangles.end()),
       border_(border_edges(rest_positions, triangles)) {
   assert(levels >= 0 && levels <= most_levels);
-  assert(triangles.empty() || *std::max_element(triangles.begin(), triangles.end()) < rest_positions.size());
+  assert(triangles.empty() || *std::ranges::max_element(triangles) < rest_positions.size());
   for (int level = 0; level < levels; ++level) split();
 }
 
@@ -183,7 +175,7 @@ std::vector<std::uint32_t> RefinedMesh::refined_edges(std::span<const std::uint3
     finer.reserve(2 * pairs.size());
     for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
       const VertexPair pair = sorted(pairs[i], pairs[i + 1]);
-      const auto found = std::lower_bound(level.edges.begin(), level.edges.end(), pair);
+      const auto found = std::ranges::lower_bound(level.edges, pair);
       if (found != level.edges.end() && *found == pair) {
         const std::uint32_t middle =
             level.first_vertex + static_cast<std::uint32_t>(found - level.edges.begin());
@@ -271,7 +263,7 @@ void Rim::add_triangles(const Edge& edge, std::uint32_t at_triangle) {
 }
 
 void Rim::place(std::span<glm::vec3> positions, std::span<glm::vec3> normals) {
-  std::fill(ways_.begin(), ways_.end(), glm::vec3{0.0F});
+  std::ranges::fill(ways_, glm::vec3{0.0F});
   for (const Edge& edge : edges_) {
     const glm::vec3 way = normalised(positions[edge.ends[1]] - positions[edge.ends[0]]);
     for (const std::uint32_t own : edge.rings) ways_[own] += way;

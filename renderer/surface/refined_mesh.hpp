@@ -1,12 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <span>
-#include <vector>
+#include "prelude.hpp"
 
 namespace taut::renderer {
 
@@ -20,9 +14,7 @@ struct TriangleSide {
 };
 
 /// Returns the corner after this one in its triangle; three corners for each.
-inline std::uint32_t next_corner(std::uint32_t corner) {
-  return corner % 3 == 2 ? corner - 2 : corner + 1;
-}
+inline std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
 /// Returns the sides of all triangles in the order of their ends, those with the same ends in that of their
 /// numbers. `triangles` holds three vertices each.
@@ -98,16 +90,14 @@ class RefinedMesh {
 
 /// Appends to `values`, one for each coarse vertex, the mean of its two parents for every vertex that was
 /// added.
-template <class Value>
-void interpolate(std::span<const VertexPair> parents, std::vector<Value>& values) {
+template <class Value> void interpolate(std::span<const VertexPair> parents, std::vector<Value>& values) {
   values.reserve(values.size() + parents.size());
   for (const VertexPair& pair : parents) values.push_back(0.5F * (values[pair[0]] + values[pair[1]]));
 }
 
 /// Returns the values at the corners of the fine triangles, three each, from those of the coarse ones:
 /// linear within each coarse triangle, so that what differs across an edge still does.
-template <class Value>
-std::vector<Value> refined_corner_values(std::span<const Value> corners, int levels) {
+template <class Value> std::vector<Value> refined_corner_values(std::span<const Value> corners, int levels) {
   std::vector<Value> values(corners.begin(), corners.end());
   for (int level = 0; level < levels; ++level) {
     std::vector<Value> finer;

@@ -1,11 +1,5 @@
 #include "renderer/surface/smooth_surface.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "renderer/primitives.hpp"
 
 namespace taut::renderer {
@@ -146,7 +140,7 @@ void SmoothSurface::place(std::span<const glm::vec3> coarse_positions, std::span
   if (rooms.empty()) {
     std::fill_n(rooms_.begin(), count, freedom_.most_fairing + freedom_.most_bulge);
   } else {
-    std::copy(rooms.begin(), rooms.end(), rooms_.begin());
+    std::ranges::copy(rooms, rooms_.begin());
   }
   fair(coarse_positions);
   for (std::size_t v = 0; v < count; ++v) rooms_[v] = std::min(rooms_[v], freedom_.most_bulge);

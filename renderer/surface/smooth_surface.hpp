@@ -1,9 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <optional>
-#include <vector>
-
 #include "renderer/surface/refined_mesh.hpp"
 
 namespace taut::renderer {
@@ -11,7 +7,8 @@ namespace taut::renderer {
 /// How far a smooth surface may leave the triangles of its mesh, in the unit of positions.
 struct SurfaceFreedom {
   float most_bulge = 0.0F;  ///< between the vertices; along a border within the surface it may be more
-  /// The largest fairing of vertices, which hides unevenness from edge to edge: steps of folds, teeth of borders.
+  /// The largest fairing of vertices, which hides unevenness from edge to edge: steps of folds, teeth of
+  /// borders.
   float most_fairing = 0.0F;
 };
 

@@ -1,6 +1,7 @@
 #include "sim/untangle/untangle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -30,6 +31,10 @@ constexpr int shortening_sweeps = 10;
 /// The narrowest gap that is left and the one that narrower ones become, in parts of the distance.
 constexpr double least_gap = 0.5;
 constexpr double wider_gap = 1.0;
+/// Height over the longest side of triangles that are flat, and the cosine between the normals of two at an
+/// edge where they are folded back.
+constexpr double flat = 0.2;
+constexpr double folded_back = -0.9;
 /// Rounds without fewer pairs, after which there will not be.
 constexpr int most_rounds_in_vain = 60;
 
@@ -83,8 +88,8 @@ std::vector<Vec3> within_bound(const Garment& garment, const BoundedSettings& se
 }
 
 /// Flaws of a shape: pairs that cross, by how much it exceeds the bound in m, gaps that are too
-/// narrow.
-using Flaws = std::tuple<std::size_t, double, std::size_t>;
+/// narrow, vertices where it is to be evened out.
+using Flaws = std::tuple<std::size_t, double, std::size_t, std::size_t>;
 
 /// One way to untangle from the start.
 class Attempt {
@@ -103,19 +108,24 @@ class Attempt {
     for (int round = 0; round < settings_.most_rounds && in_vain < most_rounds_in_vain; ++round) {
       const std::vector<TrianglePair> pairs = find_crossings(positions_m_);
       const std::vector<Gap> gaps = pairs.empty() ? narrow_gaps() : std::vector<Gap>{};
-      const double excess_m = largest_excess_m(garment_, settings_.bounded, positions_m_);
-      in_vain = keep_least({pairs.size(), excess_m, gaps.size()}) ? 0 : in_vain + 1;
+      const std::vector<Index> uneven =
+          pairs.empty() && settings_.is_cut_anew ? uneven_vertices() : std::vector<Index>{};
+      const double excess_m =
+          settings_.is_cut_anew ? 0.0 : largest_excess_m(garment_, settings_.bounded, positions_m_);
+      in_vain = keep_least({pairs.size(), excess_m, gaps.size(), uneven.size()}) ? 0 : in_vain + 1;
       if (!pairs.empty()) {
         move_apart(pairs, by_walls);
       } else if (!gaps.empty()) {
         widen(gaps);
+      } else if (!uneven.empty()) {
+        even_out(uneven);
       } else if (excess_m > 0.0) {
         positions_m_ = within_bound(garment_, settings_.bounded, positions_m_);
       } else {
         break;
       }
     }
-    if (std::get<0>(least_) < best.pairs_left) {
+    if (std::get<0>(least_) < best.pairs_left || (best.pairs_left == 0 && !shape_.empty())) {
       best.pairs_left = std::get<0>(least_);
       best.positions_m = shape_;
     }
@@ -144,6 +154,57 @@ class Attempt {
       }
     }
     apply(spread(garment_.adjacency, asked));
+  }
+
+  /// The corners of triangles that are flat, and those beside edges at which the cloth is folded back.
+  std::vector<Index> uneven_vertices() const {
+    const std::vector<Triangle>& triangles = garment_.mesh.triangles;
+    std::vector<char> is_uneven(positions_m_.size(), 0);
+    const auto mark = [&](const Triangle& t) {
+      for (const Index v : t) {
+        is_uneven[v] = 1;
+      }
+    };
+    std::vector<Vec3> fronts;
+    for (const Triangle& t : triangles) {
+      const auto [a, b, c] = corners_of(t, positions_m_);
+      const Vec3 area = glm::cross(b - a, c - a);
+      const double longest_m = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+      if (glm::length(area) < flat * longest_m * longest_m) {
+        mark(t);
+      }
+      fronts.push_back(front(t));
+    }
+    for (std::size_t e = 0; e < garment_.adjacency.edges.size(); ++e) {
+      const std::span<const Index> around = garment_.adjacency.edge_triangles[e];
+      if (around.size() == 2 && glm::dot(fronts[around[0]], fronts[around[1]]) < folded_back) {
+        mark(triangles[around[0]]);
+        mark(triangles[around[1]]);
+      }
+    }
+    std::vector<Index> vertices;
+    for (Index v = 0; v < is_uneven.size(); ++v) {
+      if (is_uneven[v] != 0) {
+        vertices.push_back(v);
+      }
+    }
+    return vertices;
+  }
+
+  /// Half of the way to the middle between their neighbours, at a border those along it.
+  void even_out(const std::vector<Index>& vertices) {
+    const std::vector<Vec3> before_m = positions_m_;
+    for (const Index v : vertices) {
+      std::array<Vec3, 2> sums{Vec3(0.0), Vec3(0.0)};
+      std::array<double, 2> counts{};
+      for (const Index e : garment_.adjacency.vertex_edges[v]) {
+        const std::size_t kind = garment_.adjacency.edge_triangles[e].size() == 1 ? 1 : 0;
+        sums[kind] += before_m[other_end(garment_.adjacency.edges[e], v)];
+        counts[kind] += 1.0;
+      }
+      const std::size_t kind = counts[1] > 0.0 ? 1 : 0;
+      positions_m_[v] = 0.5 * (before_m[v] + sums[kind] / counts[kind]);
+    }
   }
 
   void move_apart(const std::vector<TrianglePair>& pairs, bool by_walls) {
@@ -250,7 +311,7 @@ class Attempt {
   std::span<const Vec3> start_m_;
   std::vector<Vec3> positions_m_;
   double edge_m_;
-  Flaws least_ = {std::numeric_limits<std::size_t>::max(), 0.0, 0};
+  Flaws least_ = {std::numeric_limits<std::size_t>::max(), 0.0, 0, 0};
   std::vector<Vec3> shape_;  ///< with the least
 };
 
@@ -260,21 +321,20 @@ Untangled untangle(const Garment& garment, std::vector<Vec3> start_m, const Unta
                    const FindCrossings& find_crossings) {
   const std::vector<TrianglePair> pairs = find_crossings(start_m);
   Untangled best = {start_m, pairs.size(), pairs.size()};
-  if (pairs.empty()) {
+  if (pairs.empty() && !settings.is_cut_anew) {
     return best;
   }
   const bool walls = are_walls(find_contours(garment, pairs, start_m).piercings);
-  for (const bool by_walls : {walls, !walls}) {
-    if (best.pairs_left > 0) {
-      Attempt(garment, settings, start_m).run(find_crossings, by_walls, best);
-    }
+  Attempt(garment, settings, start_m).run(find_crossings, walls, best);
+  if (best.pairs_left > 0) {
+    Attempt(garment, settings, start_m).run(find_crossings, !walls, best);
   }
   // A run that keeps the bound begins within it. What that takes may be more than was won.
-  if (largest_excess_m(garment, settings.bounded, best.positions_m) > 0.0) {
+  if (!settings.is_cut_anew && largest_excess_m(garment, settings.bounded, best.positions_m) > 0.0) {
     best.positions_m = within_bound(garment, settings.bounded, best.positions_m);
     best.pairs_left = find_crossings(best.positions_m).size();
   }
-  if (best.pairs_left >= pairs.size()) {
+  if (best.pairs_left > 0 && best.pairs_left >= pairs.size()) {
     return {start_m, pairs.size(), pairs.size()};
   }
   for (std::size_t v = 0; v < start_m.size(); ++v) {

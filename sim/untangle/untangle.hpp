@@ -19,6 +19,9 @@ struct UntangleSettings {
   /// No vertex goes further than this many times the mean length of edges.
   double largest_move_edges = 5.0;
   int most_rounds = 200;  ///< of finding and moving; where nothing crosses any more they end
+  /// It is to be cut as it was parted, by which it is stretched nowhere. Then it is parted too where layers
+  /// are nearly as one at the start, and triangles that are flat or folded back are evened out.
+  bool is_cut_anew = false;
 };
 
 /// Returns the pairs of triangles of the cloth that cross where its vertices are, in m.
@@ -38,8 +41,8 @@ struct Untangled {
 /// Magnenat-Thalmann 2006, "Resolving surface collisions through intersection contour minimization"). Of
 /// walls that run along each other and face opposite ways the backs belong together, and which ends are wrong
 /// is known without contours, if those say the same of most. Each move is spread over neighbours, and what it
-/// stretches is shortened again. A start in which nothing crosses is returned as it is. Always the same for
-/// the same `start_m`.
+/// stretches is shortened again. A start in which nothing crosses is returned as it is, if it is not cut
+/// anew. Always the same for the same `start_m`.
 Untangled untangle(const Garment& garment, std::vector<Vec3> start_m, const UntangleSettings& settings,
                    const FindCrossings& find_crossings);
 

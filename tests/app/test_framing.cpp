@@ -73,8 +73,8 @@ TEST(FittedView, SeesTheGarmentInEveryFrameAndNoMore) {
   const sim::Garment cloth = cloth_of(scene);
   const std::vector<sim::Vec3> far = moved(cloth.mesh.positions, {3, 1, 0});
   FittedView both(scene, cloth);
-  both.add(cloth.mesh.positions, 0.0);
-  both.add(far, 0.1);
+  both.add(cloth.mesh.positions, cloth.mesh.positions, 0.0);
+  both.add(far, far, 0.1);
   const float aspect = aspect_of(scene.picture.settings);
   DrawnScene placed = scene;
   both.place_camera(placed);
@@ -83,8 +83,14 @@ TEST(FittedView, SeesTheGarmentInEveryFrameAndNoMore) {
   EXPECT_EQ(share_in_picture(camera, aspect, far), 1.0F);
   EXPECT_LT(placed.picture.ground.height_m, 0.0);
 
+  DrawnScene followed = scene;
+  FittedView of_model(scene, cloth);
+  of_model.add(cloth.mesh.positions, far, 0.0);
+  of_model.place_camera(followed);
+  EXPECT_EQ(share_in_picture(scene_camera(followed, {}, aspect), aspect, far), 1.0F) << "which reaches farther";
+
   FittedView one(scene, cloth);
-  one.add(cloth.mesh.positions, 0.0);
+  one.add(cloth.mesh.positions, cloth.mesh.positions, 0.0);
   one.place_camera(scene);
   const renderer::Camera near = scene_camera(scene, {}, aspect);
   EXPECT_EQ(share_in_picture(near, aspect, cloth.mesh.positions), 1.0F);
@@ -110,11 +116,12 @@ TEST(FittedView, OfACameraThatFollowsIsThatOfAGarmentThatStays) {
   const sim::Garment cloth = cloth_of(scene);
   DrawnScene stays = scene;
   FittedView still(scene, cloth);
-  still.add(cloth.mesh.positions, 0.0);
+  still.add(cloth.mesh.positions, cloth.mesh.positions, 0.0);
   still.place_camera(stays);
   DrawnScene moves = scene;
   FittedView moving(scene, cloth);
-  moving.add(moved(cloth.mesh.positions, {30, -7, 2}), 0.0);
+  const std::vector<sim::Vec3> away = moved(cloth.mesh.positions, {30, -7, 2});
+  moving.add(away, away, 0.0);
   moving.place_camera(moves);
   EXPECT_LT(glm::distance(*stays.camera.eye, *moves.camera.eye), 1e-4F);
 

@@ -6,7 +6,6 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/run_checkpoint.hpp"
-#include "app/output/run_start.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

@@ -11,7 +11,7 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/scene_crossings.hpp"
-#include "app/output/run_start.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "gltf_text.hpp"
 #include "loading.hpp"
 

@@ -9,7 +9,7 @@
 #include "app/models/garment_measures.hpp"
 #include "app/models/obj_writing.hpp"
 #include "app/models/scene_crossings.hpp"
-#include "app/output/run_start.hpp"
+#include "app/output/run_checkpoint.hpp"
 #include "loading.hpp"
 
 namespace taut::app {
@@ -269,7 +269,8 @@ TEST_F(Wearing, TrousersComeForkToForkAndAreMeasuredRoundBothLegs) {
   ASSERT_TRUE(tube && tube->fork_m);
   EXPECT_NEAR(*tube->fork_m, measures.levels[measures.fork].height_m - 0.01, 0.005);
   const sim::Extent box = sim::extent_of(worn.places_m());
-  const double leg_m = leg_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value();
+  const double leg_m =
+      leg_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value();
   EXPECT_GT(girth_at({worn.places_m(), worn.loaded.garment->mesh.triangles}, box.lower.y + 0.05).value(),
             1.2 * leg_m);
 }
@@ -282,7 +283,8 @@ TEST_F(Wearing, SaysWhereClothIsStretchedMost) {
   for (sim::Vec3& p : wide_m) {
     p.z *= p.y < 1.25 && p.z > 0.0 ? 1.2 : 1.0;  // at the waist in front
   }
-  EXPECT_CONTAINS(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows), "stretched most: at the ");
+  EXPECT_CONTAINS(describe_tightness(worn.scene, *worn.loaded.garment, wide_m, rows),
+                  "stretched most: at the ");
 }
 
 }  // namespace

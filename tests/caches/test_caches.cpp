@@ -8,7 +8,6 @@
 #include "app/base/errors.hpp"
 #include "app/bodies/point_cache.hpp"
 #include "app/caches/frame_sink.hpp"
-#include "app/caches/written_cloth.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {

@@ -93,6 +93,11 @@ def repairs():
     yield Model('soup.glb', w.glb(sheet.soup()), {'vertices': 48})
     yield Model('twice.ply', w.ply(s.joined(sheet, sheet)),
                 {'vertices': 48, 'repairs.duplicate_triangles': 70, 'topology.non_manifold_edges': 0})
+    quads = s.sheet()
+    both_sides = s.joined(quads, quads.with_faces([face[::-1] for face in quads.faces]))
+    for make, kind in ((w.obj, 'obj'), (w.fbx, 'fbx')):
+        yield Model('both_sides.' + kind, make(both_sides),
+                    {'vertices': 48, 'repairs.duplicate_triangles': 70, 'topology.non_manifold_edges': 0})
     collapsed = sheet.with_faces(sheet.faces + [(0, 1, 1), (2, 2, 2), (0, 1, 2)])
     yield Model('zero_area.ply', w.ply(collapsed), {'repairs.degenerate_triangles': 3, 'triangles': 70})
     for make, kind in ((w.obj, 'obj'), (w.ply, 'ply'), (w.dae, 'dae')):

@@ -5,7 +5,7 @@
 
 #include "app/drawing/drawing.hpp"
 #include "app/drawing/plots/axis.hpp"
-#include "app/drawing/plots/plot_sheet.hpp"
+#include "app/drawing/plots/plot.hpp"
 #include "app/output/csv.hpp"
 
 namespace taut::app {

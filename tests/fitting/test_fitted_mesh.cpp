@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "app/fitting/fitted_mesh.hpp"
+#include "app/fitting/remeshing.hpp"
+#include "app/fitting/sheets.hpp"
 #include "app/verify/crossing_pairs.hpp"
 #include "sim/mesh/topology.hpp"
+#include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 namespace {
@@ -202,6 +206,25 @@ TEST(FittedMesh, LeavesPanelsApartThatDoNotMeet) {
   EXPECT_EQ(fit(panels).fitted.sheets, 2U);
 }
 
+/// A skirt and what is sewn to it above a gap, with this radius and so much of its turn.
+sim::Mesh skirt_below_band(double radius, double gap, double turn = 1.0) {
+  sim::Mesh mesh = tube(60, 40, 0.2, 0.6);
+  add(patch(50, 6, [&](double u, double v) { return around(turn * u, radius, 0.6 + gap + 0.08 * v); }), mesh);
+  return sim::weld_and_validate(mesh).mesh;
+}
+
+TEST(FittedMesh, HangsTogetherWhereAPartGoesOnBeyondAGap) {
+  for (const sim::Mesh& mesh : {skirt_below_band(0.2, 0.01), skirt_below_band(0.205, 0.0)}) {
+    const Judged judged = fit(mesh);
+    EXPECT_EQ(judged.fitted.sheets, 1U);
+    EXPECT_EQ(judged.topology.boundary_loops, 2U);
+    EXPECT_TRUE(why_not_fit_for_simulation(mesh, 0)->starts_with("parts of it lie apart along "));
+  }
+  EXPECT_EQ(fit(skirt_below_band(0.2, 0.03)).fitted.sheets, 2U) << "too far";
+  EXPECT_EQ(fit(skirt_below_band(0.2, 0.01, 0.2)).fitted.sheets, 2U) << "a short piece of both borders";
+  EXPECT_EQ(fit(skirt_below_band(0.19, -0.1)).fitted.sheets, 2U) << "another hem within it";
+}
+
 TEST(FittedMesh, KeepsBordersAndTheirCornersInPlace) {
   // Needles: columns 50 times as narrow as they are high.
   const Judged judged = fit(sheet(500, 10, 0.5, 0.5));
@@ -254,12 +277,46 @@ TEST(FittedMesh, HasTheSameBitsEachTime) {
 }
 
 TEST(FittedMesh, IsAsGoodOfAFewLargeTriangles) {
-  const sim::Mesh model{{{-1.0, 0.0, -1.0}, {1.0, 0.0, -1.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, -1.5}},
-                        {{0, 2, 1}, {0, 1, 3}},
-                        {}};
+  const sim::Mesh model{
+      {{-1.0, 0.0, -1.0}, {1.0, 0.0, -1.0}, {0.0, 0.0, 1.0}, {0.0, 1.0, -1.5}}, {{0, 2, 1}, {0, 1, 3}}, {}};
   const Judged judged = fit(model);
   EXPECT_GT(judged.fitted.mesh.triangles.size(), 1500U);
   EXPECT_NEAR(judged.area_m2, sim::surface_area(model), 0.01 * sim::surface_area(model));
+}
+
+// No collapse takes away the edges of a hole with three sides, here a micrometre long.
+TEST(Remeshing, LeavesNoEdgeWithoutLength) {
+  sim::Mesh model = sheet(20, 20, 0.5, 0.5);
+  const std::size_t hole = 2 * (10 * 20 + 10);
+  const sim::Triangle t = model.triangles[hole];
+  model.positions[t[1]] = model.positions[t[0]] + Vec3(1e-6, 0.0, 0.0);
+  model.positions[t[2]] = model.positions[t[0]] + Vec3(0.0, 1e-6, 0.0);
+  model.triangles.erase(model.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
+  constexpr double edge_m = 0.03;
+  const sim::Mesh mesh = remesh(model, edge_m);
+  for (const sim::Triangle& corners : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_GT(glm::distance(mesh.positions[corners[k]], mesh.positions[corners[(k + 1) % 3]]),
+                0.1 * edge_m);
+    }
+  }
+  EXPECT_NEAR(sim::surface_area(mesh), 0.25, 0.01);
+}
+
+// Two sheets that share a line, where four triangles meet at an edge, are two, and neither has a border
+// there.
+TEST(Sheets, BothOfTwoGoOnWhereTheyCross) {
+  sim::Mesh cross = sheet(20, 20, 0.5, 0.5, Vec3(-0.25, 0.0, 0.0));
+  const auto second = static_cast<Index>(cross.positions.size());
+  add(patch(20, 20, [](double u, double v) { return Vec3(0.0, v * 0.5, u * 0.5 - 0.25); }), cross);
+  for (sim::Triangle& t : cross.triangles) {
+    for (Index& v : t) {
+      v = v >= second && (v - second) % 21 == 10 ? v - second : v;
+    }
+  }
+  const Sheets sheets = cut_into_sheets(cross);
+  EXPECT_EQ(sheets.count, 2U);
+  EXPECT_EQ(std::count(sheets.beyond.begin(), sheets.beyond.end(), sim::no_vertex), 2 * 80);
 }
 
 TEST(WhyNotFit, SaysWhatIsWrong) {
@@ -270,6 +327,10 @@ TEST(WhyNotFit, SaysWhatIsWrong) {
   EXPECT_EQ(reason(tube(60, 40, 0.2), 7), "it crosses itself in 7 places");
   EXPECT_EQ(reason(tube(120, 80, 0.2)), "it has 19200 triangles");
   EXPECT_EQ(reason(sheet(500, 10, 0.5, 0.5)), "10000 of its 10000 triangles are needles");
+  const sim::Mesh fine = sim::weld_and_validate(sheet(60, 60, 0.054, 0.054)).mesh;
+  EXPECT_FALSE(why_not_fit_for_simulation(fine, 0, 0.0008).has_value());
+  EXPECT_EQ(why_not_fit_for_simulation(fine, 0, 0.001).value_or(""),
+            "7320 of its edges are shorter than the cloth is thick");
   EXPECT_EQ(reason(thick_tube(0.002)), "it has two walls over 100 % of its area");
   sim::Mesh walls = tube(50, 40, 0.198);
   add(tube(60, 40, 0.2), walls);

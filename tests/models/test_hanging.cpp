@@ -287,6 +287,64 @@ TEST(Upright, IsFoundWithoutOpenings) {
   }
 }
 
+/// A sheet of this width and height on a grid; `place` puts its points.
+sim::Mesh cloth(double width_m, double height_m, const std::function<sim::Vec3(double, double)>& place) {
+  constexpr sim::Index columns = 40, rows = 40;
+  sim::Mesh mesh;
+  for (sim::Index k = 0; k < (columns + 1) * (rows + 1); ++k) {
+    mesh.positions.push_back(place(width_m * (k % (columns + 1)) / columns,
+                                   height_m * static_cast<double>(k / (columns + 1)) / rows));
+  }
+  for (sim::Index k = 0; k < (columns + 1) * rows; ++k) {
+    if (k % (columns + 1) < columns) {
+      mesh.triangles.push_back({k, k + 1, k + columns + 2});
+      mesh.triangles.push_back({k, k + columns + 2, k + columns + 1});
+    }
+  }
+  return mesh;
+}
+
+TEST(Upright, IsWhereAClothWithoutOpeningsIsHighAndHardlyMoves) {
+  const test::TemporaryFolder folder;
+  const auto up = [&](const sim::Mesh& mesh) { return test::load(folder, mesh).placement->up; };
+  const sim::Mesh curtain =
+      cloth(1.5, 2.0, [](double x, double y) { return sim::Vec3(x, y, 0.06 * std::sin(25.0 * x)); });
+  const sim::Mesh scarf =
+      cloth(0.3, 1.8, [](double x, double y) { return sim::Vec3(x, y, 0.002 * std::sin(17.0 * y)); });
+  const sim::Mesh blanket = cloth(1.5, 2.0, [](double x, double y) {
+    return sim::Vec3(x, 0.02 * std::sin(5.0 * x) * std::sin(5.0 * y), y);
+  });
+  EXPECT_EQ(up(curtain), ModelAxis::y) << "lying, its folds hold it";
+  EXPECT_EQ(up(test::with_z_up(curtain)), ModelAxis::z);
+  EXPECT_EQ(up(scarf), ModelAxis::y) << "across its waves it goes around nothing";
+  EXPECT_EQ(up(blanket), ModelAxis::z);
+  // A piece of a pattern that is cut from cloth on a table, its narrow end away from whoever cuts.
+  const auto piece = [](double away) {
+    return cloth(1.0, 1.0, [away](double x, double y) {
+      return sim::Vec3((x - 0.5) * (1.0 - 0.5 * y), 0.0, away * y);
+    });
+  };
+  EXPECT_EQ(up(piece(-1.0)), ModelAxis::minus_z);
+  EXPECT_EQ(up(piece(1.0)), ModelAxis::z);
+}
+
+TEST(Upright, HasLegsBelowAndLeavesABagAsItStands) {
+  const test::TemporaryFolder folder;
+  const auto up = [&](const sim::Mesh& mesh) { return test::load(folder, mesh).placement->up; };
+  // Its legs have no taper, which would tell above from below by itself.
+  sim::Mesh head_down = test::with_z_up(test::trousers());
+  for (sim::Vec3& p : head_down.positions) {
+    p = {p.x, -p.y, -p.z};
+  }
+  EXPECT_EQ(up(head_down), ModelAxis::minus_z);
+  sim::Mesh sock = test::bottle(0.5, {0.0, 0.0});
+  for (sim::Vec3& p : sock.positions) {
+    p = {p.x, -p.y, -p.z};
+  }
+  EXPECT_EQ(up(sock), ModelAxis::y) << "open at its top";
+  EXPECT_EQ(up(test::bottle(0.5, {0.0, 0.0})), ModelAxis::y) << "a hat";
+}
+
 TEST(Upright, IsWhereMostOfTheAreaIsCarried) {
   const test::TemporaryFolder folder;
   const auto up = [&](double size) {
@@ -361,6 +419,15 @@ TEST(Bodies, AreNoCloth) {
   EXPECT_EQ(left_out(test::inside_out(test::dummy())), body);
   EXPECT_EQ(left_out(test::dummy(1.6, true)), body - 16) << "cut at its neck";
   EXPECT_EQ(left_out(test::both(test::dummy(), eye)), body + eye.triangles.size()) << "with what is in it";
+  const auto above = [](double share) {
+    sim::Mesh piece = test::dummy();
+    for (sim::Vec3& p : piece.positions) {
+      p = share * p + sim::Vec3(0.0, 1.65, 0.0);
+    }
+    return test::both(test::dummy(), piece);
+  };
+  EXPECT_EQ(left_out(above(0.25)), 2 * body) << "with its head apart";
+  EXPECT_EQ(left_out(above(0.1)), body) << "too small for a head";
   EXPECT_EQ(left_out(test::thick(test::shirt())), 0U) << "closed, but thin";
   EXPECT_EQ(left_out(test::trousers()), 0U) << "open";
   EXPECT_EQ(left_out(test::moved(test::dummy(), {2.0, 0.0, 0.0})), 0U) << "not in the clothes";

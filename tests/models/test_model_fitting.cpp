@@ -1,7 +1,5 @@
 // Models that follow a simulation mesh which was fitted to them.
 
-#include "app/models/model_fitting.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +7,8 @@
 #include <sstream>
 
 #include "app/base/errors.hpp"
-#include "app/caches/written_cloth.hpp"
+#include "app/caches/frame_sink.hpp"
+#include "app/models/model_fitting.hpp"
 #include "app/models/obj_writing.hpp"
 #include "app/scene/scene_file.hpp"
 #include "garment_shapes.hpp"
@@ -84,7 +83,9 @@ TEST(OffsetLimits, LayersThatComeNearerThanTheOffsetsOfTheirFollowersAreNotCross
   }
   const std::vector<Bond> bonds = bonds_to(points, sheets);
   const OffsetLimits limits(bonds, sheets);
-  EXPECT_LT(farthest(follow(bonds, sheets.positions, sheets.triangles, limits.shares(sheets.positions)), points), 1e-9);
+  EXPECT_LT(
+      farthest(follow(bonds, sheets.positions, sheets.triangles, limits.shares(sheets.positions)), points),
+      1e-9);
 
   std::vector<Vec3> near_m = sheets.positions;
   for (std::size_t v = count; v < near_m.size(); ++v) {
@@ -108,7 +109,8 @@ TEST_F(ModelFitting, AModelThatIsFitIsSimulatedAndOneIsWhereThatIsAskedFor) {
   scene.garment.mesh = MeshChoice::fitted;
   EXPECT_TRUE(load_garment(scene).following);
   scene.garment.subdivisions = 1;
-  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }), "garment.triangles says how fine");
+  EXPECT_CONTAINS(test::message_of<InputError>([&] { load_garment(scene); }),
+                  "garment.triangles says how fine");
 }
 
 TEST_F(ModelFitting, ACoarseModelGetsAFinerMeshAndIsDrawnAsFinely) {
@@ -156,7 +158,8 @@ TEST_F(ModelFitting, AStartThatWasExportedIsTheSameShape) {
   for (std::size_t v = 0; v < again.start_m->size(); ++v) {
     sum_m += glm::distance(simulation.state().current[v], (*again.start_m)[v]);
   }
-  EXPECT_LT(sum_m / static_cast<double>(again.start_m->size()), 0.003) << "folds of the mesh are finer than the model's";
+  EXPECT_LT(sum_m / static_cast<double>(again.start_m->size()), 0.003)
+      << "folds of the mesh are finer than the model's";
 }
 
 TEST_F(ModelFitting, ANumberOfTheFileIsTheNearestVertexOfTheMesh) {
@@ -182,8 +185,8 @@ TEST_F(ModelFitting, ThreadsRunAlongTheModelsTextureCoordinates) {
   for (int y = 0; y < columns; ++y) {
     for (int x = 0; x < columns; ++x) {
       const int a = y * (columns + 1) + x + 1, b = a + columns + 1;
-      obj << "f " << a << '/' << a << ' ' << a + 1 << '/' << a + 1 << ' ' << b + 1 << '/' << b + 1 << ' ' << b << '/' << b
-          << '\n';
+      obj << "f " << a << '/' << a << ' ' << a + 1 << '/' << a + 1 << ' ' << b + 1 << '/' << b + 1 << ' ' << b
+          << '/' << b << '\n';
     }
   }
   Scene scene;

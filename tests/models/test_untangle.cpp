@@ -12,6 +12,7 @@
 #include "app/models/obj_writing.hpp"
 #include "app/output/frame_verifier.hpp"
 #include "sim/untangle/gaps.hpp"
+#include "sim/untangle/untangle.hpp"
 #include "temporary_folder.hpp"
 
 namespace taut::app {
@@ -216,6 +217,25 @@ TEST_F(Untangle, LeavesWhatDoesNotCrossAsItIs) {
   EXPECT_TRUE(asked.garment->parted_m.empty());
   EXPECT_EQ(surface_at_start(asked).positions_m.size(), plain.garment->mesh.positions.size());
   EXPECT_TRUE(remarks_on_start(scene_of(tube, true), asked).lines.empty());
+}
+
+// Two sheets 10 micrometres apart, in one of which a vertex was moved until its triangles are flat.
+TEST(UntangleAnew, PartsWhatIsAsOneAndEvensOutWhatIsFlat) {
+  sim::Mesh mesh;
+  for (const double height_m : {0.0, 1e-5}) {
+    add_grid(mesh, 21, 21, false, [&](double u, double v) { return sim::Vec3(0.4 * u, height_m, 0.4 * v); });
+  }
+  const std::size_t moved = 10 * 21 + 10;
+  mesh.positions[moved].x += 0.0195;
+  const sim::Garment garment = sim::make_garment(mesh, {}, sim::Material{});
+  const auto none = [](std::span<const sim::Vec3>) { return std::vector<sim::TrianglePair>{}; };
+  sim::UntangleSettings settings;
+  EXPECT_EQ(sim::untangle(garment, mesh.positions, settings, none).largest_move_m, 0.0);
+  settings.is_cut_anew = true;
+  const sim::Untangled parted = sim::untangle(garment, mesh.positions, settings, none);
+  EXPECT_TRUE(sim::find_gaps(garment, 0.5 * settings.distance_m, parted.positions_m).empty());
+  EXPECT_GT(glm::distance(parted.positions_m[moved], parted.positions_m[moved + 1]), 0.005);
+  EXPECT_TRUE(crossing_pairs({parted.positions_m, mesh.triangles}).empty());
 }
 
 TEST_F(Untangle, IsOfferedWhereSomethingCrosses) {

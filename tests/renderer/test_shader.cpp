@@ -30,31 +30,8 @@ TEST(Program, ErrorNamesFileAndLine) {
   EXPECT_NE(message.find("bad.frag:4"), std::string::npos) << message;
 }
 
-TEST(Program, ErrorInAnIncludedFileNamesThatFile) {
-  const std::array files{
-      good_vertex,
-      ShaderFile{"main.frag",
-                 "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = f(); }\n"},
-      ShaderFile{"part.glsl", "// one\n// two\nvec4 f() { return nonsense; }\n"}};
-  const std::string message = error_of(files, "main.frag");
-  EXPECT_NE(message.find("part.glsl:3"), std::string::npos) << message;
-}
-
-TEST(Program, LinesAfterAnIncludeAreCountedInTheirOwnFile) {
-  const std::array files{
-      good_vertex,
-      ShaderFile{"main.frag",
-                 "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = oops; }\n"},
-      ShaderFile{"part.glsl", "// one\n// two\n// three\n"}};
-  const std::string message = error_of(files, "main.frag");
-  EXPECT_NE(message.find("main.frag:4"), std::string::npos) << message;
-}
-
-TEST(Program, MissingFileIsNamedTogetherWithWhoWantsIt) {
-  const std::array files{good_vertex, ShaderFile{"main.frag", "#version 330 core\n#include \"gone.glsl\"\n"}};
-  const std::string message = error_of(files, "main.frag");
-  EXPECT_NE(message.find("'gone.glsl'"), std::string::npos) << message;
-  EXPECT_NE(message.find("'main.frag'"), std::string::npos) << message;
+TEST(Program, MissingFileIsNamed) {
+  EXPECT_EQ(error_of(std::span(&good_vertex, 1), "gone.frag"), "there is no shader file 'gone.frag'");
 }
 
 TEST(Context, UnknownNameIsRefusedWithTheKnownOnes) {

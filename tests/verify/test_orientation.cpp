@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "app/verify/orientation.hpp"
+#include "app/verify/triangle_crossing.hpp"
 
 namespace taut::app {
 namespace {

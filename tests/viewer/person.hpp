@@ -12,13 +12,13 @@ namespace taut::test {
 
 /// A person at the window, frame by frame.
 struct Person {
-  app::SteppedSimulation simulation;
+  app::SimulationHost simulation;
   app::Viewer viewer;
 
   /// Keeps what is saved in `folder`.
   explicit Person(const std::string& scene, const std::vector<app::Override>& overrides = {},
                   const std::filesystem::path& folder = ".")
-      : simulation(app::find_scene(scene, overrides)),
+      : simulation(app::find_scene(scene, overrides), app::SimulationHost::Runs::when_asked),
         viewer(simulation, {{1280, 720}, 1.0, folder, {}, false}) {
     wait(2);
   }

@@ -366,7 +366,7 @@ TEST(LiveSimulation, StepsOnceWhilePaused) {
 }
 
 TEST(SteppedSimulation, FollowsTheClockInSlowMotion) {
-  SteppedSimulation simulation(small_scene());
+  SimulationHost simulation(small_scene(), SimulationHost::Runs::when_asked);
   simulation.post({SetSpeed{0.25}});
   for (int frame = 0; frame < 40; ++frame) {
     simulation.begin_frame(1.0 / 60.0, std::nullopt);
@@ -404,7 +404,7 @@ TEST(SimulationThread, AReplayOfItsPaceEndsInTheSameState) {
   const DrawnScene scene = small_scene();
   std::vector<Pace> paces;
   std::mt19937 random(5);
-  SimulationThread live(scene);
+  SimulationHost live(scene, SimulationHost::Runs::by_itself);
   for (int frame = 0; frame < 40; ++frame) {
     const SnapshotPtr newest = live.begin_frame(0.0, std::nullopt);
     const SnapshotPtr past = live.past_frame(newest, newest->record.frame - 3);
@@ -415,7 +415,7 @@ TEST(SimulationThread, AReplayOfItsPaceEndsInTheSameState) {
   live.end();
   paces.push_back({live.advances(), paces.back().shown});
 
-  SteppedSimulation replay(scene);
+  SimulationHost replay(scene, SimulationHost::Runs::when_asked);
   for (std::size_t frame = 0; frame < paces.size(); ++frame) {
     const SnapshotPtr shown = replay.begin_frame(0.0, paces[frame]);
     EXPECT_EQ(shown->serial, paces[frame].shown);
@@ -432,7 +432,7 @@ TEST(SimulationThread, GivesUpAFrameThatTakesLong) {
   scene.garment.grid.rows = 60;
   scene.simulation.frame_rate_hz = 1.0;
   scene.simulation.solver.substeps = scene.simulation.solver.max_substeps = 10000;
-  SimulationThread live(scene);
+  SimulationHost live(scene, SimulationHost::Runs::by_itself);
   while (live.post({}) == 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -440,11 +440,11 @@ TEST(SimulationThread, GivesUpAFrameThatTakesLong) {
   live.end();
   EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(2));
   EXPECT_TRUE(live.gave_up_frame());
-  EXPECT_EQ(live.state_hash(), SteppedSimulation(scene).state_hash());
+  EXPECT_EQ(live.state_hash(), SimulationHost(scene, SimulationHost::Runs::when_asked).state_hash());
 }
 
 TEST(SteppedSimulation, RefusesAPaceThatGoesBack) {
-  SteppedSimulation simulation(small_scene());
+  SimulationHost simulation(small_scene(), SimulationHost::Runs::when_asked);
   simulation.begin_frame(0.0, Pace{5, 6});
   EXPECT_THROW(simulation.begin_frame(0.0, Pace{4, 6}), std::runtime_error);
 }

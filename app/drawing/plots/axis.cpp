@@ -2,12 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numeric>
-#include <utility>
-
 #include "app/drawing/drawing.hpp"
 #include "renderer/page/ticks.hpp"
 
@@ -41,9 +35,7 @@ class Dasher {
       turn_over(a + (b - a) * (done / length));
     }
     left_px_ -= length - done;
-    if (is_dash_) {
-      pieces_.back().push_back(b);
-    }
+    if (is_dash_) pieces_.back().push_back(b);
   }
 
   std::vector<std::vector<glm::vec2>> pieces() && {
@@ -75,8 +67,7 @@ void append_column(std::vector<glm::vec2> column, std::vector<glm::vec2>& result
     result.insert(result.end(), column.begin(), column.end());
     return;
   }
-  const auto [low, high] =
-      std::minmax_element(column.begin(), column.end(), [](auto& p, auto& q) { return p.y < q.y; });
+  const auto [low, high] = std::ranges::minmax_element(column, [](auto& p, auto& q) { return p.y < q.y; });
   result.push_back(column.front());
   result.push_back(*std::min(low, high));
   result.push_back(*std::max(low, high));
@@ -105,9 +96,7 @@ std::vector<Tick> logarithmic_ticks(const Axis& axis) {
        std::pow(10.0, exponent) <= axis.maximum * (1.0 + 1e-9); ++exponent) {
     for (int multiple = 1; multiple <= 9; ++multiple) {
       const double value = multiple * std::pow(10.0, exponent);
-      if (value < axis.minimum * (1.0 - 1e-9) || value > axis.maximum * (1.0 + 1e-9)) {
-        continue;
-      }
+      if (value < axis.minimum * (1.0 - 1e-9) || value > axis.maximum * (1.0 + 1e-9)) continue;
       const bool is_labelled = decades < 2.0 ? multiple == 1 || multiple == 2 || multiple == 5
                                              : multiple == 1 && exponent % every == 0;
       std::string label;
@@ -124,16 +113,10 @@ std::vector<Tick> logarithmic_ticks(const Axis& axis) {
 }  // namespace
 
 std::vector<std::vector<glm::vec2>> cut_into_dashes(std::span<const glm::vec2> points, const Stroke& stroke) {
-  if (points.size() < 2) {
-    return {};
-  }
-  if (stroke.dashes.empty()) {
-    return {{points.begin(), points.end()}};
-  }
+  if (points.size() < 2) return {};
+  if (stroke.dashes.empty()) return {{points.begin(), points.end()}};
   Dasher dasher(stroke, points.front());
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    dasher.go_to(points[i - 1], points[i]);
-  }
+  for (std::size_t i = 1; i < points.size(); ++i) dasher.go_to(points[i - 1], points[i]);
   return std::move(dasher).pieces();
 }
 
@@ -172,18 +155,14 @@ std::vector<glm::vec2> thinned_out(std::span<const glm::vec2> points) {
 std::vector<Tick> ticks_of(const Axis& axis) {
   if (!axis.chosen.empty()) {
     std::vector<Tick> ticks;
-    for (const double value : axis.chosen) {
-      ticks.push_back({value, fmt::format("{:g}", value) + axis.suffix});
-    }
+    for (const double value : axis.chosen) ticks.push_back({value, fmt::format("{:g}", value) + axis.suffix});
     return ticks;
   }
   return axis.logarithmic ? logarithmic_ticks(axis) : linear_ticks(axis);
 }
 
 double position_on(const Axis& axis, double value) {
-  if (axis.logarithmic) {
-    return std::log(value / axis.minimum) / std::log(axis.maximum / axis.minimum);
-  }
+  if (axis.logarithmic) return std::log(value / axis.minimum) / std::log(axis.maximum / axis.minimum);
   return (value - axis.minimum) / (axis.maximum - axis.minimum);
 }
 
@@ -195,33 +174,23 @@ Axis decades_around(std::string label, const std::vector<double>& values) {
       high = std::max(high, value);
     }
   }
-  if (high <= 0.0) {
-    low = high = 1.0;
-  }
+  if (high <= 0.0) low = high = 1.0;
   Axis axis{std::move(label), std::pow(10.0, std::floor(std::log10(low))),
             std::pow(10.0, std::ceil(std::log10(high))), true};
-  if (!(axis.maximum > axis.minimum)) {
-    axis.maximum = 10.0 * axis.minimum;
-  }
+  if (!(axis.maximum > axis.minimum)) axis.maximum = 10.0 * axis.minimum;
   return axis;
 }
 
 std::string power_of_ten(int exponent) {
   constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string label = exponent < 0 ? "10⁻" : "10";
-  for (const char digit : std::to_string(std::abs(exponent))) {
-    label += raised[digit - '0'];
-  }
+  for (const char digit : std::to_string(std::abs(exponent))) label += raised[digit - '0'];
   return label;
 }
 
 std::string scientific(double value) {
-  if (!(std::abs(value) > 0.0) || !std::isfinite(value)) {
-    return fmt::format("{}", value);
-  }
-  if (std::abs(value) >= 0.1 && std::abs(value) < 1000.0) {
-    return fmt::format("{:.2g}", value);
-  }
+  if (!(std::abs(value) > 0.0) || !std::isfinite(value)) return fmt::format("{}", value);
+  if (std::abs(value) >= 0.1 && std::abs(value) < 1000.0) return fmt::format("{:.2g}", value);
   const std::string digits = fmt::format("{:.1e}", value);
   const std::size_t e = digits.find('e');
   return digits.substr(0, e) + " × " + power_of_ten(std::stoi(digits.substr(e + 1)));

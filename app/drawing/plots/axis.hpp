@@ -1,10 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "renderer/page/canvas.hpp"
 
 namespace taut::app {

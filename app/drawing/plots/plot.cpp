@@ -1,11 +1,7 @@
 #include "app/drawing/plots/plot.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "app/drawing/drawing.hpp"
-
 namespace taut::app {
+
 namespace {
 
 using renderer::Canvas;
@@ -49,8 +45,7 @@ void draw_x_ticks(Canvas& canvas, const Axes& axes, const PlotStyle& style) {
     canvas.line(x_px, bottom_px, x_px, bottom_px + length_px, palette::ink, style.line_px);
     canvas.text(x_px, bottom_px + style.tick_px + 0.15F * style.text_px, tick.label, text);
   }
-  canvas.text(axes.area.x_px + 0.5F * axes.area.width_px,
-              bottom_px + style.tick_px + 1.5F * style.text_px,
+  canvas.text(axes.area.x_px + 0.5F * axes.area.width_px, bottom_px + style.tick_px + 1.5F * style.text_px,
               axes.plot.x.label, text);
 }
 
@@ -85,9 +80,7 @@ void draw_run(Canvas& canvas, std::span<const glm::vec2> points, const Axes& axe
       piece.clear();
     }
     if (segment) {
-      if (piece.empty()) {
-        piece.push_back((*segment)[0]);
-      }
+      if (piece.empty()) piece.push_back((*segment)[0]);
       piece.push_back((*segment)[1]);
     }
   }
@@ -133,9 +126,7 @@ void draw_marker(Canvas& canvas, float x_px, float y_px, const Curve& curve, flo
 
 void draw_points(Canvas& canvas, const Curve& curve, const Axes& axes, const PlotStyle& style) {
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    if (!axes.has_place(curve.points[i])) {
-      continue;
-    }
+    if (!axes.has_place(curve.points[i])) continue;
     const float x_px = axes.x_of(curve.points[i][0]);
     if (i < curve.bars.size()) {
       const float low_px = axes.y_of(curve.bars[i][0]), high_px = axes.y_of(curve.bars[i][1]);
@@ -186,13 +177,14 @@ void draw_legend_lines(Canvas& canvas, const Axes& axes, const PlotStyle& style)
   canvas.fill_rectangle(x_px, y_px, width_px, height_px, renderer::Colour{1.0F}, 0.88F);
   y_px += 0.25F * style.text_px;
   for (const Curve& curve : axes.plot.curves) {
-    if (curve.name.empty()) {
-      continue;
-    }
+    if (curve.name.empty()) continue;
     draw_legend_entry(canvas, curve, x_px + 0.4F * style.text_px, y_px + 0.5F * row_px, style);
     y_px += row_px;
   }
 }
+
+// The middle of a plot's data, to the left of which are its numbers.
+constexpr float caption_at = 636.0F / 1160.0F;
 
 }  // namespace
 
@@ -214,18 +206,14 @@ std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::v
   float enter = 0.0F, leave = 1.0F;
   const auto cut = [&](float slope, float distance) {
     // Inside where slope * t <= distance.
-    if (slope == 0.0F) {
-      return distance >= 0.0F;
-    }
+    if (slope == 0.0F) return distance >= 0.0F;
     const float t = distance / slope;
     (slope < 0.0F ? enter : leave) = slope < 0.0F ? std::max(enter, t) : std::min(leave, t);
     return enter <= leave;
   };
   const bool is_visible = cut(-along.x, a.x - area.x_px) && cut(along.x, area.x_px + area.width_px - a.x) &&
                           cut(-along.y, a.y - area.y_px) && cut(along.y, area.y_px + area.height_px - a.y);
-  if (!is_visible) {
-    return std::nullopt;
-  }
+  if (!is_visible) return std::nullopt;
   return std::array{enter > 0.0F ? a + enter * along : a, leave < 1.0F ? a + leave * along : b};
 }
 
@@ -249,16 +237,38 @@ void draw_plot(Canvas& canvas, const Plot& plot, const Area& area, const PlotSty
   draw_y_label(canvas, axes, area, style);
   draw_levels(canvas, axes, style);
   for (const Curve& curve : plot.curves) {
-    if (curve.stroke.thickness_px > 0.0F) {
-      draw_line(canvas, curve, axes);
-    }
+    if (curve.stroke.thickness_px > 0.0F) draw_line(canvas, curve, axes);
     draw_points(canvas, curve, axes, style);
   }
   canvas.rectangle(axes.area.x_px, axes.area.y_px, axes.area.width_px, axes.area.height_px, palette::ink,
                    style.line_px);
-  if (plot.legend != LegendCorner::none) {
-    draw_legend_lines(canvas, axes, style);
-  }
+  if (plot.legend != LegendCorner::none) draw_legend_lines(canvas, axes, style);
+}
+
+Area plot_area(const PlotSheet& sheet, std::size_t number) {
+  const auto column = static_cast<float>(number % sheet.columns);
+  const auto row = static_cast<float>(number / sheet.columns);
+  return {sheet.left_px + column * (sheet.width_px + sheet.gap_px),
+          sheet.top_px + row * (sheet.height_px + sheet.caption.height_px() + sheet.row_gap_px),
+          sheet.width_px, sheet.height_px};
+}
+
+Drawing draw_plot_sheet(std::vector<PlotPanel> panels, const PlotSheet& sheet) {
+  const Area last_column = plot_area(sheet, sheet.columns - 1);
+  const std::size_t rows = std::max<std::size_t>(1, (panels.size() + sheet.columns - 1) / sheet.columns);
+  const Area below = plot_area(sheet, rows * sheet.columns);
+  Drawing drawing;
+  drawing.width_px = static_cast<int>(last_column.x_px + last_column.width_px + sheet.right_px);
+  drawing.height_px = static_cast<int>(below.y_px + sheet.top_px);
+  drawing.draw = [panels = std::move(panels), sheet](renderer::Canvas& canvas) {
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const Area area = plot_area(sheet, i);
+      draw_plot(canvas, panels[i].plot, area, sheet.plot);
+      draw_caption(canvas, panels[i].caption, area.x_px + caption_at * area.width_px,
+                   area.y_px + area.height_px, sheet.caption);
+    }
+  };
+  return drawing;
 }
 
 }  // namespace taut::app

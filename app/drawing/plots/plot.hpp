@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
+#include "app/drawing/drawing.hpp"
 #include "app/drawing/plots/axis.hpp"
 #include "renderer/page/canvas.hpp"
 
@@ -73,5 +69,31 @@ Area data_area_of(const renderer::Canvas& canvas, const Plot& plot, const Area& 
 
 /// The part of the segment a-b within the rectangle, or nothing (Liang and Barsky 1984).
 std::optional<std::array<glm::vec2, 2>> clipped(const glm::vec2& a, const glm::vec2& b, const Area& area);
+
+/// A plot with the caption below it.
+struct PlotPanel {
+  Plot plot;
+  Caption caption;
+};
+
+/// How plots are arranged on a page, row by row.
+struct PlotSheet {
+  std::size_t columns = 2;
+  float left_px = 20.0F;     ///< beside the first column
+  float right_px = 60.0F;    ///< beside the last one
+  float top_px = 15.0F;      ///< above the first row and below the last one
+  float width_px = 1160.0F;  ///< of a plot with its labels
+  float height_px = 800.0F;
+  float gap_px = 40.0F;     ///< between columns
+  float row_gap_px = 0.0F;  ///< below each caption
+  CaptionStyle caption = {.text_px = 38.0F, .measured_px = 34.0F};
+  PlotStyle plot = {};
+};
+
+/// Where the plot with this number is on the page, without its caption.
+Area plot_area(const PlotSheet& sheet, std::size_t number);
+
+/// The page with these plots. It has at least one row.
+Drawing draw_plot_sheet(std::vector<PlotPanel> panels, const PlotSheet& sheet);
 
 }  // namespace taut::app

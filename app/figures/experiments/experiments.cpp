@@ -2,17 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <map>
-#include <numbers>
-#include <numeric>
-#include <tuple>
-
 #include "app/base/interruption.hpp"
 #include "app/drawing/drawn_scene.hpp"
-#include "app/figures/experiments/recording.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/models/pins.hpp"
 #include "sim/measures.hpp"
@@ -37,9 +28,7 @@ SpringPatch patch_of(const sim::Garment& garment, const std::vector<sim::Index>&
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
     for (std::size_t s = springs.begin_of(kind); s < springs.end_of(kind); ++s) {
       const auto a = place.find(springs.ends[s][0]), b = place.find(springs.ends[s][1]);
-      if (a != place.end() && b != place.end()) {
-        patch.springs.push_back({{a->second, b->second}, kind});
-      }
+      if (a != place.end() && b != place.end()) patch.springs.push_back({{a->second, b->second}, kind});
     }
   }
   return patch;
@@ -48,8 +37,8 @@ SpringPatch patch_of(const sim::Garment& garment, const std::vector<sim::Index>&
 sim::Vec3 normal_around(const sim::Garment& garment, const std::vector<sim::Index>& vertices) {
   sim::Vec3 normal(0.0);
   for (const sim::Triangle& triangle : garment.mesh.triangles) {
-    if (std::all_of(triangle.begin(), triangle.end(), [&](sim::Index corner) {
-          return std::find(vertices.begin(), vertices.end(), corner) != vertices.end();
+    if (std::ranges::all_of(triangle, [&](sim::Index corner) {
+          return std::ranges::find(vertices, corner) != vertices.end();
         })) {
       normal += sim::doubled_area_vector(garment.mesh.positions, triangle);
     }
@@ -94,9 +83,7 @@ void run_stiffnesses(Results& results, const ProgressCallback& report_progress) 
 StrongRun run_strong(const std::string& garment, DrawnScene scene, bool is_rigid, int frames,
                      const ProgressCallback& report_progress) {
   SolverChoice& solver = scene.simulation.solver;
-  if (is_rigid) {
-    solver.strong.rigidity = {};
-  }
+  if (is_rigid) solver.strong.rigidity = {};
   StrongRun run = {garment,
                    is_rigid,
                    solver.substeps.value_or(0),
@@ -139,8 +126,7 @@ void record(const std::string& scene_name, std::optional<int> frames, std::optio
       record_frames(scene, std::array{frames.value_or(scene.frames)}, report_progress, Checking::promises);
 }
 
-template <MethodTest test>
-void run_trials(Results& results, const ProgressCallback& report_progress) {
+template <MethodTest test> void run_trials(Results& results, const ProgressCallback& report_progress) {
   results.trials_of(test) = make_trials(test, report_progress);
 }
 
@@ -176,8 +162,7 @@ constexpr PlannedJob planned_jobs[] = {
 }  // namespace
 
 std::size_t SpringPatch::count(sim::SpringKind kind) const {
-  return static_cast<std::size_t>(std::count_if(
-      springs.begin(), springs.end(), [&](const PatchSpring& spring) { return spring.kind == kind; }));
+  return static_cast<std::size_t>(std::ranges::count(springs, kind, &PatchSpring::kind));
 }
 
 SpringPatch whole_patch(const sim::Garment& garment) {
@@ -193,9 +178,7 @@ SpringPatch patch_around(const sim::Garment& garment, sim::Index vertex, int rin
     for (const sim::Index v : inner) {
       for (const sim::Index edge : garment.adjacency.vertex_edges[v]) {
         const sim::Index neighbour = sim::other_end(garment.adjacency.edges[edge], v);
-        if (std::find(vertices.begin(), vertices.end(), neighbour) == vertices.end()) {
-          vertices.push_back(neighbour);
-        }
+        if (std::ranges::find(vertices, neighbour) == vertices.end()) vertices.push_back(neighbour);
       }
     }
   }
@@ -256,9 +239,7 @@ MethodRun run_method(sim::SolverKind kind, double steps_per_s, double duration_s
 }
 
 std::optional<Unrest> measure_unrest(const MethodRun& run) {
-  if (run.diverged_at_s || run.moved_rms_m.empty()) {
-    return std::nullopt;
-  }
+  if (run.diverged_at_s || run.moved_rms_m.empty()) return std::nullopt;
   const std::size_t begin = run.moved_rms_m.size() - (run.moved_rms_m.size() + 3) / 4;
   double squares = 0.0;
   for (std::size_t i = begin; i < run.moved_rms_m.size(); ++i) {

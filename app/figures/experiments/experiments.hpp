@@ -1,13 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <glm/vec2.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/base/job_runner.hpp"
 #include "app/figures/experiments/method_trials.hpp"
 #include "app/figures/experiments/recording.hpp"

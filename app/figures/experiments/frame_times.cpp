@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
@@ -88,24 +84,16 @@ StraightLine fit_line(std::span<const std::array<double, 2>> points) {
 
 PowerLaw fit_power_law(std::span<const std::array<double, 2>> points) {
   std::vector<std::array<double, 2>> logarithms;
-  for (const auto& [x, y] : points) {
-    logarithms.push_back({std::log(x), std::log(y)});
-  }
+  for (const auto& [x, y] : points) logarithms.push_back({std::log(x), std::log(y)});
   const StraightLine line = fit_line(logarithms);
   return {line.slope, std::exp(line.offset), line.misfit};
 }
 
-double FrameTimes::median_ms() const {
-  return median(frame_ms);
-}
+double FrameTimes::median_ms() const { return median(frame_ms); }
 
-double FrameTimes::shortest_ms() const {
-  return *std::min_element(frame_ms.begin(), frame_ms.end());
-}
+double FrameTimes::shortest_ms() const { return *std::ranges::min_element(frame_ms); }
 
-double FrameTimes::longest_ms() const {
-  return *std::max_element(frame_ms.begin(), frame_ms.end());
-}
+double FrameTimes::longest_ms() const { return *std::ranges::max_element(frame_ms); }
 
 void measure_frame_times(int repeats, const ProgressCallback& report_progress, Results& results) {
   std::vector<TimedRun> runs = make_timed_runs();
@@ -115,9 +103,7 @@ void measure_frame_times(int repeats, const ProgressCallback& report_progress, R
   }
   // In turn: what else the machine does meanwhile meets all of them alike.
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    for (TimedRun& run : runs) {
-      time_frame(run);
-    }
+    for (TimedRun& run : runs) time_frame(run);
     report_progress(static_cast<double>(repeat + 1) / repeats);
   }
   for (TimedRun& run : runs) {

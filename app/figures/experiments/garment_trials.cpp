@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 
 #include "app/base/errors.hpp"
@@ -42,9 +39,7 @@ Mapping mapping_of(const sim::Garment& garment) {
   mapping.edges = garment.adjacency.edges.size();
   mapping.structural = garment.springs.count(sim::SpringKind::structural);
   mapping.flexural = garment.springs.count(sim::SpringKind::flexural);
-  for (std::size_t v = 0; v < springs_of.size(); ++v) {
-    mapping.loose_vertices += springs_of[v].empty() ? 1 : 0;
-  }
+  for (std::size_t v = 0; v < springs_of.size(); ++v) mapping.loose_vertices += springs_of[v].empty() ? 1 : 0;
   return mapping;
 }
 

@@ -1,14 +1,8 @@
 #include "app/figures/experiments/method_trials.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <stdexcept>
-
 #include "app/base/interruption.hpp"
 #include "app/base/ranking.hpp"
 #include "app/base/stopwatch.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "app/figures/experiments/experiments.hpp"
 #include "app/models/garment_loading.hpp"
 #include "sim/measures.hpp"
@@ -24,9 +18,7 @@ constexpr int frames_in_a_turn = 4;
 
 double weight_n(const sim::Simulation& simulation) {
   double mass_kg = 0.0;
-  for (const double vertex_kg : simulation.garment().masses_kg) {
-    mass_kg += vertex_kg;
-  }
+  for (const double vertex_kg : simulation.garment().masses_kg) mass_kg += vertex_kg;
   return -mass_kg * simulation.surroundings().forces.gravity_m_per_s2.y;
 }
 
@@ -96,9 +88,7 @@ MethodTrials time_meshes(std::span<const int> meshes, int frames, const Progress
                         static_cast<double>(meshes.size() * trial_methods.size()));
       }
     }
-    for (RunningTrial& run : runs) {
-      trials.push_back(std::move(run).finish());
-    }
+    for (RunningTrial& run : runs) trials.push_back(std::move(run).finish());
   }
   return trials;
 }
@@ -159,9 +149,7 @@ MethodTrial make_trial(MethodTrial trial, const GarmentInScene& cloth, const Tri
 
 double largest_of(const MethodTrial& trial, double TrialFrame::*measure) {
   double largest = trial.is_lost || trial.frames.empty() ? INFINITY : 0.0;
-  for (const TrialFrame& frame : trial.frames) {
-    largest = std::max(largest, frame.*measure);
-  }
+  for (const TrialFrame& frame : trial.frames) largest = std::max(largest, frame.*measure);
   return largest;
 }
 
@@ -172,9 +160,7 @@ const char* name_of(MethodTest test) {
   return names[static_cast<std::size_t>(test)];
 }
 
-double MethodTrial::largest_stretch() const {
-  return largest_of(*this, &TrialFrame::stretch);
-}
+double MethodTrial::largest_stretch() const { return largest_of(*this, &TrialFrame::stretch); }
 
 double MethodTrial::largest_surface_stretch() const {
   return largest_of(*this, &TrialFrame::surface_stretch);
@@ -182,16 +168,12 @@ double MethodTrial::largest_surface_stretch() const {
 
 double MethodTrial::ranked_ms(double fraction) const {
   std::vector<double> all_ms;
-  for (const TrialFrame& frame : frames) {
-    all_ms.push_back(frame.frame_ms);
-  }
+  for (const TrialFrame& frame : frames) all_ms.push_back(frame.frame_ms);
   return ranked(all_ms, fraction);
 }
 
 double MethodTrial::last_speed_m_per_s() const {
-  if (is_lost || frames.empty()) {
-    return INFINITY;
-  }
+  if (is_lost || frames.empty()) return INFINITY;
   double squares = 0.0, count = 0.0;
   for (const TrialFrame& frame : frames) {
     if (frame.time_s > frames.back().time_s - 0.5) {
@@ -219,9 +201,7 @@ DrawnScene trial_scene(sim::SolverKind kind, int triangles) {
 
 MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progress,
                          const TrialLengths& lengths, std::span<const int> meshes) {
-  if (test == MethodTest::time) {
-    return time_meshes(meshes, lengths.timed_frames, report_progress);
-  }
+  if (test == MethodTest::time) return time_meshes(meshes, lengths.timed_frames, report_progress);
   const LoadedGarment cloth = load_garment(trial_scene(sim::SolverKind::bounded, trial_shirt_triangles));
   const std::size_t factors = test == MethodTest::steps ? trial_step_factors.size() : 1;
   const auto all = static_cast<double>(factors * trial_methods.size());
@@ -240,9 +220,7 @@ MethodTrials make_trials(MethodTest test, const ProgressCallback& report_progres
 const MethodTrial& trial_of(const MethodTrials& trials, sim::SolverKind kind, int triangles,
                             int step_factor) {
   for (const MethodTrial& trial : trials) {
-    if (trial.kind == kind && trial.triangles == triangles && trial.step_factor == step_factor) {
-      return trial;
-    }
+    if (trial.kind == kind && trial.triangles == triangles && trial.step_factor == step_factor) return trial;
   }
   throw std::out_of_range(std::string("no trial of ") + sim::name_of(kind));
 }

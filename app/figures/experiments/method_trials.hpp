@@ -1,17 +1,13 @@
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
-
 #include "app/base/job_runner.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "sim/solvers/make_solver.hpp"
 
 namespace taut::app {
 
-/// The tests of figure 8, one of each method: hanging, without contact, in frames of 1/60 s unless a test says
-/// otherwise.
+/// The tests of figure 8, one of each method: hanging, without contact, in frames of 1/60 s unless a test
+/// says otherwise.
 enum class MethodTest {
   time,    ///< frames of all meshes in turn, with their processor time
   energy,  ///< the coarse shirt is let go where no air slows it down

@@ -1,7 +1,5 @@
 #include "app/figures/experiments/recording.hpp"
 
-#include <algorithm>
-
 #include "app/base/interruption.hpp"
 #include "app/frame_loop.hpp"
 #include "app/models/garment_loading.hpp"
@@ -56,14 +54,10 @@ Recording record_frames(const DrawnScene& scene, std::span<const int> frames,
   sim::Simulation simulation = make_simulation(scene, load_garment(scene));
   Recording recording = begin_recording(scene, simulation);
   std::optional<PromiseCounter> counter;
-  if (frames.front() == 0) {
-    keep(simulation, 0, recording);
-  }
+  if (frames.front() == 0) keep(simulation, 0, recording);
   FrameOutputs outputs;
   outputs.write_shape = [&](int frame, const sim::Simulation& moment) {
-    if (std::binary_search(frames.begin(), frames.end(), frame)) {
-      keep(moment, frame, recording);
-    }
+    if (std::ranges::binary_search(frames, frame)) keep(moment, frame, recording);
   };
   outputs.report = [&](const FrameRecord& record) {
     note_stretch(record, recording);
@@ -96,9 +90,7 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
   const DrawnScene stepped = with_steps_as_frames(scene);
   sim::Simulation simulation = make_simulation(stepped, load_garment(stepped));
   StepRecording recording{begin_recording(scene, simulation), simulation.frame_time_s(), vertex, {}, false};
-  if (frames.front() == 0) {
-    keep(simulation, 0, recording.frames);
-  }
+  if (frames.front() == 0) keep(simulation, 0, recording.frames);
   PromiseCounter counter(recording.frames);
   FrameRecord start;
   counter.count(simulation, start);
@@ -116,7 +108,7 @@ StepRecording record_steps(const DrawnScene& scene, std::span<const int> frames,
     measure_stretches(simulation, record);
     note_stretch(record, recording.frames);
     counter.count(simulation, record);
-    if (recording.came_to_rest || std::binary_search(frames.begin(), frames.end(), frame)) {
+    if (recording.came_to_rest || std::ranges::binary_search(frames, frame)) {
       keep(simulation, frame, recording.frames);
     }
     report_progress(static_cast<double>(frame) / frames.back());

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "app/base/job_runner.hpp"
 #include "app/drawing/drawn_scene.hpp"
 #include "app/output/frame_record.hpp"

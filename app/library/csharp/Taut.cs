@@ -320,21 +320,19 @@ public sealed class Cloth : IDisposable {
     CheckWith(positions, (ref Native.Points points) => Native.taut_set_positions(cloth, ref points));
   }
 
+  T[] Filled<T>(int length, Func<T[], UIntPtr, int> fill) {
+    var array = new T[length];
+    Check(fill(array, (UIntPtr)length));
+    return array;
+  }
+
   public double[] Stretch {
-    get {
-      var stretch = new double[(int)Info.VertexCount];
-      Check(Native.taut_get_stretch(cloth, stretch, (UIntPtr)stretch.Length));
-      return stretch;
-    }
+    get { return Filled<double>((int)Info.VertexCount, (to, count) => Native.taut_get_stretch(cloth, to, count)); }
   }
 
   /// Three vertices for each triangle that is simulated.
   public uint[] Triangles {
-    get {
-      var triangles = new uint[3 * (int)Info.TriangleCount];
-      Check(Native.taut_get_triangles(cloth, triangles, (UIntPtr)triangles.Length));
-      return triangles;
-    }
+    get { return Filled<uint>(3 * (int)Info.TriangleCount, (to, count) => Native.taut_get_triangles(cloth, to, count)); }
   }
 
   /// Two vertices for each edge, and its length at rest.
@@ -346,11 +344,7 @@ public sealed class Cloth : IDisposable {
   }
 
   public uint[] Pins {
-    get {
-      var pins = new uint[(int)Info.PinCount];
-      Check(Native.taut_get_pins(cloth, pins, (UIntPtr)pins.Length));
-      return pins;
-    }
+    get { return Filled<uint>((int)Info.PinCount, (to, count) => Native.taut_get_pins(cloth, to, count)); }
   }
 
   public ulong StateHash {

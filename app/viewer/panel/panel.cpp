@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 #include "app/viewer/panel/user_interface.hpp"
@@ -21,9 +19,7 @@ constexpr float panel_width_px = 320.0F;
 // flicker.
 constexpr double hint_after_s = 0.5;
 
-int panel_width(const WindowLayout& layout) {
-  return static_cast<int>(panel_width_px * layout.scale);
-}
+int panel_width(const WindowLayout& layout) { return static_cast<int>(panel_width_px * layout.scale); }
 
 void lay_out_panel(ViewerState& state, const WindowLayout& layout, const ViewArea& area) {
   ImGui::SetNextWindowPos({static_cast<float>(area.width_px), 0.0F});
@@ -46,9 +42,7 @@ void explain(ViewerState& state, const std::string& name) {
   const double before_s = state.hovered && state.hovered->name == name ? state.hovered->for_s : 0.0;
   state.hovered = {name, before_s + static_cast<double>(ImGui::GetIO().DeltaTime)};
   const std::string text = hint_for(name);
-  if (text.empty() || is_hint_due(state)) {
-    return;
-  }
+  if (text.empty() || is_hint_due(state)) return;
   constexpr float letters_in_line = 26.0F;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(letters_in_line * ImGui::GetFontSize());
@@ -127,12 +121,8 @@ void lay_out(ViewerState& state, const WindowLayout& layout) {
   const ViewArea area = scene_area(layout);
   lay_out_legends(state, layout.scale);
   lay_out_labels(state, garment_area(state, layout), layout.scale);
-  if (panel_fits(layout)) {
-    lay_out_panel(state, layout, area);
-  }
-  if (layout.has_panel) {
-    lay_out_time_bar(state, area, layout.scale);
-  }
+  if (panel_fits(layout)) lay_out_panel(state, layout, area);
+  if (layout.has_panel) lay_out_time_bar(state, area, layout.scale);
   lay_out_messages(state, area, layout.scale);
   lay_out_key_sheet(state, area);
   // Nothing has been under the pointer in this frame.
@@ -146,18 +136,14 @@ void note_place(ViewerState& state, const char* name) {
   const ImVec2 lower = ImGui::GetItemRectMin();
   const ImVec2 upper = ImGui::GetItemRectMax();
   state.places[name] = {{lower.x, lower.y}, {upper.x, upper.y}};
-  if (ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown()) {
-    explain(state, name);
-  }
+  if (ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown()) explain(state, name);
 }
 
 std::optional<std::size_t> list_of(ViewerState& state, const char* label, const std::string& name,
                                    const std::string& closed, const std::vector<ListEntry>& entries) {
   std::optional<std::size_t> clicked;
   if (ImGui::BeginCombo(label, closed.c_str())) {
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-      ImGui::CloseCurrentPopup();
-    }
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
     for (std::size_t k = 0; k < entries.size(); ++k) {
       clicked = ImGui::Selectable(entries[k].label.c_str(), entries[k].is_chosen) ? k : clicked;
       note_place(state, (name + '.' + entries[k].name).c_str());
@@ -168,14 +154,10 @@ std::optional<std::size_t> list_of(ViewerState& state, const char* label, const 
   return clicked;
 }
 
-bool is_hint_due(const ViewerState& state) {
-  return state.hovered && state.hovered->for_s < hint_after_s;
-}
+bool is_hint_due(const ViewerState& state) { return state.hovered && state.hovered->for_s < hint_after_s; }
 
 void action_button(ViewerState& state, const char* label, Action action, const char* name, float width_px) {
-  if (ImGui::Button(label, {width_px, 0.0F})) {
-    state.asked.push_back(action);
-  }
+  if (ImGui::Button(label, {width_px, 0.0F})) state.asked.push_back(action);
   note_place(state, name);
 }
 
@@ -211,9 +193,7 @@ void lay_out_comparison(ViewerState& state) {
 
 void lay_out_labels(const ViewerState& state, const ViewArea& area, float scale) {
   const Snapshot* second = compared(state);
-  if (second == nullptr) {
-    return;
-  }
+  if (second == nullptr) return;
   const auto width = static_cast<float>(area.width_px);
   const auto height = static_cast<float>(area.height_px);
   const float gap = 10.0F * scale;

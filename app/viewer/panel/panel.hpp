@@ -33,7 +33,8 @@ void lay_out(ViewerState& state, const WindowLayout& layout);
 /// Whether a hint for the item under the pointer is about to appear.
 bool is_hint_due(const ViewerState& state);
 
-/// Explains an item of the panel, with its unit. Empty for a name that the panel does not have.
+/// Explains an item of the panel, with its unit; a key of scenes as taut help scene does. Empty for other
+/// names.
 std::string hint_for(const std::string& name);
 
 }  // namespace taut::app

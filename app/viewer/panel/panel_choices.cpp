@@ -1,9 +1,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 #include "app/viewer/state/viewer_state.hpp"
@@ -15,26 +12,18 @@ void lay_out_presets(ViewerState& state) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Figures");
   for (const Choice& scene : state.scenes) {
-    if (scene.label.empty()) {
-      continue;
-    }
+    if (scene.label.empty()) continue;
     const float width = ImGui::CalcTextSize(scene.label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
-    if (end < ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) {
-      ImGui::SameLine();
-    }
-    if (ImGui::Button(scene.label.c_str())) {
-      state.scene_asked = scene.name;
-    }
+    if (end < ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) ImGui::SameLine();
+    if (ImGui::Button(scene.label.c_str())) state.scene_asked = scene.name;
     note_place(state, ("preset." + scene.name).c_str());
   }
 }
 
 std::vector<ListEntry> entries_of(const std::vector<Choice>& choices, const std::string& chosen) {
   std::vector<ListEntry> entries;
-  for (const Choice& choice : choices) {
-    entries.push_back({choice.name, choice.name, choice.name == chosen});
-  }
+  for (const Choice& choice : choices) entries.push_back({choice.name, choice.name, choice.name == chosen});
   return entries;
 }
 
@@ -65,15 +54,12 @@ void lay_out_fabric_list(ViewerState& state) {
 
 void lay_out_motion_list(ViewerState& state) {
   const auto& [body, file, choices] = state.motions;
-  if (choices.empty()) {
-    return;
-  }
+  if (choices.empty()) return;
   const BodySource& source = state.scene.body_sources.at(body);
   std::string shown = source.motion.empty() ? "none" : source.motion.stem().string();
   std::vector<ListEntry> entries;
   for (const Choice& motion : choices) {
-    const bool is_first =
-        std::none_of(entries.begin(), entries.end(), [](const auto& e) { return e.is_chosen; });
+    const bool is_first = std::ranges::none_of(entries, [](const auto& e) { return e.is_chosen; });
     entries.push_back({motion.label, motion.name, is_first && is_chosen(motion, source)});
     shown = entries.back().is_chosen ? motion.label : shown;
   }
@@ -84,13 +70,9 @@ void lay_out_motion_list(ViewerState& state) {
 
 // Colours that ended at the bound go on ending there; others have to show where it is.
 void keep_range_to_bound(PictureStyle& picture, double before, double bound) {
-  if (!picture.stretch_range) {
-    return;
-  }
+  if (!picture.stretch_range) return;
   auto& [lowest, highest] = *picture.stretch_range;
-  if (highest == before || highest < bound) {
-    highest = std::max(bound, lowest + 1e-4);
-  }
+  if (highest == before || highest < bound) highest = std::max(bound, lowest + 1e-4);
 }
 
 // Choices of the solver.
@@ -117,9 +99,7 @@ void lay_out_bound(ViewerState& state) {
   sim::BoundedSettings& bounded = state.scene.simulation.solver.bounded;
   const bool has_kinds = state.scene.simulation.solver.kind == sim::SolverKind::bounded;
   const Halves halves;
-  if (has_kinds) {
-    halves.begin_left();
-  }
+  if (has_kinds) halves.begin_left();
   double percent = 100.0 * bounded.max_stretch;
   const char* label = has_kinds ? "##max stretch" : "max stretch";
   if (number_slider(state, label, "solver.max_stretch", percent, 0.1, 30.0, "%.2f %%", true)) {
@@ -136,9 +116,7 @@ void lay_out_bound(ViewerState& state) {
 void lay_out_solver_list(ViewerState& state) {
   SolverChoice& solver = state.scene.simulation.solver;
   const bool knows_contact = solver.kind == sim::SolverKind::bounded;
-  if (knows_contact) {
-    ImGui::SetNextItemWidth(0.5F * ImGui::CalcItemWidth());
-  }
+  if (knows_contact) ImGui::SetNextItemWidth(0.5F * ImGui::CalcItemWidth());
   sim::SolverKind kind = solver.kind;
   kind_list(state, "solver", "solver", sim::all_solver_kinds, kind);
   if (knows_contact) {
@@ -179,9 +157,7 @@ void lay_out_stiffness(ViewerState& state) {
   slider_pair(
       state, {"##flexural", "fabric.bending", bending_un_m, 0.0, 200.0, "%.1f µN m", true},
       {"stiffness", "fabric.compression", fabric.compression_stiffness_n_per_m, 0.0, 500.0, "%.0f N/m"});
-  if (bending_un_m != before_un_m) {
-    fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
-  }
+  if (bending_un_m != before_un_m) fabric.bending_rigidity_n_m = 1e-6 * bending_un_m;
 }
 
 void lay_out_solver(ViewerState& state) {
@@ -200,12 +176,8 @@ void lay_out_solver(ViewerState& state) {
     whole_slider(state, "iterations", "solver.iterations", solver.strong.iterations, 1, 200);
     number_slider(state, "flexural", "solver.flexural", solver.strong.rigidity.flexural, 0.0, 1.0, "%.3f");
   }
-  if (stretch_bound(state.scene)) {
-    lay_out_bound(state);
-  }
-  if (solver.kind == sim::SolverKind::bounded) {
-    lay_out_stiffness(state);
-  }
+  if (stretch_bound(state.scene)) lay_out_bound(state);
+  if (solver.kind == sim::SolverKind::bounded) lay_out_stiffness(state);
   if (hooke) {
     sim::SpringStiffness& springs = solver.ideal.stiffness;
     slider_pair(
@@ -239,9 +211,7 @@ void lay_out_looks(ViewerState& state) {
   PictureStyle& picture = state.scene.picture;
   ImGui::Separator();
   const auto radio = [&](const char* label, SurfaceLook look, const char* name) {
-    if (ImGui::RadioButton(label, picture.surface == look)) {
-      picture.surface = look;
-    }
+    if (ImGui::RadioButton(label, picture.surface == look)) picture.surface = look;
     note_place(state, name);
   };
   const auto check = [&](const char* label, bool& value, const char* name) {

@@ -1,22 +1,17 @@
+#include "app/scene/scene_format.hpp"
 #include "app/viewer/panel/panel.hpp"
-
-#include <array>
-#include <string_view>
-#include <utility>
 
 namespace taut::app {
 namespace {
 
 using Hint = std::pair<std::string_view, std::string_view>;
 
+/// Of items that are no keys of a scene, and of keys of which there is more to say in the window.
 constexpr std::array hints = {
     Hint{"wind.speed",
          "Speed of the wind in m/s, the paper's wind value. It holds on to 1.0 and 10.0, those of figure 5."
          " Keys: up, down."},
     Hint{"wind.direction", "Where the wind goes, seen from above: up is away from you. Keys: left, right."},
-    Hint{"wind.gust_amplitude",
-         "How much gusts change the wind's speed, as a share of it. 0: a steady wind."},
-    Hint{"wind.gust_period", "Mean time from one gust to the next, in seconds."},
     Hint{"gravity", "How fast things fall, in m/s². On Earth 9.81."},
     Hint{"measured.stretch",
          "The largest stretch, in percent, over the last frames: of springs, or of the surface if the bound"
@@ -82,22 +77,8 @@ constexpr std::array hints = {
     Hint{"solver.fast-projection",
          "Edges keep their lengths, all at once (Goldenthal and others 2007). Grids drape, triangles lock."},
     Hint{"solver.implicit", "Stiff cloth in large steps by backward Euler (Baraff and Witkin 1998)."},
-    Hint{"solver.implicit.stretch", "Stiffness of the surface along warp and weft, in N/m."},
-    Hint{"solver.implicit.damping", "Damping of each stiffness, as a part of it. More comes to rest sooner."},
-    Hint{"solver.substeps",
-         "Time steps in a frame. 0: as many as the solver needs, up to the scene's"
-         " solver.max_substeps. More stretch less and take longer."},
-    Hint{"solver.iterations", "Sweeps over all springs in a time step. More stretch less and take longer."},
-    Hint{"solver.flexural",
-         "How much of its error a flexural spring corrects, 0 to 1. Less bends more easily."},
-    Hint{"solver.max_stretch",
-         "In percent of the length at rest. bounded: nothing is ever shown longer that the list beside"
-         " names. provot: above, springs are pulled back; vassilev: they stretch no further."
-         " fast-projection: what may be left of strain."},
-    Hint{"solver.bound", "What the bound holds."},
     Hint{"solver.bound.springs", "Every spring along itself, as the paper has it."},
     Hint{"solver.bound.surface", "Every triangle along any direction, and with it the springs."},
-    Hint{"solver.contact", "Keep the cloth from crossing itself too, not only bodies."},
     Hint{"fabric.bending",
          "Bending rigidity of the cloth, in millionths of a newton metre. Jersey 5, denim 98."},
     Hint{"fabric.compression",
@@ -106,8 +87,6 @@ constexpr std::array hints = {
     Hint{"solver.stiffness.damping",
          "Damping of every spring, in N s/m. More vibrates less, and needs shorter time"
          " steps."},
-    Hint{"air.drag",
-         "Share of its speed that the air takes from the cloth, per second. More comes to rest sooner."},
     Hint{"keep.screenshot", "Write what the scene shows as a PNG picture, without this panel."},
     Hint{"keep.scene", "Write all settings as a scene file, which taut render draws as the window does."},
     Hint{"keep.camera", "Copy the camera as lines of a scene file to the clipboard."},
@@ -141,16 +120,17 @@ constexpr std::array hints = {
 
 std::string hint_for(const std::string& name) {
   for (const auto& [own, text] : hints) {
-    if (own == name) {
-      return std::string(text);
-    }
+    if (own == name) return std::string(text);
   }
   constexpr std::string_view compare = "compare.";
-  if (name.starts_with(compare)) {
-    return hint_for("solver." + name.substr(compare.size()));
-  }
+  if (name.starts_with(compare)) return hint_for("solver." + name.substr(compare.size()));
   constexpr std::string_view preset = "preset.";
-  return name.starts_with(preset) ? "Load the scene " + name.substr(preset.size()) + " of this figure." : "";
+  if (name.starts_with(preset)) return "Load the scene " + name.substr(preset.size()) + " of this figure.";
+  static const std::vector<Key<Scene>> keys = scene_keys();
+  const auto key = std::ranges::find(keys, name, &Key<Scene>::name);
+  if (key == keys.end()) return "";
+  const std::string unit = key->unit.empty() ? "" : ", in " + key->unit;
+  return static_cast<char>(std::toupper(key->meaning[0])) + key->meaning.substr(1) + unit + '.';
 }
 
 }  // namespace taut::app

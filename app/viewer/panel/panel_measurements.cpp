@@ -1,12 +1,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
 
@@ -34,9 +28,7 @@ ItemPlace plot_frame(ViewerState& state, const char* name, const Plot& plot, flo
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   float left = width + gap;  // from where the group begins
-  for (const Words& words : plot.reading) {
-    left -= ImGui::CalcTextSize(words.text.c_str()).x + gap;
-  }
+  for (const Words& words : plot.reading) left -= ImGui::CalcTextSize(words.text.c_str()).x + gap;
   for (const Words& words : plot.reading) {
     ImGui::SameLine(left);
     ImGui::PushStyleColor(ImGuiCol_Text, words.colour);
@@ -61,9 +53,7 @@ float height_of(float value, const ItemPlace& place, float highest) {
 
 void draw_curve(std::span<const float> values, const ItemPlace& place, float highest, ImU32 colour,
                 float scale) {
-  if (values.size() < 2) {
-    return;
-  }
+  if (values.size() < 2) return;
   const float step = (place.upper_px.x - place.lower_px.x) / static_cast<float>(RecentValues::most - 1);
   std::vector<ImVec2> points;
   points.reserve(values.size());
@@ -77,15 +67,13 @@ void draw_curve(std::span<const float> values, const ItemPlace& place, float hig
 }
 
 float largest(std::span<const float> values) {
-  return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
+  return values.empty() ? 0.0F : *std::ranges::max_element(values);
 }
 
 // Scales in steps, or they would breathe with every value.
 float rounded_up(float value, float least) {
   float limit = least;
-  while (limit < value) {
-    limit *= 2.0F;
-  }
+  while (limit < value) limit *= 2.0F;
   return limit;
 }
 
@@ -167,13 +155,9 @@ std::string reason_text(SlowedBy reason, const Snapshot& newest) {
 
 std::string speed_text(const ViewerState& state) {
   const Measurements& m = state.measurements;
-  if (state.newest->paused || has_stopped(*state.newest)) {
-    return state.newest->paused ? "paused" : "stopped";
-  }
+  if (state.newest->paused || has_stopped(*state.newest)) return state.newest->paused ? "paused" : "stopped";
   const auto factor = m.real_time.factor();
-  if (!m.shows_times || !factor) {
-    return "times real time: not known here";
-  }
+  if (!m.shows_times || !factor) return "times real time: not known here";
   const double frame_ms = 1000.0 / (state.scene.simulation.frame_rate_hz * state.speed);
   const SlowedBy reason = slowed_by(*factor, state.speed, m.worked_ms, frame_ms, m.real_time.busy_share());
   return fmt::format("{:.2f} x real time{}", *factor, reason_text(reason, *state.newest));

@@ -1,10 +1,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "app/drawing/spring_lines.hpp"
 #include "app/scene/scene.hpp"
 #include "app/viewer/panel/panel_parts.hpp"
@@ -53,9 +49,7 @@ void lay_out_timeline(ViewerState& state, float width) {
           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat)) {
     const int frame = std::max(0, static_cast<int>(std::lround(place)));
     state.past_frame = frame < newest.record.frame ? std::optional(frame) : std::nullopt;
-    if (state.past_frame && !state.paused) {
-      state.asked.push_back(Action::pause);
-    }
+    if (state.past_frame && !state.paused) state.asked.push_back(Action::pause);
   }
   note_place(state, "timeline");
 }
@@ -88,9 +82,7 @@ void lay_out_time_bar(ViewerState& state, const ViewArea& area, float scale) {
 }
 
 void lay_out_messages(const ViewerState& state, const ViewArea& area, float scale) {
-  if (state.messages.empty() && state.warning.empty()) {
-    return;
-  }
+  if (state.messages.empty() && state.warning.empty()) return;
   const auto width = static_cast<float>(area.width_px);
   const float bar = 2.0F * ImGui::GetFrameHeightWithSpacing();
   ImGui::SetNextWindowPos({0.5F * width, static_cast<float>(area.height_px) - bar}, ImGuiCond_Always,
@@ -99,9 +91,7 @@ void lay_out_messages(const ViewerState& state, const ViewArea& area, float scal
   ImGui::SetNextWindowBgAlpha(background);
   if (ImGui::Begin("messages", nullptr, untouchable)) {
     ImGui::PushTextWrapPos(std::max(std::min(640.0F * scale, width - 48.0F * scale), 16.0F));
-    if (!state.warning.empty()) {
-      ImGui::TextUnformatted(state.warning.c_str());
-    }
+    if (!state.warning.empty()) ImGui::TextUnformatted(state.warning.c_str());
     for (const Message& message : state.messages) {
       const ImVec4 ink =
           message.is_error ? ImVec4(0.70F, 0.12F, 0.10F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
@@ -115,18 +105,14 @@ void lay_out_messages(const ViewerState& state, const ViewArea& area, float scal
 }
 
 void lay_out_key_sheet(ViewerState& state, const ViewArea& area) {
-  if (!state.show_keys) {
-    return;
-  }
+  if (!state.show_keys) return;
   ImGui::SetNextWindowPos(
       {0.5F * static_cast<float>(area.width_px), 0.45F * static_cast<float>(area.height_px)},
       ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowBgAlpha(0.96F);
   if (ImGui::Begin("keys", nullptr, untouchable) && ImGui::BeginTable("sheet", 2)) {
     for (const KeyBinding& binding : key_bindings()) {
-      if (*binding.label == '\0') {
-        continue;
-      }
+      if (*binding.label == '\0') continue;
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(binding.label);
@@ -166,9 +152,7 @@ void legend_of_stretch(const ViewerState& state, float scale) {
   for (int i = 0; i <= 4; ++i) {
     const double value = low + (high - low) * i / 4.0;
     const bool is_hidden = bound && std::abs(value - *bound) < 0.09 * (high - low);
-    if (!is_hidden) {
-      mark(value, fmt::format("{:.4g} %{}", 100.0 * value, i == 4 ? " and more" : ""), ink);
-    }
+    if (!is_hidden) mark(value, fmt::format("{:.4g} %{}", 100.0 * value, i == 4 ? " and more" : ""), ink);
   }
   if (bound && *bound >= low && *bound <= high) {
     mark(*bound, fmt::format("{:.4g} % {}", 100.0 * *bound, bound_word(state.scene)),
@@ -179,9 +163,7 @@ void legend_of_stretch(const ViewerState& state, float scale) {
 
 void legend_of_springs(const ViewerState& state, float scale) {
   for (const sim::SpringKind kind : sim::all_spring_kinds) {
-    if (!shows(state.scene.picture.springs, kind)) {
-      continue;
-    }
+    if (!shows(state.scene.picture.springs, kind)) continue;
     const std::size_t count = state.newest->loaded->garment->springs.count(kind);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float y = corner.y + 0.5F * ImGui::GetTextLineHeight();
@@ -198,9 +180,7 @@ void legend_of_springs(const ViewerState& state, float scale) {
 void lay_out_legends(const ViewerState& state, float scale) {
   const bool stretch = state.scene.picture.surface == SurfaceLook::stretch;
   const bool springs = state.scene.picture.springs.which != WhichSprings::none;
-  if (!stretch && !springs) {
-    return;
-  }
+  if (!stretch && !springs) return;
   ImGui::SetNextWindowPos({10.0F * scale, 10.0F * scale});
   ImGui::SetNextWindowBgAlpha(0.6F);
   if (ImGui::Begin(UserInterface::in_pictures, nullptr, untouchable)) {
@@ -209,9 +189,7 @@ void lay_out_legends(const ViewerState& state, float scale) {
       ImGui::Dummy({1.0F, 3.0F * scale});
       legend_of_stretch(state, scale);
     }
-    if (springs) {
-      legend_of_springs(state, scale);
-    }
+    if (springs) legend_of_springs(state, scale);
   }
   ImGui::End();
 }

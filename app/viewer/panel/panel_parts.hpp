@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <string>
-
 #include "app/viewer/panel/panel.hpp"
 
 namespace taut::app {
@@ -50,9 +48,7 @@ template <class Kinds, class Kind>
 void kind_list(ViewerState& state, const char* label, const char* name, const Kinds& kinds, Kind& chosen,
                const char* closed = nullptr) {
   std::vector<ListEntry> entries;
-  for (const Kind kind : kinds) {
-    entries.push_back({name_of(kind), name_of(kind), kind == chosen});
-  }
+  for (const Kind kind : kinds) entries.push_back({name_of(kind), name_of(kind), kind == chosen});
   if (const auto clicked =
           list_of(state, label, name, closed != nullptr ? closed : name_of(chosen), entries)) {
     chosen = kinds[*clicked];

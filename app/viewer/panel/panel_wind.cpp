@@ -1,12 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
 #include "app/viewer/panel/panel_parts.hpp"
 
 namespace taut::app {
@@ -28,9 +21,7 @@ struct Colours {
 
 double snapped(double speed) {
   for (const double value : paper_values) {
-    if (std::abs(speed - value) < snap_m_per_s) {
-      return value;
-    }
+    if (std::abs(speed - value) < snap_m_per_s) return value;
   }
   return std::round(speed * 100.0) / 100.0;
 }
@@ -40,9 +31,7 @@ void draw_scale(ImDrawList& list, const Colours& colours, const ImVec2& left, fl
     return left.x + width * static_cast<float>(speed / strongest_wind_m_per_s);
   };
   for (int speed = 5; speed <= 20; speed += 5) {
-    if (speed == 10) {
-      continue;
-    }
+    if (speed == 10) continue;
     const std::string text = std::to_string(speed);
     const float x = x_of(speed);
     list.AddLine({x, left.y}, {x, left.y + 4.0F * scale}, colours.faint, scale);

@@ -3,12 +3,6 @@
 #include <fontconfig/fontconfig.h>
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstring>
-#include <utility>
-
 namespace taut::app {
 namespace {
 
@@ -56,9 +50,7 @@ std::filesystem::path font_file() {
   if (found != nullptr && FcPatternGetString(found, FC_FILE, 0, &file) == FcResultMatch) {
     path = reinterpret_cast<const char*>(file);
   }
-  if (found != nullptr) {
-    FcPatternDestroy(found);
-  }
+  if (found != nullptr) FcPatternDestroy(found);
   FcPatternDestroy(wanted);
   FcConfigDestroy(config);
   return path;
@@ -101,16 +93,12 @@ UserInterface::UserInterface(double scale)
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  for (const auto& [navigation, key] : navigation_keys) {
-    io.KeyMap[navigation] = key;
-  }
+  for (const auto& [navigation, key] : navigation_keys) io.KeyMap[navigation] = key;
   io.MousePos = {-1.0F, -1.0F};
   make_letters();
 }
 
-UserInterface::~UserInterface() {
-  ImGui::DestroyContext(context_);
-}
+UserInterface::~UserInterface() { ImGui::DestroyContext(context_); }
 
 void UserInterface::set_scale(double scale) {
   if (scale != scale_) {
@@ -166,9 +154,7 @@ struct Feeder {
   ImGuiIO& io;
 
   void operator()(const renderer::KeyChanged& event) const {
-    if (event.key < 0 || event.key > keys::last) {
-      return;
-    }
+    if (event.key < 0 || event.key > keys::last) return;
     io.KeysDown[event.key] = event.down;
     io.KeyCtrl = io.KeysDown[keys::left_control] || io.KeysDown[keys::right_control];
     io.KeyShift = io.KeysDown[keys::left_shift] || io.KeysDown[keys::right_shift];
@@ -194,9 +180,7 @@ struct Feeder {
 
 }  // namespace
 
-void UserInterface::feed(const renderer::WindowEvent& event) {
-  std::visit(Feeder{ImGui::GetIO()}, event);
-}
+void UserInterface::feed(const renderer::WindowEvent& event) { std::visit(Feeder{ImGui::GetIO()}, event); }
 
 void UserInterface::begin_frame(int width_px, int height_px, double elapsed_s) {
   ImGuiIO& io = ImGui::GetIO();
@@ -225,9 +209,7 @@ void UserInterface::end_frame() {
            .first_index = indices_.size() + command.IdxOffset,
            .index_count = command.ElemCount,
            .first_vertex = first_vertex + command.VtxOffset});
-      if (is_in_pictures) {
-        picture_overlay_.parts.push_back(overlay_.parts.back());
-      }
+      if (is_in_pictures) picture_overlay_.parts.push_back(overlay_.parts.back());
     }
     indices_.insert(indices_.end(), list.IdxBuffer.begin(), list.IdxBuffer.end());
     first_vertex += static_cast<std::size_t>(list.VtxBuffer.Size);
@@ -236,12 +218,8 @@ void UserInterface::end_frame() {
   overlay_.indices = picture_overlay_.indices = indices_;
 }
 
-bool UserInterface::wants_pointer() const {
-  return ImGui::GetIO().WantCaptureMouse;
-}
+bool UserInterface::wants_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
 
-bool UserInterface::wants_keys() const {
-  return ImGui::GetIO().WantTextInput;
-}
+bool UserInterface::wants_keys() const { return ImGui::GetIO().WantTextInput; }
 
 }  // namespace taut::app

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <span>
-#include <vector>
 
 #include "renderer/context/window_event.hpp"
 #include "renderer/passes/overlay_pass.hpp"

@@ -1,7 +1,5 @@
 #include "app/viewer/picture/picture_quality.hpp"
 
-#include <algorithm>
-
 namespace taut::app {
 namespace {
 
@@ -67,9 +65,7 @@ bool QualityControl::has_time_for_better() const {
 void QualityControl::note(double measured_ms, double given_up_ms) {
   const double frame_ms = std::min(measured_ms, longest_believed_ms);
   ++frames_;
-  if (frames_ <= ignored_frames) {
-    return;
-  }
+  if (frames_ <= ignored_frames) return;
   mean_ms_ = frames_ == ignored_frames + 1 ? frame_ms : mean_ms_ + newest_weight * (frame_ms - mean_ms_);
   note_simulation(given_up_ms / std::max(measured_ms, 1.0));
   if (is_trial_ && frames_ > proven_frames) {

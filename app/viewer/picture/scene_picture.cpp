@@ -1,8 +1,5 @@
 #include "app/viewer/picture/scene_picture.hpp"
 
-#include <glm/geometric.hpp>
-#include <utility>
-
 #include "app/drawing/framing.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/mesh/extent.hpp"
@@ -33,9 +30,7 @@ constexpr float normal_length = 0.012F;
 
 std::optional<HandThread> hand_thread(const ViewerState& state, const Snapshot& garment,
                                       const ViewArea& area) {
-  if (!state.held) {
-    return std::nullopt;
-  }
+  if (!state.held) return std::nullopt;
   const std::vector<glm::vec3> ends = to_float({garment.positions()[state.held->vertex], state.held->hand_m});
   const auto from_px = state.camera.pixel_of(ends[0], area);
   const auto to_px = state.camera.pixel_of(ends[1], area);
@@ -131,13 +126,9 @@ void ScenePicture::draw_anew(unsigned framebuffer, const GarmentSight& sight, co
   painter.look_from(state.camera.camera(), quality.shortest_edge_px);
   renderer::FrameView frame = painter.view(sight.garment.positions(), sight.garment.checkpoint->state.time_s);
   frame.backdrop.transparent = false;
-  if (state.show_normals) {
-    add_normals(sight.garment, frame);
-  }
+  if (state.show_normals) add_normals(sight.garment, frame);
   thread_ = hand_thread(state, sight.garment, area);
-  if (thread_) {
-    add_thread(*thread_, frame);
-  }
+  if (thread_) add_thread(*thread_, frame);
   renderer::PictureSettings settings = state.scene.picture.settings;
   settings.samples = quality.samples;
   settings.supersampling = 1;

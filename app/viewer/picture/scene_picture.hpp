@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <glm/vec3.hpp>
-#include <memory>
-#include <optional>
-
 #include "app/drawing/garment_painter.hpp"
 #include "app/viewer/picture/picture_quality.hpp"
 #include "app/viewer/state/viewer_state.hpp"
@@ -51,34 +46,13 @@ class ScenePicture {
   }
 
  private:
-  // Inputs that a painter was made for.
-  struct PaintedAs {
-    std::shared_ptr<const LoadedScene> loaded;
-    std::shared_ptr<const std::vector<sim::Index>> pins;
-    SurfaceLook surface = SurfaceLook::shaded;
-    StretchOf stretch_of = StretchOf::springs;
-    std::array<double, 2> stretch_range = {0.0, 0.0};
-    std::string fabric;
-    bool wireframe = false;
-    ShownSprings springs;
-    int height_px = 0;
-
-    bool operator==(const PaintedAs&) const = default;
-  };
-
-  // Inputs of the scene's picture.
-  struct SceneLook {
-    PaintedAs painted;
-    std::shared_ptr<const sim::Checkpoint> checkpoint;
-    OrbitCamera camera;
-    bool shadows = true;
-    bool normals = false;
-    std::optional<HandThread> thread;
-    int width_px = 0;
-    int left_px = 0;
-
-    bool operator==(const SceneLook&) const = default;
-  };
+  // Inputs that a painter was made for, as painted_as() lists them.
+  using PaintedAs =
+      std::tuple<std::shared_ptr<const LoadedScene>, std::shared_ptr<const std::vector<sim::Index>>,
+                 SurfaceLook, StretchOf, std::array<double, 2>, std::string, bool, ShownSprings, int>;
+  // Inputs of the scene's picture, as look_of() lists them.
+  using SceneLook = std::tuple<PaintedAs, std::shared_ptr<const sim::Checkpoint>, OrbitCamera, bool, bool,
+                               std::optional<HandThread>, int, int>;
 
   static PaintedAs painted_as(const GarmentSight& sight);
   static SceneLook look_of(const GarmentSight& sight);

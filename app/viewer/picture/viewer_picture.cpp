@@ -1,12 +1,5 @@
 #include "app/viewer/picture/viewer_picture.hpp"
 
-#include <algorithm>
-#include <functional>
-#include <string_view>
-#include <utility>
-
-#include "renderer/gl/picture_target.hpp"
-
 namespace taut::app {
 namespace {
 
@@ -28,11 +21,9 @@ std::uint64_t hash_of(const renderer::OverlayView& overlay) {
 // The frames of lists that open over the panel are clipped to the whole window only: where they are is where
 // their vertices are.
 bool is_beside(const renderer::OverlayView& overlay, const renderer::OverlayPart& part, int scene_width_px) {
-  if (part.clip_lower_px.x >= scene_width_px) {
-    return true;
-  }
+  if (part.clip_lower_px.x >= scene_width_px) return true;
   const auto indices = overlay.indices.subspan(part.first_index, part.index_count);
-  return std::all_of(indices.begin(), indices.end(), [&](std::uint16_t index) {
+  return std::ranges::all_of(indices, [&](std::uint16_t index) {
     return overlay.vertices[part.first_vertex + index].position_px.x >= static_cast<float>(scene_width_px);
   });
 }
@@ -60,9 +51,7 @@ GarmentSight first_sight(const ViewerState& state, const WindowLayout& layout) {
 // The view of the compared garment, in the right half.
 std::optional<GarmentSight> second_sight(const ViewerState& state, const WindowLayout& layout) {
   const Snapshot* garment = compared(state);
-  if (garment == nullptr) {
-    return std::nullopt;
-  }
+  if (garment == nullptr) return std::nullopt;
   const ViewArea whole = scene_area(layout);
   const int left_px = garment_area(state, layout).width_px;
   return GarmentSight{state, *garment, {whole.width_px - left_px, whole.height_px}, left_px};
@@ -87,9 +76,7 @@ void InterfacePicture::draw_panel(const WindowLayout& layout, const renderer::Ov
 
 // Whether they are others than before.
 bool InterfacePicture::take_letters(const UserInterface::Letters& letters) {
-  if (letters.number == letters_number_) {
-    return false;
-  }
+  if (letters.number == letters_number_) return false;
   pass_.set_coverage(letters.width_px, letters.height_px, letters.coverage);
   letters_number_ = letters.number;
   return true;
@@ -131,9 +118,7 @@ ViewerPicture::ViewerPicture(renderer::Context& context)
 
 bool ViewerPicture::is_drawn(const ViewerState& state, const WindowLayout& layout, std::size_t level,
                              const renderer::OverlayView& overlay) const {
-  if (!interface_.is_drawn(overlay)) {
-    return false;
-  }
+  if (!interface_.is_drawn(overlay)) return false;
   const std::optional<GarmentSight> second = second_sight(state, layout);
   return !has_room(scene_area(layout)) || (first_.is_drawn(first_sight(state, layout), level) &&
                                            (!second || (second_ && second_->is_drawn(*second, level))));
@@ -147,9 +132,7 @@ bool ViewerPicture::draw_scenes(unsigned framebuffer, const ViewerState& state, 
     second_.reset();
     return drew_first;
   }
-  if (!second_) {
-    second_.emplace(context_);
-  }
+  if (!second_) second_.emplace(context_);
   return second_->draw(framebuffer, *second, level, anew) || drew_first;
 }
 
@@ -185,9 +168,7 @@ void ViewerPicture::draw(unsigned framebuffer, const ViewerState& state, const W
   interface_.draw(framebuffer, layout, letters, overlay, is_urgent);
 }
 
-ViewerContext::ViewerContext(MakeContext make_context) : make_context_(std::move(make_context)) {
-  renew();
-}
+ViewerContext::ViewerContext(MakeContext make_context) : make_context_(std::move(make_context)) { renew(); }
 
 ViewerContext::~ViewerContext() = default;
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-
 #include "app/base/stopwatch.hpp"
 #include "app/viewer/panel/panel.hpp"
 #include "app/viewer/panel/user_interface.hpp"

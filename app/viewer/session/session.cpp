@@ -1,12 +1,6 @@
 #include "app/viewer/session/session.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <type_traits>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
@@ -90,21 +84,17 @@ class Line {
     throw InputError(file_ + ':' + std::to_string(number_) + ": found '" + text_ + "', expected " + expected);
   }
   [[noreturn]] void fail() const {
-    const auto* const form =
-        std::find_if(forms.begin(), forms.end(), [&](const auto& f) { return f.first == verb(); });
+    const auto* const form = std::ranges::find_if(forms, [&](const auto& f) { return f.first == verb(); });
     fail(form != forms.end() ? form->second
                              : "an event, frame, paced or state; scene, set, compare and window stand before "
                                "the first frame");
   }
 
-  template <class Number>
-  Number number(Number lowest, Number highest) {
+  template <class Number> Number number(Number lowest, Number highest) {
     const Json& value = next();
     const bool is_right = std::is_integral_v<Number> ? value.is_number_integer() : value.is_number();
     const double found = is_right ? value.get<double>() : NAN;
-    if (!(found >= static_cast<double>(lowest) && found <= static_cast<double>(highest))) {
-      fail();
-    }
+    if (!(found >= static_cast<double>(lowest) && found <= static_cast<double>(highest))) fail();
     return value.get<Number>();
   }
   bool flag() {
@@ -134,7 +124,7 @@ renderer::Resized read_size(Line& line) {
 }
 
 renderer::PointerButton read_button(Line& line) {
-  const auto* const name = std::find(button_names.begin(), button_names.end(), line.text());
+  const auto* const name = std::ranges::find(button_names, line.text());
   return name != button_names.end() ? static_cast<renderer::PointerButton>(name - button_names.begin())
                                     : (line.fail(), renderer::PointerButton::left);
 }
@@ -199,8 +189,7 @@ void read_line(Line& line, Session& session, SessionFrame& frame) {
   if (line.has_more()) line.fail();
 }
 
-template <class Event>
-const Event* as(const SessionEvent& event) {
+template <class Event> const Event* as(const SessionEvent& event) {
   const auto* from_window = std::get_if<WindowEvent>(&event);
   return from_window != nullptr ? std::get_if<Event>(from_window) : nullptr;
 }
@@ -212,7 +201,7 @@ bool moves_pointer(const SessionEvent& event) {
 // Whether the events of a frame hide from it that `next` came after them. What is let go would never have
 // seen the last place it was dragged to.
 bool has_to_wait(const SessionEvent& next, const std::vector<SessionEvent>& taken) {
-  return std::any_of(taken.begin(), taken.end(), [&](const SessionEvent& before) {
+  return std::ranges::any_of(taken, [&](const SessionEvent& before) {
     const auto* button = as<ButtonChanged>(before);
     const auto* key = as<KeyChanged>(before);
     const auto* next_button = as<ButtonChanged>(next);
@@ -235,17 +224,13 @@ std::string session_head(const SessionStart& start) {
   for (const Override& changed : start.overrides) {
     text += json_line({"set", changed.key + '=' + changed.value});
   }
-  if (start.compared_with) {
-    text += json_line({"compare", sim::name_of(*start.compared_with)});
-  }
+  if (start.compared_with) text += json_line({"compare", sim::name_of(*start.compared_with)});
   return text + json_line({"window", start.size.width_px, start.size.height_px, start.scale});
 }
 
 std::string session_lines(const SessionFrame& frame) {
   std::string text;
-  for (const SessionEvent& event : frame.events) {
-    text += json_line(std::visit(EventWriter{}, event));
-  }
+  for (const SessionEvent& event : frame.events) text += json_line(std::visit(EventWriter{}, event));
   text += frame.pace ? json_line({"paced", frame.elapsed_s, frame.pace->advances, frame.pace->shown})
                      : json_line({"frame", 1});
   return frame.expected_state ? text + json_line({"state", *frame.expected_state}) : text;
@@ -256,9 +241,7 @@ Session read_session(const std::filesystem::path& file) {
 }
 
 Session parse_session(const std::string& text, const std::string& name) {
-  if (text.empty()) {
-    throw InputError(name + ": is empty, expected " + forms[0].second);
-  }
+  if (text.empty()) throw InputError(name + ": is empty, expected " + forms[0].second);
   std::istringstream lines(text);
   Session session;
   SessionFrame frame;
@@ -273,9 +256,7 @@ Session parse_session(const std::string& text, const std::string& name) {
     }
   }
   // Events that no frame follows get one.
-  if (!frame.events.empty()) {
-    session.frames.push_back(std::move(frame));
-  }
+  if (!frame.events.empty()) session.frames.push_back(std::move(frame));
   return session;
 }
 
@@ -283,25 +264,19 @@ SessionRecorder::SessionRecorder(const std::filesystem::path& file, const Sessio
   prepare_folder_of(file);
   file_.open(file, std::ios::trunc);
   file_ << session_head(start) << std::flush;
-  if (!file_) {
-    throw InputError("cannot write '" + file.string() + "'");
-  }
+  if (!file_) throw InputError("cannot write '" + file.string() + "'");
 }
 
 void SessionRecorder::add(const SessionFrame& frame) {
   file_ << session_lines(frame) << std::flush;
-  if (!file_) {
-    throw InputError("cannot write '" + path_.string() + "': is the disk full?");
-  }
+  if (!file_) throw InputError("cannot write '" + path_.string() + "': is the disk full?");
 }
 
 std::vector<SessionEvent> InputQueue::take_frame() {
   std::vector<SessionEvent> taken;
   while (!waiting_.empty() && !has_to_wait(waiting_.front(), taken)) {
     const bool replaces = !taken.empty() && moves_pointer(taken.back()) && moves_pointer(waiting_.front());
-    if (replaces) {
-      taken.pop_back();
-    }
+    if (replaces) taken.pop_back();
     taken.push_back(std::move(waiting_.front()));
     waiting_.pop_front();
   }

@@ -1,13 +1,7 @@
 #pragma once
 
-#include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <fstream>
-#include <optional>
-#include <string>
-#include <variant>
-#include <vector>
 
 #include "app/scene/scene_file.hpp"
 #include "renderer/context/window_event.hpp"

@@ -1,10 +1,5 @@
 #include "app/viewer/simulation/live_simulation.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <utility>
-
 #include "app/base/counted.hpp"
 #include "app/base/errors.hpp"
 #include "app/base/stopwatch.hpp"
@@ -12,7 +7,7 @@
 #include "app/models/garment_loading.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/models/untangling.hpp"
-#include "app/output/run_start.hpp"
+#include "app/output/run_checkpoint.hpp"
 
 namespace taut::app {
 namespace {
@@ -52,9 +47,7 @@ std::vector<sim::Index> without_side(const sim::Garment& garment, std::span<cons
   std::vector<sim::Index> kept;
   for (const sim::Index pin : pins) {
     const double x = garment.mesh.positions[pin].x;
-    if (right ? x < highest - third : x > lowest + third) {
-      kept.push_back(pin);
-    }
+    if (right ? x < highest - third : x > lowest + third) kept.push_back(pin);
   }
   return kept;
 }
@@ -109,9 +102,7 @@ void LiveSimulation::perform(const LoadScene& asked) {
 }
 
 void LiveSimulation::tell_of_start() {
-  for (const std::string& remark : now_.loaded->drawn_colours.remarks) {
-    tell(remark, false);
-  }
+  for (const std::string& remark : now_.loaded->drawn_colours.remarks) tell(remark, false);
   for (const std::string& remark : remarks_on_start(now_.loaded->scene, *now_.loaded).lines) {
     tell(remark, false);
   }
@@ -127,9 +118,7 @@ void LiveSimulation::perform(const ChangeSettings& change) {
     const bool was_kept_apart = keeps_apart(simulation_->settings());
     simulation_->set_settings(settings);
     simulation_->set_material(change.material);
-    if (!was_kept_apart && keeps_apart(settings)) {
-      untangle(change.simulation);
-    }
+    if (!was_kept_apart && keeps_apart(settings)) untangle(change.simulation);
     // Another bound may move the cloth before another frame.
     measure_stretches(*simulation_, now_.record);
   }
@@ -144,10 +133,8 @@ void LiveSimulation::untangle(const RunSettings& simulation) {
   scene.simulation = simulation;
   std::vector<sim::Vec3> positions_m = now.state.current;
   const std::optional<Untangling> untangling =
-      untangle_start(scene, simulation_->garment(), positions_m, [](const std::string&) {});
-  if (!untangling) {
-    return;
-  }
+      untangle_start(scene, simulation_->garment(), false, positions_m, [](const std::string&) {});
+  if (!untangling) return;
   for (std::size_t v = 0; v < positions_m.size(); ++v) {
     now.state.previous[v] += positions_m[v] - now.state.current[v];
   }
@@ -161,7 +148,7 @@ void LiveSimulation::perform(const TogglePin& toggle) {
     return;  // aimed at a garment that has been replaced since
   }
   std::vector<sim::Index> pins = *now_.pins;
-  const auto place = std::lower_bound(pins.begin(), pins.end(), toggle.vertex);
+  const auto place = std::ranges::lower_bound(pins, toggle.vertex);
   if (place != pins.end() && *place == toggle.vertex) {
     pins.erase(place);
   } else {
@@ -171,9 +158,7 @@ void LiveSimulation::perform(const TogglePin& toggle) {
 }
 
 void LiveSimulation::perform(const ReleasePins& release) {
-  if (!now_.pins->empty()) {
-    set_pins(without_side(simulation_->garment(), *now_.pins, release.right));
-  }
+  if (!now_.pins->empty()) set_pins(without_side(simulation_->garment(), *now_.pins, release.right));
 }
 
 void LiveSimulation::set_pins(std::vector<sim::Index> pins) {
@@ -243,13 +228,9 @@ void LiveSimulation::pull() {
 void LiveSimulation::advance(const std::function<void()>& poll) {
   ++now_.advances;
   steps_left_ = std::max(0, steps_left_ - 1);
-  if (now_.stopped) {
-    return;
-  }
+  if (now_.stopped) return;
   try {
-    if (grip_) {
-      pull();
-    }
+    if (grip_) pull();
     Stopwatch simulating;
     simulation_->advance_frame(poll);
     const double sim_ms = simulating.elapsed_ms();
@@ -283,9 +264,7 @@ void LiveSimulation::tell(const std::string& text, bool is_error) {
   constexpr std::size_t most = 8;
   std::vector<Notice> notices = *now_.notices;
   notices.push_back({text, is_error, notices.empty() ? 1 : notices.back().number + 1});
-  if (notices.size() > most) {
-    notices.erase(notices.begin());
-  }
+  if (notices.size() > most) notices.erase(notices.begin());
   now_.notices = std::make_shared<const std::vector<Notice>>(std::move(notices));
 }
 

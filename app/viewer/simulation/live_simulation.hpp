@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-
 #include "app/viewer/simulation/simulation_command.hpp"
 #include "app/viewer/simulation/snapshot.hpp"
 #include "sim/simulation.hpp"

@@ -1,9 +1,5 @@
 #include "app/viewer/simulation/simulation_command.hpp"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <numeric>
-
 namespace taut::app {
 namespace {
 
@@ -53,9 +49,7 @@ Grip take_grip(const sim::Garment& garment, std::span<const sim::Vec3> positions
       }
     }
   }
-  for (GripVertex& held : grip.vertices) {
-    held.share = total > 0.0 ? held.share / total : 0.0;
-  }
+  for (GripVertex& held : grip.vertices) held.share = total > 0.0 ? held.share / total : 0.0;
   return grip;
 }
 

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <span>
-#include <variant>
-#include <vector>
-
 #include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/simulation/snapshot.hpp"
 #include "sim/hand.hpp"

@@ -1,10 +1,6 @@
 #include "app/viewer/simulation/simulation_host.hpp"
 
-#include <fmt/core.h>
 #include <time.h>
-
-#include <algorithm>
-#include <utility>
 
 #include "app/base/errors.hpp"
 #include "app/base/interruption.hpp"
@@ -35,9 +31,7 @@ constexpr double rounding_s = 1e-9;
 SimulationPair::SimulationPair(const DrawnScene& scene) : first_(scene), settings_(first_.loaded()->scene) {}
 
 void SimulationPair::apply(const SimulationCommand& command) {
-  if (const auto* asked = std::get_if<Compare>(&command)) {
-    return compare(*asked);
-  }
+  if (const auto* asked = std::get_if<Compare>(&command)) return compare(*asked);
   const std::shared_ptr<const LoadedScene> before = first_.loaded();
   const bool was_stopped = first_.is_stopped();
   const auto* change = std::get_if<ChangeSettings>(&command);
@@ -59,13 +53,9 @@ void SimulationPair::apply(const SimulationCommand& command) {
 
 void SimulationPair::compare(const Compare& asked) {
   kind_ = asked.with;
-  if (kind_) {
-    first_.apply(Reset{});
-  }
+  if (kind_) first_.apply(Reset{});
   begin_second();
-  if (second_) {
-    first_.tell(std::string("compared with ") + sim::name_of(*kind_) + ": both begin anew", false);
-  }
+  if (second_) first_.tell(std::string("compared with ") + sim::name_of(*kind_) + ": both begin anew", false);
 }
 
 ChangeSettings SimulationPair::own_settings() const {
@@ -78,9 +68,7 @@ ChangeSettings SimulationPair::own_settings() const {
 void SimulationPair::begin_second() {
   second_.reset();
   told_notice_ = 0;
-  if (!kind_) {
-    return;
-  }
+  if (!kind_) return;
   try {
     LoadedScene own = *first_.loaded();
     own.scene.simulation = own_settings().simulation;
@@ -96,14 +84,10 @@ void SimulationPair::begin_second() {
 void SimulationPair::pass_on(const SimulationCommand& command) {
   if (std::holds_alternative<ChangeSettings>(command)) {
     // A simulation that has stopped would begin anew, and the first one goes on.
-    if (!second_->is_stopped()) {
-      second_->apply(own_settings());
-    }
+    if (!second_->is_stopped()) second_->apply(own_settings());
   } else if (const auto* back = std::get_if<GoBack>(&command)) {
     // A simulation that had stopped by then is as it was.
-    if (back->to->compared && !back->to->compared->stopped) {
-      second_->apply(GoBack{back->to->compared});
-    }
+    if (back->to->compared && !back->to->compared->stopped) second_->apply(GoBack{back->to->compared});
   } else {
     second_->apply(command);
   }
@@ -131,16 +115,13 @@ SnapshotPtr SimulationPair::take_snapshot() {
   return first_.take_snapshot(second_ ? second_->take_snapshot() : nullptr);
 }
 
-SimulationThread::SimulationThread(const DrawnScene& scene) : simulation_(scene), due_(Clock::now()) {
+SimulationHost::SimulationHost(const DrawnScene& scene, Runs runs)
+    : runs_(runs), simulation_(scene), due_(Clock::now()) {
   timeline_.add(simulation_.take_snapshot());
-  thread_ = std::thread([this] { run(); });
+  if (runs == Runs::by_itself) thread_ = std::thread([this] { run(); });
 }
 
-SimulationThread::~SimulationThread() {
-  end();
-}
-
-void SimulationThread::end() {
+void SimulationHost::end() {
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;
@@ -151,47 +132,57 @@ void SimulationThread::end() {
     changed_.wait_for(lock, longest_end, [this] { return !busy_; });
     gives_up_ = is_in_frame_;
   }
-  if (thread_.joinable()) {
-    thread_.join();
-  }
+  if (thread_.joinable()) thread_.join();
 }
 
-SnapshotPtr SimulationThread::begin_frame(double, const std::optional<Pace>&) {
+SnapshotPtr SimulationHost::begin_frame(double elapsed_s, const std::optional<Pace>& pace) {
   const std::lock_guard lock(mutex_);
-  return timeline_.newest();
-}
-
-std::uint64_t SimulationThread::post(std::vector<SimulationCommand> commands) {
-  const std::lock_guard lock(mutex_);
-  if (!commands.empty()) {
-    posted_.push_back(std::move(commands));
-    changed_.notify_all();
+  if (runs_ == Runs::by_itself) return timeline_.newest();
+  if (!pace) {
+    follow_clock(elapsed_s);
+    return timeline_.newest();
   }
-  return begun_;
+  follow(*pace);
+  return timeline_.with_serial(pace->shown);
 }
 
-SnapshotPtr SimulationThread::past_frame(const SnapshotPtr& now, int frame) {
+std::uint64_t SimulationHost::post(std::vector<SimulationCommand> commands) {
+  const std::lock_guard lock(mutex_);
+  const bool has_any = !commands.empty();
+  if (runs_ == Runs::by_itself) {
+    if (has_any) {
+      posted_.push_back(std::move(commands));
+      changed_.notify_all();
+    }
+    return begun_;
+  }
+  for (const SimulationCommand& command : commands) simulation_.apply(command);
+  if (has_any) timeline_.add(simulation_.take_snapshot());
+  return simulation_.advances();
+}
+
+SnapshotPtr SimulationHost::past_frame(const SnapshotPtr& now, int frame) {
   const std::lock_guard lock(mutex_);
   return timeline_.of_frame(now, frame);
 }
 
-double SimulationThread::take_given_up_ms() {
+double SimulationHost::take_given_up_ms() {
   const std::lock_guard lock(mutex_);
   return std::chrono::duration<double, std::milli>(std::exchange(given_up_, {})).count();
 }
 
-double SimulationThread::worked_ms() {
+double SimulationHost::worked_ms() {
   const std::lock_guard lock(mutex_);
   return std::chrono::duration<double, std::milli>(worked_).count();
 }
 
-std::uint64_t SimulationThread::state_hash() {
+std::uint64_t SimulationHost::state_hash() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !busy_ && posted_.empty(); });
   return simulation_.state_hash();
 }
 
-void SimulationThread::run() {
+void SimulationHost::run() {
   std::unique_lock lock(mutex_);
   while (!ending_ || !posted_.empty()) {
     if (!posted_.empty()) {
@@ -206,29 +197,23 @@ void SimulationThread::run() {
 }
 
 // Commands that come meanwhile are done first.
-void SimulationThread::wait_until_due(std::unique_lock<std::mutex>& lock) {
+void SimulationHost::wait_until_due(std::unique_lock<std::mutex>& lock) {
   changed_.wait_until(lock, due_, [this] { return ending_ || !posted_.empty(); });
-  if (ending_ || !posted_.empty()) {
-    return;
-  }
+  if (ending_ || !posted_.empty()) return;
   const auto frame_time = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(simulation_.frame_time_s() / simulation_.speed()));
   const Clock::time_point next_due = due_ + frame_time;
   due_ = std::max(next_due, Clock::now() - most_behind);
-  if (worked_ < frame_time) {
-    given_up_ += due_ - next_due;
-  }
+  if (worked_ < frame_time) given_up_ += due_ - next_due;
   advance(lock);
 }
 
-void SimulationThread::perform_posted(std::unique_lock<std::mutex>& lock) {
+void SimulationHost::perform_posted(std::unique_lock<std::mutex>& lock) {
   const std::vector<SimulationCommand> commands = std::move(posted_.front());
   posted_.pop_front();
   busy_ = true;
   lock.unlock();
-  for (const SimulationCommand& command : commands) {
-    simulation_.apply(command);
-  }
+  for (const SimulationCommand& command : commands) simulation_.apply(command);
   SnapshotPtr snapshot = simulation_.take_snapshot();
   lock.lock();
   timeline_.add(std::move(snapshot));
@@ -236,16 +221,14 @@ void SimulationThread::perform_posted(std::unique_lock<std::mutex>& lock) {
   changed_.notify_all();
 }
 
-void SimulationThread::advance(std::unique_lock<std::mutex>& lock) {
+void SimulationHost::advance(std::unique_lock<std::mutex>& lock) {
   ++begun_;
   busy_ = is_in_frame_ = true;
   lock.unlock();
   const Clock::duration before = processor_time();
   try {
     simulation_.advance([this] {
-      if (gives_up_) {
-        throw Interrupted(0);
-      }
+      if (gives_up_) throw Interrupted(0);
     });
   } catch (const Interrupted&) {
     // Of what is shown nothing has changed.
@@ -259,50 +242,27 @@ void SimulationThread::advance(std::unique_lock<std::mutex>& lock) {
   changed_.notify_all();
 }
 
-SteppedSimulation::SteppedSimulation(const DrawnScene& scene) : simulation_(scene) {
-  timeline_.add(simulation_.take_snapshot());
-}
-
-void SteppedSimulation::advance() {
+void SimulationHost::advance_as_asked() {
   simulation_.advance(throw_if_interrupted);
   timeline_.add(simulation_.take_snapshot());
 }
 
-void SteppedSimulation::follow_clock(double elapsed_s) {
+void SimulationHost::follow_clock(double elapsed_s) {
   owed_s_ = std::min(owed_s_ + elapsed_s * simulation_.speed(), most_owed_s);
   while (simulation_.wants_to_advance() && owed_s_ + rounding_s >= simulation_.frame_time_s()) {
     owed_s_ -= simulation_.frame_time_s();
-    advance();
+    advance_as_asked();
   }
-  if (!simulation_.wants_to_advance()) {
-    owed_s_ = 0.0;
-  }
+  if (!simulation_.wants_to_advance()) owed_s_ = 0.0;
 }
 
-SnapshotPtr SteppedSimulation::begin_frame(double elapsed_s, const std::optional<Pace>& pace) {
-  if (!pace) {
-    follow_clock(elapsed_s);
-    return timeline_.newest();
-  }
+void SimulationHost::follow(const Pace& pace) {
   constexpr std::uint64_t most_at_once = 100000;
-  if (pace->advances < simulation_.advances() || pace->advances > simulation_.advances() + most_at_once) {
-    throw InputError(fmt::format("the session says {} simulated frames after {} of them", pace->advances,
-                                 simulation_.advances()));
+  if (pace.advances < simulation_.advances() || pace.advances > simulation_.advances() + most_at_once) {
+    throw InputError("the session says {} simulated frames after {} of them", pace.advances,
+                     simulation_.advances());
   }
-  while (simulation_.advances() < pace->advances) {
-    advance();
-  }
-  return timeline_.with_serial(pace->shown);
-}
-
-std::uint64_t SteppedSimulation::post(std::vector<SimulationCommand> commands) {
-  for (const SimulationCommand& command : commands) {
-    simulation_.apply(command);
-  }
-  if (!commands.empty()) {
-    timeline_.add(simulation_.take_snapshot());
-  }
-  return simulation_.advances();
+  while (simulation_.advances() < pace.advances) advance_as_asked();
 }
 
 }  // namespace taut::app

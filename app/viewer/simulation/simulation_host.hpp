@@ -3,11 +3,8 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <deque>
 #include <mutex>
-#include <optional>
 #include <thread>
-#include <vector>
 
 #include "app/viewer/session/session.hpp"
 #include "app/viewer/simulation/live_simulation.hpp"
@@ -15,25 +12,6 @@
 #include "app/viewer/simulation/snapshot.hpp"
 
 namespace taut::app {
-
-/// Runs the window's simulation. In each of its frames the window calls begin_frame, then post.
-class SimulationHost {
- public:
-  virtual ~SimulationHost() = default;
-
-  /// The snapshot that this frame of the window has to show.
-  virtual SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) = 0;
-
-  /// Hands commands over; they are done before the next simulated frame begins. Returns how many have begun
-  /// by now.
-  virtual std::uint64_t post(std::vector<SimulationCommand> commands) = 0;
-
-  /// The snapshot of a frame in the ten seconds before `now`, or of the nearest one that is kept.
-  virtual SnapshotPtr past_frame(const SnapshotPtr& now, int frame) = 0;
-
-  /// Hash of the newest state. Waits for a simulated frame that is being computed.
-  virtual std::uint64_t state_hash() = 0;
-};
 
 /// A live simulation, and beside it a second one of the same garment by another solver if one is asked for.
 /// Both get the same commands and advance frame by frame together; the slower one holds both back. One that
@@ -75,19 +53,34 @@ class SimulationPair {
   std::uint64_t told_notice_ = 0;  ///< of the second
 };
 
-/// Simulates on a thread of its own, in step with the clock where it can keep up. How fast the window draws
-/// has no influence on the states but through the moments its commands come in, which `post` tells.
-class SimulationThread : public SimulationHost {
+/// Runs the window's simulation. In each of its frames the window calls begin_frame, then post.
+class SimulationHost {
  public:
+  enum class Runs {
+    /// On a thread of its own, in step with the clock where it can keep up. How fast the window draws has no
+    /// influence on the states but through the moments its commands come in, which `post` tells.
+    by_itself,
+    /// On the caller's thread, by the window's own clock or as it was recorded: the same session gives the
+    /// same states.
+    when_asked
+  };
   /// Throws InputError if the garment cannot be loaded.
-  explicit SimulationThread(const DrawnScene& scene);
+  SimulationHost(const DrawnScene& scene, Runs runs);
   /// As end().
-  ~SimulationThread() override;
+  ~SimulationHost() { end(); }
+  SimulationHost(const SimulationHost&) = delete;
+  SimulationHost& operator=(const SimulationHost&) = delete;
 
-  SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;
-  std::uint64_t post(std::vector<SimulationCommand> commands) override;
-  SnapshotPtr past_frame(const SnapshotPtr& now, int frame) override;
-  std::uint64_t state_hash() override;
+  /// The snapshot that this frame of the window has to show. One that runs by itself needs neither time nor
+  /// pace; else throws InputError if `pace` is not possible after the frames before it.
+  SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace);
+  /// Hands commands over; they are done before the next simulated frame begins. Returns how many have begun
+  /// by now.
+  std::uint64_t post(std::vector<SimulationCommand> commands);
+  /// The snapshot of a frame in the ten seconds before `now`, or of the nearest one that is kept.
+  SnapshotPtr past_frame(const SnapshotPtr& now, int frame);
+  /// Hash of the newest state. Waits for a simulated frame that is being computed.
+  std::uint64_t state_hash();
 
   /// Stops the simulation. Waits for posted commands, and half a second for the frame that is being computed,
   /// which is given up then.
@@ -107,13 +100,18 @@ class SimulationThread : public SimulationHost {
   void wait_until_due(std::unique_lock<std::mutex>& lock);
   void perform_posted(std::unique_lock<std::mutex>& lock);
   void advance(std::unique_lock<std::mutex>& lock);
+  void advance_as_asked();
+  void follow_clock(double elapsed_s);
+  void follow(const Pace& pace);
 
+  const Runs runs_;
   SimulationPair simulation_;  ///< used only by the thread while `busy_`
   std::mutex mutex_;
   std::condition_variable changed_;
   Timeline timeline_;
   std::deque<std::vector<SimulationCommand>> posted_;  ///< one entry for each frame of the window
   std::uint64_t begun_ = 0;
+  double owed_s_ = 0.0;  ///< simulated time that is due when asked
   Clock::duration given_up_{};
   Clock::duration worked_{};  ///< processor time of the last frame
   bool busy_ = false;
@@ -122,30 +120,6 @@ class SimulationThread : public SimulationHost {
   std::atomic<bool> gives_up_ = false;
   Clock::time_point due_;
   std::thread thread_;
-};
-
-/// Simulates on the caller's thread, by the window's own clock or as it was recorded: the same session gives
-/// the same states.
-class SteppedSimulation : public SimulationHost {
- public:
-  /// Throws InputError if the garment cannot be loaded.
-  explicit SteppedSimulation(const DrawnScene& scene);
-
-  /// Throws InputError if `pace` is not possible after the frames before it.
-  SnapshotPtr begin_frame(double elapsed_s, const std::optional<Pace>& pace) override;
-  std::uint64_t post(std::vector<SimulationCommand> commands) override;
-  SnapshotPtr past_frame(const SnapshotPtr& now, int frame) override {
-    return timeline_.of_frame(now, frame);
-  }
-  std::uint64_t state_hash() override { return simulation_.state_hash(); }
-
- private:
-  void advance();
-  void follow_clock(double elapsed_s);
-
-  SimulationPair simulation_;
-  Timeline timeline_;
-  double owed_s_ = 0.0;  ///< simulated time that is due
 };
 
 }  // namespace taut::app

@@ -1,9 +1,5 @@
 #include "app/viewer/simulation/snapshot.hpp"
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 namespace taut::app {
 namespace {
 
@@ -32,9 +28,7 @@ class PastWalk {
 
   // Whether an older snapshot led to those before; of one frame, the last that it had.
   bool takes(const Snapshot& older) {
-    if (older.loaded != loaded_ || older.record.frame >= frame_) {
-      return false;
-    }
+    if (older.loaded != loaded_ || older.record.frame >= frame_) return false;
     frame_ = older.record.frame;
     return true;
   }
@@ -59,9 +53,7 @@ sim::Simulation gone_on_from(const Snapshot& past, const sim::SimulationSettings
   sim::Simulation simulation(past.garment, *past.pins, past.settings, past.surroundings);
   simulation.restore(*past.checkpoint);
   simulation.set_settings(settings);
-  if (material != past.garment->material) {
-    simulation.set_material(material);
-  }
+  if (material != past.garment->material) simulation.set_material(material);
   simulation.set_surroundings(surroundings);
   return simulation;
 }
@@ -80,39 +72,29 @@ void Timeline::add(SnapshotPtr snapshot) {
 
 // Of what is older than the slack, only the past of the first one younger is of use.
 void Timeline::forget_what_is_past() {
-  if (kept_.size() <= slack) {
-    return;
-  }
+  if (kept_.size() <= slack) return;
   const auto young = kept_.end() - slack;
   const int first = first_frame_in_reach(**young) - slack;
   PastWalk walk(**young);
   std::deque<SnapshotPtr> useful(young, kept_.end());
   for (auto older = std::make_reverse_iterator(young); older != kept_.rend(); ++older) {
-    if (walk.takes(**older) && (*older)->record.frame >= first) {
-      useful.push_front(*older);
-    }
+    if (walk.takes(**older) && (*older)->record.frame >= first) useful.push_front(*older);
   }
   kept_ = std::move(useful);
 }
 
 const SnapshotPtr& Timeline::with_serial(std::uint64_t serial) const {
-  const auto found =
-      std::lower_bound(kept_.begin(), kept_.end(), serial,
-                       [](const SnapshotPtr& kept, std::uint64_t wanted) { return kept->serial < wanted; });
+  const auto found = std::ranges::lower_bound(kept_, serial, {}, &Snapshot::serial);
   return found == kept_.end() ? kept_.back() : *found;
 }
 
 SnapshotPtr Timeline::of_frame(const SnapshotPtr& now, int frame) const {
   SnapshotPtr nearest = now;
   PastWalk walk(*now);
-  const auto end =
-      std::upper_bound(kept_.begin(), kept_.end(), now->serial,
-                       [](std::uint64_t serial, const SnapshotPtr& kept) { return serial < kept->serial; });
+  const auto end = std::ranges::upper_bound(kept_, now->serial, {}, &Snapshot::serial);
   for (auto older = std::make_reverse_iterator(end); older != kept_.rend() && nearest->record.frame > frame;
        ++older) {
-    if (walk.takes(**older)) {
-      nearest = *older;
-    }
+    if (walk.takes(**older)) nearest = *older;
   }
   return nearest;
 }

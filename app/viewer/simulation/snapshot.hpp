@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <deque>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "app/drawing/drawn_colours.hpp"
 #include "app/models/garment_loading.hpp"
 #include "app/output/frame_record.hpp"

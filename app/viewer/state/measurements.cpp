@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "app/base/counted.hpp"
 
 namespace taut::app {
@@ -21,9 +19,7 @@ constexpr double most_of_it = 0.75;
 }  // namespace
 
 void RecentValues::add(float value) {
-  if (values_.size() == most) {
-    values_.erase(values_.begin());
-  }
+  if (values_.size() == most) values_.erase(values_.begin());
   values_.push_back(value);
 }
 
@@ -38,17 +34,11 @@ std::optional<double> RealTime::factor() const {
   return elapsed_s_ > first_moments_s ? std::optional(simulated_s_ / elapsed_s_) : std::nullopt;
 }
 
-double RealTime::busy_share() const {
-  return elapsed_s_ > 0.0 ? busy_s_ / elapsed_s_ : 0.0;
-}
+double RealTime::busy_share() const { return elapsed_s_ > 0.0 ? busy_s_ / elapsed_s_ : 0.0; }
 
 SlowedBy slowed_by(double factor, double asked, double simulate_ms, double frame_ms, double busy_share) {
-  if (factor >= as_good_as_asked * asked) {
-    return SlowedBy::nothing;
-  }
-  if (simulate_ms >= as_good_as_asked * frame_ms) {
-    return SlowedBy::simulation;
-  }
+  if (factor >= as_good_as_asked * asked) return SlowedBy::nothing;
+  if (simulate_ms >= as_good_as_asked * frame_ms) return SlowedBy::simulation;
   return busy_share >= most_of_it ? SlowedBy::drawing : SlowedBy::other_programs;
 }
 
@@ -67,9 +57,10 @@ std::string other_stretches(const FrameRecord& record, sim::BoundKind plotted) {
 }
 
 std::string contact_text(const sim::ContactReport& contact) {
-  const std::string nearest = std::isfinite(contact.smallest_distance_m)
-                                  ? "nearest " + in_little_room(1000.0 * contact.smallest_distance_m, 2) + " mm"
-                                  : std::string("nothing near");
+  const std::string nearest =
+      std::isfinite(contact.smallest_distance_m)
+          ? "nearest " + in_little_room(1000.0 * contact.smallest_distance_m, 2) + " mm"
+          : std::string("nothing near");
   return contact.left_out_share > 0.0
              ? fmt::format("{}, {} pairs cross, {:.1f} % left out", nearest, contact.crossing_pairs,
                            100.0 * contact.left_out_share)

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/viewer/simulation/snapshot.hpp"
 
 namespace taut::app {

@@ -1,12 +1,5 @@
 #include "app/viewer/state/orbit_camera.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-#include <glm/vec4.hpp>
-#include <numbers>
-
 namespace taut::app {
 namespace {
 
@@ -31,9 +24,7 @@ std::optional<Hit> meet(const glm::dvec3& origin, const glm::dvec3& direction, c
   const glm::dvec3 ac = c - a;
   const glm::dvec3 p = glm::cross(direction, ac);
   const double determinant = glm::dot(ab, p);
-  if (determinant == 0.0) {
-    return std::nullopt;
-  }
+  if (determinant == 0.0) return std::nullopt;
   const glm::dvec3 from_a = origin - a;
   const double u = glm::dot(from_a, p) / determinant;
   const glm::dvec3 q = glm::cross(from_a, ab);
@@ -139,9 +130,7 @@ Ray OrbitCamera::ray_through(const glm::vec2& point_px, const ViewArea& area) co
 std::optional<glm::vec2> OrbitCamera::pixel_of(const glm::vec3& point, const ViewArea& area) const {
   const renderer::Camera seen = camera();
   const glm::vec4 clip = seen.projection(area.aspect()) * seen.view() * glm::vec4(point, 1.0F);
-  if (!(clip.w > 0.0F)) {
-    return std::nullopt;
-  }
+  if (!(clip.w > 0.0F)) return std::nullopt;
   return glm::vec2{(0.5F + 0.5F * clip.x / clip.w) * static_cast<float>(area.width_px),
                    (0.5F - 0.5F * clip.y / clip.w) * static_cast<float>(area.height_px)};
 }
@@ -169,9 +158,7 @@ std::optional<glm::dvec3> drag_point(const Ray& ray, const glm::dvec3& through,
   const glm::dvec3 direction(ray.direction);
   const double slant = glm::dot(direction, facing);
   const double distance = glm::dot(through - origin, facing) / slant;
-  if (!(slant > 1e-6) || !std::isfinite(distance) || distance <= 0.0) {
-    return std::nullopt;
-  }
+  if (!(slant > 1e-6) || !std::isfinite(distance) || distance <= 0.0) return std::nullopt;
   return origin + distance * direction;
 }
 
@@ -180,14 +167,12 @@ std::string lost_cloth(std::span<const sim::Vec3> positions, std::span<const sim
   const renderer::Camera seen = camera.camera();
   const glm::dmat4 to_clip(seen.projection(area.aspect()) * seen.view());
   // By triangles: seen from near by, one may fill the picture with its corners outside.
-  const bool is_seen = std::any_of(triangles.begin(), triangles.end(), [&](const sim::Triangle& triangle) {
+  const bool is_seen = std::ranges::any_of(triangles, [&](const sim::Triangle& triangle) {
     const auto beyond = [&](int corner) { return sides_beyond(positions[triangle[corner]], to_clip); };
     return (beyond(0) & beyond(1) & beyond(2)) == 0U;
   });
-  if (is_seen) {
-    return "";
-  }
-  const bool is_in_reach = std::any_of(positions.begin(), positions.end(), [](const sim::Vec3& position) {
+  if (is_seen) return "";
+  const bool is_in_reach = std::ranges::any_of(positions, [](const sim::Vec3& position) {
     const auto is_near = [](double coordinate) { return std::abs(coordinate) < OrbitCamera::farthest_m; };
     return is_near(position.x) && is_near(position.y) && is_near(position.z);
   });

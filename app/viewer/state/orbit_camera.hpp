@@ -1,10 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
-#include <optional>
-#include <span>
-#include <string>
-
 #include "renderer/camera.hpp"
 #include "sim/mesh/types.hpp"
 

@@ -1,12 +1,9 @@
 #include "app/viewer/state/viewer_state.hpp"
 
-#include <algorithm>
-
 #include "app/base/errors.hpp"
 #include "app/bodies/body_loading.hpp"
 #include "app/bodies/motion_opening.hpp"
 #include "app/bodies/rig_frames.hpp"
-#include "app/drawing/drawn_scene.hpp"
 #include "renderer/context/window_event.hpp"
 
 namespace taut::app {
@@ -51,11 +48,9 @@ std::vector<Choice> choices_for(const BodySource& source, const std::shared_ptr<
   std::vector<Choice> choices = files_in("motions", ".bvh");
   for (Choice& motion : choices) {
     motion.label = motion.name;
-    std::replace(motion.label.begin(), motion.label.end(), '_', ' ');
+    std::ranges::replace(motion.label, '_', ' ');
   }
-  for (const std::string& clip : names_of_clips(*rig)) {
-    choices.push_back({clip, clip + " (its own)", ""});
-  }
+  for (const std::string& clip : names_of_clips(*rig)) choices.push_back({clip, clip + " (its own)", ""});
   std::erase_if(choices, [&](const Choice& motion) { return !fits(source, rig, motion); });
   return choices;
 }
@@ -123,9 +118,7 @@ const Snapshot& pointed_at(const ViewerState& state) {
 
 void tell(ViewerState& state, const std::string& text, bool is_error) {
   std::erase_if(state.messages, [&](const Message& old) { return old.text == text; });
-  if (state.messages.size() >= most_messages) {
-    state.messages.erase(state.messages.begin());
-  }
+  if (state.messages.size() >= most_messages) state.messages.erase(state.messages.begin());
   state.messages.push_back({text, is_error, is_error ? error_message_s : short_message_s});
 }
 
@@ -153,24 +146,18 @@ std::vector<Choice> files_in(const std::string& folder, const std::string& endin
       choices.push_back({entry.path().stem().string(), "", entry.path()});
     }
   }
-  std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.name < b.name; });
+  std::ranges::sort(choices, {}, &Choice::name);
   return choices;
 }
 
 MotionChoices motion_choices(const DrawnScene& scene, const MotionChoices& known) {
   for (std::size_t body = 0; body < scene.body_sources.size(); ++body) {
     const BodySource& source = scene.body_sources[body];
-    if (source.file.empty()) {
-      continue;
-    }
-    if (source.file == known.of) {
-      return {body, known.of, known.choices};
-    }
+    if (source.file.empty()) continue;
+    if (source.file == known.of) return {body, known.of, known.choices};
     try {
       const std::shared_ptr<const Rig> rig = read_rig(source.file);
-      if (!rig->influences.empty()) {
-        return {body, source.file, choices_for(source, rig)};
-      }
+      if (!rig->influences.empty()) return {body, source.file, choices_for(source, rig)};
     } catch (const InputError&) {
       continue;
     }
@@ -199,8 +186,6 @@ DrawnScene with_motion(const DrawnScene& scene, std::size_t body, const Choice& 
   return moved;
 }
 
-std::span<const KeyBinding> key_bindings() {
-  return bindings;
-}
+std::span<const KeyBinding> key_bindings() { return bindings; }
 
 }  // namespace taut::app

@@ -1,13 +1,6 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <glm/vec2.hpp>
-#include <map>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/drawing/drawn_scene.hpp"
 #include "app/viewer/simulation/snapshot.hpp"
@@ -162,9 +155,7 @@ std::vector<Choice> scene_choices();
 std::vector<Choice> files_in(const std::string& folder, const std::string& ending);
 
 /// The garments that come with the program.
-inline std::vector<Choice> garment_choices() {
-  return files_in("garments", ".obj");
-}
+inline std::vector<Choice> garment_choices() { return files_in("garments", ".obj"); }
 
 /// Motions for the first body of the scene that has joints: those that come with the program and fit
 /// it, then its own animations. None if there is no such body or it cannot be read. `known` is returned if it

@@ -47,52 +47,29 @@ class Frame(NamedTuple):
     left_out_share: float
 
 
-class _Points(ctypes.Structure):
-    _fields_ = [('data', c_void_p), ('count', c_size_t), ('stride', c_size_t), ('type', c_int32)]
+def _struct(**fields):
+    return type('Struct', (ctypes.Structure,), {'_fields_': list(fields.items())})
 
 
-class _Mesh(ctypes.Structure):
-    _fields_ = [('struct_size', c_uint32), ('positions', _Points), ('corners', c_void_p), ('corner_count', c_size_t),
-                ('corners_per_face', c_void_p), ('face_count', c_size_t)]
-
-
-class _Body(ctypes.Structure):
-    _fields_ = [('struct_size', c_uint32), ('has_friction', c_int32), ('name', c_char_p), ('mesh', POINTER(_Mesh)),
-                ('plane_point', c_double * 3), ('plane_normal', c_double * 3), ('friction', c_double),
-                ('dress', c_int32)]
-
-
+_Points = _struct(data=c_void_p, count=c_size_t, stride=c_size_t, type=c_int32)
+_Mesh = _struct(struct_size=c_uint32, positions=_Points, corners=c_void_p, corner_count=c_size_t,
+                corners_per_face=c_void_p, face_count=c_size_t)
+_Body = _struct(struct_size=c_uint32, has_friction=c_int32, name=c_char_p, mesh=POINTER(_Mesh),
+                plane_point=c_double * 3, plane_normal=c_double * 3, friction=c_double, dress=c_int32)
 _Log = ctypes.CFUNCTYPE(None, c_void_p, c_char_p)
-
-
-class _Options(ctypes.Structure):
-    _fields_ = [('struct_size', c_uint32), ('threads', c_int32), ('scene', c_char_p), ('scene_text', c_char_p),
-                ('mesh', POINTER(_Mesh)), ('start', POINTER(_Points)), ('settings', POINTER(c_char_p)),
-                ('setting_count', c_size_t), ('importer', c_char_p), ('log', _Log), ('log_user', c_void_p),
-                ('counts_crossings', c_int32), ('bodies', POINTER(POINTER(_Body))), ('body_count', c_size_t)]
-
-
-class _Frame(ctypes.Structure):
-    _fields_ = [('struct_size', c_uint32), ('frame', c_int32), ('time_s', c_double), ('max_edge_stretch', c_double),
-                ('max_surface_stretch', c_double), ('smallest_distance_m', c_double), ('crossing_pairs', c_int64),
-                ('state_hash', c_uint64), ('substeps', c_int32), ('is_bound_kept', c_int32),
-                ('is_contact_kept', c_int32), ('is_asleep', c_int32), ('measured_crossings', c_uint64),
-                ('left_out_share', c_double)]
-
-
-class _Info(ctypes.Structure):
-    _fields_ = [('struct_size', c_uint32), ('frame', c_int32), ('time_s', c_double), ('frame_rate_hz', c_double),
-                ('max_stretch', c_double), ('vertex_count', c_size_t), ('triangle_count', c_size_t),
-                ('edge_count', c_size_t), ('pin_count', c_size_t), ('body_count', c_size_t),
-                ('crossings_at_start', c_size_t)]
-
-
-class _Error(ctypes.Structure):
-    _fields_ = [('struct_size', c_uint32), ('result', c_int32), ('text', c_char * 1016)]
-
-
-class _Cloth(ctypes.Structure):
-    _fields_ = [('id', c_uint64)]
+_Options = _struct(struct_size=c_uint32, threads=c_int32, scene=c_char_p, scene_text=c_char_p, mesh=POINTER(_Mesh),
+                   start=POINTER(_Points), settings=POINTER(c_char_p), setting_count=c_size_t, importer=c_char_p,
+                   log=_Log, log_user=c_void_p, counts_crossings=c_int32, bodies=POINTER(POINTER(_Body)),
+                   body_count=c_size_t)
+_Frame = _struct(struct_size=c_uint32, frame=c_int32, time_s=c_double, max_edge_stretch=c_double,
+                 max_surface_stretch=c_double, smallest_distance_m=c_double, crossing_pairs=c_int64,
+                 state_hash=c_uint64, substeps=c_int32, is_bound_kept=c_int32, is_contact_kept=c_int32,
+                 is_asleep=c_int32, measured_crossings=c_uint64, left_out_share=c_double)
+_Info = _struct(struct_size=c_uint32, frame=c_int32, time_s=c_double, frame_rate_hz=c_double, max_stretch=c_double,
+                vertex_count=c_size_t, triangle_count=c_size_t, edge_count=c_size_t, pin_count=c_size_t,
+                body_count=c_size_t, crossings_at_start=c_size_t)
+_Error = _struct(struct_size=c_uint32, result=c_int32, text=c_char * 1016)
+_Cloth = _struct(id=c_uint64)
 
 
 def _load() -> ctypes.CDLL:

@@ -450,7 +450,8 @@ BoundedSolver::Try BoundedSolver::next_try(const FramePart& part, const SubstepC
   const double least = 0.25 * effort.budget * part.length / most_parts;
   how.is_last = control.is_spent() || (effort.is_near() && effort.work + least >= due);
   how.can_halve = !how.is_last && part.length > 1;
-  how.allowed_work = (how.is_last ? effort.due(part.done + part.length) : due) - effort.work;
+  const int until = control.is_spent() ? most_parts : part.done + part.length;
+  how.allowed_work = (how.is_last ? effort.due(until) : due) - effort.work;
   if (how.can_halve && part.length == most_parts) {
     how.allowed_work = std::min(how.allowed_work, 0.25 * effort.budget);
   }

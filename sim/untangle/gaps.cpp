@@ -47,7 +47,8 @@ Gap gap_of(const NearPair& pair, const Vec3& middle, std::span<const Vec3> posit
 
 }  // namespace
 
-std::vector<Gap> find_gaps(const Garment& garment, double width_m, std::span<const Vec3> positions_m) {
+std::vector<Gap> find_gaps(const Garment& garment, double width_m, double joined_width_m,
+                           std::span<const Vec3> positions_m) {
   const Extent extent = extent_of(positions_m);
   const Vec3 middle = extent.middle();
   Float4Array rows;
@@ -59,11 +60,10 @@ std::vector<Gap> find_gaps(const Garment& garment, double width_m, std::span<con
   NearPairs near(make_contact_mesh(garment.mesh.triangles, {}), true, positions_m);
   std::vector<Gap> gaps;
   for (const NearPair& pair : near.find(rows, Float4Array(rows.size()), radii, kernels)) {
-    if (!are_joined(garment.adjacency, pair)) {
-      const Gap gap = gap_of(pair, middle, positions_m);
-      if (gap.width_m > 0.0 && gap.width_m < width_m) {
-        gaps.push_back(gap);
-      }
+    const double wide_m = are_joined(garment.adjacency, pair) ? joined_width_m : width_m;
+    const Gap gap = gap_of(pair, middle, positions_m);
+    if (gap.width_m > 0.0 && gap.width_m < wide_m) {
+      gaps.push_back(gap);
     }
   }
   return gaps;

@@ -8,7 +8,7 @@
 
 namespace taut::sim {
 
-/// A vertex and a triangle, or two edges, that are near each other but not in the cloth: no edge joins them.
+/// A vertex and a triangle, or two edges, that are near each other.
 struct Gap {
   std::array<Index, 4> vertices{};
   std::array<double, 4>
@@ -17,8 +17,9 @@ struct Gap {
   double width_m = 0.0;
 };
 
-/// Returns all that are narrower than `width_m`, but for those that touch. `positions_m` has one entry per
-/// vertex.
-std::vector<Gap> find_gaps(const Garment& garment, double width_m, std::span<const Vec3> positions_m);
+/// Returns all that are narrower than `width_m`, or than `joined_width_m` where an edge joins the two, but
+/// for those that touch. `positions_m` has one entry per vertex.
+std::vector<Gap> find_gaps(const Garment& garment, double width_m, double joined_width_m,
+                           std::span<const Vec3> positions_m);
 
 }  // namespace taut::sim

@@ -31,6 +31,8 @@ constexpr int shortening_sweeps = 10;
 /// The narrowest gap that is left and the one that narrower ones become, in parts of the distance.
 constexpr double least_gap = 0.5;
 constexpr double wider_gap = 1.0;
+/// Neighbours are near. Contact keeps none apart that are this near at rest, as they would touch there.
+constexpr double least_joined_gap_m = 1e-5;
 /// Height over the longest side of triangles that are flat, and the cosine between the normals of two at an
 /// edge where they are folded back.
 constexpr double flat = 0.2;
@@ -142,7 +144,7 @@ class Attempt {
   }
 
   std::vector<Gap> narrow_gaps() const {
-    return find_gaps(garment_, least_gap * settings_.distance_m, positions_m_);
+    return find_gaps(garment_, least_gap * settings_.distance_m, least_joined_gap_m, positions_m_);
   }
 
   void widen(const std::vector<Gap>& gaps) {

@@ -97,7 +97,7 @@ struct Untangle : testing::Test {
     EXPECT_EQ(loaded.untangling->pairs_left, 0U);
     EXPECT_EQ(crossings_of(loaded), 0U);
     const double narrow_m = 0.49 * loaded.garment->material.thickness_m;
-    EXPECT_TRUE(sim::find_gaps(*loaded.garment, narrow_m, *loaded.start_m).empty());
+    EXPECT_TRUE(sim::find_gaps(*loaded.garment, narrow_m, 0.0, *loaded.start_m).empty());
   }
 
   static std::size_t crossings_of(const LoadedGarment& loaded) {
@@ -233,7 +233,7 @@ TEST(UntangleAnew, PartsWhatIsAsOneAndEvensOutWhatIsFlat) {
   EXPECT_EQ(sim::untangle(garment, mesh.positions, settings, none).largest_move_m, 0.0);
   settings.is_cut_anew = true;
   const sim::Untangled parted = sim::untangle(garment, mesh.positions, settings, none);
-  EXPECT_TRUE(sim::find_gaps(garment, 0.5 * settings.distance_m, parted.positions_m).empty());
+  EXPECT_TRUE(sim::find_gaps(garment, 0.5 * settings.distance_m, 0.0, parted.positions_m).empty());
   EXPECT_GT(glm::distance(parted.positions_m[moved], parted.positions_m[moved + 1]), 0.005);
   EXPECT_TRUE(crossing_pairs({parted.positions_m, mesh.triangles}).empty());
 }
@@ -270,6 +270,20 @@ TEST_F(Untangle, PartsAStartThatWasDraped) {
   EXPECT_EQ(broken_in_a_run(scene, loaded), "");
   EXPECT_TRUE(loaded.garment->parted_m.empty()) << "of what does not cross at rest";
   EXPECT_EQ(loaded.garment->mesh.positions, rest.positions);
+}
+
+// Contact keeps neighbours apart by half of their distance at rest, and not at all where that is none.
+TEST(Gaps, AreFoundBetweenNeighboursThatAlmostTouch) {
+  const double near_m = 5e-6;
+  const sim::Mesh mesh = {
+      {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.5, -1.0, 1.0}, {0.5, near_m, -0.3}, {0.5, near_m, 0.3}},
+      {{0, 1, 2}, {0, 3, 4}},
+      {}};
+  const sim::Garment garment = sim::make_garment(mesh);
+  EXPECT_TRUE(sim::find_gaps(garment, 1e-3, 1e-6, mesh.positions).empty());
+  const std::vector<sim::Gap> gaps = sim::find_gaps(garment, 1e-3, 1e-5, mesh.positions);
+  ASSERT_FALSE(gaps.empty());
+  EXPECT_NEAR(gaps.front().width_m, near_m, 1e-9);
 }
 
 }  // namespace

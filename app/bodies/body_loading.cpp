@@ -292,11 +292,8 @@ std::vector<std::string> load_bodies(Scene& scene) {
 }
 
 std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> overrides) {
-  const auto gives = [&](const char* key) {
-    return std::any_of(overrides.begin(), overrides.end(), [&](const Override& o) { return o.key == key; });
-  };
-  const bool is_unsaid = gives("body.file") && !gives("body.dress") && !gives("pins.at") &&
-                         scene.moving_pins.empty() && scene.dressing_frames() == 0;
+  const bool is_unsaid = sets(overrides, "body.file") && !sets(overrides, "body.dress") &&
+                         !sets(overrides, "pins.at") && scene.moving_pins.empty() && scene.dressing_frames() == 0;
   if (!is_unsaid || scene.garment.is_grid() || scene.garment.has_start() || !scene.checkpoint.empty()) {
     return load_bodies(scene);
   }

@@ -22,10 +22,7 @@ constexpr double widest_wall = 1.0;
 
 DrawnScene scene_of(const FitOptions& options) {
   std::vector<Override> overrides = options.overrides;
-  const auto sets = [&](const char* key) {
-    return std::ranges::any_of(overrides, [&](const Override& o) { return o.key == key; });
-  };
-  if (sets("body.file") && !sets("body.dress")) {
+  if (sets(overrides, "body.file") && !sets(overrides, "body.dress")) {
     const std::string frames = std::to_string(usual_dressing_frames);
     overrides.push_back({"body.dress", frames, "--dress " + frames});
   }
@@ -36,7 +33,7 @@ DrawnScene scene_of(const FitOptions& options) {
   }
   scene.checkpoint.clear();
   // A worn garment may stretch as far as its threads let it.
-  if (sim::has_law(scene.material) && !sets("solver.max_stretch")) {
+  if (sim::has_law(scene.material) && !sets(overrides, "solver.max_stretch")) {
     scene.simulation.solver.bounded.max_stretch =
         std::min(widest_wall, std::max(scene.material.warp_limit, scene.material.weft_limit));
   }

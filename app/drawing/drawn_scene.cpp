@@ -70,11 +70,8 @@ DrawnScene read_scene_text(const std::string& text, const std::string& name,
 
 DrawnScene find_scene(const std::string& name, std::span<const Override> overrides) {
   DrawnScene scene = find_scene(drawn_scene_format(), name, overrides);
-  const auto gives = [&](const char* key) {
-    return std::ranges::any_of(overrides, [&](const Override& o) { return o.key == key; });
-  };
   // The scene's floor may not be where another body stands.
-  if (gives("body.file") && !gives("picture.ground")) scene.picture.ground = {};
+  if (sets(overrides, "body.file") && !sets(overrides, "picture.ground")) scene.picture.ground = {};
   return scene;
 }
 

@@ -121,6 +121,10 @@ FoundScene locate_scene(const std::string& name) {
   return {path.stem().string(), path, path.extension() != ".toml"};
 }
 
+bool sets(std::span<const Override> overrides, std::string_view key) {
+  return std::ranges::any_of(overrides, [&](const Override& changed) { return changed.key == key; });
+}
+
 Override parse_override(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {

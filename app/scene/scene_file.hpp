@@ -46,6 +46,9 @@ struct Override {
   std::string option;  ///< the whole option, for messages: "--set solver.substeps=40"
 };
 
+/// Returns whether one of them sets this key.
+bool sets(std::span<const Override> overrides, std::string_view key);
+
 /// Reads "KEY=VALUE". Throws UsageError if there is no "=".
 Override parse_override(const std::string& text);
 

@@ -5,7 +5,6 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <queue>
 
@@ -63,22 +62,9 @@ std::optional<SurfacePoint> nearest(const SurfaceTree& tree, const sim::Mesh& me
 }
 
 struct Neighbours {
-  explicit Neighbours(const sim::Mesh& mesh) : adjacency(sim::make_adjacency(mesh)) {
-    triangles_at.offsets.assign(mesh.positions.size() + 1, 0);
-    for (const sim::Triangle& t : mesh.triangles) {
-      for (const Index v : t) {
-        ++triangles_at.offsets[v + 1];
-      }
-    }
-    std::partial_sum(triangles_at.offsets.begin(), triangles_at.offsets.end(), triangles_at.offsets.begin());
-    triangles_at.items.resize(3 * mesh.triangles.size());
-    std::vector<Index> next = triangles_at.offsets;
-    for (Index t = 0; t < mesh.triangles.size(); ++t) {
-      for (const Index v : mesh.triangles[t]) {
-        triangles_at.items[next[v]++] = t;
-      }
-    }
-  }
+  explicit Neighbours(const sim::Mesh& mesh)
+      : adjacency(sim::make_adjacency(mesh)),
+        triangles_at(sim::triangles_of_vertices(mesh.positions.size(), mesh.triangles)) {}
 
   sim::Adjacency adjacency;
   sim::CompressedRows triangles_at;  ///< by vertex

@@ -77,17 +77,12 @@ ContactMeasure::ContactMeasure(std::span<const Triangle> triangles, std::span<co
 }
 
 void ContactMeasure::make_fans(std::size_t vertices) {
-  std::vector<std::vector<Index>> triangles_of(vertices);
-  for (Index t = 0; t < triangles_.size(); ++t) {
-    for (const Index v : triangles_[t]) {
-      triangles_of[v].push_back(t);
-    }
-  }
-  triangles_of_.offsets = around_.offsets = {0};
+  triangles_of_ = triangles_of_vertices(vertices, triangles_);
+  around_.offsets = {0};
   for (Index v = 0; v < vertices; ++v) {
-    const std::vector<Index> around = order_as_fan(v, triangles_, triangles_of[v]);
-    triangles_of_.items.insert(triangles_of_.items.end(), triangles_of[v].begin(), triangles_of[v].end());
-    triangles_of_.offsets.push_back(static_cast<Index>(triangles_of_.items.size()));
+    const std::span<Index> fan =
+        std::span(triangles_of_.items).subspan(triangles_of_.offsets[v], triangles_of_[v].size());
+    const std::vector<Index> around = order_as_fan(v, triangles_, fan);
     around_.items.insert(around_.items.end(), around.begin(), around.end());
     around_.offsets.push_back(static_cast<Index>(around_.items.size()));
   }

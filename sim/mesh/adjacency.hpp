@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -20,6 +22,31 @@ struct CompressedRows {
   }
 };
 
+/// Groups items by row. `for_all(visit)` calls visit(row, item) for each, and the same again when it is
+/// called again; a row keeps that order. Requires rows below `row_count`.
+template <typename ForAll> CompressedRows grouped(std::size_t row_count, const ForAll& for_all) {
+  CompressedRows rows;
+  rows.offsets.assign(row_count + 1, 0);
+  for_all([&](Index row, Index) { ++rows.offsets[row + 1]; });
+  std::partial_sum(rows.offsets.begin(), rows.offsets.end(), rows.offsets.begin());
+  rows.items.resize(rows.offsets.back());
+  std::vector<Index> next = rows.offsets;
+  for_all([&](Index row, Index item) { rows.items[next[row]++] = item; });
+  return rows;
+}
+
+/// Row v lists the edges or triangles that have vertex v, ascending. Requires vertices below `vertex_count`.
+template <std::size_t corners>
+CompressedRows at_vertices(std::size_t vertex_count, std::span<const std::array<Index, corners>> simplices) {
+  return grouped(vertex_count, [&](const auto& visit) {
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+      for (const Index v : simplices[i]) {
+        visit(v, static_cast<Index>(i));
+      }
+    }
+  });
+}
+
 /// The paper's link list: the edges that meet at each vertex and the triangles that meet at each edge.
 struct Adjacency {
   std::vector<Edge> edges;      ///< each once, in lexicographic order
@@ -33,11 +60,16 @@ Adjacency make_adjacency(const Mesh& mesh);
 
 /// Row v lists the edges that end at vertex v, ascending. `edges` may be in any order. Requires ends below
 /// `vertex_count`.
-CompressedRows edges_of_vertices(std::size_t vertex_count, std::span<const Edge> edges);
+inline CompressedRows edges_of_vertices(std::size_t vertex_count, std::span<const Edge> edges) {
+  return at_vertices(vertex_count, edges);
+}
+
+/// The same of triangles.
+inline CompressedRows triangles_of_vertices(std::size_t vertex_count, std::span<const Triangle> triangles) {
+  return at_vertices(vertex_count, triangles);
+}
 
 /// Returns the end of `edge` that is not `vertex`. Requires that `edge` ends at `vertex`.
-inline Index other_end(const Edge& edge, Index vertex) {
-  return edge[0] == vertex ? edge[1] : edge[0];
-}
+inline Index other_end(const Edge& edge, Index vertex) { return edge[0] == vertex ? edge[1] : edge[0]; }
 
 }  // namespace taut::sim

@@ -21,22 +21,7 @@ CompressedRows triangles_of_rows(std::span<const Triangle> triangles) {
   for (const Triangle& t : triangles) {
     rows = std::max({rows, t[0] + 1, t[1] + 1, t[2] + 1});
   }
-  CompressedRows of;
-  of.offsets.assign(rows + 1, 0);
-  for (const Triangle& t : triangles) {
-    for (const Index row : t) {
-      ++of.offsets[row + 1];
-    }
-  }
-  std::partial_sum(of.offsets.begin(), of.offsets.end(), of.offsets.begin());
-  of.items.resize(of.offsets.back());
-  std::vector<Index> next = of.offsets;
-  for (Index t = 0; t < triangles.size(); ++t) {
-    for (const Index row : triangles[t]) {
-      of.items[next[row]++] = t;
-    }
-  }
-  return of;
+  return triangles_of_vertices(rows, triangles);
 }
 
 bool has_row(const Triangle& t, Index row) {

@@ -18,8 +18,7 @@ constexpr std::size_t too_few = 1000;    ///< triangles for the folds of a garme
 constexpr std::size_t no_garment = 24;   ///< this is none
 constexpr std::size_t fewest_apart = 8;  ///< vertices of borders that lie along another part
 constexpr double needle_share = 0.003;   ///< of the triangles
-constexpr double short_share =
-    0.002;  ///< of the edges: contact tears cloth that is thicker than they are long
+constexpr double short_share = 0.002;    ///< of the edges: contact tears cloth thicker than they are long
 constexpr double needle_sine = 0.0871557427;  ///< of 5 degrees
 
 /// The sine of the smallest angle, which lies between the two longest sides.

@@ -93,7 +93,7 @@ FittedMesh fit_once(const sim::Mesh& model_m, const FittingSettings& settings) {
     fitted.edge_m *= longer * std::sqrt(found / static_cast<double>(settings.most_triangles));
     fitted.mesh = remesh(surface, fitted.edge_m);
   }
-  // What was joined by an edge alone may have come apart.
+  // Sheets that an edge alone joined may have come apart.
   Sheets cut = cut_into_sheets(large_sheets(cut_into_sheets(fitted.mesh)));
   fitted.mesh = std::move(cut.mesh);
   fitted.sheets = cut.count;

@@ -1,8 +1,11 @@
 #include "app/fitting/sheets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "sim/mesh/adjacency.hpp"
@@ -39,6 +42,23 @@ double smoothness(const sim::Mesh& mesh, const sim::Edge& edge, const sim::Trian
   return lengths > 0.0 ? -glm::dot(x, y) / lengths : -2.0;
 }
 
+/// Returns the two of these triangles between which the surface goes on most smoothly.
+std::array<sim::Index, 2> smoothest(const sim::Mesh& mesh, const sim::Edge& edge,
+                                    std::span<const sim::Index> around) {
+  std::array<sim::Index, 2> smoothest = {around[0], around[1]};
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; around.size() > 2 && i < around.size(); ++i) {
+    for (std::size_t k = i + 1; k < around.size(); ++k) {
+      const double found = smoothness(mesh, edge, mesh.triangles[around[i]], mesh.triangles[around[k]]);
+      if (found > best) {
+        best = found;
+        smoothest = {around[i], around[k]};
+      }
+    }
+  }
+  return smoothest;
+}
+
 /// At an edge of more than two triangles the two between which the surface goes on most smoothly stay
 /// together, and so on with the rest: layers that were welded to each other are many.
 std::vector<Joint> choose_joints(const sim::Mesh& mesh) {
@@ -46,26 +66,14 @@ std::vector<Joint> choose_joints(const sim::Mesh& mesh) {
   std::vector<Joint> joints;
   for (std::size_t e = 0; e < adjacency.edges.size(); ++e) {
     const sim::Edge& edge = adjacency.edges[e];
-    const auto triangles = adjacency.edge_triangles[e];
-    std::vector<sim::Index> around(triangles.data(), triangles.data() + triangles.size());
+    const std::span<const sim::Index> triangles = adjacency.edge_triangles[e];
+    std::vector<sim::Index> around(triangles.begin(), triangles.end());
     while (around.size() > 1) {
-      double best = -3.0;
-      sim::Index a = 0, b = 0;
-      for (std::size_t i = 0; i < around.size(); ++i) {
-        for (std::size_t k = i + 1; k < around.size(); ++k) {
-          const double found = around.size() == 2 ? 0.0
-                                                  : smoothness(mesh, edge, mesh.triangles[around[i]],
-                                                               mesh.triangles[around[k]]);
-          if (found > best) {
-            best = found;
-            a = around[i];
-            b = around[k];
-          }
-        }
-      }
+      const auto [a, b] = smoothest(mesh, edge, around);
       joints.push_back(
           {edge, a, b, sim::runs_along(mesh.triangles[a], edge) == sim::runs_along(mesh.triangles[b], edge)});
-      std::erase_if(around, [&](sim::Index t) { return t == a || t == b; });
+      std::erase(around, a);
+      std::erase(around, b);
     }
   }
   return joints;

@@ -13,7 +13,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-# What is loaded while it runs, which the linker does not know of.
+# Libraries that are loaded while it runs, which the linker does not know of.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-dejavu-core, python3")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, libosmesa6, python3-numpy")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "blender, mono-runtime")

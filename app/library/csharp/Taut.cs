@@ -36,7 +36,7 @@ public struct Info {
   public UIntPtr VertexCount, TriangleCount, EdgeCount, PinCount, BodyCount, CrossingsAtStart;
 }
 
-/// What cloth stays out of: a closed mesh, or without positions the plane. One that the cloth is to be put on grows into
+/// An obstacle of the cloth: a closed mesh, or without positions the plane. One that the cloth is to be put on grows into
 /// it in `Dress` frames before the first.
 public sealed class Body {
   public float[] Positions;
@@ -47,7 +47,7 @@ public sealed class Body {
   public int Dress;
 }
 
-/// What a cloth is made of: one of Scene, SceneText and Positions with Corners; TautOptions of taut.h.
+/// The source of a cloth: one of Scene, SceneText and Positions with Corners; TautOptions of taut.h.
 public sealed class Options {
   public string Scene, SceneText, Importer;
   public float[] Positions, Start;

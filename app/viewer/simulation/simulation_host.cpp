@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds most_behind{50};
 /// Whoever closes a window waits no longer.
 constexpr std::chrono::milliseconds longest_end{500};
 
-// That the calling thread has had.
+// The calling thread's, since it began.
 std::chrono::nanoseconds processor_time() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

@@ -30,8 +30,43 @@ bool meet(const sim::Extent& a, const sim::Extent& b) {
          b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
 
+/// Equal parts of an axis. A box is in each that it reaches into.
+class Strips {
+ public:
+  /// As many as boxes fit beside each other four times over, on average.
+  Strips(std::span<const TriangleBox> boxes, double from, double length, int axis)
+      : from_(from), axis_(axis) {
+    double sum = 0.0;
+    for (const TriangleBox& box : boxes) {
+      sum += box.extent.upper[axis] - box.extent.lower[axis];
+    }
+    const double count = std::floor(length * static_cast<double>(boxes.size()) / (boxes_across * sum));
+    // Also where a coordinate is not finite.
+    count_ = count >= 1.0 && count < most ? static_cast<std::size_t>(count) : count >= most ? most : 1;
+    width_ = length / static_cast<double>(count_);
+  }
+
+  std::size_t count() const { return count_; }
+  std::size_t of_lower(const TriangleBox& box) const { return at(box.extent.lower[axis_]); }
+  std::size_t of_upper(const TriangleBox& box) const { return at(box.extent.upper[axis_]); }
+
+ private:
+  static constexpr double boxes_across = 4.0;
+  static constexpr std::size_t most = 1024;
+
+  std::size_t at(double place) const {
+    return count_ == 1
+               ? 0
+               : std::min(static_cast<std::size_t>(std::max((place - from_) / width_, 0.0)), count_ - 1);
+  }
+
+  double from_, width_ = 0.0;
+  std::size_t count_ = 1;
+  int axis_;
+};
+
 /// Calls `found` with all pairs of boxes that meet. Sweep and prune (Baraff 1992) along the axis of the
-/// largest extent, in which the fewest boxes are beside each other.
+/// largest extent, in which the fewest boxes are beside each other, in strips of the next largest.
 template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Found& found) {
   sim::Extent all;
   for (const TriangleBox& box : boxes) {
@@ -39,13 +74,28 @@ template <class Found> void sweep(std::vector<TriangleBox>& boxes, const Found& 
     all.add(box.extent.upper);
   }
   const sim::Vec3 size = all.size();
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  std::array<int, 3> axes = {0, 1, 2};
+  std::ranges::stable_sort(axes, [&](int a, int b) { return size[a] > size[b]; });
+  const int axis = axes[0];
   std::ranges::sort(boxes, [axis](const TriangleBox& a, const TriangleBox& b) {
     return a.extent.lower[axis] < b.extent.lower[axis];
   });
-  for (auto a = boxes.begin(); a != boxes.end(); ++a) {
-    for (auto b = a + 1; b != boxes.end() && b->extent.lower[axis] <= a->extent.upper[axis]; ++b) {
-      if (meet(a->extent, b->extent)) found(*a, *b);
+  const Strips strips(boxes, all.lower[axes[1]], size[axes[1]], axes[1]);
+  std::vector<std::vector<const TriangleBox*>> in_strip(strips.count());
+  for (const TriangleBox& box : boxes) {
+    for (std::size_t s = strips.of_lower(box); s <= strips.of_upper(box); ++s) {
+      in_strip[s].push_back(&box);
+    }
+  }
+  for (std::size_t s = 0; s < in_strip.size(); ++s) {
+    for (auto a = in_strip[s].begin(); a != in_strip[s].end(); ++a) {
+      const double end = (*a)->extent.upper[axis];
+      for (auto b = a + 1; b != in_strip[s].end() && (*b)->extent.lower[axis] <= end; ++b) {
+        // Two that share several strips meet in the first of them.
+        if (meet((*a)->extent, (*b)->extent) && std::max(strips.of_lower(**a), strips.of_lower(**b)) == s) {
+          found(**a, **b);
+        }
+      }
     }
   }
 }

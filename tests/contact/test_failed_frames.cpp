@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "scenes.hpp"
 #include "sim/checkpoint.hpp"
@@ -69,6 +71,56 @@ TEST(FailedFrames, ABlockedFrameLeavesEveryByteAndTheCountOfSteps) {
   simulation.set_surroundings(still);
   simulation.advance_frame();
   EXPECT_LE(simulation.frame_report().substeps, 2 * steps);
+}
+
+/// Six sheets between balls that close in on them fast.
+ContactScene pressed_sheets() {
+  ContactScene scene = sheet_between_balls(8.0);
+  for (int layer = 1; layer < 6; ++layer) {
+    const auto count = static_cast<Index>(scene.mesh.positions.size());
+    scene.mesh = both(scene.mesh, mesh_of({13, 13, 0.3, 0.3, GridPlane::vertical, {0.0, 0.15, 0.004 * layer}}));
+    for (Index v = 0; v < 13; ++v) {
+      scene.pins.push_back(count + v);
+    }
+  }
+  return scene;
+}
+
+// 36 calls where the last attempt goes on to the frame's end whatever it costs; a usual frame has 12.
+TEST(FailedFrames, TheLastAttemptEndsInsideItsStepsWhenItsWorkIsSpent) {
+  Simulation simulation = begin(pressed_sheets());
+  std::vector<int> calls;
+  bool is_blocked = false;
+  while (calls.size() < 60 && !is_blocked) {
+    const Poll count;
+    try {
+      simulation.advance_frame(count);
+      calls.push_back(*count.calls);
+    } catch (const ContactBlocked&) {
+      is_blocked = true;
+      EXPECT_LT(*count.calls, 2 * calls.front());
+    }
+  }
+  ASSERT_TRUE(is_blocked);
+}
+
+// All attempts together have a budget. Nothing is kept apart from where it is spent, and the bound is kept all the
+// same. 1029 and 1455 calls where nothing is counted; a usual frame has 12.
+TEST(FailedFrames, WhereCrossingsAreAcceptedASpentAttemptGoesOn) {
+  ContactScene scene = pressed_sheets();
+  scene.bounded.allow_crossing = true;
+  Simulation simulation = begin(std::move(scene));
+  bool is_blocked = false;
+  for (int frame = 0; frame < 8; ++frame) {
+    const Poll count;
+    simulation.advance_frame(count);
+    EXPECT_TRUE(simulation.frame_report().bound_kept) << frame;
+    if (simulation.frame_report().blocked) {
+      is_blocked = true;
+      EXPECT_LT(*count.calls, 60 * 12) << frame;
+    }
+  }
+  EXPECT_TRUE(is_blocked);
 }
 
 TEST(FailedFrames, AnInterruptedFrameGoesOnWithTheSameBits) {

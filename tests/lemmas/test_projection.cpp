@@ -81,7 +81,7 @@ TEST(Lemma, TheProjectionEndsWithinTheBoundAndWhatConfinesItOrSaysThatItDoesNot)
     BoundProjection projection(layout, 1.0 / 60.0);
     const double most_sweeps = some.between(1.0, 300.0);
     const ProjectionResult result =
-        projection.project(layout, raw, max_stretch, most_sweeps, &confinement, kernels, corrections);
+        projection.project(layout, raw, max_stretch, {most_sweeps}, &confinement, kernels, corrections);
     std::vector<Vec3> ends_m = at_rest_m;
     for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
       const Float4& d = projection.corrected()[row];

@@ -6,6 +6,8 @@ namespace taut::sim::bounded {
 void ApartWhileCorrected::begin(const Float4Array& raw, const Float4Array& expected) {
   cloth_.contacts.make_regions(frame_, cloth_.layout, cloth_.motion, raw, expected, time_s_, kernels_);
   last_ = raw;
+  is_held_back_ = false;
+  rounds_ = 0;
 }
 
 // Where vertices are held back by their balls there is more room from where they have come; and so there is

@@ -14,7 +14,7 @@ class ApartWhileCorrected : public Confinement {
 
   void begin(const Float4Array& raw, const Float4Array& expected) override;
   void bring_back(Float4Array& displacements) override;
-  bool is_spent() const override { return cloth_.contacts.is_spent(); }
+  bool is_spent(double sweeps) const override { return cloth_.contacts.is_spent(sweeps); }
 
  private:
   const Frame& frame_;

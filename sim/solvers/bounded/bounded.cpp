@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -34,12 +35,22 @@ double work_for(int substeps, double frame_time_s) {
   return 2.0 * substeps + searches * tuning::work_of_search;
 }
 
+std::vector<Triangle> by_row(std::span<const Triangle> triangles, const Layout& layout) {
+  std::vector<Triangle> rows;
+  rows.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    rows.push_back({layout.row_of_vertex[a], layout.row_of_vertex[b], layout.row_of_vertex[c]});
+  }
+  return rows;
+}
+
 /// Cloth made of springs gives a little across them; tethers of the exact length would lift it.
 double tether_slack(const Material& material, const BoundedSettings& settings) {
   if (has_law(material) && settings.bound == BoundKind::surface) {
     return settings.max_stretch;
   }
-  return settings.bound == BoundKind::springs ? std::min(tuning::most_tether_slack, settings.max_stretch) : 0.0;
+  return settings.bound == BoundKind::springs ? std::min(tuning::most_tether_slack, settings.max_stretch)
+                                              : 0.0;
 }
 
 }  // namespace
@@ -51,11 +62,14 @@ const char* name_of(BoundKind kind) {
 
 /// The solver's arrays for a garment and its pins. No frame depends on what earlier ones left in them.
 struct BoundedSolver::Cloth : SteppedCloth {
-  Cloth(const Garment& garment, const Pins& pinned, const BoundedSettings& settings, double frame_time_s)
+  Cloth(const Garment& garment, const Pins& pinned, const BoundedSettings& settings, double frame_s)
       : SteppedCloth(garment, pinned, settings),
         pins(pinned.vertices),
         compression_stiffness_n_per_m(garment.material.compression_stiffness_n_per_m),
-        projection(layout, frame_time_s),
+        triangles(by_row(garment.mesh.triangles, layout)),
+        mean_edge_m(sim::mean_edge_m(garment.springs)),
+        frame_time_s(frame_s),
+        projection(layout, frame_s),
         mobility_per_kg(mean_mobility_per_kg(layout)) {
     if (settings.tethers && layout.pin_count > 0) {
       tethers = make_tethers(garment, layout, tether_slack(garment.material, settings));
@@ -64,6 +78,9 @@ struct BoundedSolver::Cloth : SteppedCloth {
 
   std::vector<Index> pins;
   double compression_stiffness_n_per_m;
+  std::vector<Triangle> triangles;  ///< by row
+  double mean_edge_m;
+  double frame_time_s;
   BoundProjection projection;
   ThreadChoice threads;
   double mobility_per_kg;
@@ -77,10 +94,35 @@ struct BoundedSolver::Attempt {
   Memory memory;  ///< for what follows
   ProjectionResult projected;
   int substeps = 0;
-  bool is_far = false;  ///< the projection went further than it may
+  bool is_finished = true;  ///< it came to its end within its work
+  bool is_far = false;      ///< the projection went further than it may
   std::optional<BlockedContact> blocked;
 
   bool is_good() const { return projected.kept && !is_far && !blocked; }
+
+  /// Becomes what it was and the next part of the frame.
+  void follow(Attempt part) {
+    part.substeps += substeps;
+    part.projected.cost += projected.cost;
+    part.projected.raw_max_stretch = std::max(part.projected.raw_max_stretch, projected.raw_max_stretch);
+    part.blocked = blocked ? blocked : part.blocked;
+    *this = std::move(part);
+  }
+};
+
+/// A part of a frame, in units of the shortest.
+struct BoundedSolver::FramePart {
+  int done = 0;  ///< before it
+  int length = most_parts;
+  int attempts = 0;  ///< at it, that failed
+};
+
+/// The limits of an attempt at a frame or a part of it.
+struct BoundedSolver::Try {
+  int caution = 0;            ///< earlier attempts
+  bool is_last = false;       ///< its shape is taken, whatever it is
+  bool can_halve = false;     ///< the time, instead
+  double allowed_work = 0.0;  ///< in sweeps
 };
 
 /// The work of all attempts at a frame.
@@ -90,8 +132,18 @@ struct BoundedSolver::Effort {
   ContactReport contact = {};
   Took search = {};
   std::optional<BlockedContact> first_blocked = {};  ///< later attempts tell how cloth flees from it
+  double budget = 0.0;                               ///< of work
+  bool is_first = false;                             ///< frame: nothing is known of those before
 
-  void add(const Attempt& attempt, double contact_work, const ContactReport& report) {
+  bool is_near() const { return contact.most_pairs > 0; }
+  /// Returns the work after which attempts are the last, where so many parts are done: half of the budget is
+  /// for these.
+  double due(int done) const { return budget * (0.5 + 0.5 * done / most_parts); }
+
+  void add(const Attempt& attempt, Contacts& contacts) {
+    const double contact_work = contacts.work();
+    const ContactReport report = contacts.report();
+    search.ms += contacts.search_ms();
     const double attempt_sweeps = attempt.substeps + attempt.projected.cost;
     sweeps += attempt_sweeps;
     work += attempt_sweeps + contact_work;
@@ -138,9 +190,37 @@ int BoundedSolver::substeps_for_load(const Frame& frame) const {
                         settings_.max_stretch);
 }
 
-// A load that sets in is as usual as what has been.
-double BoundedSolver::usual_work(const Frame& frame, const Memory& memory) const {
-  return std::max(memory.median_work, work_for(substeps_for_load(frame), frame.duration_s));
+// How far pins go from where they would be if they went on as they did.
+double BoundedSolver::pins_turn_m(const Frame& frame, const State& state) const {
+  std::vector<Vec3> from_m;
+  for (const Index pin : frame.pins.vertices) {
+    from_m.push_back(state.current[pin]);
+  }
+  const TimeSpan time = {state.time_s, state.time_s + frame.duration_s};
+  const std::vector<Vec3> moved_m = pin_displacements(frame.surroundings, frame.pins.vertices, from_m, time);
+  const double steps = state.time_step_s > 0.0 ? frame.duration_s / state.time_step_s : 0.0;
+  double furthest_m = 0.0;
+  for (std::size_t i = 0; i < moved_m.size(); ++i) {
+    const Index pin = frame.pins.vertices[i];
+    furthest_m =
+        std::max(furthest_m, glm::length(moved_m[i] - steps * (state.current[pin] - state.previous[pin])));
+  }
+  return furthest_m;
+}
+
+// A load that sets in is as usual as what has been, and so are the regions that fast cloth and pins with a
+// jerk need. Before the first frame nothing is known: it may begin with a jerk.
+double BoundedSolver::usual_work(const Frame& frame, const State& state, const Memory& memory) const {
+  const double load_work = work_for(substeps_for_load(frame), frame.duration_s);
+  if (memory.median_work == 0.0) {
+    return most_work * load_work;
+  }
+  const double cloth_turns_m =
+      frame.duration_s * memory.contact.rows.relative_speed_m_per_s(cloth_->triangles);
+  const double turns =
+      (cloth_turns_m + pins_turn_m(frame, state)) / (tuning::turned_part_of_edge * cloth_->mean_edge_m);
+  const double turns_work = 2.0 * tuning::work_of_search * std::min<double>(turns, max_substeps_);
+  return std::max(memory.median_work, load_work + turns_work);
 }
 
 Memory BoundedSolver::first_memory(const Frame& frame) const {
@@ -158,7 +238,6 @@ Memory BoundedSolver::first_memory(const Frame& frame) const {
                                cloth_->forces.updates_per_frame(frame.duration_s));
     memory.control = SubstepControl(substeps_for_load(frame), least, max_substeps_, frame.duration_s);
   }
-  memory.median_work = work_for(memory.control.substeps(), frame.duration_s);
   return memory;
 }
 
@@ -204,7 +283,8 @@ void BoundedSolver::follow_tension(int done, int substeps, double frame_time_s) 
   }
 }
 
-// Returns whether it came to the frame's end: only the last attempt goes on whatever it costs.
+// Returns whether it came to the frame's end within its work. Where crossings are accepted, the last attempt
+// reaches it: nothing is kept apart any more from where the work is done.
 bool BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps, bool is_last) {
   Cloth& cloth = *cloth_;
   const double dt = frame.duration_s / substeps;
@@ -226,9 +306,13 @@ bool BoundedSolver::run_substeps(const Frame& frame, double time_s, int substeps
     time.wind_interval_s = substeps_per_wind * dt;
     bounded::step(frame, time, *kernels_, cloth);
     follow_tension(substep + 1, substeps, frame.duration_s);
-    if (!is_last && cloth.contacts.is_spent()) {
+    if (!cloth.contacts.is_spent()) {
+      continue;
+    }
+    if (!is_last || !settings_.allow_crossing) {
       return false;
     }
+    cloth.contacts.let_cross(cloth.layout, cloth.motion, *kernels_);
   }
   return true;
 }
@@ -264,13 +348,17 @@ void BoundedSolver::set_previous(State& state) const {
 }
 
 // Where a crossing is accepted, it is no reason to break the other promise.
-ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int substeps, bool is_last,
+ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int substeps, const Try& how,
                                         Float4Array& corrections) {
   Cloth& cloth = *cloth_;
-  const double largest_cost =
-      is_last ? tuning::last_resort_sweeps : tuning::costliest * std::max<double>(substeps, round_sweeps);
+  BoundProjection::Limits limits;
+  limits.cost =
+      how.is_last ? tuning::last_resort_sweeps : tuning::costliest * std::max<double>(substeps, round_sweeps);
+  if (how.can_halve && cloth.contacts.is_near()) {
+    limits.raw_max_stretch = overstretched * std::max(settings_.max_stretch, smallest_promised_bound);
+  }
   const auto project_within = [&](Confinement* confinement, Float4Array& from) {
-    return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, largest_cost,
+    return cloth.projection.project(cloth.layout, cloth.motion.current, settings_.max_stretch, limits,
                                     confinement, *kernels_, from);
   };
   if (!cloth.contacts.is_on()) {
@@ -279,7 +367,7 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
   const Float4Array before = corrections;
   ApartWhileCorrected apart(frame, end_s, *kernels_, cloth);
   const ProjectionResult confined = project_within(&apart, corrections);
-  if (confined.kept || !settings_.allow_crossing || !is_last) {
+  if (confined.kept || !settings_.allow_crossing || !how.is_last) {
     return confined;
   }
   const BoundProjection within_regions = cloth.projection;
@@ -294,30 +382,41 @@ ProjectionResult BoundedSolver::project(const Frame& frame, double end_s, int su
   return free;
 }
 
+// The control counts those of a whole frame.
+int BoundedSolver::substeps_in(double time_s, const SubstepControl& control) const {
+  const double parts = std::max(1.0, std::round(cloth_->frame_time_s / time_s));
+  return static_cast<int>(std::ceil(control.substeps() / parts));
+}
+
 // The time steps, and the projection of where they end onto the bound.
 BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& state, Memory memory,
-                                              int earlier_attempts, bool is_last, double contact_budget) {
+                                              const Try& how) {
   Cloth& cloth = *cloth_;
   const double end_s = state.time_s + frame.duration_s;
-  const int substeps = memory.control.substeps();
+  const int substeps = substeps_in(frame.duration_s, memory.control);
   begin_frame(state);
   if (cloth.elasticity.has_law()) {
     cloth.elasticity.begin_attempt(cloth.layout, cloth.motion.start, memory.elastic,
-                                   aimed_stretch(settings_.max_stretch), frame.duration_s / substeps, *kernels_);
+                                   aimed_stretch(settings_.max_stretch), frame.duration_s / substeps,
+                                   *kernels_);
   }
   cloth.contacts.begin_attempt(frame, cloth.layout, cloth.motion, memory.contact, {state.time_s, end_s},
-                               earlier_attempts, contact_budget);
-  if (!run_substeps(frame, state.time_s, substeps, is_last)) {
+                               how.caution, how.allowed_work - substeps);
+  if (!run_substeps(frame, state.time_s, substeps, how.is_last)) {
+    cloth.contacts.give_up(cloth.layout, cloth.motion);
     Attempt unfinished;
+    unfinished.state = state;
     unfinished.memory = std::move(memory);
     unfinished.substeps = substeps;
+    unfinished.is_finished = false;
     unfinished.blocked = cloth.contacts.blocked();
     return unfinished;
   }
   cloth.contacts.observe(cloth.layout, cloth.motion, end_s);
   Attempt attempt;
   attempt.substeps = substeps;
-  attempt.projected = project(frame, end_s, substeps, is_last, memory.corrections);
+  attempt.projected =
+      project(frame, end_s, how.can_halve ? substeps : memory.control.substeps(), how, memory.corrections);
   attempt.state = shape_of(frame, state, substeps);
   if (!attempt.projected.kept || cloth.layout.surface.has_thin) {
     const auto allow = [&](Index vertex, const Vec3& position_m) {
@@ -329,47 +428,112 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   }
   set_previous(attempt.state);
   const double allowed_m = allowed_shift_m(cloth.layout);
-  const double last_shift = std::exchange(
-      memory.shift, allowed_m > 0.0 ? attempt.projected.largest_shift_m / allowed_m : 0.0);
+  const double last_shift =
+      std::exchange(memory.shift, allowed_m > 0.0 ? attempt.projected.largest_shift_m / allowed_m : 0.0);
   attempt.is_far = memory.shift > tuning::costliest && memory.shift > tuning::more_steps * last_shift;
   attempt.blocked = cloth.contacts.blocked();
   memory.contact = cloth.contacts.memory();
   if (cloth.elasticity.has_law()) {
     memory.elastic = cloth.elasticity.memory();
     memory.control.need_at_least(
-        static_cast<int>(std::ceil(cloth.elasticity.steps_needed_per_s() * frame.duration_s)));
+        static_cast<int>(std::ceil(cloth.elasticity.steps_needed_per_s() * cloth.frame_time_s)));
   }
   attempt.memory = std::move(memory);
   return attempt;
 }
 
-// Regions that hold cloth back are no reason for more steps: where steps alone do not stretch it that much, the
-// second attempt takes the same number, with more care.
-BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& state, Memory memory,
+BoundedSolver::Try BoundedSolver::next_try(const FramePart& part, const SubstepControl& control,
+                                           const Effort& effort) {
+  const double due = effort.due(part.done);
+  Try how;
+  how.caution = part.attempts;
+  // An attempt that is left less than this could not end well.
+  const double least = 0.25 * effort.budget * part.length / most_parts;
+  how.is_last = control.is_spent() || (effort.is_near() && effort.work + least >= due);
+  how.can_halve = !how.is_last && !effort.is_first && part.length > 1;
+  const int until = control.is_spent() ? most_parts : part.done + part.length;
+  how.allowed_work = (how.is_last ? effort.due(until) : due) - effort.work;
+  if (how.can_halve && part.length == most_parts) {
+    how.allowed_work = std::min(how.allowed_work, 0.25 * effort.budget);
+  }
+  return how;
+}
+
+// A part twice as long would be stretched twice as much.
+void BoundedSolver::go_on(FramePart& part, double raw_bounds) {
+  part.done += part.length;
+  part.attempts = 0;
+  if (part.length < most_parts && part.done % (2 * part.length) == 0 &&
+      raw_bounds < 0.5 * tuning::coped_stretch) {
+    part.length *= 2;
+  }
+}
+
+// Regions that hold cloth back are no reason for more time steps: where steps alone do not stretch it that
+// much, the second attempt takes the same number, with more care. Where nothing is near, more steps help in
+// the end. Else parts of the frame do, as each ends in a projection; what is stretched falls with their
+// length.
+void BoundedSolver::try_otherwise(FramePart& part, const Attempt& failed, double raw_bounds, const Try& how,
+                                  const Effort& effort, SubstepControl& control) const {
+  ++part.attempts;
+  if (part.length == most_parts && part.attempts == 1 && cloth_->contacts.is_on() && failed.is_finished &&
+      raw_bounds < tuning::coped_stretch) {
+    return;
+  }
+  if (!effort.is_near() || !how.can_halve) {
+    control.try_more(raw_bounds);
+    return;
+  }
+  part.attempts = 0;
+  double raw = raw_bounds;
+  do {
+    part.length /= 2;
+    if (failed.is_finished) {
+      control.try_more(raw);
+    }
+    raw *= 0.5;
+  } while (part.length > 1 && raw > overstretched);
+}
+
+BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& begin, Memory memory,
                                               Effort& effort) {
-  for (int attempts = 0;; ++attempts) {
-    // Where nothing is near, more steps help in the end.
-    const double budget = most_work * usual_work(frame, memory);
-    const bool is_over = effort.contact.most_pairs > 0 && effort.work >= budget;
-    const bool is_last = memory.control.is_spent() || is_over;
-    // One attempt alone takes no more than half of it, so that there is another.
-    const double contact_budget = is_last ? budget : std::min(0.5 * budget, budget - effort.work);
-    Attempt tried = attempt(frame, state, memory, attempts, is_last, contact_budget);
-    const double contact_work = cloth_->contacts.work();
-    effort.add(tried, contact_work, cloth_->contacts.report());
-    effort.search.ms += cloth_->contacts.search_ms();
-    const double raw = tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_promised_bound);
-    const bool is_same_again = attempts == 0 && cloth_->contacts.is_on() && raw < overstretched;
-    if (tried.is_good() || is_last || (!is_same_again && !memory.control.try_more(raw))) {
-      return tried;
+  Attempt made;
+  made.state = begin;
+  made.memory = std::move(memory);
+  FramePart part;
+  while (part.done < most_parts) {
+    const Frame this_part = {frame.garment, frame.pins, frame.surroundings,
+                             frame.duration_s * part.length / most_parts, frame.poll};
+    const Try how = next_try(part, made.memory.control, effort);
+    Attempt tried = attempt(this_part, made.state, made.memory, how);
+    effort.add(tried, cloth_->contacts);
+    const double raw_bounds =
+        tried.projected.raw_max_stretch / std::max(settings_.max_stretch, smallest_promised_bound);
+    if (!tried.is_good() && !how.is_last) {
+      try_otherwise(part, tried, raw_bounds, how, effort, made.memory.control);
+      continue;
+    }
+    const bool is_costly = tried.projected.cost > tuning::costliest * tried.substeps;
+    made.follow(std::move(tried));
+    if (made.blocked && !settings_.allow_crossing) {
+      return made;
+    }
+    const bool was_halved = part.length < most_parts;
+    go_on(part, raw_bounds);
+    if (is_costly && part.done < most_parts) {
+      made.memory.control.try_more(raw_bounds);
+    } else if (was_halved && part.done == most_parts) {
+      made.memory.control.ease(raw_bounds);
     }
   }
+  return made;
 }
 
 // Where the cloth is lost, contact is not what went wrong.
 void BoundedSolver::require_a_way_on(const Frame& frame, const State& begin, const Attempt& last,
                                      const Effort& effort) const {
-  if (last.blocked && !settings_.allow_crossing && first_lost(last.state.current) == last.state.current.size()) {
+  if (last.blocked && !settings_.allow_crossing &&
+      first_lost(last.state.current) == last.state.current.size()) {
     throw ContactBlocked(*effort.first_blocked, frame.pins, frame.surroundings.bodies,
                          begin.time_s + frame.duration_s);
   }
@@ -382,12 +546,18 @@ FrameReport BoundedSolver::advance_frame(const Frame& frame, State& state) {
   kernels_->share(cloth.threads.is_shared());
   const Memory begin = memory_ && memory_->pins == frame.pins.vertices ? *memory_ : first_memory(frame);
   Effort effort;
+  effort.budget = most_work * usual_work(frame, state, begin);
+  effort.is_first = begin.median_work == 0.0;
   Attempt tried = advance(frame, state, begin, effort);
   require_a_way_on(frame, state, tried, effort);
 
   next_ = std::move(tried.memory);
+  if (tried.blocked) {
+    next_.control = begin.control;  // no number of steps brought it through
+  }
   next_.control.frame_kept(tried.projected.cost, next_.shift);
   next_.median_work *= effort.work > begin.median_work ? tuning::more_steps : 1.0 / tuning::more_steps;
+  next_.median_work = effort.is_first ? effort.work : next_.median_work;
   state = std::move(tried.state);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   cloth.threads.frame_took(took.count(), kernels_->take_work());

@@ -32,21 +32,28 @@ class BoundedSolver : public Solver {
  private:
   struct Cloth;
   struct Attempt;
+  struct FramePart;
+  struct Try;
   struct Effort;
 
   void lay_out(const Frame& frame);
   int substeps_for_load(const Frame& frame) const;
-  double usual_work(const Frame& frame, const bounded::Memory& memory) const;
+  double pins_turn_m(const Frame& frame, const State& state) const;
+  double usual_work(const Frame& frame, const State& state, const bounded::Memory& memory) const;
   bounded::Memory first_memory(const Frame& frame) const;
   void begin_frame(const State& state);
   void begin_substeps(double time_step_s);
   void follow_tension(int done, int substeps, double frame_time_s);
   [[nodiscard]] bool run_substeps(const Frame& frame, double time_s, int substeps, bool is_last);
-  bounded::ProjectionResult project(const Frame& frame, double end_s, int substeps, bool is_last,
+  bounded::ProjectionResult project(const Frame& frame, double end_s, int substeps, const Try& how,
                                     bounded::Float4Array& corrections);
-  Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory, int earlier_attempts,
-                  bool is_last, double contact_budget);
-  Attempt advance(const Frame& frame, const State& state, bounded::Memory memory, Effort& effort);
+  Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory, const Try& how);
+  int substeps_in(double time_s, const bounded::SubstepControl& control) const;
+  static Try next_try(const FramePart& part, const bounded::SubstepControl& control, const Effort& effort);
+  static void go_on(FramePart& part, double raw_bounds);
+  void try_otherwise(FramePart& part, const Attempt& failed, double raw_bounds, const Try& how,
+                     const Effort& effort, bounded::SubstepControl& control) const;
+  Attempt advance(const Frame& frame, const State& begin, bounded::Memory memory, Effort& effort);
   State shape_of(const Frame& frame, const State& begin, int substeps) const;
   void set_previous(State& state) const;
   void require_a_way_on(const Frame& frame, const State& begin, const Attempt& last,

@@ -39,8 +39,13 @@ class Contacts {
   [[nodiscard]] ContactReport report();
   /// Returns what the attempt's searches and regions cost until now, in sweeps over all of the cloth.
   double work() const;
-  /// Returns whether something is near and the attempt has cost more than it should.
-  bool is_spent() const { return report_.most_pairs > 0 && work() > most_work_; }
+  /// Returns whether anything was near in the attempt.
+  bool is_near() const { return report_.most_pairs > 0; }
+  /// Returns whether something is near and the attempt has cost more than it should, with so many sweeps
+  /// besides.
+  bool is_spent(double sweeps = 0.0) const {
+    return is_near() && !lets_cross_ && work() + sweeps > most_work_;
+  }
   /// Returns the processor time that the attempt's searches took, in ms.
   double search_ms() const { return search_ms_; }
 
@@ -58,11 +63,13 @@ class Contacts {
   /// Returns a bound on how far bodies are off their chords at any time of the span, in m.
   double bodies_off_chord_m(const TimeSpan& time) const { return bodies_.off_chord_m(time); }
 
-  /// Makes regions for this time. `pins_moved_m` is how far pins are from the start of the frame at its end;
-  /// pins and bodies are up to `off_chord_m` off their chords until then.
-  void make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
-                    const Float4* accelerations, std::span<const Vec3> pins_moved_m, double off_chord_m,
-                    const TimeSpan& time, ParallelKernels& kernels);
+  /// Makes regions for this time. Returns false where they do not soon fit and may be for a shorter one: then
+  /// call it with that. `pins_moved_m` is how far pins are from the start of the frame at its end; pins and
+  /// bodies are up to `off_chord_m` off their chords until then.
+  [[nodiscard]] bool make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
+                                  const Float4* accelerations, std::span<const Vec3> pins_moved_m,
+                                  double off_chord_m, const TimeSpan& time, bool may_be_shorter,
+                                  ParallelKernels& kernels);
 
   /// Makes regions for a correction of displacements at the end of a frame, which is expected to be about
   /// `expected`.
@@ -89,6 +96,8 @@ class Contacts {
   const std::optional<BlockedContact>& blocked() const { return blocked_; }
   /// Something may cross, as the frame ends outside of its regions.
   void give_up(const Layout& layout, const Motion& motion);
+  /// Keeps nothing apart until the frame ends, and gives up.
+  void let_cross(const Layout& layout, const Motion& motion, ParallelKernels& kernels);
 
  private:
   void lay_out(const Garment& garment, const Layout& layout, const std::vector<Body>& bodies);
@@ -103,13 +112,15 @@ class Contacts {
   /// Corrections of a frame are known less well, and larger balls do not fit into lists that last.
   float correction_room_of(std::size_t row) const { return 0.5F * room_of(row); }
   void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
-  void find_regions(const Frame& frame, const Layout& layout, const Motion& motion, const TimeSpan& time,
-                    ParallelKernels& kernels);
+  bool find_regions(const Frame& frame, const Layout& layout, const Motion& motion, const TimeSpan& time,
+                    bool may_be_shorter, ParallelKernels& kernels);
+  bool are_many_large() const;
   std::span<const NearPair> find_near(const TimeSpan& time, float thickness_m, ParallelKernels& kernels);
   void collect_pairs(const Material& material, float thickness_m, std::span<const NearPair> found,
                      const TimeSpan& time, const Vec3& origin_m, ParallelKernels& kernels);
   ContactPair contact_of(const NearPair& near, const Material& material, float thickness_m) const;
   static void let_go(std::span<const HeldBack> held_back, Motion& motion);
+  void confine_nothing(ParallelKernels& kernels);
   void note_blocked(const Layout& layout, const Vec3& origin_m, bool fits);
   float thickness_of(const NearPair& near, float thickness_m) const;
 
@@ -125,8 +136,9 @@ class Contacts {
   BodyContacts bodies_;
   std::optional<LastingPairs> near_;
   Crossings left_out_;
-  std::vector<LeftOutTriangle> triangle_of_;  ///< by triangle, of the cloth and then of bodies: which one it is
-  std::vector<double> areas_;                 ///< of those of the cloth, at rest, in m^2
+  std::vector<LeftOutTriangle>
+      triangle_of_;            ///< by triangle, of the cloth and then of bodies: which one it is
+  std::vector<double> areas_;  ///< of those of the cloth, at rest, in m^2
   std::vector<Body> bodies_of_frame_;
   std::vector<ContactPair> pairs_;
   RowMoves rows_;
@@ -137,6 +149,7 @@ class Contacts {
   double search_ms_ = 0.0;
   double most_work_ = 0.0;
   double pairs_made_ = 0.0;  ///< in all regions of the attempt
+  bool lets_cross_ = false;  ///< nothing is kept apart until the frame ends
   double caution_ = 1.0;
   double from_s_ = 0.0;  ///< the time of the regions
   double until_s_ = 0.0;
@@ -144,7 +157,7 @@ class Contacts {
   double frame_ends_s_ = 0.0;
   float kept_at_ = 0.0F;  ///< the time from 0 to 1 at which they were last kept to
   Float4Array since_;     ///< displacements when they were made; empty before the first
-  RowMemory memory_;     ///< of the attempt
+  RowMemory memory_;      ///< of the attempt
 };
 
 }  // namespace taut::sim::bounded

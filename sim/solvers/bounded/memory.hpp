@@ -39,7 +39,7 @@ struct Memory {
   ContactMemory contact;
   ElasticMemory elastic;
   double shift = 0.0;  ///< the largest correction of the last frame, as a fraction of the largest allowed
-  double median_work = 0.0;  ///< of frames, in sweeps
+  double median_work = 0.0;  ///< of frames, in sweeps; 0 before the first
 };
 
 void save(const Memory& memory, std::size_t vertex_count, ByteWriter& bytes);

@@ -174,8 +174,19 @@ void BoundProjection::even_out(const Layout& layout, float squared_bound) {
   }
 }
 
+// Layers that are evened out together pass each other only where their regions expect it.
+void BoundProjection::expect_evened(const Layout& layout, float squared_bound, Confinement& confinement) {
+  before_ = corrected_;
+  even_out(layout, squared_bound);
+  moved_.resize(before_.size());
+  for (std::size_t row = 0; row < moved_.size(); ++row) {
+    moved_[row] = scaled_sum(corrected_[row], before_[row], -1.0F);
+  }
+  confinement.begin(before_, moved_);
+}
+
 ProjectionResult BoundProjection::project(const Layout& layout, const Float4Array& raw, double max_stretch,
-                                          double largest_cost, Confinement* confinement,
+                                          const Limits& limits, Confinement* confinement,
                                           ParallelKernels& kernels, Float4Array& corrections) {
   const double allowed = (1.0 + max_stretch) * (1.0 - rounding);
   const double squared_bound = allowed * allowed;
@@ -184,20 +195,24 @@ ProjectionResult BoundProjection::project(const Layout& layout, const Float4Arra
   corrected_ = raw;
   double ratio = largest_ratio(layout, kernels);
   result.raw_max_stretch = std::sqrt(ratio) - 1.0;
+  if (!(result.raw_max_stretch < limits.raw_max_stretch)) {
+    return result;
+  }
   if (!(ratio <= squared_bound)) {
     ratio = start(layout, raw, corrections, ratio, confinement, kernels);
   }
   // A larger stretch is for more time steps to mend.
-  const bool evens_out = confinement != nullptr && result.raw_max_stretch < tuning::coped_stretch * max_stretch;
+  const bool evens_out =
+      confinement != nullptr && result.raw_max_stretch < tuning::coped_stretch * max_stretch;
   double earlier_ratio = ratio;
   const auto may_go_on = [&] {
-    return result.cost < largest_cost && std::isfinite(ratio) &&
-           (confinement == nullptr || !confinement->is_spent());
+    return result.cost < limits.cost && std::isfinite(ratio) &&
+           (confinement == nullptr || !confinement->is_spent(result.cost));
   };
   for (int round = 1; !(ratio <= squared_bound) && may_go_on(); ++round) {
     if (evens_out && round % tuning::most_rounds == 0) {
       if (ratio - squared_bound > 0.5 * (earlier_ratio - squared_bound)) {
-        even_out(layout, static_cast<float>(squared_bound));
+        expect_evened(layout, static_cast<float>(squared_bound), *confinement);
         confinement->bring_back(corrected_);
         largest_ratio(layout, kernels);
       }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,14 +28,13 @@ class Confinement {
   /// A correction of displacements `raw` begins, which is expected to be about `expected`.
   virtual void begin(const Float4Array& raw, const Float4Array& expected) = 0;
   virtual void bring_back(Float4Array& displacements) = 0;
-  /// Returns whether it has cost more than it may.
-  virtual bool is_spent() const { return false; }
+  /// Returns whether it has cost more than it may, with a projection of so many sweeps.
+  virtual bool is_spent(double /*sweeps*/) const { return false; }
 };
 
-/// Returns the factor of over-relaxed sweeps. Below 2 the distance to every shape within the bound can only fall,
-/// whatever the weights (Agmon 1954).
-/// The best factor for a chain of n springs is 2 / (1 + sin(pi / n)) (Young 1954); the weights make chains
-/// shorter.
+/// Returns the factor of over-relaxed sweeps. Below 2 the distance to every shape within the bound can only
+/// fall, whatever the weights (Agmon 1954). The best factor for a chain of n springs is 2 / (1 + sin(pi / n))
+/// (Young 1954); the weights make chains shorter.
 float relaxation_of(const Layout& layout);
 /// Returns the stretch that the last correction of a frame aims at, a little within the bound.
 double aimed_stretch(double max_stretch);
@@ -49,13 +49,17 @@ double aimed_stretch(double max_stretch);
 /// instead of back and forth. The correction of the last frame, a little faded, is where the next one starts.
 class BoundProjection {
  public:
+  struct Limits {
+    double cost = 0.0;  ///< where it stops, in sweeps over all springs and triangles
+    double raw_max_stretch = std::numeric_limits<double>::infinity();  ///< it does not begin above
+  };
+
   BoundProjection(const Layout& layout, double frame_time_s);
 
   /// Starts from the corrections of the last frame, by row, in m, and replaces them by those of this one.
-  /// Stops when its cost, in sweeps over all springs and triangles, reaches `largest_cost`. `confinement` may
-  /// be null.
+  /// `confinement` may be null.
   ProjectionResult project(const Layout& layout, const Float4Array& raw, double max_stretch,
-                           double largest_cost, Confinement* confinement, ParallelKernels& kernels,
+                           const Limits& limits, Confinement* confinement, ParallelKernels& kernels,
                            Float4Array& corrections);
 
   /// The result by row: displacements since the start of the frame, in m.
@@ -67,6 +71,7 @@ class BoundProjection {
   void end(const Float4Array& raw, ProjectionResult& result, Float4Array& corrections) const;
   void find_rings(const SurfaceLanes& surface, float squared_bound);
   void even_out(const Layout& layout, float squared_bound);
+  void expect_evened(const Layout& layout, float squared_bound, Confinement& confinement);
   double largest_ratio(const Layout& layout, ParallelKernels& kernels);
   double shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels);
   template <typename AnyLanes>
@@ -76,6 +81,8 @@ class BoundProjection {
   float relaxation_;
   float kept_correction_;  ///< of the last frame's
   Float4Array corrected_;
+  Float4Array before_;                         ///< it was evened out
+  Float4Array moved_;                          ///< by evening it out
   std::vector<std::uint8_t> rings_;            ///< by row, around triangles that stay too long; 0 elsewhere
   Float4Array sums_;                           ///< by row, of neighbours' displacements
   std::vector<float> counts_;                  ///< of `sums_`

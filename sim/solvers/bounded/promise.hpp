@@ -23,6 +23,9 @@ inline constexpr double smallest_promised_bound = 1e-4;
 /// A frame ends, kept or refused, within so many times the work of the median frame.
 inline constexpr double most_work = 20.0;
 
+/// A frame that fails is halved, and its halves are, into no more parts than this.
+inline constexpr int most_parts = 16;
+
 /// Returns why `bounded` does not promise its bound in these surroundings, as a message for the user. Returns
 /// nothing if it does promise it, and if the settings allow exceeding it.
 std::optional<std::string> beyond_promise(const BoundedSettings& settings, const Surroundings& surroundings,

@@ -30,7 +30,7 @@ void RowMemory::observe(std::size_t rows, const Float4Array& before, const Float
 }
 
 double RowMemory::relative_speed_m_per_s(std::span<const Triangle> triangles) const {
-  if (triangles.empty()) {
+  if (triangles.empty() || velocities.empty()) {
     return 0.0;
   }
   std::vector<double> squares;

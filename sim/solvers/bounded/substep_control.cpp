@@ -88,6 +88,11 @@ bool SubstepControl::try_more(double raw) {
   return true;
 }
 
+void SubstepControl::ease(double raw) {
+  const double wanted = substeps_ * std::min(1.0, std::sqrt(raw / tuning::coped_stretch));
+  substeps_ = std::clamp(static_cast<int>(std::ceil(wanted)), std::max(least_, needed_), most_);
+}
+
 void SubstepControl::save(ByteWriter& memory) const {
   memory.put(substeps_);
   memory.put(calm_frames_);

@@ -30,6 +30,10 @@ class SubstepControl {
   /// the bound. Returns false if the budget is spent.
   bool try_more(double raw);
 
+  /// Takes fewer steps after a frame that needed many at first, whose last steps stretched something by `raw`
+  /// times the bound.
+  void ease(double raw);
+
   /// Saves all its counts.
   void save(ByteWriter& memory) const;
   /// Throws BadBytes.

@@ -133,7 +133,7 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
   bounded::BoundProjection projection(layout, 0.0);
   bounded::Float4Array corrections(layout.row_count());
   projection.project(layout, bounded::Float4Array(layout.row_count()), settings.max_stretch,
-                     bounded::tuning::last_resort_sweeps, nullptr, kernels, corrections);
+                     {bounded::tuning::last_resort_sweeps}, nullptr, kernels, corrections);
   for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
     const Vec3 moved = bounded::vector_of(projection.corrected()[row]);
     state.current[layout.vertex_of_row[row]] += moved;

@@ -171,6 +171,7 @@ class Regions {
                       Float4* current);
   std::span<const HalfSpace> half_spaces_of(Index row) const;
   glm::vec3 moved_less(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
+  glm::vec3 slid(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const;
   static glm::vec3 end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim,
                                    const glm::vec3& end);
   template <typename Met>

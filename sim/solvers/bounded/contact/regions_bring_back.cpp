@@ -56,6 +56,41 @@ glm::vec3 Regions::moved_less(Index row, float time, const glm::vec3& aim, const
   return aim + part * (end - aim);
 }
 
+// Where planes are nearly opposite, projections onto them do not end. From the aim, which is within all
+// half-spaces, straight on up to a plane, then along it, then along it and a second one.
+glm::vec3 Regions::slid(Index row, float time, const glm::vec3& aim, const glm::vec3& end) const {
+  glm::vec3 e = aim;
+  glm::vec3 left = end - aim;
+  glm::vec3 first_normal(0.0F);
+  for (int met = 0; met < 3; ++met) {
+    float part = 1.0F;
+    const HalfSpace* plane = nullptr;
+    for (const HalfSpace& half_space : half_spaces_of(row)) {
+      const float towards = -glm::dot(half_space.normal, left);
+      const float room =
+          std::max(glm::dot(half_space.normal, e) - half_space.start - time * half_space.rate, 0.0F);
+      if (towards > room && room < part * towards) {
+        part = room / towards;
+        plane = &half_space;
+      }
+    }
+    e += part * left;
+    if (plane == nullptr) {
+      return e;
+    }
+    left *= 1.0F - part;
+    if (met == 0) {
+      first_normal = plane->normal;
+      left -= glm::dot(left, first_normal) * first_normal;
+    } else {
+      const glm::vec3 axis = glm::cross(first_normal, plane->normal);
+      const float squared = glm::dot(axis, axis);
+      left = squared > 0.0F ? glm::dot(left, axis) / squared * axis : glm::vec3(0.0F);
+    }
+  }
+  return e;
+}
+
 // From the aim outwards to where the ball ends: the larger root of |aim - centre + s out| = radius.
 glm::vec3 Regions::end_within_ball(const glm::vec3& centre, float radius, const glm::vec3& aim,
                                    const glm::vec3& end) {
@@ -74,7 +109,11 @@ std::optional<glm::vec3> Regions::bring_row_back(Index row, float time, const gl
                                                  const Met& met, Float4& current) const {
   const glm::vec3 aim = time * vec(moves_[row]);
   const glm::vec3 before = vec(current) - since;
-  glm::vec3 e = moved_less(row, time, aim, projected(row, time, before, met));
+  const glm::vec3 end = projected(row, time, before, met);
+  glm::vec3 e = moved_less(row, time, aim, end);
+  if (e != end) {
+    e = moved_less(row, time, aim, slid(row, time, aim, end));
+  }
   const glm::vec3 centre = time * vec(expected_[row]);
   std::optional<glm::vec3> out;
   if (glm::dot(e - centre, e - centre) > radii_[row] * radii_[row]) {

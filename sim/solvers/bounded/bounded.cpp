@@ -25,8 +25,10 @@ using namespace bounded;
 
 namespace {
 
-/// Stretch, in bounds, of which even twice the steps leave too much.
+/// Stretch, in bounds, that twice the steps would bring down to what a projection copes with ...
 constexpr double overstretched = 4.0 * tuning::coped_stretch;
+/// ... and that a few more steps would.
+constexpr double somewhat_overstretched = 2.0 * tuning::coped_stretch;
 
 /// Returns the work of a frame before there is one to tell, in sweeps: its projection takes as many as its
 /// substeps, and a search of its own.
@@ -471,8 +473,8 @@ void BoundedSolver::go_on(FramePart& part, double raw_bounds) {
 
 // Regions that hold cloth back are no reason for more time steps: where steps alone do not stretch it that
 // much, the second attempt takes the same number, with more care. Where nothing is near, more steps help in
-// the end. Else parts of the frame do, as each ends in a projection; what is stretched falls with their
-// length.
+// the end, and so they do where they stretch the cloth a little too much. Else parts of the frame do, as each
+// ends in a projection. They take no more steps: in shorter ones the same correction is more speed.
 void BoundedSolver::try_otherwise(FramePart& part, const Attempt& failed, double raw_bounds, const Try& how,
                                   const Effort& effort, SubstepControl& control) const {
   ++part.attempts;
@@ -480,7 +482,9 @@ void BoundedSolver::try_otherwise(FramePart& part, const Attempt& failed, double
       raw_bounds < tuning::coped_stretch) {
     return;
   }
-  if (!effort.is_near() || !how.can_halve) {
+  const bool needs_more =
+      part.length == most_parts && failed.is_finished && raw_bounds < somewhat_overstretched;
+  if (!effort.is_near() || !how.can_halve || needs_more) {
     control.try_more(raw_bounds);
     return;
   }
@@ -488,9 +492,6 @@ void BoundedSolver::try_otherwise(FramePart& part, const Attempt& failed, double
   double raw = raw_bounds;
   do {
     part.length /= 2;
-    if (failed.is_finished) {
-      control.try_more(raw);
-    }
     raw *= 0.5;
   } while (part.length > 1 && raw > overstretched);
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "sim/solvers/bounded/blocked_pairs.hpp"
+#include "sim/solvers/bounded/projection.hpp"
 #include "sim/solvers/bounded/tuning.hpp"
 
 namespace taut::sim::bounded {
@@ -258,6 +259,18 @@ void Contacts::begin_rows(const Layout& layout, const Motion& motion, const Floa
   rows_.displaced_m = std::sqrt(squared_m);
 }
 
+// Vertices go where triangles let them: those that are pulled along do not go on as they did.
+void Contacts::expect_within_bound(const Layout& layout, ParallelKernels& kernels) {
+  expected_ends_.resize(since_.size());
+  for (std::size_t row = 0; row < since_.size(); ++row) {
+    expected_ends_[row] = scaled_sum(since_[row], rows_.moves[row], 1.0F);
+  }
+  shorten_roughly(layout, max_stretch_, kernels, expected_ends_);
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    rows_.moves[row] = scaled_sum(expected_ends_[row], since_[row], -1.0F);
+  }
+}
+
 bool Contacts::make_regions(const Frame& frame, const Layout& layout, const Motion& motion,
                             const Float4* accelerations, std::span<const Vec3> pins_moved_m,
                             double off_chord_m, const TimeSpan& time, bool may_be_shorter,
@@ -275,9 +288,12 @@ bool Contacts::make_regions(const Frame& frame, const Layout& layout, const Moti
     add_scaled(move, memory_.accelerations[row], 0.5F * lasts_s * (lasts_s + before_s));
     // Forces press layers together; the cloth itself undoes most of that.
     const Float4 pressed = times(accelerations[row], 0.5F * lasts_s * lasts_s);
-    const float room = room_of(row);
-    move = scaled_sum(move, no_longer_than(room, pressed), 1.0F);
-    rows_.radii[row] = std::min(room + tuning::room_per_move * length_of(move), most_room_m());
+    move = scaled_sum(move, no_longer_than(room_of(row), pressed), 1.0F);
+  }
+  expect_within_bound(layout, kernels);
+  for (std::size_t row = layout.pin_count; row < layout.vertex_count(); ++row) {
+    rows_.radii[row] =
+        std::min(room_of(row) + tuning::room_per_move * length_of(rows_.moves[row]), most_room_m());
   }
   from_s_ = time.from_s;
   until_s_ = time.to_s;

@@ -21,7 +21,7 @@ namespace taut::sim::bounded {
 class Contacts {
  public:
   /// With `within_cloth` false only bodies are in the way of the cloth.
-  explicit Contacts(bool within_cloth) : within_cloth_(within_cloth) {}
+  Contacts(bool within_cloth, double max_stretch) : within_cloth_(within_cloth), max_stretch_(max_stretch) {}
 
   /// Returns whether anything could touch in this frame.
   bool is_on() const { return is_on_; }
@@ -112,6 +112,7 @@ class Contacts {
   /// Corrections of a frame are known less well, and larger balls do not fit into lists that last.
   float correction_room_of(std::size_t row) const { return 0.5F * room_of(row); }
   void begin_rows(const Layout& layout, const Motion& motion, const Float4Array& displacements);
+  void expect_within_bound(const Layout& layout, ParallelKernels& kernels);
   bool find_regions(const Frame& frame, const Layout& layout, const Motion& motion, const TimeSpan& time,
                     bool may_be_shorter, ParallelKernels& kernels);
   bool are_many_large() const;
@@ -125,6 +126,7 @@ class Contacts {
   float thickness_of(const NearPair& near, float thickness_m) const;
 
   bool within_cloth_;
+  double max_stretch_;
   bool is_on_ = false;
   std::vector<Triangle> triangles_;  ///< of the cloth, by row
   std::vector<Triangle> solid_;      ///< the same, and vertices without triangles as triangles of one place
@@ -143,6 +145,7 @@ class Contacts {
   std::vector<ContactPair> pairs_;
   RowMoves rows_;
   std::vector<float> reaches_;  ///< by row: radius and half the thickness, in m
+  Float4Array expected_ends_;  ///< by row, displacements since the start of the frame
   Regions regions_;
   std::optional<BlockedContact> blocked_;
   ContactReport report_;

@@ -29,6 +29,27 @@ std::vector<std::uint32_t> long_blocks(const std::vector<float>& squared_ratios,
   return blocks;
 }
 
+/// Sweeps over the blocks once, those near the pins again. Returns how many it swept.
+template <typename AnyLanes>
+double shorten(const AnyLanes& lanes, const std::vector<std::uint32_t>& blocks, float squared_bound,
+               float factor, ParallelKernels& kernels, Float4Array& rows) {
+  std::size_t shortened = 0;
+  for (const auto [begin, end, again] : lanes.sweep) {
+    const auto first = std::lower_bound(blocks.begin(), blocks.end(), begin);
+    const auto last = std::lower_bound(first, blocks.end(), end);
+    kernels.shorten(lanes, std::span(first, last), squared_bound, factor, rows.data());
+    shortened += static_cast<std::size_t>(last - first);
+  }
+  return static_cast<double>(shortened);
+}
+
+template <typename AnyLanes>
+void shorten_long_ones(const AnyLanes& lanes, float squared_bound, ParallelKernels& kernels, Float4Array& rows) {
+  std::vector<float> squared_ratios(lanes.block_count());
+  kernels.largest_ratios(lanes, rows.data(), squared_ratios.data());
+  shorten(lanes, long_blocks(squared_ratios, squared_bound), squared_bound, 1.0F, kernels, rows);
+}
+
 /// Calls each(block, corners) for all triangles, with the rows of their corners.
 template <typename Each>
 void for_triangles(const SurfaceLanes& surface, const Each& each) {
@@ -44,6 +65,14 @@ void for_triangles(const SurfaceLanes& surface, const Each& each) {
 }
 
 }  // namespace
+
+void shorten_roughly(const Layout& layout, double max_stretch, ParallelKernels& kernels, Float4Array& rows) {
+  const auto squared_bound = static_cast<float>((1.0 + max_stretch) * (1.0 + max_stretch));
+  for (int sweep = 0; sweep < tuning::most_rounds / 4; ++sweep) {
+    shorten_long_ones(layout.springs, squared_bound, kernels, rows);
+    shorten_long_ones(layout.surface, squared_bound, kernels, rows);
+  }
+}
 
 float relaxation_of(const Layout& layout) {
   return static_cast<float>(2.0 / (1.0 + 2.0 / std::max(layout.reach_springs, tuning::shortest_chain)));
@@ -73,19 +102,6 @@ double BoundProjection::largest_ratio(const Layout& layout, ParallelKernels& ker
   return largest;
 }
 
-template <typename AnyLanes>
-double BoundProjection::shorten(const AnyLanes& lanes, const std::vector<std::uint32_t>& blocks,
-                                float squared_bound, float factor, ParallelKernels& kernels) {
-  std::size_t shortened = 0;
-  for (const auto [begin, end, again] : lanes.sweep) {
-    const auto first = std::lower_bound(blocks.begin(), blocks.end(), begin);
-    const auto last = std::lower_bound(first, blocks.end(), end);
-    kernels.shorten(lanes, std::span(first, last), squared_bound, factor, corrected_.data());
-    shortened += static_cast<std::size_t>(last - first);
-  }
-  return static_cast<double>(shortened);
-}
-
 // One round. Returns its work, in sweeps over all springs and triangles.
 double BoundProjection::shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels) {
   const float least = 1.0F + tuning::nearly_long * (squared_aim - 1.0F);
@@ -94,8 +110,8 @@ double BoundProjection::shorten_long(const Layout& layout, float squared_aim, Pa
   double shortened = 0.0;
   for (int sweep = 0; sweep <= tuning::relaxed_sweeps; ++sweep) {
     const float factor = sweep < tuning::relaxed_sweeps ? relaxation_ : 1.0F;
-    shortened += shorten(layout.springs, springs, squared_aim, factor, kernels);
-    shortened += shorten(layout.surface, surface, squared_aim, factor, kernels);
+    shortened += shorten(layout.springs, springs, squared_aim, factor, kernels, corrected_);
+    shortened += shorten(layout.surface, surface, squared_aim, factor, kernels, corrected_);
   }
   const std::size_t all = squared_spring_ratios_.size() + squared_surface_ratios_.size();
   return 1.0 + shortened / static_cast<double>(all);

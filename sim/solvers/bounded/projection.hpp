@@ -32,6 +32,10 @@ class Confinement {
   virtual bool is_spent(double /*sweeps*/) const { return false; }
 };
 
+/// Brings rows nearer to the bound, by a few sweeps over what is longer. `rows` are displacements since the
+/// start of the frame, in m.
+void shorten_roughly(const Layout& layout, double max_stretch, ParallelKernels& kernels, Float4Array& rows);
+
 /// Returns the factor of over-relaxed sweeps. Below 2 the distance to every shape within the bound can only
 /// fall, whatever the weights (Agmon 1954). The best factor for a chain of n springs is 2 / (1 + sin(pi / n))
 /// (Young 1954); the weights make chains shorter.
@@ -74,9 +78,6 @@ class BoundProjection {
   void expect_evened(const Layout& layout, float squared_bound, Confinement& confinement);
   double largest_ratio(const Layout& layout, ParallelKernels& kernels);
   double shorten_long(const Layout& layout, float squared_aim, ParallelKernels& kernels);
-  template <typename AnyLanes>
-  double shorten(const AnyLanes& lanes, const std::vector<std::uint32_t>& blocks, float squared_bound,
-                 float factor, ParallelKernels& kernels);
 
   float relaxation_;
   float kept_correction_;  ///< of the last frame's

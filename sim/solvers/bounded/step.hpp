@@ -18,7 +18,7 @@ struct SteppedCloth {
   SteppedCloth(const Garment& garment, const Pins& pins, const BoundedSettings& settings)
       : layout(make_layout(garment, pins, settings.bound)),
         forces(garment, pins, layout, garment.material.bending_rigidity_n_m),
-        contacts(settings.contact),
+        contacts(settings.contact, settings.max_stretch),
         elasticity(garment, layout) {}
   SteppedCloth(const SteppedCloth&) = delete;
   SteppedCloth& operator=(const SteppedCloth&) = delete;

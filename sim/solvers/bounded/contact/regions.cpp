@@ -177,12 +177,19 @@ void Regions::resolve(const Pair& pair, std::span<const float> inverse_masses) {
   }
 }
 
+// A pass hands a push on by about one layer. Rows that are held in a pile stop what closes in on it, so that
+// passes go on as long as any would be.
 void Regions::resolve_moves(std::span<const float> inverse_masses) {
+  constexpr int most_passes = tuning::most_rounds * tuning::most_rounds;
   bool is_done = false;
-  for (int pass = 0; pass < tuning::most_rounds && !is_done; ++pass) {
+  bool would_hold = true;
+  for (int pass = 0; !is_done && (pass < tuning::most_rounds || (would_hold && pass < most_passes)); ++pass) {
     is_done = true;
+    would_hold = false;
     for (const Pair& pair : pairs_) {
-      if (span_at_end(pair).apart() < pair.wanted - tuning::enough_part * pair.contact.thickness_m) {
+      const float apart = span_at_end(pair).apart();
+      if (apart < pair.wanted - tuning::enough_part * pair.contact.thickness_m) {
+        would_hold = would_hold || apart < pair.needed;
         resolve(pair, inverse_masses);
         is_done = false;
       }

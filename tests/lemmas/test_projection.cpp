@@ -100,5 +100,36 @@ TEST(Lemma, TheProjectionEndsWithinTheBoundAndWhatConfinesItOrSaysThatItDoesNot)
   EXPECT_GT(not_kept, 10U);
 }
 
+/// Where a sheet's corner is pulled by one and a half edges: how much longer the longest spring or triangle is.
+app::LargestStretch pulled(BoundKind bound, bool shortens) {
+  GridSettings grid;
+  grid.columns = grid.rows = 9;
+  const Garment garment = make_garment(make_grid(grid));
+  Layout layout = make_layout(garment, make_pins(garment, {0}), bound);
+  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+  StartRows start;
+  set_start(layout, garment.mesh.positions, start);
+  kernels.start(start, layout.springs);
+  kernels.start(start, layout.surface);
+  Float4Array rows(layout.row_count());
+  rows[0] = {-0.1F, 0.1F, 0.1F, 0.0F};
+  if (shortens) {
+    shorten_roughly(layout, 0.05, kernels, rows);
+  }
+  EXPECT_EQ(vector_of(rows[0]), vector_of({-0.1F, 0.1F, 0.1F, 0.0F}));
+  std::vector<Vec3> ends_m = garment.mesh.positions;
+  for (std::size_t row = 0; row < layout.vertex_count(); ++row) {
+    ends_m[layout.vertex_of_row[row]] += vector_of(rows[row]);
+  }
+  return app::largest_stretch(garment.mesh, ends_m);
+}
+
+TEST(ShortenRoughly, BringsWhatIsPulledNearerToTheBound) {
+  EXPECT_GT(pulled(BoundKind::springs, false).springs, 1.0);
+  EXPECT_LT(pulled(BoundKind::springs, true).springs, 0.75);
+  EXPECT_GT(pulled(BoundKind::surface, false).surface, 1.0);
+  EXPECT_LT(pulled(BoundKind::surface, true).surface, 0.75);
+}
+
 }  // namespace
 }  // namespace taut::sim::bounded

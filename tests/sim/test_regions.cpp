@@ -49,5 +49,36 @@ TEST(Regions, WhatCannotGiveWayIsNamed) {
   EXPECT_NEAR(regions.blocked()->distance, 1e-4F, 1e-7F);
 }
 
+/// Layers above each other, and under them a vertex of a body that comes up. Pairs are in the order in which a pass
+/// hands a push on least.
+Scene pushed_pile(Index layers, float moves_m) {
+  constexpr float apart_m = 1.2e-4F;
+  Scene scene(apart_m, moves_m);
+  for (Index layer = 1; layer < layers; ++layer) {
+    const Index below = layer == 1 ? 0 : 3 * layer - 2;
+    const auto first = static_cast<Index>(scene.rows.positions.size());
+    for (Index k = 0; k < 3; ++k) {
+      Float4 above = scene.rows.positions[k];
+      above.y = apart_m * static_cast<float>(layer);
+      scene.rows.positions.push_back(above);
+      scene.rows.moves.push_back({});
+      scene.rows.radii.push_back(1e-3F);
+      scene.rows.inverse_masses_per_kg.push_back(1e4F);
+      scene.pairs.insert(scene.pairs.begin(), {{{below + k, first, first + 1, first + 2}, 1}, thickness_m, 0.3F});
+    }
+  }
+  scene.rows.cloth_count = scene.rows.positions.size();
+  return scene;
+}
+
+// Twelve passes over the pairs hold eight layers fast, and what comes up runs into them.
+TEST(Regions, APushGoesThroughAPile) {
+  ParallelKernels kernels(kernels_for(VectorUnit::best), 1);
+  Scene scene = pushed_pile(20, 3e-4F);
+  Regions regions;
+  ASSERT_TRUE(regions.make(scene.pairs, scene.rows, kernels));
+  EXPECT_FALSE(regions.blocked());
+}
+
 }  // namespace
 }  // namespace taut::sim::bounded

@@ -159,13 +159,10 @@ sim::Mesh scaled(sim::Mesh mesh, double factor) {
   return mesh;
 }
 
-/// Subdivides a coarse model until it is about as fine as the mesh that was fitted to it, or its folds would not be
-/// seen.
+/// Subdivides a model that is coarser than the mesh that was fitted to it: its folds would not be seen, and its
+/// triangles would cut through the layers within.
 void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& colours) {
-  if (!is_coarse(model)) {
-    return;
-  }
-  while (2 * model.triangles.size() < fitted.mesh.triangles.size()) {
+  while (model.triangles.size() - fitted.carried_triangles < fitted.mesh.triangles.size()) {
     model = sim::subdivide({std::move(model), {}}).mesh;
     colours = subdivided_colours(std::move(colours));
     std::vector<std::uint8_t> finer;

@@ -35,11 +35,11 @@ struct FollowingModel {
   std::string why;              ///< the model itself is not simulated
   std::size_t carried = 0;      ///< triangles that are no part of the wall which is simulated
 
+  CarriedVertices carried_vertices;  ///< of `mesh`
+
   /// The positions of `mesh`, for those of the simulated vertices, in m.
   std::vector<sim::Vec3> shown_m(std::span<const sim::Vec3> positions_m,
-                                 std::span<const sim::Triangle> simulated) const {
-    return follow(bonds, positions_m, simulated, limits->shares(positions_m));
-  }
+                                 std::span<const sim::Triangle> simulated) const;
 };
 
 /// A scene's garment as it is simulated.

@@ -58,10 +58,19 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
   return FittedModel{fit_mesh(model_m, settings), std::move(why)};
 }
 
+std::vector<Vec3> FollowingModel::shown_m(std::span<const Vec3> positions_m,
+                                          std::span<const sim::Triangle> simulated) const {
+  const std::vector<float> shares = limits->shares(bonds, positions_m, simulated);
+  std::vector<Vec3> model_m = follow(bonds, positions_m, simulated, shares);
+  carry(carried_vertices, shares, model_m);
+  return model_m;
+}
+
 FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted) {
   FollowingModel following;
   following.bonds = bonds_of_model(model_m, fitted.is_simulated, fitted.mesh);
   following.limits = std::make_shared<const OffsetLimits>(following.bonds, fitted.mesh);
+  following.carried_vertices = carried_vertices(model_m, fitted.is_simulated);
   following.why = fitted.why;
   following.carried = fitted.carried_triangles;
   following.mesh = std::move(model_m);

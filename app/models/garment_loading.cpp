@@ -222,6 +222,10 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     tell(begin, "looking whether it is fit to be simulated");
     std::optional<FittedModel> fitted =
         fitted_model(source, scene.material.thickness_m, scaled(valid.mesh, scale));
+    if (fitted && crosses_more_than_model(*fitted, valid.mesh)) {
+      loaded.refused_crossings = fitted->crossings;
+      fitted.reset();
+    }
     if (!fitted) {
       valid = sim::weld_and_validate(soup, repair_settings(source, scale), kept);
     }
@@ -466,7 +470,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   if (scene.garment.has_start()) {
     loaded.start_m = read_start(scene.garment, loaded);
   }
-  if (scene.garment.untangle || loaded.following) {
+  if (scene.garment.untangle || loaded.following || loaded.refused_crossings > 0) {
     untangle(scene, loaded, begin);
   }
   return loaded;

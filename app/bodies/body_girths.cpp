@@ -20,6 +20,7 @@ constexpr double share_of_arms = 0.15;
 constexpr double arms_begin = 1.2;           ///< times the girth a few levels below
 constexpr double arms_join = 1.08;           ///< the same where there were arms beside it
 constexpr double upper_part = 0.6;           ///< of the trunk's height, from there on
+constexpr double below_chest = 0.8;          ///< of the trunk's height, up to there
 constexpr double lower_part = 0.5;           ///< of the trunk's height, up to there
 constexpr std::ptrdiff_t levels_below = 3;   ///< of where arms or legs begin, where a tape can lie
 constexpr double narrower_than_head = 0.85;
@@ -230,6 +231,19 @@ void measure_neck(const Surface& body, const JointPlaces& joints, const BodyLand
   }
 }
 
+/// The level whose front is the farthest before a line from the first to the last: bellies may be farther in front.
+Level fullest_in_front(Level first, Level end) {
+  const Level last = end - 1;
+  const auto before_line_m = [&](const LevelTape& level) {
+    const double height_m = last->height_m - first->height_m;
+    const double share = height_m > 0.0 ? (level.height_m - first->height_m) / height_m : 0.0;
+    return level.front_m - glm::mix(first->front_m, last->front_m, share);
+  };
+  return std::max_element(first, end, [&](const LevelTape& a, const LevelTape& b) {
+    return before_line_m(a) < before_line_m(b);
+  });
+}
+
 void measure_trunk(const BodyLandmarks& at, BodyMeasures& measures) {
   if (at.armpits != at.base) {
     measures.girths.push_back(named("upper chest", *(at.armpits - levels_below)));
@@ -238,10 +252,9 @@ void measure_trunk(const BodyLandmarks& at, BodyMeasures& measures) {
     return at.fork + static_cast<std::ptrdiff_t>(of_trunk * static_cast<double>(at.armpits - at.fork));
   };
   const auto by_girth = [](const LevelTape& a, const LevelTape& b) { return a.girth_m < b.girth_m; };
-  const auto by_front = [](const LevelTape& a, const LevelTape& b) { return a.front_m < b.front_m; };
-  const Level chest = std::max_element(share(upper_part), at.armpits, by_front);
   const Level seat = std::max_element(at.fork, share(lower_part), by_girth);
-  const Level waist = std::min_element(seat, chest, by_girth);
+  const Level waist = std::min_element(seat, share(below_chest), by_girth);
+  const Level chest = fullest_in_front(std::max(waist, share(upper_part)), at.armpits);
   measures.waist_m = waist->middle_m;
   for (const auto& [name, level] : {std::pair("chest", chest), {"waist", waist}, {"seat", seat}}) {
     measures.girths.push_back(named(name, *level));

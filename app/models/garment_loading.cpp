@@ -162,7 +162,8 @@ sim::Mesh scaled(sim::Mesh mesh, double factor) {
 /// Subdivides a model that is coarser than the mesh that was fitted to it: its folds would not be seen, and its
 /// triangles would cut through the layers within.
 void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& colours) {
-  while (model.triangles.size() - fitted.carried_triangles < fitted.mesh.triangles.size()) {
+  const bool is_garment = model.triangles.size() >= fewest_of_garment;
+  while (is_garment && model.triangles.size() - fitted.carried_triangles < fitted.mesh.triangles.size()) {
     model = sim::subdivide({std::move(model), {}}).mesh;
     colours = subdivided_colours(std::move(colours));
     std::vector<std::uint8_t> finer;

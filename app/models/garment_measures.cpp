@@ -17,7 +17,7 @@ constexpr double in_the_middle = 0.15;
 constexpr double dip_of_front = 0.03;
 constexpr std::size_t levels_of_garment = 200;
 /// Levels one after the other that do not go all around, as where a seam has a crack.
-constexpr std::size_t most_missed = 10;
+constexpr std::size_t most_missed = 30;
 /// Times the girth one level below, where sleeves begin.
 constexpr double sleeves_begin = 1.1;
 

@@ -172,10 +172,11 @@ std::optional<RoomForCloth> room_between(double gap_m, bool are_fingers = false)
     rig.nodes.push_back({are_fingers ? finger : leg, are_fingers ? 0 : no_node,
                          glm::translate(glm::dmat4(1.0), middle)});
     rig.bones.push_back({node, glm::translate(glm::dmat4(1.0), -middle)});
+    const auto bone = static_cast<sim::Index>(rig.bones.size() - 1);
     const auto first = static_cast<sim::Index>(rig.in_part.size());
     for (sim::Index k = 0; k < 44; ++k) {
       const sim::Index corner = k % 4;
-      rig.influences.push_back({rig.in_part.size(), node, 1.0});
+      rig.influences.push_back({rig.in_part.size(), bone, 1.0});
       rig.in_part.push_back(middle + sim::Vec3(corner == 0 || corner == 3 ? 0.1 : -0.1, 0.1 * (k / 4) - 0.5,
                                                corner < 2 ? 0.1 : -0.1));
     }

@@ -20,6 +20,7 @@ constexpr double share_of_arms = 0.15;
 constexpr double arms_begin = 1.2;           ///< times the girth a few levels below
 constexpr double arms_join = 1.08;           ///< the same where there were arms beside it
 constexpr double upper_part = 0.6;           ///< of the trunk's height, from there on
+constexpr double below_chest = 0.8;          ///< of the trunk's height, up to there
 constexpr double wider_than_waist = 1.03;    ///< a chest, times the smallest girth of the trunk
 constexpr double lower_part = 0.5;           ///< of the trunk's height, up to there
 constexpr std::ptrdiff_t levels_below = 3;   ///< of where arms or legs begin, where a tape can lie
@@ -254,7 +255,7 @@ void measure_trunk(const BodyLandmarks& at, BodyMeasures& measures) {
   };
   const auto by_girth = [](const LevelTape& a, const LevelTape& b) { return a.girth_m < b.girth_m; };
   const Level seat = std::max_element(at.fork, share(lower_part), by_girth);
-  const double smallest_m = std::min_element(seat, at.armpits, by_girth)->girth_m;
+  const double smallest_m = std::min_element(seat, share(below_chest), by_girth)->girth_m;
   const Level chest = fullest_in_front(share(upper_part), at.armpits, smallest_m);
   const Level waist = std::min_element(seat, chest, by_girth);
   measures.waist_m = waist->middle_m;

@@ -255,8 +255,7 @@ std::function<int()> add_view(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("view", "Open a window: blow at the cloth, pull it, watch its stretch");
   command->add_option("SCENE", options->scene, scene_help_text);
-  add_keys(*command, options->overrides, {fabric_option, untangle_option});
-  add_body(*command, options->overrides);
+  add_garment_arguments(*command, options->overrides);
   add_wind(*command, options->overrides);
   add_side(*command, options->overrides);
   add_keys(*command, options->overrides, {texture_option});
@@ -446,21 +445,30 @@ void require_command(const CLI::App& app, std::span<const char* const> arguments
                    did_you_mean(first, names) + " (commands: " + joined(names) + "; taut help says more)");
 }
 
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
 /// Of a command line that cannot be understood.
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error,
                           std::span<const char* const> arguments) {
-  const std::vector<CLI::App*> asked = app.get_subcommands();
-  const CLI::App& command = asked.empty() ? app : *asked.front();
-  const std::string help = asked.empty() ? "taut --help" : "taut " + command.get_name() + " --help";
+  const CLI::App* command = &app;
+  std::string help = "taut";
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    help += ' ' + command->get_name();
+  }
+  help += " --help";
   // A misspelt option comes before what is missing, which may be all that it stands for.
   const std::vector<std::string> unknown = app.remaining(true);
   const bool is_value = dynamic_cast<const CLI::RequiredError*>(&error) == nullptr &&
                         dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr;
   if (is_value || unknown.empty()) return std::string(error.what()) + "; see " + help;
-  std::vector<std::string> options;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
-  }
+  const std::vector<std::string> options = option_names(*command);
   // In the order of the command line; the first option is wrong, or else what follows it.
   const auto is_unknown = [&](const char* argument) {
     return std::ranges::find(unknown, argument) != unknown.end();
@@ -469,7 +477,15 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error,
   auto wrong = std::find_if(arguments.begin() + 1, arguments.end(), is_option);
   wrong = wrong != arguments.end() ? wrong : std::find_if(arguments.begin() + 1, arguments.end(), is_unknown);
   const std::string name = wrong != arguments.end() ? *wrong : unknown.back();
-  return "not expected: " + name + did_you_mean(name.substr(0, name.find('=')), options) + "; see " + help;
+  const std::string option = name.substr(0, name.find('='));
+  std::vector<std::string> others;
+  for (const CLI::App* other : app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); })) {
+    const std::vector<std::string> theirs = option_names(*other);
+    if (std::ranges::find(theirs, option) != theirs.end()) others.push_back("taut " + other->get_name());
+  }
+  const std::string meant = did_you_mean(option, options);
+  return "not expected: " + name + (meant.empty() && !others.empty() ? ", an option of " + joined(others) : meant) +
+         "; see " + help;
 }
 
 // At once where it is asked for, before values are read: what is wrong with them may be why help is needed.

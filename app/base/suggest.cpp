@@ -5,6 +5,9 @@
 namespace taut::app {
 namespace {
 
+/// Characters of the beginning of a name that stand for all of it.
+constexpr std::size_t least_begun = 3;
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -23,6 +26,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> names) {
+  const auto is_begun = [&](const std::string& candidate) { return candidate.starts_with(name); };
+  const auto begun = std::ranges::find_if(names, is_begun);
+  if (begun != names.end() && name.size() >= least_begun) return *begun;
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const std::string& candidate : names) {

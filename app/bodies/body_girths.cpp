@@ -20,6 +20,8 @@ constexpr double share_of_arms = 0.15;
 constexpr double arms_begin = 1.2;           ///< times the girth a few levels below
 constexpr double arms_join = 1.08;           ///< the same where there were arms beside it
 constexpr double upper_part = 0.6;           ///< of the trunk's height, from there on
+constexpr double below_chest = 0.8;          ///< of the trunk's height, up to there
+constexpr double wider_than_waist = 1.03;    ///< a chest, times the smallest girth of the trunk
 constexpr double lower_part = 0.5;           ///< of the trunk's height, up to there
 constexpr std::ptrdiff_t levels_below = 3;   ///< of where arms or legs begin, where a tape can lie
 constexpr double narrower_than_head = 0.85;
@@ -230,6 +232,20 @@ void measure_neck(const Surface& body, const JointPlaces& joints, const BodyLand
   }
 }
 
+/// The level that is farthest in front of those that are farther than the ones around them and wider than a waist; the
+/// farthest of all if none is. A belly may be farther.
+Level fullest_in_front(Level first, Level end, double waist_m) {
+  const auto by_front = [](const LevelTape& a, const LevelTape& b) { return a.front_m < b.front_m; };
+  Level fullest = end;
+  for (Level level = first; level != end; ++level) {
+    const bool is_fullest_around =
+        level->girth_m > wider_than_waist * waist_m &&
+        level == std::max_element(level - levels_below, std::min(level + levels_below + 1, end), by_front);
+    fullest = is_fullest_around && (fullest == end || by_front(*fullest, *level)) ? level : fullest;
+  }
+  return fullest == end ? std::max_element(first, end, by_front) : fullest;
+}
+
 void measure_trunk(const BodyLandmarks& at, BodyMeasures& measures) {
   if (at.armpits != at.base) {
     measures.girths.push_back(named("upper chest", *(at.armpits - levels_below)));
@@ -238,9 +254,9 @@ void measure_trunk(const BodyLandmarks& at, BodyMeasures& measures) {
     return at.fork + static_cast<std::ptrdiff_t>(of_trunk * static_cast<double>(at.armpits - at.fork));
   };
   const auto by_girth = [](const LevelTape& a, const LevelTape& b) { return a.girth_m < b.girth_m; };
-  const auto by_front = [](const LevelTape& a, const LevelTape& b) { return a.front_m < b.front_m; };
-  const Level chest = std::max_element(share(upper_part), at.armpits, by_front);
   const Level seat = std::max_element(at.fork, share(lower_part), by_girth);
+  const double smallest_m = std::min_element(seat, share(below_chest), by_girth)->girth_m;
+  const Level chest = fullest_in_front(share(upper_part), at.armpits, smallest_m);
   const Level waist = std::min_element(seat, chest, by_girth);
   measures.waist_m = waist->middle_m;
   for (const auto& [name, level] : {std::pair("chest", chest), {"waist", waist}, {"seat", seat}}) {

@@ -56,11 +56,11 @@ struct BodyMeasures {
 /// Measures a body with level tapes. What is around the middle of the body is followed up and down from level to
 /// level, so that arms are left out wherever they hang: a curve that is not over or under it is none of it. The
 /// trunk is between the level where it parts into legs and that where arms join it: the upper chest is right below
-/// the arms, the chest its fullest level towards the front in its upper part, the seat its largest in its lower
-/// part, the waist its smallest in between (ISO 8559-1). The neck is three quarters of the way from the joint at
-/// its base to the head, or else the smallest level below the head; the thigh a little below where legs part. Hair
-/// and shoes that are surfaces of their own are left out. A body without arms, head and joints, such as a table,
-/// has none.
+/// the arms, the chest its fullest level towards the front in its upper part, but for a belly, the seat its largest
+/// in its lower part, the waist its smallest in between (ISO 8559-1). The neck is three quarters of the way from the
+/// joint at its base to the head, or else the smallest level below the head; the thigh a little below where legs
+/// part. Hair and shoes that are surfaces of their own are left out. A body without arms, head and joints, such as a
+/// table, has none.
 BodyMeasures measure_body(const Surface& body, const JointPlaces& joints);
 
 /// Measures the arms of a body whose joints are known or guessed: around the upper arm, across its middle; the

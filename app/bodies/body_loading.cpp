@@ -292,8 +292,9 @@ std::vector<std::string> load_bodies(Scene& scene) {
 }
 
 std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> overrides) {
-  const bool is_unsaid = sets(overrides, "body.file") && !sets(overrides, "body.dress") &&
-                         !sets(overrides, "pins.at") && scene.moving_pins.empty() && scene.dressing_frames() == 0;
+  const bool lets_go = sets(overrides, "body.file") && !sets(overrides, "pins.at") && scene.moving_pins.empty();
+  if (lets_go && scene.dressing_frames() > 0) scene.pins.reset();
+  const bool is_unsaid = lets_go && !sets(overrides, "body.dress") && scene.dressing_frames() == 0;
   if (!is_unsaid || scene.garment.is_grid() || scene.garment.has_start() || !scene.checkpoint.empty()) {
     return load_bodies(scene);
   }

@@ -29,8 +29,8 @@ std::vector<std::string> load_bodies(Scene& scene);
 inline constexpr int usual_dressing_frames = 90;
 
 /// The same of a scene with these overrides. A garment and a body that are given together are worn: where the
-/// overrides name a body that can be dressed and say nothing of it, it grows into the scene's model, whose
-/// pins let go.
+/// overrides name a body that can be dressed and say nothing of it, it grows into the scene's model. The
+/// pins of what is put on let go.
 std::vector<std::string> load_bodies(Scene& scene, std::span<const Override> overrides);
 
 /// A body with what its file has besides.

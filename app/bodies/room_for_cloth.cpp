@@ -4,7 +4,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
+#include <string>
 
+#include "app/bodies/body_girths.hpp"
 #include "app/bodies/dressing.hpp"
 #include "app/fitting/surface_tree.hpp"
 
@@ -28,6 +31,7 @@ sim::Vec3 area_normal(std::span<const sim::Vec3> positions_m, const sim::Triangl
 struct Growth {
   std::vector<sim::Vec3> thin_m, full_m;
   std::span<const sim::Triangle> triangles;
+  std::span<const sim::Index> ends;  ///< per vertex; see ends_of_body()
 
   std::vector<sim::Vec3> at(double share, const std::vector<double>& most) const {
     std::vector<sim::Vec3> positions_m(thin_m.size());
@@ -53,7 +57,8 @@ struct Growth {
       const sim::Vec3 normal = normals[v];
       const auto is_before = [&](const SurfacePoint& point) {
         const sim::Vec3& other = face_normals[point.triangle];
-        return glm::dot(point.place_m - positions_m[v], normal) > 0.0 &&
+        const bool is_in_end = ends[v] != no_node && ends[triangles[point.triangle][0]] == ends[v];
+        return !is_in_end && glm::dot(point.place_m - positions_m[v], normal) > 0.0 &&
                glm::dot(other, normal) < faces_each_other * glm::length(other) * glm::length(normal);
       };
       if (most[v] > stopped_share && most[v] <= 1.0 && tree.nearest(positions_m[v], room_m, is_before)) {
@@ -78,16 +83,49 @@ std::vector<glm::dmat3> into_model(const Rig& rig, const RigPose& pose) {
   return transforms;
 }
 
+/// Per vertex of the file, the end of the body that it follows most: the head with the neck, a hand or a foot, with all
+/// that hangs on it. No cloth goes between lips, fingers or toes. no_node elsewhere.
+std::vector<sim::Index> ends_of_body(const Rig& rig) {
+  std::vector<sim::Index> of_node(rig.nodes.size(), no_node);
+  const std::map<std::string, sim::Index> joints = joint_nodes(rig);
+  for (const char* end : {"neck", "head", "left hand", "right hand", "left foot", "right foot"}) {
+    if (const auto found = joints.find(end); found != joints.end()) {
+      of_node[found->second] = found->second;
+    }
+  }
+  for (sim::Index n = 0; n < of_node.size(); ++n) {
+    const sim::Index parent = rig.nodes[n].parent;
+    of_node[n] = parent != no_node && of_node[parent] != no_node ? of_node[parent] : of_node[n];
+  }
+  std::vector<sim::Index> ends(rig.in_part.size(), no_node);
+  for (const RigPart& part : rig.parts) {
+    std::fill_n(ends.begin() + static_cast<std::ptrdiff_t>(part.first_vertex), part.vertices, of_node[part.node]);
+  }
+  std::vector<double> most(ends.size(), 0.0);
+  for (const RigInfluence& influence : rig.influences) {
+    if (influence.weight > most[influence.vertex]) {
+      most[influence.vertex] = influence.weight;
+      ends[influence.vertex] = of_node[rig.bones[influence.bone].node];
+    }
+  }
+  return ends;
+}
+
 }  // namespace
 
 std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> poses,
                                        const FileVertexPlaces& places,
                                        std::span<const sim::Triangle> triangles) {
   std::vector<double> most(places.file_vertex.size(), 1.0);
+  const std::vector<sim::Index> ends_in_file = ends_of_body(rig);
+  std::vector<sim::Index> ends;
+  for (const std::size_t v : places.file_vertex) {
+    ends.push_back(ends_in_file[v]);
+  }
   for (const RigPose& pose : poses) {
     std::vector<sim::Vec3> full(rig.in_part.size());
     pose_vertices(rig, pose, full);
-    const Growth growth = {placed_m(places, thin_shape(rig, pose)), placed_m(places, full), triangles};
+    const Growth growth = {placed_m(places, thin_shape(rig, pose)), placed_m(places, full), triangles, ends};
     for (int step = 1; step <= steps; ++step) {
       const auto share_at = [](int s) { return thick_enough + (1.0 - thick_enough) * s / steps; };
       growth.stop_at(share_at(step), share_at(step - 1), most);

@@ -19,8 +19,9 @@ struct RoomForCloth {
 
 /// Leaves room for cloth where parts of a body close in on each other in one of these poses, as arms do at the
 /// armpits and legs at the crotch. As the body grows from its bones, a vertex stops where another surface comes
-/// near before it; it stays so much nearer to its bones in all poses. Empty if nothing comes near. The triangles are
-/// those of the mesh whose vertices `places` finds in the file.
+/// near before it; it stays so much nearer to its bones in all poses. Heads, hands and feet leave none within
+/// themselves. Empty if nothing comes near. The triangles are those of the mesh whose vertices `places` finds in the
+/// file.
 std::optional<RoomForCloth> leave_room(const Rig& rig, std::span<const RigPose> poses,
                                        const FileVertexPlaces& places,
                                        std::span<const sim::Triangle> triangles);

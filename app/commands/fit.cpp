@@ -27,6 +27,7 @@ DrawnScene scene_of(const FitOptions& options) {
     overrides.push_back({"body.dress", frames, "--dress " + frames});
   }
   DrawnScene scene = find_scene(options.scene, overrides);
+  if (sets(overrides, "body.file") && !sets(overrides, "pins.at")) scene.pins.reset();
   if (scene.dressing_frames() == 0) {
     throw UsageError("taut fit " + options.scene +
                      ": found no body that is dressed, expected --body FILE; taut fit --help says more");
@@ -96,8 +97,11 @@ int run(const FitOptions& asked) {
   if (options.output.empty()) options.output = scene.name + "-fit.png";
   prepare_png(options.output);
   std::FILE* const remarks = options.json ? stderr : stdout;
-  print_body_remarks(scene, load_bodies(scene), remarks);
   Progress progress(scene.name);
+  progress.begin("reading its bodies");
+  const std::vector<std::string> of_bodies = load_bodies(scene);
+  progress.hide();
+  print_body_remarks(scene, of_bodies, remarks);
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   progress.hide();
   print_body_remarks(scene, put_on(loaded, scene), remarks);
@@ -105,9 +109,8 @@ int run(const FitOptions& asked) {
   std::vector<FitRow> rows = fit_of(scene, *loaded.garment, surface_at_start(loaded).positions_m);
   fmt::print("{}", options.json ? "" : describe(rows));
   std::fflush(stdout);
-  progress.begin("being put on");
   sim::Simulation simulation = make_simulation(scene, loaded);
-  go_to_start(scene, simulation);
+  go_to_start(scene, simulation, [&](const std::string& stage) { progress.begin(stage); });
   RunSummary summary;
   const Worn worn = let_it_settle(options, scene, simulation, progress, summary);
   progress.begin("drawing it");

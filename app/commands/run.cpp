@@ -25,7 +25,10 @@ std::filesystem::path folder_beside(const std::string& pattern, int frame) {
 
 SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE* remarks_to)
     : options(asked_options), remarks(remarks_to), scene(std::move(asked)), progress(scene.name) {
-  print_body_remarks(scene, load_bodies(scene, options.overrides), remarks);
+  progress.begin("reading its bodies");
+  const std::vector<std::string> said = load_bodies(scene, options.overrides);
+  progress.hide();
+  print_body_remarks(scene, said, remarks);
 }
 
 void SceneRun::require_outputs(const ExportSettings& settings) const {
@@ -51,7 +54,7 @@ void SceneRun::load(const std::function<void()>& meanwhile) {
 }
 
 int SceneRun::begin() {
-  const int frame = go_to_start(scene, *simulation);
+  const int frame = go_to_start(scene, *simulation, [this](const std::string& stage) { progress.begin(stage); });
   const std::string crossings = options.verify ? verifier.begin(*simulation) : "";
   // Of other starts it was said as a remark.
   if (is_told && !scene.checkpoint.empty() && !crossings.empty()) {

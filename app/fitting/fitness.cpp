@@ -14,8 +14,7 @@ namespace {
 
 constexpr double two_walled = 0.3;       ///< share of the area from which cloth is modelled with two walls
 constexpr std::size_t too_many = 16000;  ///< triangles
-constexpr std::size_t too_few = 1000;    ///< triangles for the folds of a garment; a piece of fewer than
-constexpr std::size_t no_garment = 24;   ///< this is none
+constexpr std::size_t too_few = 1000;    ///< triangles for the folds of a garment
 constexpr std::size_t fewest_apart = 8;  ///< vertices of borders that lie along another part
 constexpr double needle_share = 0.003;   ///< of the triangles
 constexpr double short_share = 0.002;    ///< of the edges: contact tears cloth thicker than they are long
@@ -41,7 +40,7 @@ std::size_t needles_of(const sim::Mesh& mesh) {
 }  // namespace
 
 bool is_coarse(const sim::Mesh& model) {
-  return model.triangles.size() < too_few && model.triangles.size() >= no_garment;
+  return model.triangles.size() < too_few && model.triangles.size() >= fewest_of_garment;
 }
 
 std::optional<std::string> why_not_fit_for_simulation(const sim::Mesh& model_m, std::size_t crossings,

@@ -41,6 +41,9 @@ double gap_between_parts(const sim::Mesh& model_m, const FittingSettings& settin
 /// metres.
 FittedMesh fit_mesh(const sim::Mesh& model_m, const FittingSettings& settings = {});
 
+/// A piece of fewer triangles is no garment.
+inline constexpr std::size_t fewest_of_garment = 24;
+
 /// Returns whether a garment has too few triangles for its folds.
 bool is_coarse(const sim::Mesh& model);
 

@@ -19,6 +19,8 @@ using sim::Vec3;
 
 /// How much further away a triangle may be that faces the same way.
 constexpr double preferred = 2.0;
+/// Of a triangle's own normal beside those of its vertices.
+constexpr double own_share = 0.1;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Vec3 unit(const Vec3& v) {
@@ -61,6 +63,16 @@ std::optional<SurfacePoint> nearest(const SurfaceTree& tree, const sim::Mesh& me
   });
 }
 
+std::vector<sim::Triangle> wall_of(const sim::Mesh& model, std::span<const std::uint8_t> is_wall) {
+  std::vector<sim::Triangle> wall;
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    if (is_wall[t] != 0) {
+      wall.push_back(model.triangles[t]);
+    }
+  }
+  return wall;
+}
+
 struct Neighbours {
   explicit Neighbours(const sim::Mesh& mesh)
       : adjacency(sim::make_adjacency(mesh)),
@@ -89,7 +101,7 @@ class Binder {
         tree_(mesh.positions, mesh.triangles),
         of_model_(model),
         of_mesh_(mesh),
-        normals_(wall_normals(model, is_wall)),
+        normals_(vertex_normals(model.positions, wall_of(model, is_wall))),
         facing_(model.positions.size()),
         found_(model.positions.size()) {
     for (const sim::Edge& edge : of_mesh_.adjacency.edges) {
@@ -116,16 +128,6 @@ class Binder {
   }
 
  private:
-  static std::vector<Vec3> wall_normals(const sim::Mesh& model, std::span<const std::uint8_t> is_wall) {
-    std::vector<sim::Triangle> wall;
-    for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-      if (is_wall[t] != 0) {
-        wall.push_back(model.triangles[t]);
-      }
-    }
-    return vertex_normals(model.positions, wall);
-  }
-
   const SurfacePoint& nearest_facing(Index v) {
     if (!facing_[v]) {
       const Vec3& place_m = model_.positions[v];
@@ -228,17 +230,12 @@ Frame frame_of(const Bond& bond, std::span<const Vec3> positions_m, std::span<co
   Frame frame;
   frame.place_m = u * positions_m[a] + v * positions_m[b] + w * positions_m[c];
   const Vec3 edge = positions_m[b] - positions_m[a];
-  // Normals of vertices may cancel out where the cloth is folded over.
+  // Normals of vertices may cancel out where the cloth is folded over. The triangle's own differs from its neighbour's.
   const Vec3 own = unit(glm::cross(edge, positions_m[c] - positions_m[a]));
-  frame.normal = unit(own + u * normals[a] + v * normals[b] + w * normals[c]);
+  frame.normal = unit(own_share * own + u * normals[a] + v * normals[b] + w * normals[c]);
   frame.along = unit(edge - glm::dot(edge, frame.normal) * frame.normal);
   frame.across = glm::cross(frame.normal, frame.along);
   return frame;
-}
-
-double share_at(const Bond& bond, std::span<const sim::Triangle> triangles, std::span<const float> shares) {
-  const auto& [a, b, c] = triangles[bond.triangle];
-  return bond.weights[0] * shares[a] + bond.weights[1] * shares[b] + bond.weights[2] * shares[c];
 }
 
 std::vector<Bond> bonds_at(std::span<const Vec3> points_m, std::span<const SurfacePoint> found,
@@ -300,13 +297,48 @@ std::vector<Vec3> follow(std::span<const Bond> bonds, std::span<const Vec3> posi
   const std::vector<Vec3> normals = vertex_normals(positions_m, triangles);
   std::vector<Vec3> points_m;
   points_m.reserve(bonds.size());
-  for (const Bond& bond : bonds) {
-    const Frame frame = frame_of(bond, positions_m, normals, triangles);
-    const Vec3 offset_m = shares.empty() ? bond.offset_m : share_at(bond, triangles, shares) * bond.offset_m;
+  for (std::size_t k = 0; k < bonds.size(); ++k) {
+    const Frame frame = frame_of(bonds[k], positions_m, normals, triangles);
+    const Vec3 offset_m = (shares.empty() ? 1.0 : double{shares[k]}) * bonds[k].offset_m;
     points_m.push_back(frame.place_m + offset_m.x * frame.along + offset_m.y * frame.across +
                        offset_m.z * frame.normal);
   }
   return points_m;
+}
+
+CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::uint8_t> is_wall) {
+  CarriedVertices carried{wall_of(model, is_wall), {}, {}};
+  std::vector<char> is_carried(model.positions.size(), 1);
+  for (const sim::Triangle& t : carried.wall) {
+    for (const Index v : t) {
+      is_carried[v] = 0;
+    }
+  }
+  if (std::count(is_carried.begin(), is_carried.end(), 1) == 0) {
+    return carried;
+  }
+  const std::vector<Bond> bonds = bonds_of_model(model, is_wall, {model.positions, carried.wall, {}});
+  for (Index v = 0; v < bonds.size(); ++v) {
+    if (is_carried[v] != 0) {
+      carried.vertices.push_back(v);
+      carried.bonds.push_back(bonds[v]);
+    }
+  }
+  return carried;
+}
+
+void carry(const CarriedVertices& carried, std::span<const float> shares, std::vector<Vec3>& points_m) {
+  if (carried.vertices.empty()) {
+    return;
+  }
+  std::vector<float> of_carried;
+  for (const Index v : carried.vertices) {
+    of_carried.push_back(shares[v]);
+  }
+  const std::vector<Vec3> carried_m = follow(carried.bonds, points_m, carried.wall, of_carried);
+  for (std::size_t k = 0; k < carried_m.size(); ++k) {
+    points_m[carried.vertices[k]] = carried_m[k];
+  }
 }
 
 Index nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles) {

@@ -28,11 +28,25 @@ std::vector<Bond> bonds_to(std::span<const sim::Vec3> points_m, const sim::Mesh&
 std::vector<Bond> bonds_of_model(const sim::Mesh& model, std::span<const std::uint8_t> is_wall,
                                  const sim::Mesh& mesh);
 
-/// Returns the bound points for positions of the mesh's vertices, in m. With `shares`, one per vertex of the
-/// mesh, only that share of the offset is left. At the positions it was bound at they are where they were, up to
-/// rounding, where all of it is left.
+/// Returns the bound points for positions of the mesh's vertices, in m. With `shares`, one per bond, only that
+/// share of the offset is left. At the positions it was bound at they are where they were, up to rounding, where
+/// all of it is left.
 std::vector<sim::Vec3> follow(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
                               std::span<const sim::Triangle> triangles, std::span<const float> shares = {});
+
+/// Vertices of a model that are no part of its wall, such as those of an inner wall or of a button. They go with the
+/// wall as it is drawn, so that they stay on their side of it.
+struct CarriedVertices {
+  std::vector<sim::Triangle> wall;   ///< of the model
+  std::vector<sim::Index> vertices;  ///< of the model
+  std::vector<Bond> bonds;           ///< of `vertices`, to `wall`
+};
+
+CarriedVertices carried_vertices(const sim::Mesh& model, std::span<const std::uint8_t> is_wall);
+
+/// Moves the carried vertices to where those of the wall are among these points of the model, in m. `shares`: one per
+/// point.
+void carry(const CarriedVertices& carried, std::span<const float> shares, std::vector<sim::Vec3>& points_m);
 
 /// Returns the vertex of the bond's triangle that has the largest weight.
 sim::Index nearest_corner(const Bond& bond, std::span<const sim::Triangle> triangles);

@@ -159,13 +159,11 @@ sim::Mesh scaled(sim::Mesh mesh, double factor) {
   return mesh;
 }
 
-/// Subdivides a coarse model until it is about as fine as the mesh that was fitted to it, or its folds would not be
-/// seen.
+/// Subdivides a model that is coarser than the mesh that was fitted to it: its folds would not be seen, and its
+/// triangles would cut through the layers within.
 void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& colours) {
-  if (!is_coarse(model)) {
-    return;
-  }
-  while (2 * model.triangles.size() < fitted.mesh.triangles.size()) {
+  const bool is_garment = model.triangles.size() >= fewest_of_garment;
+  while (is_garment && model.triangles.size() - fitted.carried_triangles < fitted.mesh.triangles.size()) {
     model = sim::subdivide({std::move(model), {}}).mesh;
     colours = subdivided_colours(std::move(colours));
     std::vector<std::uint8_t> finer;
@@ -225,6 +223,10 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     tell(begin, "looking whether it is fit to be simulated");
     std::optional<FittedModel> fitted =
         fitted_model(source, scene.material.thickness_m, scaled(valid.mesh, scale));
+    if (fitted && crosses_more_than_model(*fitted, valid.mesh)) {
+      loaded.refused_crossings = fitted->crossings;
+      fitted.reset();
+    }
     if (!fitted) {
       valid = sim::weld_and_validate(soup, repair_settings(source, scale), kept);
     }
@@ -469,7 +471,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   if (scene.garment.has_start()) {
     loaded.start_m = read_start(scene.garment, loaded);
   }
-  if (scene.garment.untangle || loaded.following) {
+  if (scene.garment.untangle || loaded.following || loaded.refused_crossings > 0) {
     untangle(scene, loaded, begin);
   }
   return loaded;

@@ -35,11 +35,11 @@ struct FollowingModel {
   std::string why;              ///< the model itself is not simulated
   std::size_t carried = 0;      ///< triangles that are no part of the wall which is simulated
 
+  CarriedVertices carried_vertices;  ///< of `mesh`
+
   /// The positions of `mesh`, for those of the simulated vertices, in m.
   std::vector<sim::Vec3> shown_m(std::span<const sim::Vec3> positions_m,
-                                 std::span<const sim::Triangle> simulated) const {
-    return follow(bonds, positions_m, simulated, limits->shares(positions_m));
-  }
+                                 std::span<const sim::Triangle> simulated) const;
 };
 
 /// A scene's garment as it is simulated.
@@ -79,6 +79,7 @@ struct LoadedGarment : GarmentInScene {
   std::optional<sim::MeshReport> repairs;
   Strays strays;                       ///< what was left out
   std::size_t trims_sewn_on = 0;       ///< parts that lie on others and are held by stitches
+  std::size_t refused_crossings = 0;   ///< of a mesh that was fitted and crosses itself more than the model; or 0
   std::size_t turned_outside_out = 0;  ///< triangles of surfaces that faced inwards
   std::optional<Placement> placement;
   std::optional<Hanging> hanging;  ///< empty if the scene names the pins or dresses a body

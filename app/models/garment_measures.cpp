@@ -16,6 +16,8 @@ constexpr double in_the_middle = 0.15;
 /// A share of the opening's width: a neckline is lower by this in front.
 constexpr double dip_of_front = 0.03;
 constexpr std::size_t levels_of_garment = 200;
+/// Levels one after the other that do not go all around, as where a seam has a crack.
+constexpr std::size_t most_missed = 30;
 /// Times the girth one level below, where sleeves begin.
 constexpr double sleeves_begin = 1.1;
 
@@ -177,6 +179,9 @@ std::optional<Around> around(const Surface& garment, const sim::Vec3& middle_m, 
     box.add({p.x, 0.0, p.y});
   }
   const bool is_parted = legs > 1 && glm::length(box.middle()) > beside_middle * box.size()[sim::longest_axis(box)];
+  if (!is_parted && !is_around_point(trunk)) {
+    return std::nullopt;  // a fold, or one leg where the other is open
+  }
   return Around{is_parted ? tight_tape_m(both) : length_m(trunk), is_parted, length_m(trunk)};
 }
 
@@ -216,11 +221,13 @@ std::optional<GarmentTube> tube_of(const Surface& garment) {
   const sim::Extent box = sim::extent_of(garment.positions_m);
   std::optional<GarmentTube> tube;
   double below_m = 0.0;
+  std::size_t missed = 0;
   for (std::size_t k = 0; k < levels_of_garment; ++k) {
     const double height_m = box.lower.y + (static_cast<double>(k) + 0.5) / levels_of_garment * box.size().y;
     const std::optional<Around> level = around(garment, box.middle(), height_m);
     const bool is_joining = tube && tube->fork_m == tube->highest_m && level && !level->is_parted;
-    if (tube && (!level || (level->length_m > sleeves_begin * below_m && !is_joining))) {
+    missed = level ? 0 : missed + 1;
+    if (tube && (missed > most_missed || (level && level->length_m > sleeves_begin * below_m && !is_joining))) {
       break;
     }
     if (level) {

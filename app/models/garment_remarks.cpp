@@ -122,6 +122,11 @@ std::vector<std::string> remarks_of(const LoadedGarment& loaded) {
   if (loaded.following) {
     lines.push_back(describe(*loaded.following, loaded.garment->mesh));
   }
+  if (loaded.refused_crossings > 0) {
+    lines.push_back(fmt::format(
+        "the model itself is simulated: a mesh fitted to it would cross itself in {} places (garment.mesh)",
+        loaded.refused_crossings));
+  }
   if (loaded.trims_sewn_on > 0) {
     lines.push_back(counted(loaded.trims_sewn_on, "small part") + " sewn to the cloth below (garment.weld)");
   }
@@ -171,7 +176,7 @@ StartRemarks remarks_on_start(const Scene& scene, const GarmentInScene& loaded) 
   all.crossings = own.size();
   if (!own.empty()) {
     all.lines.push_back("at the start " + describe(start, own) +
-                        (scene.garment.untangle ? "" : "; --untangle parts what it can"));
+                        (loaded.untangling ? "" : "; --untangle parts what it can"));
   }
   const double begin_s = -scene.dressing_frames() / scene.simulation.frame_rate_hz;
   for (std::size_t b = 0; b < bodies.size(); ++b) {

@@ -21,6 +21,10 @@ using sim::Vec3;
 
 /// Thicker cloth than 0.42 of its edges is refused (sim/solvers/bounded/promise.cpp).
 constexpr double edges_by_thickness = 3.0;
+/// Times as many triangles as a mesh that is fitted.
+constexpr std::size_t affordable = 2;
+/// Percent of its triangles. A mesh that crosses itself more is in shreds.
+constexpr std::size_t most_crossing = 10;
 
 /// The axes in which a triangle is laid flat (sim::TriangleAtRest): along its first edge, and across.
 struct FlatAxes {
@@ -42,8 +46,9 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
         "garment.subdivisions is of the model itself; garment.triangles says how fine a fitted mesh is");
   }
   std::string why = source.mesh == MeshChoice::fitted ? "garment.mesh asks for it" : "";
+  std::size_t crossings = 0;
   if (may_choose) {
-    const std::size_t crossings = crossing_pairs({model_m.positions, model_m.triangles}).size();
+    crossings = crossing_pairs({model_m.positions, model_m.triangles}).size();
     why = why_not_fit_for_simulation(model_m, crossings, thickness_m).value_or("");
   }
   if (may_choose && why.empty() && !source.given && is_coarse(model_m)) {
@@ -55,13 +60,28 @@ std::optional<FittedModel> fitted_model(const GarmentSource& source, double thic
   FittingSettings settings;
   settings.most_triangles = static_cast<std::size_t>(source.most_triangles);
   settings.least_edge_m = edges_by_thickness * thickness_m;
-  return FittedModel{fit_mesh(model_m, settings), std::move(why)};
+  return FittedModel{fit_mesh(model_m, settings), std::move(why), crossings};
+}
+
+bool crosses_more_than_model(const FittedModel& fitted, const sim::Mesh& model) {
+  const bool is_affordable = model.triangles.size() <= affordable * FittingSettings().most_triangles;
+  return is_affordable && fitted.model_crossings > 0 && fitted.crossings > fitted.model_crossings &&
+         fitted.crossings > most_crossing * fitted.mesh.triangles.size() / 100;
+}
+
+std::vector<Vec3> FollowingModel::shown_m(std::span<const Vec3> positions_m,
+                                          std::span<const sim::Triangle> simulated) const {
+  const std::vector<float> shares = limits->shares(bonds, positions_m, simulated);
+  std::vector<Vec3> model_m = follow(bonds, positions_m, simulated, shares);
+  carry(carried_vertices, shares, model_m);
+  return model_m;
 }
 
 FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted) {
   FollowingModel following;
   following.bonds = bonds_of_model(model_m, fitted.is_simulated, fitted.mesh);
   following.limits = std::make_shared<const OffsetLimits>(following.bonds, fitted.mesh);
+  following.carried_vertices = carried_vertices(model_m, fitted.is_simulated);
   following.why = fitted.why;
   following.carried = fitted.carried_triangles;
   following.mesh = std::move(model_m);

@@ -14,11 +14,16 @@ namespace taut::app {
 /// A simulation mesh that was fitted to a model, and why.
 struct FittedModel : FittedMesh {
   std::string why;
+  std::size_t model_crossings = 0;  ///< pairs of the model's triangles that cross, where the scene leaves the choice
 };
 
 /// Returns a simulation mesh if the scene asks for one, or if the model is not fit to be simulated and the scene
 /// leaves the choice. `model_m` is welded, in metres, and the cloth is so thick. Throws std::invalid_argument if no mesh can be made.
 std::optional<FittedModel> fitted_model(const GarmentSource& source, double thickness_m, const sim::Mesh& model_m);
+
+/// Returns whether the mesh is in shreds that cross each other while the model hardly crosses itself, such as one whose
+/// folds were reduced to fins, and the scene leaves the choice.
+bool crosses_more_than_model(const FittedModel& fitted, const sim::Mesh& model);
 
 /// Binds the model to the mesh that was fitted to it, both in metres.
 FollowingModel follow_fitted(sim::Mesh model_m, const FittedModel& fitted);

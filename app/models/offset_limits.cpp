@@ -6,10 +6,10 @@
 namespace taut::app {
 namespace {
 
-/// A share of the mean edge: a vertex that reaches further would meet its own neighbours in flat cloth.
-constexpr double furthest_reach = 0.25;
-/// Below this share layers touch or cross as they were modelled, and followers cannot keep to that.
-constexpr float least_share_at_rest = 0.1F;
+/// A share of the mean edge. Two that reach further meet across one triangle of flat cloth, whose height is 0.87 edges.
+constexpr double furthest_reach = 0.4;
+/// Below this share layers nearly touch or cross as they were modelled, and followers cannot keep to that.
+constexpr float least_share_at_rest = 0.5F;
 
 double mean_edge_m(const sim::Mesh& mesh) {
   double sum_m = 0.0;
@@ -42,12 +42,17 @@ OffsetLimits::OffsetLimits(std::span<const Bond> bonds, const sim::Mesh& simulat
   std::replace_if(at_rest_.begin(), at_rest_.end(), [](float share) { return share < least_share_at_rest; }, 1.0F);
 }
 
-std::vector<float> OffsetLimits::shares(std::span<const sim::Vec3> positions_m) const {
+std::vector<float> OffsetLimits::shares(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
+                                        std::span<const sim::Triangle> triangles) const {
   const std::lock_guard lock(mutex_);
   const std::span<const float> found = clearances_.find_shares(positions_m, reach_m_);
-  std::vector<float> shares(found.begin(), found.end());
-  for (std::size_t v = 0; v < shares.size(); ++v) {
-    shares[v] = std::min(shares[v] / at_rest_[v], 1.0F);
+  const auto at_vertex = [&](sim::Index v) { return std::min(found[v] / at_rest_[v], 1.0F); };
+  std::vector<float> shares;
+  shares.reserve(bonds.size());
+  for (const Bond& bond : bonds) {
+    const auto& [a, b, c] = triangles[bond.triangle];
+    const auto& [u, v, w] = bond.weights;
+    shares.push_back(static_cast<float>(u * at_vertex(a) + v * at_vertex(b) + w * at_vertex(c)));
   }
   return shares;
 }

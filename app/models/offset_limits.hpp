@@ -14,10 +14,11 @@ class OffsetLimits {
  public:
   OffsetLimits(std::span<const Bond> bonds, const sim::Mesh& simulated);
 
-  /// Returns per simulated vertex the share of offsets that is left at these positions, in m: 1 where no other
-  /// layer is nearer than the offsets of both together, or nearer than it was at rest; else so much that they just
-  /// meet. Threads may call it at the same time.
-  std::vector<float> shares(std::span<const sim::Vec3> positions_m) const;
+  /// Returns per bond the share of its offset that is left at these positions, in m: 1 where no other layer is
+  /// nearer than the offsets of both together, or nearer than it was at rest; else so much that they just meet.
+  /// Takes the bonds and triangles that it was made for. Threads may call it at the same time.
+  std::vector<float> shares(std::span<const Bond> bonds, std::span<const sim::Vec3> positions_m,
+                            std::span<const sim::Triangle> triangles) const;
 
  private:
   std::vector<float> reach_m_;  ///< the largest offset of a bond about the vertex

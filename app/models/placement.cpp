@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <span>
 
@@ -14,6 +15,8 @@
 #include "app/models/hanging.hpp"
 #include "app/models/support.hpp"
 #include "sim/mesh/extent.hpp"
+#include "sim/mesh/groups.hpp"
+#include "sim/mesh/welding.hpp"
 
 namespace taut::app {
 namespace {
@@ -21,6 +24,8 @@ namespace {
 // Sizes that a guessed unit may give.
 constexpr double smallest_garment_m = 0.2;
 constexpr double largest_garment_m = 2.5;
+// The largest part of one garment is not smaller. Else there are several, side by side.
+constexpr double smallest_part_m = 0.1;
 // Sizes, from a glove to a tent, with which the file's own unit is believed.
 constexpr double smallest_believed_m = 0.02;
 constexpr double largest_believed_m = 20.0;
@@ -74,7 +79,45 @@ std::string unit_name(double metres) {
   return fmt::format("{:.6g} m", metres);
 }
 
-void choose_unit(double size, const PlacementHints& hints, Placement& placement) {
+/// The size of the largest part whose triangles share places.
+double size_of_largest_part(const sim::Mesh& mesh) {
+  sim::Groups parts(mesh.positions.size());
+  const std::vector<sim::Index> places = sim::first_at_same_position(mesh.positions);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    parts.join(places[a], places[b]);
+    parts.join(places[b], places[c]);
+  }
+  std::map<sim::Index, sim::Extent> boxes;
+  for (const sim::Triangle& t : mesh.triangles) {
+    for (const sim::Index v : t) {
+      boxes[parts.find(places[v])].add(mesh.positions[v]);
+    }
+  }
+  double largest = 0.0;
+  for (const auto& [first, box] : boxes) {
+    const sim::Vec3 size = box.size();
+    largest = std::max({largest, size.x, size.y, size.z});
+  }
+  return largest;
+}
+
+/// The first unit that gives a garment of this size with a part of that size a usual one, and else one that gives it to
+/// the part, of garments side by side, or to the whole, of a model in shreds.
+const Unit* unit_by_size(double size, double part_size) {
+  const auto is_usual = [](double size_m) { return is_between(size_m, smallest_garment_m, largest_garment_m); };
+  const std::span<const Unit> usual = std::span(units).first(4);
+  const auto find = [&](const auto& fits) {
+    const auto found = std::find_if(usual.begin(), usual.end(), fits);
+    return found == usual.end() ? nullptr : &*found;
+  };
+  const Unit* unit = find([&](const Unit& u) {
+    return is_usual(size * u.metres) && part_size * u.metres >= smallest_part_m;
+  });
+  unit = unit != nullptr ? unit : find([&](const Unit& u) { return is_usual(part_size * u.metres); });
+  return unit != nullptr ? unit : find([&](const Unit& u) { return is_usual(size * u.metres); });
+}
+
+void choose_unit(double size, double part_size, const PlacementHints& hints, Placement& placement) {
   if (hints.asked_scale) {
     placement.scale = *hints.asked_scale;
     placement.unit_text = unit_name(placement.scale) + ", as asked for";
@@ -91,13 +134,11 @@ void choose_unit(double size, const PlacementHints& hints, Placement& placement)
     why = fmt::format("guessed, since the file's own, {}, would make it {:.3g} m large",
                       unit_name(*hints.metres_per_unit), size_m);
   }
-  for (const Unit& unit : std::span(units).first(4)) {
-    if (is_between(size * unit.metres, smallest_garment_m, largest_garment_m)) {
-      placement.scale = unit.metres;
-      placement.guessed = unit.metres != 1.0;
-      placement.unit_text = unit_name(unit.metres) + ", " + why;
-      return;
-    }
+  if (const Unit* const unit = unit_by_size(size, part_size)) {
+    placement.scale = unit->metres;
+    placement.guessed = unit->metres != 1.0;
+    placement.unit_text = unit_name(unit->metres) + ", " + why;
+    return;
   }
   placement.scale = 1.0 / size;
   placement.guessed = true;
@@ -389,9 +430,10 @@ Placement place_model(const sim::Mesh& mesh, const PlacementHints& hints) {
   const double largest = std::max({size.x, size.y, size.z});
   Placement placement;
   placement.extent = largest;
-  choose_unit(largest, hints, placement);
+  const double part = size_of_largest_part(mesh);
+  choose_unit(largest, part, hints, placement);
   choose_up(size, hints, placement);
-  placement.is_vast = largest * placement.scale > largest_garment_m;
+  placement.is_vast = part * placement.scale > largest_garment_m;
   const sim::Vec3 middle = box.lower + 0.5 * size;
   if (glm::length(middle / largest) > far_away) {
     placement.moved_m = -turned(middle * placement.scale, placement.up);

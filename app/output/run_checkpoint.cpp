@@ -3,6 +3,8 @@
 #include "app/base/errors.hpp"
 #include "app/base/files.hpp"
 #include "app/base/interruption.hpp"
+#include "app/base/progress.hpp"
+#include "app/base/stopwatch.hpp"
 #include "app/bodies/fit.hpp"
 #include "app/models/scene_crossings.hpp"
 #include "sim/bytes.hpp"
@@ -129,7 +131,7 @@ void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
   }
 }
 
-void dress(const Scene& scene, sim::Simulation& simulation) {
+void dress(const Scene& scene, sim::Simulation& simulation, const StageReport& begin) {
   const int frames = scene.dressing_frames();
   if (frames == 0) return;
   const sim::Surroundings surroundings = simulation.surroundings();
@@ -142,8 +144,13 @@ void dress(const Scene& scene, sim::Simulation& simulation) {
   simulation.set_surroundings(still);
   simulation.set_time(-frames * simulation.frame_time_s());
   int tight_frames = 0;
+  const Stopwatch since_start;
   for (int frame = 1; frame <= frames; ++frame) {
     throw_if_interrupted();
+    if (begin) {
+      begin(fmt::format("being put on, frame {} of {}{}", frame, frames,
+                        time_left(1e-3 * since_start.elapsed_ms(), frame - 1, frames)));
+    }
     const auto give_up = [&](const std::string& why) {
       throw PromiseBroken("while it is dressed, in frame {} of {}: {}", frame, frames, why);
     };
@@ -167,14 +174,14 @@ int start_frame(const Scene& scene) {
   return scene.checkpoint.empty() ? 0 : read_run_checkpoint(scene.checkpoint).frame;
 }
 
-int go_to_start(const Scene& scene, sim::Simulation& simulation) {
+int go_to_start(const Scene& scene, sim::Simulation& simulation, const StageReport& begin) {
   if (scene.checkpoint.empty()) {
     const std::vector<FitRow> fit = scene.dressing_frames() == 0
                                         ? std::vector<FitRow>{}
                                         : fit_of(scene, simulation.garment(), simulation.state().current);
     require_wearable(scene, fit);
     try {
-      dress(scene, simulation);
+      dress(scene, simulation, begin);
       require_worn(scene, simulation);
     } catch (const PromiseBroken& error) {
       throw PromiseBroken(error.what() + describe_misfit(fit));

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/models/garment_loading.hpp"
 #include "app/output/frame_record.hpp"
 #include "app/scene/scene.hpp"
 #include "sim/simulation.hpp"
@@ -40,15 +41,15 @@ void restore(const std::filesystem::path& file, const RunCheckpoint& checkpoint,
 /// Simulates the frames before 0 s in which the scene's bodies grow into the clothes (dressing.hpp), without
 /// gravity and wind, and ends with the clock at 0 s. Throws PromiseBroken if a frame cannot be made without a
 /// crossing, or if several in a row break the bound where the scene does not accept that; Diverged;
-/// Interrupted.
-void dress(const Scene& scene, sim::Simulation& simulation);
+/// Interrupted. `begin` is told each frame.
+void dress(const Scene& scene, sim::Simulation& simulation, const StageReport& begin = {});
 
 /// Puts the simulation into the state that start.checkpoint of its scene names. Returns the number of that
 /// frame. Without start.checkpoint it dresses the scene's bodies and returns 0. Throws InputError, also for a
 /// garment that is too small by its girths alone (require_wearable()), and as dress() does, and PromiseBroken
 /// if the garment crosses a body then and the solver would keep them apart; the message says where the
 /// garment is too small (app/bodies/fit.hpp).
-int go_to_start(const Scene& scene, sim::Simulation& simulation);
+int go_to_start(const Scene& scene, sim::Simulation& simulation, const StageReport& begin = {});
 
 /// Returns that frame, and goes nowhere. Throws InputError where the checkpoint cannot be read.
 int start_frame(const Scene& scene);

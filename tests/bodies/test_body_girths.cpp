@@ -134,6 +134,17 @@ TEST(BodyGirths, SeatAndChestAreLookedForWhereTheyAre) {
   EXPECT_NEAR(girth_of(measures, "chest")->height_m, 1.03, 0.005);
 }
 
+TEST(BodyGirths, ABellyIsNoChest) {
+  std::vector<Ring> rings = robe;
+  rings[2] = {1.1, 0.15, 0.13, 0.03};
+  rings[4] = {1.4, 0.17, 0.12, -0.01};
+  rings.insert(rings.begin() + 3, {1.2, 0.16, 0.12, 0.0});
+  const sim::Mesh mesh = stacked(rings);
+  const BodyMeasures measures = measure_body({mesh.positions, mesh.triangles}, {});
+  EXPECT_NEAR(girth_of(measures, "chest")->height_m, 1.3, 0.01);
+  EXPECT_NEAR(girth_of(measures, "waist")->height_m, 1.1, 0.01);
+}
+
 TEST(BodyGirths, ANeckIsNarrowerThanAHead) {
   const auto has_neck = [](double half_width_m) {
     std::vector<Ring> rings = robe;

@@ -157,20 +157,26 @@ TEST_F(Dressing, ClothThatCrossesTheBodyWhenItHasGrownEndsTheRun) {
   EXPECT_EQ(go_to_start(scene, allowed), 0);
 }
 
-/// Two upright square tubes, each with a joint in its middle, whose walls are so far apart.
-std::optional<RoomForCloth> room_between(double gap_m) {
+/// Two upright square tubes, each with a joint in its middle, whose walls are so far apart: legs, or fingers of a hand.
+std::optional<RoomForCloth> room_between(double gap_m, bool are_fingers = false) {
   Rig rig;
+  if (are_fingers) {
+    rig.nodes.push_back({"LeftHand", no_node, glm::dmat4(1.0)});
+  }
   std::vector<sim::Triangle> triangles;
   for (const double side : {0.0, 1.0}) {
     const auto node = static_cast<sim::Index>(rig.nodes.size());
     const sim::Vec3 middle(side * (0.2 + gap_m), 0.5, 0.0);
-    rig.nodes.push_back(
-        {side > 0.0 ? "LeftLeg" : "RightLeg", no_node, glm::translate(glm::dmat4(1.0), middle)});
+    const char* leg = side > 0.0 ? "LeftLeg" : "RightLeg";
+    const char* finger = side > 0.0 ? "LeftHandIndex1" : "LeftHandMiddle1";
+    rig.nodes.push_back({are_fingers ? finger : leg, are_fingers ? 0 : no_node,
+                         glm::translate(glm::dmat4(1.0), middle)});
     rig.bones.push_back({node, glm::translate(glm::dmat4(1.0), -middle)});
+    const auto bone = static_cast<sim::Index>(rig.bones.size() - 1);
     const auto first = static_cast<sim::Index>(rig.in_part.size());
     for (sim::Index k = 0; k < 44; ++k) {
       const sim::Index corner = k % 4;
-      rig.influences.push_back({rig.in_part.size(), node, 1.0});
+      rig.influences.push_back({rig.in_part.size(), bone, 1.0});
       rig.in_part.push_back(middle + sim::Vec3(corner == 0 || corner == 3 ? 0.1 : -0.1, 0.1 * (k / 4) - 0.5,
                                                corner < 2 ? 0.1 : -0.1));
     }
@@ -195,6 +201,7 @@ TEST(RoomForCloth, IsLeftBetweenLimbsThatTouch) {
   EXPECT_GT(room->vertices, 10U);
   EXPECT_GT(room->most_m, 0.002);
   EXPECT_LT(room->most_m, 0.03);
+  EXPECT_FALSE(room_between(0.001, true)) << "no cloth goes there";
 }
 
 }  // namespace

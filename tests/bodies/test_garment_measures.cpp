@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <glm/geometric.hpp>
 
@@ -61,6 +62,19 @@ TEST(GarmentMarks, TakeForAHemWhatIsInTheMiddle) {
   };
   EXPECT_TRUE(has_hem(0.12));
   EXPECT_FALSE(has_hem(0.18));
+}
+
+TEST(GarmentTube, GoesOnBeyondACrackAndIsNoFold) {
+  sim::Mesh mesh = skirt_of([](double) { return 0.2; });
+  const auto cracked = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const sim::Triangle& t) {
+    return std::min({mesh.positions[t[0]].y, mesh.positions[t[1]].y, mesh.positions[t[2]].y}) > 0.2;
+  });
+  mesh.triangles.erase(cracked);
+  EXPECT_NEAR(tube_of({mesh.positions, mesh.triangles})->highest_m, 0.55, 0.01);
+  sim::Mesh fold = skirt_of([](double) { return 0.01; });
+  fold = test::moved(std::move(fold), {0.24, -0.1, 0.0});
+  const sim::Mesh with_fold = test::both(mesh, fold);
+  EXPECT_NEAR(tube_of({with_fold.positions, with_fold.triangles})->lowest_m, 0.0, 0.01);
 }
 
 TEST(GarmentTube, EndsWhereSleevesBegin) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -99,6 +100,29 @@ TEST(Following, OfTwoWallsTheOneThatFacesAlikeIsFollowed) {
   const std::vector<Bond> nearest = bonds_to(points, walls);
   EXPECT_GE(nearest[0].triangle, lower.triangles.size());
   EXPECT_LT(nearest[1].triangle, lower.triangles.size());
+}
+
+TEST(Following, WhatIsCarriedStaysBelowTheWallAsItIsDrawn) {
+  const sim::Mesh mesh = sheet(24);
+  sim::Mesh model = sheet(4);
+  std::vector<std::uint8_t> is_wall(model.triangles.size(), 1);
+  const auto first = static_cast<sim::Index>(model.positions.size());
+  const std::array<Vec3, 3> carried_at = {Vec3(0.36, -0.001, 0.4), Vec3(0.6, -0.001, 0.35), Vec3(0.65, -0.001, 0.6)};
+  model.positions.insert(model.positions.end(), carried_at.begin(), carried_at.end());
+  model.triangles.push_back({first, first + 1, first + 2});
+  is_wall.push_back(0);
+  const CarriedVertices carried = carried_vertices(model, is_wall);
+  ASSERT_EQ(carried.vertices.size(), carried_at.size());
+  const std::vector<float> shares(model.positions.size(), 1.0F);
+  std::vector<Vec3> points_m =
+      follow(bonds_of_model(model, is_wall, mesh), moved(mesh.positions, wave), mesh.triangles, shares);
+  carry(carried, shares, points_m);
+  const sim::Mesh wall{points_m, carried.wall, {}};
+  for (sim::Index v = first; v < points_m.size(); ++v) {
+    const Bond below = bonds_to(std::span(&points_m[v], 1), wall)[0];
+    EXPECT_NEAR(below.offset_m.z, -0.001, 1e-4);
+    EXPECT_NEAR(glm::length(below.offset_m), 0.001, 1e-4);
+  }
 }
 
 TEST(Following, TheNearestCornerIsThatOfTheLargestWeight) {

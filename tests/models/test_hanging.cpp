@@ -418,6 +418,9 @@ TEST(Bodies, AreNoCloth) {
   EXPECT_EQ(left_out(test::dummy()), body);
   EXPECT_EQ(left_out(test::inside_out(test::dummy())), body);
   EXPECT_EQ(left_out(test::dummy(1.6, true)), body - 16) << "cut at its neck";
+  sim::Mesh cut = test::dummy(1.6, true);
+  std::erase_if(cut.triangles, [](const sim::Triangle& t) { return std::max({t[0], t[1], t[2]}) >= 16 * 20; });
+  EXPECT_EQ(left_out(cut), cut.triangles.size()) << "cut below its neck and at its feet";
   EXPECT_EQ(left_out(test::both(test::dummy(), eye)), body + eye.triangles.size()) << "with what is in it";
   const auto above = [](double share) {
     sim::Mesh piece = test::dummy();

@@ -83,15 +83,16 @@ TEST(OffsetLimits, LayersThatComeNearerThanTheOffsetsOfTheirFollowersAreNotCross
   }
   const std::vector<Bond> bonds = bonds_to(points, sheets);
   const OffsetLimits limits(bonds, sheets);
-  EXPECT_LT(
-      farthest(follow(bonds, sheets.positions, sheets.triangles, limits.shares(sheets.positions)), points),
-      1e-9);
+  const auto limited = [&](const std::vector<Vec3>& at_m) {
+    return follow(bonds, at_m, sheets.triangles, limits.shares(bonds, at_m, sheets.triangles));
+  };
+  EXPECT_LT(farthest(limited(sheets.positions), points), 1e-9);
 
   std::vector<Vec3> near_m = sheets.positions;
   for (std::size_t v = count; v < near_m.size(); ++v) {
     near_m[v].y = 0.002;
   }
-  const std::vector<Vec3> limited_m = follow(bonds, near_m, sheets.triangles, limits.shares(near_m));
+  const std::vector<Vec3> limited_m = limited(near_m);
   for (std::size_t v = 0; v < count; ++v) {
     EXPECT_NEAR(limited_m[v].y, 0.001, 1e-6);
     EXPECT_NEAR(limited_m[count + v].y, 0.001, 1e-6);
@@ -122,7 +123,7 @@ TEST_F(ModelFitting, ACoarseModelGetsAFinerMeshAndIsDrawnAsFinely) {
   const LoadedGarment loaded = load_garment(scene);
   ASSERT_TRUE(loaded.following);
   EXPECT_GT(loaded.garment->mesh.triangles.size(), 4000U);
-  EXPECT_GT(loaded.shown_mesh().triangles.size(), 3000U);
+  EXPECT_GE(loaded.shown_mesh().triangles.size(), loaded.garment->mesh.triangles.size());
   const WrittenCloth written(loaded);
   EXPECT_EQ(written.vertices(), skirt.positions.size());
   EXPECT_LT(farthest(written.positions(loaded.garment->mesh.positions), loaded.file_rest_m), 1e-9);

@@ -21,6 +21,22 @@ TEST(Placement, GuessesTheUnitOfAGarment) {
   EXPECT_DOUBLE_EQ(place_model(box_of(1e-9, 2e-9, 0), {}).scale, 0.5e9);
 }
 
+TEST(Placement, LooksAtOneOfSeveralGarmentsSideBySide) {
+  const auto row_of = [](double unit) {
+    sim::Mesh row;
+    for (sim::Index k = 0; k < 5; ++k) {
+      const sim::Mesh one = box_of(0.5 * unit, 0.7 * unit, 0.3 * unit, {1.1 * k * unit, 0.0, 0.0});
+      row.positions.insert(row.positions.end(), one.positions.begin(), one.positions.end());
+      row.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+    }
+    return row;
+  };
+  EXPECT_EQ(place_model(row_of(1.0), {}).scale, 1.0);
+  EXPECT_FALSE(place_model(row_of(1.0), {}).is_vast);
+  EXPECT_EQ(place_model(row_of(100.0), {}).scale, 0.01);
+  EXPECT_EQ(place_model(row_of(1000.0), {}).scale, 0.001);
+}
+
 TEST(Placement, BelievesTheFileWithinReason) {
   const Placement inches = place_model(box_of(10, 30, 5), {{}, {}, 0.0254, {}});
   EXPECT_EQ(inches.scale, 0.0254);

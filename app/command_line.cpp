@@ -331,6 +331,38 @@ std::function<int()> add_fit(CLI::App& app) {
   return [options] { return run(*options); };
 }
 
+std::function<int()> add_sew(CLI::App& app) {
+  auto options = std::make_shared<SewOptions>();
+  CLI::App* command = app.add_subcommand("sew", "Sew a pattern on a body, to a garment that is worn");
+  command->add_option("PATTERN", options->pattern, "a sewing pattern in the JSON of GarmentCode")->required();
+  add_keys(*command, options->overrides, {fabric_option});
+  add_body(*command, options->overrides);
+  add_set(*command, options->overrides);
+  command->add_option("-o,--output", options->output, "OBJ file of the garment (default PATTERN.obj, here)");
+  command->add_option("--picture", options->picture, "PNG file: it worn, from the front and from behind");
+  command->add_option("--triangles", options->triangles, "about so many")
+      ->check(CLI::Range(100, 200000))
+      ->capture_default_str();
+  command->add_option("--frames", options->frames, "at most so many frames until it rests")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "for programs");
+  add_backend(*command, options->backend);
+  command->footer(
+      "Panels are meshed, placed about the body while it is thin, and drawn together by threads along their\n"
+      "stitches; then the body grows into what was sewn, and that comes to rest. Nothing crosses anything\n"
+      "meanwhile, and nothing is longer than the bound, solver.max_stretch: here 1 %, or of a --fabric as far as\n"
+      "its threads let it, where nothing else is said.\n"
+      "The garment is at rest as it was cut: its texture coordinates are cm of the cloth, and a file beside it,\n"
+      "GARMENT.landmarks.toml, says so and names the vertices of its seams; its groups are named after panels.\n"
+      "What cannot be sewn ends the command with exit code 3, and a picture of that moment: which seam stays\n"
+      "open, by how much and what is in the way, or where it is too small for the body.\n\n"
+      "Examples:\n  taut sew shirt.json --body person.obj -o shirt.obj --picture shirt.png\n"
+      "  taut sew dress.json --body person.glb --fabric silk\n"
+      "  taut simulate shirt.obj --body person.glb --body-motion walk.bvh --dress 90\n");
+  return [options] { return run(*options); };
+}
+
 std::function<int()> add_import_model(CLI::App& app) {
   auto options = std::make_shared<ImportModelOptions>();
   CLI::App* command =
@@ -509,7 +541,7 @@ int run_command_line(std::span<const char* const> arguments) {
       "the run diverged, 75 stopped, but saved: it can be resumed.");
   const std::vector<std::function<int()>> commands = {add_figures(app),      add_render(app, arguments),
                                                       add_simulate(app),     add_view(app),
-                                                      add_inspect(app),      add_fit(app),
+                                                      add_inspect(app),      add_fit(app), add_sew(app),
                                                       add_bench(app),        add_scenes(app),
                                                       add_fabrics(app),      add_sweep(app),
                                                       add_import_model(app), add_help(app)};

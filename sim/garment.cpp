@@ -15,7 +15,8 @@ namespace {
 constexpr double least_mass = 0.05;
 
 double area(const Mesh& mesh, std::size_t triangle) {
-  return glm::length(doubled_area_vector(mesh.positions, mesh.triangles[triangle])) / 2.0;
+  const auto [a, b, c] = corners_at_rest(mesh, triangle);
+  return glm::length(glm::cross(b - a, c - a)) / 2.0;
 }
 
 void raise_to_least_mass(std::vector<double>& masses) {

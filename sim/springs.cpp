@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numeric>
 
 #include "sim/mesh/elementary.hpp"
@@ -133,6 +134,22 @@ void append(Springs& springs, const std::vector<Edge>& ends, const std::vector<V
   }
 }
 
+/// Where both sides of a seam are not equally long, the shorter one holds its edges.
+void take_lengths_of_pieces(const Mesh& mesh, const Adjacency& adjacency, Springs& springs) {
+  for (std::size_t s = 0; s < springs.structural_count; ++s) {
+    const auto e = static_cast<std::size_t>(std::ranges::lower_bound(adjacency.edges, springs.ends[s]) - adjacency.edges.begin());
+    double& length_m = springs.rest_lengths_m[s];
+    length_m = std::numeric_limits<double>::infinity();
+    for (const Index t : adjacency.edge_triangles[e]) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (make_edge(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]) == springs.ends[s]) {
+          length_m = std::min(length_m, glm::distance(mesh.cut_m[t][k], mesh.cut_m[t][(k + 1) % 3]));
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 const char* name_of(SpringKind kind) {
@@ -170,6 +187,9 @@ Springs map_to_springs(const Mesh& mesh, const Adjacency& adjacency, const Mappi
   append(springs, shear, mesh.positions);
   springs.shear_count = springs.size() - springs.structural_count;
   append(springs, flexural, mesh.positions);
+  if (!mesh.cut_m.empty()) {
+    take_lengths_of_pieces(mesh, adjacency, springs);
+  }
   return springs;
 }
 

@@ -52,8 +52,8 @@ std::array<Vec2, 3> gradients_by_corners(const TriangleAtRest& rest) {
 std::vector<TriangleAtRest> triangles_at_rest(const Mesh& mesh) {
   std::vector<TriangleAtRest> rest;
   rest.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    rest.push_back(at_rest(corners_of(t, mesh.positions)));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    rest.push_back(at_rest(corners_at_rest(mesh, t)));
   }
   return rest;
 }
@@ -97,7 +97,7 @@ std::vector<Vec2> warps_of(const Mesh& mesh, std::span<const glm::vec2> corner_c
   std::vector<Vec2> warps;
   warps.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::array<Vec3, 3> corners = corners_of(mesh.triangles[t], mesh.positions);
+    const std::array<Vec3, 3> corners = corners_at_rest(mesh, t);
     const TriangleAtRest rest = at_rest(corners);
     if (!rest.has_surface()) {
       warps.emplace_back(1.0, 0.0);

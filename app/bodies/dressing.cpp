@@ -184,6 +184,17 @@ std::shared_ptr<const sim::BodyFrames> growing(const Wearer& wearer, std::span<c
   return std::make_shared<const GrowingFrames>(std::move(shapes), wearer);
 }
 
+sim::Vec3 in_file_axes(const Placement& placement, const sim::Vec3& direction) {
+  const sim::Vec3 origin = placement(sim::Vec3(0.0));
+  sim::Vec3 result;
+  for (int axis = 0; axis < 3; ++axis) {
+    sim::Vec3 unit(0.0);
+    unit[axis] = 1.0;
+    result[axis] = glm::dot(placement(unit) - origin, direction);
+  }
+  return result;
+}
+
 std::vector<RigPose> turning_back(const Rig& rig, const RigPose& pose, std::span<const TurnedBone> bones) {
   constexpr glm::dvec4 as_it_is(0.0, 0.0, 0.0, 1.0);
   RigPose turned = pose;

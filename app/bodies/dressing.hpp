@@ -47,6 +47,9 @@ struct TurnedBone {
   sim::Vec3 direction = {0, 0, 0};  ///< where it shall point, of any length, in the file's axes
 };
 
+/// Returns a direction of the scene in the axes of the file that was placed so, of another length.
+sim::Vec3 in_file_axes(const Placement& placement, const sim::Vec3& direction);
+
 /// Returns poses in which bones turn, with all that hangs on them, from where they shall point to where they
 /// are in this pose, which is left out. Requires each bone before those that hang on it.
 std::vector<RigPose> turning_back(const Rig& rig, const RigPose& pose, std::span<const TurnedBone> bones);

@@ -110,18 +110,6 @@ bool crosses(const LoadedGarment& loaded, const sim::Body& body) {
   return !crossing_pairs(surface_at_start(loaded), {thin_m, mesh.data->triangles}).empty();
 }
 
-/// The direction in the file's axes, of another length.
-sim::Vec3 in_file(const Placement& placement, const sim::Vec3& direction) {
-  const sim::Vec3 origin = placement(sim::Vec3(0.0));
-  sim::Vec3 result;
-  for (int axis = 0; axis < 3; ++axis) {
-    sim::Vec3 unit(0.0);
-    unit[axis] = 1.0;
-    result[axis] = glm::dot(placement(unit) - origin, direction);
-  }
-  return result;
-}
-
 /// The bones of both limbs, and from where each begins to the opening that is nearer. An opening at its very begin turns
 /// nothing.
 void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<const char*, 3>& joints,
@@ -141,7 +129,7 @@ void add_limbs(const Wearer& wearer, const sim::Body& body, const std::array<con
     }
     const sim::Vec3 begin_m = pose(wearer.places.placement(sim::Vec3(wearer.pose.to_model[chain[0]][3])));
     const sim::Vec3 way_m = nearest_of(openings, begin_m).middle_m - begin_m;
-    const sim::Vec3 direction = in_file(wearer.places.placement, glm::transpose(pose.rotation) * way_m);
+    const sim::Vec3 direction = in_file_axes(wearer.places.placement, glm::transpose(pose.rotation) * way_m);
     for (std::size_t k = 1; k < chain.size() && glm::length(way_m) > at_begin_of_limb_m; ++k) {
       bones.push_back({chain[k - 1], chain[k], direction});
     }

@@ -12,6 +12,7 @@
 #include "app/output/frame_record.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/scene/scene_key.hpp"
+#include "app/sewing/sewn_scene.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -98,11 +99,13 @@ int run(const FitOptions& asked) {
   prepare_png(options.output);
   std::FILE* const remarks = options.json ? stderr : stdout;
   Progress progress(scene.name);
-  progress.begin("reading its bodies");
-  const std::vector<std::string> of_bodies = load_bodies(scene);
+  const auto stage = [&](const std::string& begun) { progress.begin(begun); };
+  std::vector<std::string> said = sew_garment(scene, stage);
+  stage("reading its bodies");
+  for (std::string& line : load_bodies(scene)) said.push_back(std::move(line));
   progress.hide();
-  print_body_remarks(scene, of_bodies, remarks);
-  LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
+  print_body_remarks(scene, said, remarks);
+  LoadedGarment loaded = load_garment(scene, stage);
   progress.hide();
   print_body_remarks(scene, put_on(loaded, scene), remarks);
   print_remarks(scene, loaded, remarks);
@@ -110,7 +113,7 @@ int run(const FitOptions& asked) {
   fmt::print("{}", options.json ? "" : describe(rows));
   std::fflush(stdout);
   sim::Simulation simulation = make_simulation(scene, loaded);
-  go_to_start(scene, simulation, [&](const std::string& stage) { progress.begin(stage); });
+  go_to_start(scene, simulation, stage);
   RunSummary summary;
   const Worn worn = let_it_settle(options, scene, simulation, progress, summary);
   progress.begin("drawing it");

@@ -9,6 +9,7 @@
 #include "app/drawing/inspection_picture.hpp"
 #include "app/models/inspection.hpp"
 #include "app/output/run_report.hpp"
+#include "app/sewing/sewn_scene.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -57,6 +58,7 @@ DrawnScene scene_of(const InspectOptions& options) {
 int run(const InspectOptions& options) {
   DrawnScene scene = scene_of(options);
   if (options.garment.empty()) return inspect_bodies(options, scene);
+  print_body_remarks(scene, sew_garment(scene), options.json ? stderr : stdout);
   print_body_remarks(scene, load_bodies(scene), options.json ? stderr : stdout);
   if (!options.picture.empty()) prepare_png(options.picture);
   Progress progress(options.garment.filename().string());

@@ -100,6 +100,18 @@ struct FitOptions {
   std::string backend = "auto";
 };
 
+/// Options of `taut sew`.
+struct SewOptions {
+  std::filesystem::path pattern;
+  std::vector<Override> overrides;
+  std::filesystem::path output;   ///< OBJ file; empty: PATTERN.obj
+  std::filesystem::path picture;  ///< PNG file; empty: none, but for one of what cannot be sewn
+  int triangles = 4000;           ///< about so many
+  int frames = 600;               ///< at most, from when it is worn until it rests
+  bool json = false;
+  std::string backend = "auto";
+};
+
 /// Options of `taut import-model`, which the program runs as a child process (import_process.hpp).
 struct ImportModelOptions {
   std::filesystem::path model;
@@ -152,6 +164,7 @@ int run(const SimulateOptions& options);
 int run(const ViewOptions& options);
 int run(const InspectOptions& options);
 int run(const FitOptions& options);
+int run(const SewOptions& options);
 inline int run(const ImportModelOptions& options) {
   return serve_import(options.model, options.limits, static_cast<ReadParts>(options.parts));
 }

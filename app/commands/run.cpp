@@ -10,6 +10,7 @@
 #include "app/models/garment_remarks.hpp"
 #include "app/output/output_pattern.hpp"
 #include "app/output/run_checkpoint.hpp"
+#include "app/sewing/sewn_scene.hpp"
 #include "renderer/page/png.hpp"
 
 namespace taut::app {
@@ -25,8 +26,10 @@ std::filesystem::path folder_beside(const std::string& pattern, int frame) {
 
 SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE* remarks_to)
     : options(asked_options), remarks(remarks_to), scene(std::move(asked)), progress(scene.name) {
-  progress.begin("reading its bodies");
-  const std::vector<std::string> said = load_bodies(scene, options.overrides);
+  const auto stage = [this](const std::string& begun) { progress.begin(begun); };
+  std::vector<std::string> said = sew_garment(scene, stage);
+  stage("reading its bodies");
+  for (std::string& line : load_bodies(scene, options.overrides)) said.push_back(std::move(line));
   progress.hide();
   print_body_remarks(scene, said, remarks);
 }

@@ -3,6 +3,7 @@
 #include "app/bodies/body_loading.hpp"
 #include "app/commands/options.hpp"
 #include "app/drawing/drawn_scene.hpp"
+#include "app/sewing/sewn_scene.hpp"
 #include "app/viewer/headless_viewer.hpp"
 #include "app/viewer/viewer.hpp"
 #include "renderer/page/png.hpp"
@@ -84,6 +85,7 @@ int run(const ViewOptions& options) {
   }
   const Session session = session_of(options);
   DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
+  print_body_remarks(scene, sew_garment(scene), stdout);
   print_body_remarks(scene, load_bodies(scene, session.start.overrides), stdout);
   if (options.headless) {
     view_headless(options, session, scene);

@@ -5,6 +5,7 @@
 #include "app/library/session.hpp"
 #include "app/models/garment_remarks.hpp"
 #include "app/scene/scene_format.hpp"
+#include "app/sewing/sewn_scene.hpp"
 #include "sim/solvers/bounded/settings.hpp"
 
 namespace taut::library {
@@ -91,6 +92,7 @@ Start load(const TautOptions& options) {
         std::make_shared<const std::vector<sim::Vec3>>(points_from(options.start));
   }
   put_bodies_in(options, start);
+  start.listener.tell(app::sew_garment(start.scene));
   start.listener.tell(load_bodies(start.scene));
   start.loaded = app::load_garment(start.scene);
   start.listener.tell(app::put_where_it_begins(start.loaded, start.scene));

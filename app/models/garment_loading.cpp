@@ -148,8 +148,21 @@ Placement place(const GarmentSource& source, const sim::Mesh& soup, const Placem
 }
 
 double metres_per_uv_of(const GarmentSource& source, const sim::Mesh& mesh, const SurfaceColours& colours) {
-  const std::optional<double> known = source.given ? std::nullopt : known_metres_per_uv(source.file);
+  const std::optional<double> known = source.given ? std::nullopt : known_metres_per_uv(source.model());
   return known.value_or(metres_per_uv(mesh, colours.corner_uv));
+}
+
+/// The triangles as their texture coordinates have them, in m. Throws std::invalid_argument without any.
+std::vector<std::array<sim::Vec2, 3>> cut_by_uv(const sim::Mesh& mesh, const SurfaceColours& colours, double metres) {
+  if (colours.corner_uv.size() != 3 * mesh.triangles.size()) {
+    throw std::invalid_argument("it is said to be cut (is_cut), but has no texture coordinates");
+  }
+  std::vector<std::array<sim::Vec2, 3>> cut_m;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto at = [&](std::size_t k) { return metres * sim::Vec2(colours.corner_uv[3 * t + k]); };
+    cut_m.push_back({at(0), at(1), at(2)});
+  }
+  return cut_m;
 }
 
 sim::Mesh scaled(sim::Mesh mesh, double factor) {
@@ -205,7 +218,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
   tell(begin, "reading " + source.file.filename().string());
   ImportedModel& model = loaded.model.emplace(
       source.given ? *source.given
-                   : import_garment(source.file, {.program = source.importer}, ReadParts::model));
+                   : import_garment(source.model(), {.program = source.importer}, ReadParts::model));
   const std::vector<sim::Triangle> imported = model.triangles;
   sim::Mesh soup{std::move(model.positions), std::move(model.triangles), {}};
   const std::size_t backs = leave_out_backs(model, soup);
@@ -221,18 +234,19 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     sim::ValidatedMesh valid = sim::weld_and_validate(soup, {source.weld_m.value_or(0.0) / scale, 0.0}, kept);
     require_one_size(valid.mesh);
     tell(begin, "looking whether it is fit to be simulated");
+    const bool is_cut = !source.given && is_at_rest_as_cut(source.model());
     std::optional<FittedModel> fitted =
-        fitted_model(source, scene.material.thickness_m, scaled(valid.mesh, scale));
+        is_cut ? std::nullopt : fitted_model(source, scene.material.thickness_m, scaled(valid.mesh, scale));
     if (fitted && crosses_more_than_model(*fitted, valid.mesh)) {
       loaded.refused_crossings = fitted->crossings;
       fitted.reset();
     }
-    if (!fitted) {
+    if (!fitted && !is_cut) {
       valid = sim::weld_and_validate(soup, repair_settings(source, scale), kept);
     }
     loaded.repairs = valid.report;
     loaded.repairs->duplicate_triangles += backs;
-    turn_and_sew(source, fitted.has_value(), valid.mesh, loaded);
+    turn_and_sew(source, fitted.has_value() || is_cut, valid.mesh, loaded);
     loaded.colours = kept_colours(std::move(model.colours), imported, kept, valid.mesh.triangles);
     loaded.file_vertices = vertices_of_file(model, kept);
     if (!source.up && !model.up) {
@@ -251,6 +265,9 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
       position = (*loaded.placement)(position);
     }
     loaded.metres_per_uv = metres_per_uv_of(source, valid.mesh, loaded.colours);
+    if (is_cut) {
+      valid.mesh.cut_m = cut_by_uv(valid.mesh, loaded.colours, loaded.metres_per_uv);
+    }
     if (!fitted) {
       return std::move(valid.mesh);
     }
@@ -446,7 +463,7 @@ LoadedGarment load_garment(const Scene& scene, const StageReport& begin) {
   sim::Mesh mesh = make_mesh(scene, loaded, begin);
   tell(begin, "mapping it to springs");
   if (!scene.garment.file.empty()) {
-    loaded.landmarks = read_landmarks(scene.garment.file, *loaded.placement, mesh, loaded.file_vertices);
+    loaded.landmarks = read_landmarks(scene.garment.model(), *loaded.placement, mesh, loaded.file_vertices);
   }
   // Pins are vertices of the mesh as it was read: they stay the same when it is subdivided.
   std::vector<sim::Index> pins = choose_pins(scene, mesh, loaded, begin);

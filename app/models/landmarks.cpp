@@ -113,4 +113,15 @@ std::optional<double> known_metres_per_uv(const std::filesystem::path& garment) 
   return metres;
 }
 
+bool is_at_rest_as_cut(const std::filesystem::path& garment) {
+  const std::filesystem::path path = landmarks_path(garment);
+  const toml::table file = file_at(path);
+  const toml::node* value = file.get("is_cut");
+  if (value != nullptr && (!value->is_boolean() || !file.contains("metres_per_uv"))) {
+    fail({path.string(), false}, line_of(*value),
+         "is_cut: found " + to_text(*value) + ", expected true or false, and metres_per_uv beside it");
+  }
+  return value != nullptr && value->value_or(false);
+}
+
 }  // namespace taut::app

@@ -29,4 +29,8 @@ Landmarks read_landmarks(const std::filesystem::path& garment, const Placement& 
 /// nothing. Throws InputError that names the file and the line if it is not a number above 0.
 std::optional<double> known_metres_per_uv(const std::filesystem::path& garment);
 
+/// Whether the same file says that the garment is at rest as it was cut, is_cut = true: with the lengths of its texture
+/// coordinates, in the same scale. Throws InputError likewise.
+bool is_at_rest_as_cut(const std::filesystem::path& garment);
+
 }  // namespace taut::app

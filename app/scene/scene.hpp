@@ -81,6 +81,7 @@ enum class MeshChoice {
 /// Where the garment comes from: a model file, or a regular grid if no file is named.
 struct GarmentSource {
   std::filesystem::path file;   ///< empty: the grid
+  std::filesystem::path sewn = {};  ///< of a sewing pattern, the garment that was made of it (app/sewing); not a key
   std::optional<double> scale;  ///< metres per unit of the file; empty: the file's own unit, or a guess
   std::optional<ModelAxis> up;  ///< in the file's coordinates; empty: the file's own, or a guess
   /// Vertices of borders that are closer than this become one; empty: where parts meet beyond doubt.
@@ -102,6 +103,8 @@ struct GarmentSource {
   /// mesh; null: none.
   std::shared_ptr<const std::vector<sim::Vec3>> given_start_m;
 
+  /// The file that is read as a model.
+  const std::filesystem::path& model() const { return sewn.empty() ? file : sewn; }
   bool has_start() const { return !start.empty() || given_start_m; }
   /// Whether the garment is the grid.
   bool is_grid() const { return file.empty() && !given; }

@@ -14,6 +14,7 @@
 #include "app/output/picture_record.hpp"
 #include "app/output/run_checkpoint.hpp"
 #include "app/output/run_report.hpp"
+#include "app/sewing/sewn_scene.hpp"
 #include "app/sweeps/run_lock.hpp"
 #include "app/sweeps/sweep_results.hpp"
 
@@ -37,6 +38,7 @@ struct Loaded {
   sim::Simulation simulation;
 
   static Loaded of(DrawnScene scene) {
+    sew_garment(scene);
     load_bodies(scene);
     LoadedGarment garment = load_garment(scene);
     put_where_it_begins(garment, scene);

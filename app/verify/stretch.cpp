@@ -22,8 +22,8 @@ struct Sides {
   }
 };
 
-Sides sides_of(const sim::Triangle& t, std::span<const sim::Vec3> p) {
-  return {glm::distance(p[t[0]], p[t[1]]), glm::distance(p[t[0]], p[t[2]]), glm::distance(p[t[1]], p[t[2]])};
+Sides sides_of(const std::array<sim::Vec3, 3>& p) {
+  return {glm::distance(p[0], p[1]), glm::distance(p[0], p[2]), glm::distance(p[1], p[2])};
 }
 
 /// The larger root x of det(now - x rest) = 0, as the square root minus 1. What is under the root of the
@@ -48,8 +48,9 @@ LargestStretch largest_stretch(const sim::Mesh& rest, std::span<const sim::Vec3>
   const auto add_spring = [&](double rest_m, double now_m) {
     largest.springs = std::max(largest.springs, now_m / rest_m - 1.0);
   };
-  for (const sim::Triangle& t : rest.triangles) {
-    const Sides before = sides_of(t, rest.positions), now = sides_of(t, positions_m);
+  for (std::size_t k = 0; k < rest.triangles.size(); ++k) {
+    const auto& [a, b, c] = rest.triangles[k];
+    const Sides before = sides_of(sim::corners_at_rest(rest, k)), now = sides_of({positions_m[a], positions_m[b], positions_m[c]});
     add_spring(before.first_m, now.first_m);
     add_spring(before.second_m, now.second_m);
     add_spring(before.across_m, now.across_m);

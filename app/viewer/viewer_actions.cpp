@@ -3,6 +3,7 @@
 #include "app/drawing/drawn_scene.hpp"
 #include "app/drawing/framing.hpp"
 #include "app/models/hanger.hpp"
+#include "app/sewing/sewn_scene.hpp"
 #include "app/viewer/state/viewer_state.hpp"
 #include "app/viewer/viewer.hpp"
 
@@ -168,7 +169,9 @@ void Viewer::load_asked() {
     if (fabric) choose_fabric(*fabric);
     if (name) {
       DrawnScene scene = find_scene(*name, {});
-      const std::vector<std::string> remarks = load_bodies(scene);
+      std::vector<std::string> remarks = sew_garment(scene);
+      const std::vector<std::string> of_bodies = load_bodies(scene);
+      remarks.insert(remarks.end(), of_bodies.begin(), of_bodies.end());
       own_cloth_.reset();
       load(std::move(scene), remarks);
     } else if (motion) {
@@ -187,7 +190,9 @@ void Viewer::load_asked() {
       take_off_hanger(scene);
       scene.garment.file = *garment;
       scene.garment.start.clear();
-      load(std::move(scene), {});
+      scene.garment.sewn.clear();
+      const std::vector<std::string> remarks = sew_garment(scene);
+      load(std::move(scene), remarks);
     }
   } catch (const std::exception& error) {
     tell(error.what(), true);

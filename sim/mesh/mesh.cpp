@@ -113,6 +113,15 @@ Vec3 doubled_area_vector(const std::vector<Vec3>& positions, const Triangle& t) 
   return glm::cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
 }
 
+std::array<Vec3, 3> corners_at_rest(const Mesh& mesh, std::size_t triangle) {
+  if (mesh.cut_m.empty()) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
+  }
+  const auto& [a, b, c] = mesh.cut_m[triangle];
+  return {Vec3(a, 0.0), Vec3(b, 0.0), Vec3(c, 0.0)};
+}
+
 double surface_area(const Mesh& mesh) {
   double doubled = 0.0;
   for (const Triangle& t : mesh.triangles) {

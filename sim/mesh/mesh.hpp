@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -14,7 +15,13 @@ struct Mesh {
   std::vector<Triangle> triangles;
   /// The cells of a regular grid; empty for a triangle model. Cell q consists of triangles 2q and 2q + 1.
   std::vector<Quad> quads;
+  /// Per triangle, where its corners are in the flat piece that it was cut from, in metres: its shape at rest, wherever
+  /// `positions` are. Empty: the mesh is at rest in `positions`.
+  std::vector<std::array<Vec2, 3>> cut_m = {};
 };
+
+/// Returns the corners of a triangle at rest, in metres.
+std::array<Vec3, 3> corners_at_rest(const Mesh& mesh, std::size_t triangle);
 
 /// Repairs that weld_and_validate may make.
 struct RepairSettings {

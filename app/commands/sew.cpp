@@ -1,0 +1,104 @@
+#include <ctime>
+
+#include "app/base/counted.hpp"
+#include "app/base/errors.hpp"
+#include "app/base/files.hpp"
+#include "app/base/progress.hpp"
+#include "app/bodies/body_loading.hpp"
+#include "app/bodies/wearing.hpp"
+#include "app/commands/options.hpp"
+#include "app/drawing/drawn_scene.hpp"
+#include "app/drawing/fit_picture.hpp"
+#include "app/models/landmarks.hpp"
+#include "app/scene/scene_key.hpp"
+#include "app/sewing/sewing.hpp"
+#include "renderer/page/png.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double usual_bound = 0.01;
+
+DrawnScene scene_of(const SewOptions& options) {
+  std::vector<Override> overrides = options.overrides;
+  const auto add = [&](const char* key, const std::string& value) {
+    if (!sets(overrides, key)) overrides.push_back({key, value, std::string("--set ") + key + '=' + value});
+  };
+  if (!sets(overrides, "body.file")) {
+    throw UsageError("taut sew " + options.pattern.string() + ": found no body, expected --body FILE");
+  }
+  add("body.dress", std::to_string(usual_dressing_frames));
+  add("solver.max_stretch", std::to_string(usual_bound));
+  DrawnScene scene = find_scene(options.pattern.string(), overrides);
+  // As worn garments may (taut fit).
+  if (sim::has_law(scene.material) && !sets(options.overrides, "solver.max_stretch")) {
+    scene.simulation.solver.bounded.max_stretch = std::max({usual_bound, scene.material.warp_limit, scene.material.weft_limit});
+  }
+  return scene;
+}
+
+void write_picture(const std::filesystem::path& file, const DrawnScene& scene, const SewnGarment& sewn,
+                   const std::string& measured, const std::string& backend) {
+  const sim::Garment& garment = sewn.sewn.garment;
+  write_file(file, renderer::encode_png(draw_fit({scene, garment, garment.mesh.positions, sewn.time_s, {},
+                                                  scene.name + " on " + scene.surroundings.bodies[dressed_body(scene).body].name,
+                                                  measured, ""},
+                                                 backend)));
+}
+
+[[noreturn]] void end_failed(const SewOptions& options, const DrawnScene& scene, const SewingFailed& error) {
+  const std::filesystem::path file = options.picture.empty() ? free_name("", scene.name + "-open", ".png") : options.picture;
+  std::string shown = fmt::format("'{}' shows it", file.string());
+  try {
+    write_picture(file, scene, error.garment, error.what(), options.backend);
+  } catch (const std::exception& reason) {
+    shown = std::string("there is no picture of it: ") + reason.what();
+  }
+  throw PromiseBroken("{}; {}", error.what(), shown);
+}
+
+}  // namespace
+
+int run(const SewOptions& asked) {
+  SewOptions options = asked;
+  DrawnScene scene = scene_of(options);
+  if (options.output.empty()) options.output = scene.name + ".obj";
+  if (options.output.extension() != ".obj") {
+    throw UsageError("--output " + options.output.string() + ": expected a name that ends in .obj");
+  }
+  prepare_folder_of(options.output);
+  if (!options.picture.empty()) prepare_png(options.picture);
+  std::FILE* const remarks = options.json ? stderr : stdout;
+  print_body_remarks(scene, load_bodies(scene), remarks);
+  Progress progress(scene.name);
+  const std::clock_t began = std::clock();
+  try {
+    const SewnGarment sewn = sew(scene, {options.triangles, options.frames}, [&](const std::string& stage) { progress.begin(stage); });
+    const double took_s = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+    write_text_file(options.output, obj_of(sewn));
+    write_text_file(landmarks_path(options.output), landmarks_of(sewn));
+    const std::string measured = fmt::format("{} closed, {}, no crossing, largest stretch {:.3f} %", counted(sewn.pieces.seams.size(), "seam"),
+                                             sewn.is_at_rest ? "at rest" : fmt::format("after {} frames still moving at {:.2g} mm/s", sewn.frames, 1e3 * sewn.rms_speed_m_per_s),
+                                             100.0 * sewn.max_stretch);
+    progress.begin("drawing it");
+    if (!options.picture.empty()) write_picture(options.picture, scene, sewn, measured, options.backend);
+    progress.hide();
+    print_body_remarks(scene, sewn.remarks, remarks);
+    if (options.json) {
+      fmt::print("{}\n", Json{{"pattern", options.pattern.string()}, {"garment", options.output.string()},
+                              {"panels", sewn.pieces.panel_count()}, {"seams", sewn.pieces.seams.size()},
+                              {"triangles", sewn.pieces.triangles.size()}, {"at_rest", sewn.is_at_rest},
+                              {"frames", sewn.frames}, {"max_surface_stretch", sewn.max_stretch}, {"processor_s", took_s}}.dump(2));
+    } else {
+      fmt::print("{} of {}: {}; {:.1f} s of processor time\nwrote {}\n", counted(sewn.pieces.panel_count(), "panel"),
+                 counted(sewn.pieces.triangles.size(), "triangle"), measured, took_s, options.output.string());
+    }
+  } catch (const SewingFailed& error) {
+    progress.hide();
+    print_body_remarks(scene, error.garment.remarks, remarks);
+    end_failed(options, scene, error);
+  }
+  return 0;
+}
+
+}  // namespace taut::app

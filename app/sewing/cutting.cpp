@@ -1,0 +1,297 @@
+#include "app/sewing/cutting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+#include "app/sewing/filling.hpp"
+#include "sim/mesh/groups.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Triangle;
+using sim::Vec2;
+using sim::Vec3;
+
+// Finer ones take too long, and through coarser ones bodies show.
+constexpr double finest_edge_m = 0.006;
+constexpr double coarsest_edge_m = 0.06;
+/// Steps along a curve are no longer than that it is shortened by so much.
+constexpr double most_shortened_m = 4e-4;
+constexpr double between_panels_m = 0.05;
+/// A seam is closed the shorter way round where that is by so much of its length, whatever other seams say.
+constexpr double beyond_doubt = 0.7;
+
+std::vector<Vec2> fine_outline(const PatternPanel& panel) {
+  std::vector<Vec2> outline;
+  for (const std::vector<Vec2>& line : panel.edges_m) {
+    outline.insert(outline.end(), line.begin(), line.end() - 1);
+  }
+  return outline;
+}
+
+double area_of(const std::vector<Vec2>& outline) {
+  double area = 0.0;
+  for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
+    area += 0.5 * doubled_area(outline[0], outline[k], outline[k + 1]);
+  }
+  return area;
+}
+
+/// The side of that many equilateral triangles which cover all panels.
+double edge_for(const SewingPattern& pattern, int triangles) {
+  double area_m2 = 0.0;
+  for (const PatternPanel& panel : pattern.panels) {
+    area_m2 += std::abs(area_of(fine_outline(panel)));
+  }
+  return std::clamp(std::sqrt(area_m2 * 4.0 / (std::sqrt(3.0) * triangles)), finest_edge_m, coarsest_edge_m);
+}
+
+/// Per panel and edge, into how many steps it is divided: edges that are sewn to each other into the same.
+std::vector<std::vector<std::size_t>> steps_of_edges(const SewingPattern& pattern, double edge_m) {
+  std::vector<Index> first = {0};
+  for (const PatternPanel& panel : pattern.panels) {
+    first.push_back(first.back() + static_cast<Index>(panel.edges_m.size()));
+  }
+  const auto number = [&](const PanelEdge& e) { return first[e.panel] + static_cast<Index>(e.edge); };
+  sim::Groups sewn(first.back());
+  for (const Stitch& stitch : pattern.stitches) {
+    sewn.join(number(stitch.first), number(stitch.second));
+  }
+  std::vector<double> lengths(first.back(), 0.0), counts(first.back(), 0.0);
+  const auto for_all = [&](const auto& visit) {
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+      for (std::size_t e = 0; e < pattern.panels[p].edges_m.size(); ++e) {
+        visit(p, e, sewn.find(number({p, e})));
+      }
+    }
+  };
+  for_all([&](std::size_t p, std::size_t e, Index group) {
+    lengths[group] += length_of(pattern.panels[p].edges_m[e]);
+    counts[group] += 1.0;
+  });
+  std::vector<std::size_t> of_group(first.back(), 1);
+  for_all([&](std::size_t p, std::size_t e, Index group) {
+    const std::vector<Vec2>& line = pattern.panels[p].edges_m[e];
+    const double least = pattern.panels[p].edges_m.size() == 2 ? 2.0 : 1.0;
+    std::size_t& steps = of_group[group];
+    steps = std::max(steps, static_cast<std::size_t>(std::max(least, std::round(lengths[group] / counts[group] / edge_m))));
+    while (length_of(evenly_along(line, steps)) < length_of(line) - most_shortened_m) {
+      ++steps;
+    }
+  });
+  std::vector<std::vector<std::size_t>> steps(pattern.panels.size());
+  for_all([&](std::size_t p, std::size_t, Index group) { steps[p].push_back(of_group[group]); });
+  return steps;
+}
+
+/// Adds a panel. Returns, per edge, its vertices from begin to end.
+std::vector<std::vector<Index>> add_panel(const PatternPanel& panel, const std::vector<std::size_t>& steps, CutPieces& pieces) {
+  std::vector<Vec2> outline;
+  std::vector<std::size_t> begins;
+  for (std::size_t e = 0; e < steps.size(); ++e) {
+    const std::vector<Vec2> points = evenly_along(panel.edges_m[e], steps[e]);
+    begins.push_back(outline.size());
+    outline.insert(outline.end(), points.begin(), points.end() - 1);
+  }
+  const std::size_t count = outline.size();
+  const bool is_clockwise = area_of(outline) < 0.0;
+  if (is_clockwise) {
+    std::ranges::reverse(outline);
+  }
+  FilledOutline filled;
+  try {
+    filled = fill_outline(outline, pieces.edge_m);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("the panel '" + panel.name + "': " + error.what());
+  }
+  const auto first = static_cast<Index>(pieces.flat_m.size());
+  const auto p = static_cast<Index>(pieces.panel_triangles.size());
+  for (const Vec2& point : filled.points_m) {
+    pieces.flat_m.push_back(point);
+    pieces.placed_m.push_back(panel.placed_m(point));
+    pieces.panel_of.push_back(p);
+  }
+  pieces.panel_triangles.push_back(static_cast<Index>(pieces.triangles.size()));
+  for (const auto& [a, b, c] : filled.triangles) {
+    pieces.triangles.push_back({first + a, first + b, first + c});
+  }
+  std::vector<std::vector<Index>> vertices(steps.size());
+  for (std::size_t e = 0; e < steps.size(); ++e) {
+    for (std::size_t k = 0; k <= steps[e]; ++k) {
+      const std::size_t at = (begins[e] + k) % count;
+      vertices[e].push_back(first + static_cast<Index>(is_clockwise ? count - 1 - at : at));
+    }
+  }
+  return vertices;
+}
+
+/// Panels that face the same side as others or the opposite one, as their stitches say.
+class Facing {
+ public:
+  explicit Facing(std::size_t panels) : parent_(panels), is_opposite_(panels, false) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+
+  /// Whether two panels face opposite sides; empty if nothing says so.
+  std::optional<bool> opposite(std::size_t a, std::size_t b) const {
+    const auto [root_a, of_a] = find(a);
+    const auto [root_b, of_b] = find(b);
+    return root_a == root_b ? std::optional(of_a != of_b) : std::nullopt;
+  }
+  void join(std::size_t a, std::size_t b, bool are_opposite) {
+    const auto [root_a, of_a] = find(a);
+    const auto [root_b, of_b] = find(b);
+    parent_[root_b] = root_a;
+    is_opposite_[root_b] = root_a != root_b && (of_a != of_b) != are_opposite;
+  }
+
+ private:
+  std::pair<std::size_t, bool> find(std::size_t panel) const {
+    bool is_opposite = false;
+    for (; parent_[panel] != panel; panel = parent_[panel]) {
+      is_opposite = is_opposite != is_opposite_[panel];
+    }
+    return {panel, is_opposite};
+  }
+
+  std::vector<std::size_t> parent_;
+  std::vector<bool> is_opposite_;  ///< to the parent
+};
+
+/// Per stitch, the seam. Which way round it closes has to be told where a pattern says nothing: first for the seams in
+/// which one way is much shorter than the other, from which it is known which panels face the same side; for others
+/// their panels tell.
+std::vector<Seam> find_seams(const SewingPattern& pattern, const std::vector<std::vector<std::vector<Index>>>& borders, const CutPieces& pieces) {
+  struct Way {
+    double shorter;  ///< by what share of its length the way back is
+    std::size_t stitch;
+  };
+  std::vector<Way> ways;
+  for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
+    const auto& [a, b] = pattern.stitches[s];
+    const std::vector<Index>&first = borders[a.panel][a.edge], &second = borders[b.panel][b.edge];
+    const auto way = [&](Index v, Index w) { return glm::distance(pieces.placed_m[v], pieces.placed_m[w]); };
+    const double ahead_m = way(first.front(), second.front()) + way(first.back(), second.back());
+    const double back_m = way(first.front(), second.back()) + way(first.back(), second.front());
+    ways.push_back({(ahead_m - back_m) / (length_of(pattern.line_of(a)) + length_of(pattern.line_of(b))), s});
+  }
+  std::ranges::stable_sort(ways, [](const Way& a, const Way& b) { return std::abs(a.shorter) > std::abs(b.shorter); });
+  Facing facing(pattern.panels.size());
+  std::vector<Seam> seams(ways.size());
+  for (const auto& [shorter, s] : ways) {
+    const auto& [a, b] = pattern.stitches[s];
+    // Borders of panels that face the same side run against each other.
+    const std::optional<bool> opposite = facing.opposite(a.panel, b.panel);
+    const bool runs_back = opposite && std::abs(shorter) < beyond_doubt ? !*opposite : shorter > 0.0;
+    facing.join(a.panel, b.panel, !runs_back);
+    std::vector<Index> second = borders[b.panel][b.edge];
+    if (runs_back) {
+      std::ranges::reverse(second);
+    }
+    for (std::size_t k = 0; k < second.size(); ++k) {
+      seams[s].emplace_back(borders[a.panel][a.edge][k], second[k]);
+    }
+  }
+  return seams;
+}
+
+/// Returns whether the border of its panel goes from this vertex of a triangle to the other, counter-clockwise.
+bool goes_along(const CutPieces& pieces, Index from, Index to) {
+  return std::ranges::any_of(pieces.triangles, [&](const Triangle& t) {
+    return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) || (t[2] == from && t[0] == to);
+  });
+}
+
+/// Turns panels so that all that are sewn together face the same side, and that outwards, away from the middle of all.
+void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
+  std::vector<int> side(pieces.panel_count(), 0);
+  std::vector<std::pair<std::size_t, bool>> links;  // whether both panels of a stitch face the same side as they are
+  for (const Seam& seam : pieces.seams) {
+    links.emplace_back(links.size(), goes_along(pieces, seam[0].first, seam[1].first) !=
+                                         goes_along(pieces, seam[0].second, seam[1].second));
+  }
+  const Vec3 middle = std::accumulate(pieces.placed_m.begin(), pieces.placed_m.end(), Vec3(0.0)) / static_cast<double>(pieces.placed_m.size());
+  std::vector<double> outwards(side.size(), 0.0);
+  for (std::size_t p = 0; p < side.size(); ++p) {
+    for (Index t = pieces.panel_triangles[p]; t < pieces.panel_triangles[p + 1]; ++t) {
+      const auto& [a, b, c] = pieces.triangles[t];
+      const Vec3 &at = pieces.placed_m[a], out = at - middle;
+      outwards[p] += glm::dot(glm::cross(pieces.placed_m[b] - at, pieces.placed_m[c] - at), Vec3(out.x, 0.0, out.z));
+    }
+  }
+  for (std::size_t begin = 0; begin < side.size(); ++begin) {
+    if (side[begin] != 0) {
+      continue;
+    }
+    side[begin] = 1;
+    std::vector<std::size_t> found = {begin};
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      for (const auto& [s, is_same] : links) {
+        const std::size_t a = pattern.stitches[s].first.panel, b = pattern.stitches[s].second.panel;
+        const std::size_t other = found[k] == a ? b : a;
+        if ((found[k] == a || found[k] == b) && side[other] == 0) {
+          side[other] = is_same ? side[found[k]] : -side[found[k]];
+          found.push_back(other);
+        }
+      }
+    }
+    double sum = 0.0;
+    for (const std::size_t p : found) {
+      sum += side[p] * outwards[p];
+    }
+    for (const std::size_t p : found) {
+      side[p] = sum < 0.0 ? -side[p] : side[p];
+    }
+  }
+  for (std::size_t p = 0; p < side.size(); ++p) {
+    pieces.is_turned.push_back(side[p] < 0 ? 1 : 0);
+    for (Index t = pieces.panel_triangles[p]; side[p] < 0 && t < pieces.panel_triangles[p + 1]; ++t) {
+      std::swap(pieces.triangles[t][1], pieces.triangles[t][2]);
+    }
+  }
+}
+
+/// Lays panels side by side, as seen from outside, in numbers that single precision holds in cm: files hold these.
+void lay_out(CutPieces& pieces) {
+  std::vector<double> low_m(pieces.panel_count(), std::numeric_limits<double>::infinity()), high_m(pieces.panel_count(), -low_m[0]);
+  for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
+    const Index p = pieces.panel_of[v];
+    double& x = pieces.flat_m[v].x;
+    x = pieces.is_turned[p] != 0 ? -x : x;
+    low_m[p] = std::min(low_m[p], x);
+    high_m[p] = std::max(high_m[p], x);
+  }
+  std::vector<double> begin_m = {0.0};
+  for (std::size_t p = 0; p < low_m.size(); ++p) {
+    begin_m.push_back(begin_m.back() + high_m[p] - low_m[p] + between_panels_m);
+  }
+  for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
+    const Index p = pieces.panel_of[v];
+    const Vec2 moved = pieces.flat_m[v] + Vec2(begin_m[p] - low_m[p], 0.0);
+    pieces.flat_m[v] = Vec2(glm::vec2(moved / metres_per_uv_of_cut)) * metres_per_uv_of_cut;
+  }
+}
+
+}  // namespace
+
+CutPieces cut_pieces(const SewingPattern& pattern, int triangles) {
+  CutPieces pieces;
+  pieces.edge_m = edge_for(pattern, triangles);
+  const auto steps = steps_of_edges(pattern, pieces.edge_m);
+  std::vector<std::vector<std::vector<Index>>> borders;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    borders.push_back(add_panel(pattern.panels[p], steps[p], pieces));
+  }
+  pieces.panel_triangles.push_back(static_cast<Index>(pieces.triangles.size()));
+  pieces.seams = find_seams(pattern, borders, pieces);
+  turn_outwards(pattern, pieces);
+  lay_out(pieces);
+  return pieces;
+}
+
+}  // namespace taut::app

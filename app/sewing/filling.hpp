@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/mesh/types.hpp"
+
+namespace taut::app {
+
+/// A flat piece as triangles, counter-clockwise. The points of its outline come first.
+struct FilledOutline {
+  std::vector<sim::Vec2> points_m;
+  std::vector<sim::Triangle> triangles;
+};
+
+/// Fills a closed outline, counter-clockwise and its first point not repeated, with triangles that are near equilateral,
+/// with edges of about this length. The edges of the outline stay as they are; every other edge has an end within.
+/// Throws std::invalid_argument on an outline that crosses or touches itself or goes clockwise.
+FilledOutline fill_outline(std::vector<sim::Vec2> outline_m, double edge_m);
+
+/// Twice the area of a triangle, above 0 if it is counter-clockwise.
+inline double doubled_area(const sim::Vec2& a, const sim::Vec2& b, const sim::Vec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+}
+
+}  // namespace taut::app

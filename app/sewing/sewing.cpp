@@ -1,0 +1,157 @@
+#include "app/sewing/sewing.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "app/base/counted.hpp"
+#include "app/base/interruption.hpp"
+#include "app/bodies/fit.hpp"
+#include "app/bodies/wearing.hpp"
+#include "app/models/obj_writing.hpp"
+#include "app/models/scene_crossings.hpp"
+#include "app/output/run_checkpoint.hpp"
+#include "app/scene/scene_key.hpp"
+#include "app/sewing/placing.hpp"
+#include "app/verify/stretch.hpp"
+#include "sim/mesh/extent.hpp"
+#include "sim/simulation.hpp"
+
+namespace taut::app {
+namespace {
+
+using sim::Index;
+using sim::Vec3;
+
+constexpr double cm = 0.01;
+/// More time steps help no garment that is too small, which then takes minutes to be refused.
+constexpr int most_substeps = 250;
+constexpr double resting_drag_per_s = 6.0;
+constexpr double of_one_limb = 0.6;  ///< of a girth, at most
+
+[[noreturn]] void refuse_open(SewnGarment garment) {
+  const SewnPieces& sewn = garment.sewn;
+  const std::string message = fmt::format("a seam stays open: {}, by {:.1f} cm at {}{}",
+                                          garment.pattern.describe(garment.pattern.stitches[sewn.open_stitch]),
+                                          sewn.gap_m / cm, describe_place(sewn.gap_place_m),
+                                          sewn.reason.empty() ? "" : "; " + sewn.reason);
+  throw SewingFailed(message, std::move(garment));
+}
+
+/// Lets the body grow into what was sewn, and that come to rest.
+void wear(const Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage, SewnGarment& garment) {
+  SewnPieces& sewn = garment.sewn;
+  sewn.garment = sim::with_material(std::move(sewn.garment), scene.material);
+  // As of any garment that begins where it lies.
+  sewn.garment.parted_m.clear();
+  RunSettings run = scene.simulation;
+  run.solver.max_substeps = std::min(run.solver.max_substeps, most_substeps);
+  sim::Simulation simulation(sim::share(sewn.garment), {}, simulation_settings(run), scene.surroundings,
+                             sewn.garment.mesh.positions);
+  const auto keep = [&] {
+    sewn.garment.mesh.positions = simulation.state().current;
+    garment.time_s = simulation.state().time_s;
+  };
+  std::vector<FitRow> fit = fit_of(scene, sewn.garment, sewn.garment.mesh.positions);
+  // Where the body is thin a level may meet one limb alone.
+  std::erase_if(fit, [](const FitRow& row) { return row.garment_m < of_one_limb * row.body_m; });
+  const auto refuse = [&](const std::exception& error) {
+    keep();
+    throw SewingFailed("its seams are closed, but it cannot be worn: " + (error.what() + describe_misfit(fit)), std::move(garment));
+  };
+  try {
+    stage("the body grows into it");
+    dress(scene, simulation);
+    // Where it comes to rest does not depend on the air, but how soon does.
+    sim::Surroundings thick_air = scene.surroundings;
+    thick_air.forces.air_drag_per_s = std::max(thick_air.forces.air_drag_per_s, resting_drag_per_s);
+    simulation.set_surroundings(thick_air);
+    for (; garment.frames < settings.frames && !simulation.state().asleep; ++garment.frames) {
+      throw_if_interrupted();
+      stage(fmt::format("worn for {} of {} frames", garment.frames, settings.frames));
+      simulation.advance_frame(throw_if_interrupted);
+    }
+  } catch (const InputError& error) {
+    refuse(error);
+  } catch (const PromiseBroken& error) {
+    refuse(error);
+  } catch (const sim::ContactBlocked& error) {
+    refuse(error);
+  }
+  garment.is_at_rest = simulation.state().asleep;
+  garment.rms_speed_m_per_s = sim::rms_speed(simulation.change());
+  keep();
+}
+
+void verify(const Scene& scene, SewnGarment& garment) {
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  const BodyMeasures& measures = dressed_body(scene).wearer->measures;
+  if (sim::extent_of(mesh.positions).upper.y < measures.levels[measures.fork].height_m) {
+    throw SewingFailed("its seams are closed, but it does not stay on the body: it falls down", std::move(garment));
+  }
+  const Surface cloth = {mesh.positions, mesh.triangles};
+  for (const SceneCrossings& crossings : scene_crossings(cloth, scene.surroundings.bodies, garment.time_s)) {
+    if (!crossings.pairs.empty()) {
+      const std::string found = describe(crossings, cloth, scene.surroundings.bodies);
+      throw SewingFailed("when it is worn, " + found, std::move(garment));
+    }
+  }
+  garment.max_stretch = largest_stretch(mesh, mesh.positions).surface;
+}
+
+}  // namespace
+
+SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::function<void(const std::string&)>& stage) {
+  SewnGarment garment{read_sewing_pattern(scene.garment.file), {}, {}};
+  stage("meshing its panels");
+  try {
+    garment.pieces = cut_pieces(garment.pattern, settings.triangles);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("cannot use '{}': {}", scene.garment.file.string(), error.what());
+  }
+  garment.remarks = place_pieces(garment.pattern, garment.pieces, scene);
+  garment.time_s = thin_time_s(scene);
+  garment.sewn = close_seams(garment.pattern, garment.pieces, garment.pieces.placed_m, scene, garment.time_s, [&](double share) {
+    stage(fmt::format("drawing its seams together, {:.0f} % are closed", std::floor(100.0 * share)));
+  });
+  if (garment.sewn.gap_m > 0.0) {
+    refuse_open(std::move(garment));
+  }
+  wear(scene, settings, stage, garment);
+  verify(scene, garment);
+  return garment;
+}
+
+std::string obj_of(const SewnGarment& garment) {
+  const sim::Mesh& mesh = garment.sewn.garment.mesh;
+  std::vector<glm::vec2> corner_uv;
+  for (const auto& corners : mesh.cut_m) {
+    for (const sim::Vec2& corner : corners) {
+      corner_uv.emplace_back(corner / metres_per_uv_of_cut);
+    }
+  }
+  FileFaces faces = faces_of(mesh, corner_uv);
+  for (std::size_t p = 0; p < garment.pattern.panels.size(); ++p) {
+    faces.sections.push_back({garment.pieces.panel_triangles[p], "g " + garment.pattern.panels[p].name});
+  }
+  return obj_text(faces, mesh.positions, {});
+}
+
+std::string landmarks_of(const SewnGarment& garment) {
+  std::string text = "# As it is cut: lengths at rest are those of the texture coordinates, which are cm.\n" +
+                     fmt::format("metres_per_uv = {}\nis_cut = true\n\n", metres_per_uv_of_cut) +
+                     "# Vertices along its seams, from 0.\n[seams]\n";
+  for (std::size_t s = 0; s < garment.pieces.seams.size(); ++s) {
+    std::string vertices;
+    for (const auto& [a, b] : garment.pieces.seams[s]) {
+      vertices += (vertices.empty() ? "" : ", ") + std::to_string(garment.sewn.vertex_of[a]);
+    }
+    text += toml_text(garment.pattern.describe(garment.pattern.stitches[s])) + " = [" + vertices + "]\n";
+  }
+  return text;
+}
+
+}  // namespace taut::app

@@ -61,6 +61,7 @@ int run(const InspectOptions& options) {
   print_body_remarks(scene, sew_garment(scene), options.json ? stderr : stdout);
   print_body_remarks(scene, load_bodies(scene), options.json ? stderr : stdout);
   if (!options.picture.empty()) prepare_png(options.picture);
+  scene.garment.is_drawn_finer = false;  // what crosses is told of the file's triangles
   Progress progress(options.garment.filename().string());
   LoadedGarment loaded = load_garment(scene, [&](const std::string& stage) { progress.begin(stage); });
   print_body_remarks(scene, put_where_it_begins(loaded, scene), options.json ? stderr : stdout);

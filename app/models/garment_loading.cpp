@@ -172,11 +172,11 @@ sim::Mesh scaled(sim::Mesh mesh, double factor) {
   return mesh;
 }
 
-/// Subdivides a model that is coarser than the mesh that was fitted to it: its folds would not be seen, and its
-/// triangles would cut through the layers within.
+/// Subdivides a model whose edges are longer by a fifth than those of the mesh that was fitted to it: its folds would
+/// not be seen, and its triangles would cut through the layers within.
 void subdivide_coarse(sim::Mesh& model, FittedModel& fitted, SurfaceColours& colours) {
   const bool is_garment = model.triangles.size() >= fewest_of_garment;
-  while (is_garment && model.triangles.size() - fitted.carried_triangles < fitted.mesh.triangles.size()) {
+  while (is_garment && 10 * model.triangles.size() < 7 * fitted.mesh.triangles.size()) {
     model = sim::subdivide({std::move(model), {}}).mesh;
     colours = subdivided_colours(std::move(colours));
     std::vector<std::uint8_t> finer;
@@ -274,7 +274,7 @@ sim::Mesh read_mesh(const Scene& scene, LoadedGarment& loaded, const StageReport
     for (sim::Vec3& position : fitted->mesh.positions) {
       position = (*loaded.placement)(position / loaded.placement->scale);
     }
-    if (!source.given) {
+    if (!source.given && source.is_drawn_finer) {
       subdivide_coarse(valid.mesh, *fitted, loaded.colours);
     }
     let_follow(std::move(valid.mesh), *fitted, loaded);

@@ -88,6 +88,7 @@ struct GarmentSource {
   std::optional<double> weld_m;
   MeshChoice mesh = MeshChoice::automatic;
   int most_triangles = 8000;  ///< of a fitted mesh
+  bool is_drawn_finer = true;  ///< where its model is coarser than the mesh that is fitted to it; no key
   int subdivisions = 0;       ///< each makes four triangles of one; only for a file
   /// Model file with the positions at the start: the garment's vertices, in metres with y up. Empty: the
   /// garment starts as it was modelled.

@@ -100,9 +100,7 @@ int run(const FitOptions& asked) {
   std::FILE* const remarks = options.json ? stderr : stdout;
   Progress progress(scene.name);
   const auto stage = [&](const std::string& begun) { progress.begin(begun); };
-  std::vector<std::string> said = sew_garment(scene, stage);
-  stage("reading its bodies");
-  for (std::string& line : load_bodies(scene)) said.push_back(std::move(line));
+  const std::vector<std::string> said = sew_and_load_bodies(scene, {}, stage);
   progress.hide();
   print_body_remarks(scene, said, remarks);
   LoadedGarment loaded = load_garment(scene, stage);

@@ -58,8 +58,7 @@ DrawnScene scene_of(const InspectOptions& options) {
 int run(const InspectOptions& options) {
   DrawnScene scene = scene_of(options);
   if (options.garment.empty()) return inspect_bodies(options, scene);
-  print_body_remarks(scene, sew_garment(scene), options.json ? stderr : stdout);
-  print_body_remarks(scene, load_bodies(scene), options.json ? stderr : stdout);
+  print_body_remarks(scene, sew_and_load_bodies(scene), options.json ? stderr : stdout);
   if (!options.picture.empty()) prepare_png(options.picture);
   scene.garment.is_drawn_finer = false;  // what crosses is told of the file's triangles
   Progress progress(options.garment.filename().string());

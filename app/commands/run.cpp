@@ -26,10 +26,8 @@ std::filesystem::path folder_beside(const std::string& pattern, int frame) {
 
 SceneRun::SceneRun(const RunOptions& asked_options, DrawnScene asked, std::FILE* remarks_to)
     : options(asked_options), remarks(remarks_to), scene(std::move(asked)), progress(scene.name) {
-  const auto stage = [this](const std::string& begun) { progress.begin(begun); };
-  std::vector<std::string> said = sew_garment(scene, stage);
-  stage("reading its bodies");
-  for (std::string& line : load_bodies(scene, options.overrides)) said.push_back(std::move(line));
+  const std::vector<std::string> said =
+      sew_and_load_bodies(scene, options.overrides, [this](const std::string& stage) { progress.begin(stage); });
   progress.hide();
   print_body_remarks(scene, said, remarks);
 }

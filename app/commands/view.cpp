@@ -85,8 +85,7 @@ int run(const ViewOptions& options) {
   }
   const Session session = session_of(options);
   DrawnScene scene = find_scene(session.start.scene, session.start.overrides);
-  print_body_remarks(scene, sew_garment(scene), stdout);
-  print_body_remarks(scene, load_bodies(scene, session.start.overrides), stdout);
+  print_body_remarks(scene, sew_and_load_bodies(scene, session.start.overrides), stdout);
   if (options.headless) {
     view_headless(options, session, scene);
   } else {

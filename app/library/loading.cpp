@@ -92,8 +92,7 @@ Start load(const TautOptions& options) {
         std::make_shared<const std::vector<sim::Vec3>>(points_from(options.start));
   }
   put_bodies_in(options, start);
-  start.listener.tell(app::sew_garment(start.scene));
-  start.listener.tell(load_bodies(start.scene));
+  start.listener.tell(app::sew_and_load_bodies(start.scene));
   start.loaded = app::load_garment(start.scene);
   start.listener.tell(app::put_where_it_begins(start.loaded, start.scene));
   start.listener.tell(app::remarks_of(start.loaded));

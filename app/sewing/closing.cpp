@@ -33,8 +33,7 @@ constexpr double quick_enough = 0.05;    ///< of what is open
 constexpr double most_strength = 30.0;
 constexpr double drag_per_s = 10.0;            ///< of the air meanwhile
 constexpr double thickest_m = 3e-4;           ///< cloth counts as no thicker until it is sewn, so that borders meet
-constexpr double softest_n_per_m = 0.0; ///< cloth resists no more to being pushed together meanwhile,
-constexpr double softest_n_m = 2e-6;    ///< and to being bent
+constexpr double softest_n_m = 2e-6;    ///< cloth resists no more to being bent meanwhile
 constexpr double near_enough = 0.1;     ///< of the length of edges: vertices that are nearer become one
 constexpr double further = 1.3;         ///< times as near, as often as the strongest pull joins nothing
 constexpr double furthest = 0.35;
@@ -74,16 +73,51 @@ Vec3 place_apart_m(const CutPieces& pieces, Index v) {
   return {flat_m.x, flat_m.y, between_levels_m * pieces.panel_of[v] + 0.5 * curvature_per_m * glm::dot(from_m, from_m)};
 }
 
+/// The pieces of which those vertices are one that are in one set, with these positions per vertex of the pieces.
+SewnPieces join_pieces(const CutPieces& pieces, const std::vector<Index>& set_of, const std::vector<Vec3>& positions_m,
+                       const Scene& scene) {
+  SewnPieces sewn;
+  std::vector<Index> number(set_of.size(), sim::no_vertex);
+  sewn.vertex_of.resize(set_of.size());
+  std::vector<double> counts;
+  sim::Mesh mesh;
+  std::vector<Vec3> apart_m;
+  for (Index v = 0; v < set_of.size(); ++v) {
+    Index& n = number[set_of[v]];
+    if (n == sim::no_vertex) {
+      n = static_cast<Index>(counts.size());
+      counts.push_back(0.0);
+      mesh.positions.emplace_back(0.0);
+      apart_m.push_back(place_apart_m(pieces, v));
+    }
+    sewn.vertex_of[v] = n;
+    counts[n] += 1.0;
+    mesh.positions[n] += positions_m[v];
+  }
+  for (std::size_t n = 0; n < counts.size(); ++n) {
+    mesh.positions[n] /= counts[n];
+  }
+  for (const auto& [a, b, c] : pieces.triangles) {
+    mesh.triangles.push_back({sewn.vertex_of[a], sewn.vertex_of[b], sewn.vertex_of[c]});
+    mesh.cut_m.push_back({pieces.flat_m[a], pieces.flat_m[b], pieces.flat_m[c]});
+  }
+  sewn.garment = sim::make_garment(std::move(mesh), scene.mapping, scene.material);
+  // How near parts of the cloth may come does not go by how near they are now.
+  sewn.garment.parted_m = std::move(apart_m);
+  sewn.garment.warps = sim::warps_of(sewn.garment.mesh, upright(sewn.garment.mesh.cut_m));
+  return sewn;
+}
+
 class Closing {
  public:
-  Closing(const SewingPattern& pattern, const CutPieces& pieces, std::vector<Vec3> start_m, const Scene& scene, double time_s)
-      : pattern_(pattern), pieces_(pieces), scene_(scene), time_s_(time_s), joined_(pieces.flat_m.size()) {
+  Closing(const CutPieces& pieces, const Scene& scene, double time_s)
+      : pieces_(pieces), scene_(scene), time_s_(time_s), joined_(pieces.flat_m.size()) {
     scene_.material.thickness_m = std::min(scene_.material.thickness_m, thickest_m);
     // Laws of threads matter when cloth carries something.
     scene_.material.tensile_warp_n_per_m = scene_.material.tensile_weft_n_per_m = scene_.material.shear_n_per_m = 0.0;
     scene_.material.friction = 0.0;
     // Ease is pushed together.
-    scene_.material.compression_stiffness_n_per_m = std::min(scene_.material.compression_stiffness_n_per_m, softest_n_per_m);
+    scene_.material.compression_stiffness_n_per_m = 0.0;
     scene_.material.bending_rigidity_n_m = std::min(scene_.material.bending_rigidity_n_m, softest_n_m);
     sim::ExternalForces& forces = scene_.surroundings.forces;
     forces.gravity_m_per_s2 = Vec3(0.0);
@@ -94,7 +128,7 @@ class Closing {
     for (sim::Body& body : scene_.surroundings.bodies) {
       body.friction = 0.0;
     }
-    begin(join_pieces(pieces, sets_of(joined_, pieces.flat_m.size()), start_m, scene_));
+    begin(join_pieces(pieces, sets_of(joined_, pieces.flat_m.size()), pieces.placed_m, scene_));
     panel_masses_kg_.assign(pieces.panel_count(), 0.0);
     for (std::size_t v = 0; v < pieces.flat_m.size(); ++v) {
       panel_masses_kg_[pieces.panel_of[v]] += sewn_.garment.masses_kg[sewn_.vertex_of[v]];
@@ -115,7 +149,7 @@ class Closing {
         const double before = share_joined();
         since = join_what_met(seams) ? 0 : since;
         if (share_joined() - before < quick_enough * (1.0 - before)) {
-          // What a strong pull has crumpled comes loose in a weak one.
+          // Cloth that a strong pull has crumpled comes loose in a weak one.
           const bool is_strongest = strength_ * stronger > most_strength;
           strength_ = is_strongest ? 1.0 : stronger * strength_;
           reach_m_ = std::min(furthest * pieces_.edge_m, (is_strongest ? further : 1.0) * reach_m_);
@@ -345,7 +379,7 @@ class Closing {
         any = true;
       }
     }
-    // What is too near for the solver to tell it apart.
+    // Triangles that are too near for the solver to tell them apart.
     for (const sim::LeftOutTriangle& t : simulation_->last_report().left_out) {
       if (!t.body) {
         mark(t.triangle);
@@ -363,7 +397,6 @@ class Closing {
     return is_crossed;
   }
 
-  const SewingPattern& pattern_;
   const CutPieces& pieces_;
   Scene scene_;
   double time_s_;
@@ -377,42 +410,8 @@ class Closing {
 
 }  // namespace
 
-SewnPieces join_pieces(const CutPieces& pieces, std::vector<Index> set_of, const std::vector<Vec3>& positions_m, const Scene& scene) {
-  SewnPieces sewn;
-  std::vector<Index> number(set_of.size(), sim::no_vertex);
-  sewn.vertex_of.resize(set_of.size());
-  std::vector<double> counts;
-  sim::Mesh mesh;
-  std::vector<Vec3> apart_m;
-  for (Index v = 0; v < set_of.size(); ++v) {
-    Index& n = number[set_of[v]];
-    if (n == sim::no_vertex) {
-      n = static_cast<Index>(counts.size());
-      counts.push_back(0.0);
-      mesh.positions.emplace_back(0.0);
-      apart_m.push_back(place_apart_m(pieces, v));
-    }
-    sewn.vertex_of[v] = n;
-    counts[n] += 1.0;
-    mesh.positions[n] += positions_m[v];
-  }
-  for (std::size_t n = 0; n < counts.size(); ++n) {
-    mesh.positions[n] /= counts[n];
-  }
-  for (const auto& [a, b, c] : pieces.triangles) {
-    mesh.triangles.push_back({sewn.vertex_of[a], sewn.vertex_of[b], sewn.vertex_of[c]});
-    mesh.cut_m.push_back({pieces.flat_m[a], pieces.flat_m[b], pieces.flat_m[c]});
-  }
-  sewn.garment = sim::make_garment(std::move(mesh), scene.mapping, scene.material);
-  // How near parts of the cloth may come does not go by how near they are now.
-  sewn.garment.parted_m = std::move(apart_m);
-  sewn.garment.warps = sim::warps_of(sewn.garment.mesh, upright(sewn.garment.mesh.cut_m));
-  return sewn;
-}
-
-SewnPieces close_seams(const SewingPattern& pattern, const CutPieces& pieces, std::vector<Vec3> start_m, const Scene& scene,
-                       double time_s, const SewingReport& report) {
-  return Closing(pattern, pieces, std::move(start_m), scene, time_s).run(report);
+SewnPieces close_seams(const CutPieces& pieces, const Scene& scene, double time_s, const SewingReport& report) {
+  return Closing(pieces, scene, time_s).run(report);
 }
 
 }  // namespace taut::app

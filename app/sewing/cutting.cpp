@@ -36,14 +36,6 @@ std::vector<Vec2> fine_outline(const PatternPanel& panel) {
   return outline;
 }
 
-double area_of(const std::vector<Vec2>& outline) {
-  double area = 0.0;
-  for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
-    area += 0.5 * doubled_area(outline[0], outline[k], outline[k + 1]);
-  }
-  return area;
-}
-
 /// The side of that many equilateral triangles which cover all panels.
 double edge_for(const SewingPattern& pattern, int triangles) {
   double area_m2 = 0.0;
@@ -210,10 +202,10 @@ bool goes_along(const CutPieces& pieces, Index from, Index to) {
 /// Turns panels so that all that are sewn together face the same side, and that outwards, away from the middle of all.
 void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
   std::vector<int> side(pieces.panel_count(), 0);
-  std::vector<std::pair<std::size_t, bool>> links;  // whether both panels of a stitch face the same side as they are
+  std::vector<bool> face_alike;  // per stitch, whether its panels face the same side as they are
   for (const Seam& seam : pieces.seams) {
-    links.emplace_back(links.size(), goes_along(pieces, seam[0].first, seam[1].first) !=
-                                         goes_along(pieces, seam[0].second, seam[1].second));
+    face_alike.push_back(goes_along(pieces, seam[0].first, seam[1].first) !=
+                         goes_along(pieces, seam[0].second, seam[1].second));
   }
   const Vec3 middle = std::accumulate(pieces.placed_m.begin(), pieces.placed_m.end(), Vec3(0.0)) / static_cast<double>(pieces.placed_m.size());
   std::vector<double> outwards(side.size(), 0.0);
@@ -231,11 +223,11 @@ void turn_outwards(const SewingPattern& pattern, CutPieces& pieces) {
     side[begin] = 1;
     std::vector<std::size_t> found = {begin};
     for (std::size_t k = 0; k < found.size(); ++k) {
-      for (const auto& [s, is_same] : links) {
+      for (std::size_t s = 0; s < face_alike.size(); ++s) {
         const std::size_t a = pattern.stitches[s].first.panel, b = pattern.stitches[s].second.panel;
         const std::size_t other = found[k] == a ? b : a;
         if ((found[k] == a || found[k] == b) && side[other] == 0) {
-          side[other] = is_same ? side[found[k]] : -side[found[k]];
+          side[other] = face_alike[s] ? side[found[k]] : -side[found[k]];
           found.push_back(other);
         }
       }
@@ -278,6 +270,14 @@ void lay_out(CutPieces& pieces) {
 }
 
 }  // namespace
+
+std::vector<sim::Extent> panel_boxes(const CutPieces& pieces) {
+  std::vector<sim::Extent> boxes(pieces.panel_count());
+  for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {
+    boxes[pieces.panel_of[v]].add(pieces.placed_m[v]);
+  }
+  return boxes;
+}
 
 CutPieces cut_pieces(const SewingPattern& pattern, int triangles) {
   CutPieces pieces;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/sewing/pattern.hpp"
+#include "sim/mesh/extent.hpp"
 #include "sim/mesh/mesh.hpp"
 
 namespace taut::app {
@@ -33,5 +34,8 @@ struct CutPieces {
 /// shares of their lengths: so ease is spread. Their ends meet the way round that has less to go. Throws
 /// std::invalid_argument that names a panel which cannot be meshed.
 CutPieces cut_pieces(const SewingPattern& pattern, int triangles);
+
+/// Per panel, the box around where it is placed.
+std::vector<sim::Extent> panel_boxes(const CutPieces& pieces);
 
 }  // namespace taut::app

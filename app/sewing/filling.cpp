@@ -299,11 +299,16 @@ class Triangulation {
 
 }  // namespace
 
-FilledOutline fill_outline(std::vector<Vec2> outline_m, double edge_m) {
-  double area_m2 = 0.0;
-  for (std::size_t i = 1; i + 1 < outline_m.size(); ++i) {
-    area_m2 += 0.5 * doubled_area(outline_m[0], outline_m[i], outline_m[i + 1]);
+double area_of(const std::vector<Vec2>& outline) {
+  double area = 0.0;
+  for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
+    area += 0.5 * doubled_area(outline[0], outline[k], outline[k + 1]);
   }
+  return area;
+}
+
+FilledOutline fill_outline(std::vector<Vec2> outline_m, double edge_m) {
+  const double area_m2 = area_of(outline_m);
   if (!(std::abs(area_m2) > 0.0)) {
     throw std::invalid_argument("its outline has no area");
   }

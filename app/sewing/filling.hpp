@@ -22,4 +22,7 @@ inline double doubled_area(const sim::Vec2& a, const sim::Vec2& b, const sim::Ve
   return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
 }
 
+/// The area of a closed outline, above 0 if it is counter-clockwise.
+double area_of(const std::vector<sim::Vec2>& outline);
+
 }  // namespace taut::app

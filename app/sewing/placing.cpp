@@ -172,10 +172,7 @@ Vec3 shift_of(const SewingPattern& pattern, const Wearer& wearer, CutPieces& pie
 /// Lifts what hangs from a level seam, as a skirt does from the waist of a dress, to where the body is no wider than that
 /// seam, if it is wider there. Patterns place skirts below bodices that are longer than the body.
 void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, double shoulder_m, CutPieces& pieces) {
-  std::vector<sim::Extent> boxes(pattern.panels.size());
-  for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {
-    boxes[pieces.panel_of[v]].add(pieces.placed_m[v]);
-  }
+  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
   std::set<std::size_t> upper, lower;
   double border_m = 0.0, height_m = 0.0;
   for (std::size_t s = 0; s < pattern.stitches.size(); ++s) {
@@ -217,6 +214,7 @@ void lift_to_waist(const SewingPattern& pattern, const BodyMeasures& measures, d
 /// folds by itself when it is let go.
 void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
   const std::vector<Vec3> placed_m = pieces.placed_m;
+  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     Vec3 along(0.0);
     double own_m = 0.0, other_m = 0.0;
@@ -239,21 +237,15 @@ void push_ease_together(const SewingPattern& pattern, CutPieces& pieces) {
       continue;
     }
     along = glm::normalize(along);
-    sim::Extent box;
     for (std::size_t v = 0; v < placed_m.size(); ++v) {
       if (pieces.panel_of[v] == p) {
-        box.add(placed_m[v]);
-      }
-    }
-    for (std::size_t v = 0; v < placed_m.size(); ++v) {
-      if (pieces.panel_of[v] == p) {
-        pieces.placed_m[v] -= (1.0 - other_m / own_m) * glm::dot(placed_m[v] - box.middle(), along) * along;
+        pieces.placed_m[v] -= (1.0 - other_m / own_m) * glm::dot(placed_m[v] - boxes[p].middle(), along) * along;
       }
     }
   }
 }
 
-/// What of a pattern goes around an arm.
+/// The part of a pattern that goes around an arm.
 struct Sleeve {
   std::set<std::size_t> panels;
   Vec3 cuff_m = Vec3(0.0);  ///< its middle
@@ -391,12 +383,8 @@ std::vector<TurnedBone> raise_arms(const SewingPattern& pattern, const Vec3& shi
 
 /// Lets the legs begin between those panels that reach down furthest and lie on one side, as those of trousers do.
 void turn_legs(const Wearer& wearer, const CutPieces& pieces, std::vector<TurnedBone>& bones) {
-  std::vector<sim::Extent> boxes(pieces.panel_count());
-  sim::Extent all;
-  for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {
-    boxes[pieces.panel_of[v]].add(pieces.placed_m[v]);
-    all.add(pieces.placed_m[v]);
-  }
+  const std::vector<sim::Extent> boxes = panel_boxes(pieces);
+  const sim::Extent all = sim::extent_of(pieces.placed_m);
   std::vector<TurnedBone> turned;
   for (const double side : {1.0, -1.0}) {
     const std::vector<Index> chain = chain_of(wearer, side, {"upleg", "leg", "foot"});
@@ -426,16 +414,13 @@ class Surrounded {
         body_triangles_(std::get<sim::BodyMesh>(body.shape).data->triangles),
         axis_m_(axis_m),
         pieces_(pieces) {
-    std::vector<sim::Extent> boxes(pieces.panel_count());
-    for (std::size_t v = 0; v < pieces.placed_m.size(); ++v) {
-      boxes[pieces.panel_of[v]].add(pieces.placed_m[v]);
-    }
+    const std::vector<sim::Extent> boxes = panel_boxes(pieces);
     for (std::size_t p = 0; p < boxes.size(); ++p) {
       const auto [a, b, c] = pieces.triangles[pieces.panel_triangles[p]];
       const auto& at = pieces.placed_m;
       const Vec3 normal = glm::cross(at[b] - at[a], at[c] - at[a]), middle = boxes[p].middle() - axis_m;
       const double across = std::hypot(normal.x, normal.z);
-      // What lies flat is above what it is drawn to.
+      // A piece that lies flat is above what it is drawn to.
       Vec3 way = across > least_level * glm::length(normal) ? Vec3(normal.x, 0.0, normal.z) / across : Vec3(0.0, 1.0, 0.0);
       way = way.y == 0.0 && glm::dot(way, middle) < 0.0 ? -way : way;
       ways_.push_back(way);
@@ -505,22 +490,14 @@ class Surrounded {
  private:
   /// Moves two pieces that face the same way apart from each other, half a step each.
   void part_sideways(Index a, Index b) {
-    Vec3 way = middle_of(b) - middle_of(a);
+    const std::vector<sim::Extent> boxes = panel_boxes(pieces_);
+    Vec3 way = boxes[b].middle() - boxes[a].middle();
     way -= glm::dot(way, ways_[a]) * ways_[a];
     way = glm::length(way) > 1e-3 ? glm::normalize(way) : glm::cross(Vec3(0.0, 1.0, 0.0), ways_[a]);
     for (std::size_t v = 0; v < pieces_.placed_m.size(); ++v) {
       const Index p = pieces_.panel_of[v];
       pieces_.placed_m[v] += p == a ? -0.5 * step_m * way : p == b ? 0.5 * step_m * way : Vec3(0.0);
     }
-  }
-  Vec3 middle_of(Index panel) const {
-    sim::Extent box;
-    for (std::size_t v = 0; v < pieces_.placed_m.size(); ++v) {
-      if (pieces_.panel_of[v] == panel) {
-        box.add(pieces_.placed_m[v]);
-      }
-    }
-    return box.middle();
   }
 
   /// Panels that cross another, or the body.

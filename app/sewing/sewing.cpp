@@ -114,7 +114,7 @@ SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::functio
   }
   garment.remarks = place_pieces(garment.pattern, garment.pieces, scene);
   garment.time_s = thin_time_s(scene);
-  garment.sewn = close_seams(garment.pattern, garment.pieces, garment.pieces.placed_m, scene, garment.time_s, [&](double share) {
+  garment.sewn = close_seams(garment.pieces, scene, garment.time_s, [&](double share) {
     stage(fmt::format("drawing its seams together, {:.0f} % are closed", std::floor(100.0 * share)));
   });
   if (garment.sewn.gap_m > 0.0) {

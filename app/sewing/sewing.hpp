@@ -44,7 +44,7 @@ SewnGarment sew(Scene& scene, const SewingSettings& settings, const std::functio
 /// The garment as a Wavefront OBJ in metres: groups are named after panels, texture coordinates are cm of the cloth.
 std::string obj_of(const SewnGarment& garment);
 
-/// What stands beside it (landmarks_path()): that it is at rest as its texture coordinates say, and its seams.
+/// The text of the file beside it (landmarks_path()): that it is at rest as its texture coordinates say, and its seams.
 std::string landmarks_of(const SewnGarment& garment);
 
 }  // namespace taut::app

@@ -71,4 +71,15 @@ std::vector<std::string> sew_garment(Scene& scene, const std::function<void(cons
   return said;
 }
 
+std::vector<std::string> sew_and_load_bodies(Scene& scene, std::span<const Override> overrides,
+                                             const std::function<void(const std::string&)>& stage) {
+  std::vector<std::string> said = sew_garment(scene, stage);
+  if (stage) {
+    stage("reading its bodies");
+  }
+  const std::vector<std::string> of_bodies = load_bodies(scene, overrides);
+  said.insert(said.end(), of_bodies.begin(), of_bodies.end());
+  return said;
+}
+
 }  // namespace taut::app

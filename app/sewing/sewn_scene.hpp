@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/scene/scene.hpp"
+#include "app/scene/scene_key.hpp"
 
 namespace taut::app {
 
@@ -13,5 +15,9 @@ namespace taut::app {
 /// sewn once. Leaves other scenes alone. To be called before load_bodies(). Returns what was done, for people. Throws as
 /// sew() does, and InputError if there is no body.
 std::vector<std::string> sew_garment(Scene& scene, const std::function<void(const std::string&)>& stage = {});
+
+/// sew_garment() and then load_bodies(), of a scene with these overrides. Returns and throws as both do.
+std::vector<std::string> sew_and_load_bodies(Scene& scene, std::span<const Override> overrides = {},
+                                             const std::function<void(const std::string&)>& stage = {});
 
 }  // namespace taut::app

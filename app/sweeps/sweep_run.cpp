@@ -38,8 +38,7 @@ struct Loaded {
   sim::Simulation simulation;
 
   static Loaded of(DrawnScene scene) {
-    sew_garment(scene);
-    load_bodies(scene);
+    sew_and_load_bodies(scene);
     LoadedGarment garment = load_garment(scene);
     put_where_it_begins(garment, scene);
     sim::Simulation simulation = make_simulation(scene, garment);

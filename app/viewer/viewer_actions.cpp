@@ -169,9 +169,7 @@ void Viewer::load_asked() {
     if (fabric) choose_fabric(*fabric);
     if (name) {
       DrawnScene scene = find_scene(*name, {});
-      std::vector<std::string> remarks = sew_garment(scene);
-      const std::vector<std::string> of_bodies = load_bodies(scene);
-      remarks.insert(remarks.end(), of_bodies.begin(), of_bodies.end());
+      const std::vector<std::string> remarks = sew_and_load_bodies(scene);
       own_cloth_.reset();
       load(std::move(scene), remarks);
     } else if (motion) {

@@ -43,11 +43,12 @@ double shorten(const AnyLanes& lanes, const std::vector<std::uint32_t>& blocks, 
   return static_cast<double>(shortened);
 }
 
+/// Returns whether there were any.
 template <typename AnyLanes>
-void shorten_long_ones(const AnyLanes& lanes, float squared_bound, ParallelKernels& kernels, Float4Array& rows) {
+bool shorten_long_ones(const AnyLanes& lanes, float squared_bound, ParallelKernels& kernels, Float4Array& rows) {
   std::vector<float> squared_ratios(lanes.block_count());
   kernels.largest_ratios(lanes, rows.data(), squared_ratios.data());
-  shorten(lanes, long_blocks(squared_ratios, squared_bound), squared_bound, 1.0F, kernels, rows);
+  return shorten(lanes, long_blocks(squared_ratios, squared_bound), squared_bound, 1.0F, kernels, rows) > 0.0;
 }
 
 /// Calls each(block, corners) for all triangles, with the rows of their corners.
@@ -68,9 +69,10 @@ void for_triangles(const SurfaceLanes& surface, const Each& each) {
 
 void shorten_roughly(const Layout& layout, double max_stretch, ParallelKernels& kernels, Float4Array& rows) {
   const auto squared_bound = static_cast<float>((1.0 + max_stretch) * (1.0 + max_stretch));
-  for (int sweep = 0; sweep < tuning::most_rounds / 4; ++sweep) {
-    shorten_long_ones(layout.springs, squared_bound, kernels, rows);
-    shorten_long_ones(layout.surface, squared_bound, kernels, rows);
+  bool are_any_long = true;
+  for (int sweep = 0; sweep < tuning::most_rounds / 4 && are_any_long; ++sweep) {
+    are_any_long = shorten_long_ones(layout.springs, squared_bound, kernels, rows);
+    are_any_long = shorten_long_ones(layout.surface, squared_bound, kernels, rows) || are_any_long;
   }
 }
 

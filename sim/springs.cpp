@@ -137,7 +137,8 @@ void append(Springs& springs, const std::vector<Edge>& ends, const std::vector<V
 /// Where both sides of a seam are not equally long, the shorter one holds its edges.
 void take_lengths_of_pieces(const Mesh& mesh, const Adjacency& adjacency, Springs& springs) {
   for (std::size_t s = 0; s < springs.structural_count; ++s) {
-    const auto e = static_cast<std::size_t>(std::ranges::lower_bound(adjacency.edges, springs.ends[s]) - adjacency.edges.begin());
+    const auto edge = std::lower_bound(adjacency.edges.begin(), adjacency.edges.end(), springs.ends[s]);
+    const auto e = static_cast<std::size_t>(edge - adjacency.edges.begin());
     double& length_m = springs.rest_lengths_m[s];
     length_m = std::numeric_limits<double>::infinity();
     for (const Index t : adjacency.edge_triangles[e]) {

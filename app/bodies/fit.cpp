@@ -259,10 +259,13 @@ std::string describe_tightness(const Scene& scene, const sim::Garment& garment, 
   return text;
 }
 
+// Where arms are lifted, sleeves begin lower than at the start.
 void measure_worn(const sim::Garment& garment, std::span<const sim::Vec3> worn_m, std::span<FitRow> rows) {
+  const Surface worn = {worn_m, garment.mesh.triangles};
+  const std::optional<GarmentTube> tube = tube_of(worn);
   for (FitRow& row : rows) {
-    if (row.height_m) {
-      row.worn_m = girth_at({worn_m, garment.mesh.triangles}, *row.height_m);
+    if (row.height_m && tube) {
+      row.worn_m = girth_at(worn, std::min(*row.height_m, tube->highest_m));
     }
   }
 }

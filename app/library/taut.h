@@ -148,7 +148,8 @@ typedef struct TautFrame {
   int32_t is_contact_kept;      /* 1: nothing may cross that was apart; 0 only where the scene allows it */
   int32_t is_asleep;            /* 1: at rest, nothing was computed */
   uint64_t measured_crossings;  /* all pairs of triangles that cross where the frame ends, measured in every frame */
-  double left_out_share;        /* of the cloth's area, around what crosses since the start: not kept apart in itself */
+  double left_out_share;        /* of the cloth's area, not kept apart in itself: around what crosses since the
+                                 * start, and what is nearer than 2 um at rest */
 } TautFrame;
 
 typedef struct TautInfo {

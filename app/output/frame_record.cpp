@@ -165,7 +165,7 @@ std::string describe_crossings(const RunSummary& summary) {
                                                  "pair of triangles crosses", "pairs of triangles cross"),
                                          summary.final_crossings);
   return summary.most_left_out_share > 0.0
-             ? fmt::format("{}; around them contact leaves out {:.2f} % of the cloth, at the end {:.2f} %",
+             ? fmt::format("{}; around them, and where cloth touches itself at rest, contact leaves out {:.2f} % of the cloth, at the end {:.2f} %",
                            counts, 100.0 * summary.most_left_out_share, 100.0 * summary.final_left_out_share)
              : counts;
 }

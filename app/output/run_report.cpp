@@ -69,7 +69,8 @@ const FrameColumn frame_columns[] = {
      "pairs of triangles that cross then, and triangles in a body: also where they are left out",
      VALUE(r.contact.crossing_pairs)},
     {"left_out_share", "",
-     "of the cloth's area, around what crosses since the start: not kept apart within itself",
+     "of the cloth's area, not kept apart within itself: around what crosses since the start, and what is nearer "
+     "than 2 um at rest",
      VALUE(r.contact.left_out_share)},
     {"crossing_pairs", "",
      "with --verify alone: pairs of triangles that cross, and triangles in a body; not those that do so "

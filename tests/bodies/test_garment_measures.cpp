@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "../models/garment_shapes.hpp"
+#include "app/bodies/fit.hpp"
 #include "app/models/garment_measures.hpp"
 
 namespace taut::app {
@@ -88,6 +89,18 @@ TEST(GarmentTube, EndsWhereSleevesBegin) {
   EXPECT_NEAR(tube(1.15)->lowest_m, 0.5 * 0.5 / 200, 1e-6);
   EXPECT_NEAR(tube(1.15)->highest_m, 0.25, 0.005);
   EXPECT_NEAR(tube(1.07)->highest_m, 0.5, 0.005);
+}
+
+// Worn, a shirt is wide at a level at which it goes around the trunk alone at the start: there its sleeves join.
+TEST(Worn, IsMeasuredBelowTheSleeves) {
+  sim::Mesh mesh = skirt_of([](double) { return 0.2; });
+  const sim::Garment garment = sim::make_garment(mesh);
+  std::vector<FitRow> rows = {{"upper chest", 1.0, 1.4, 0.45}, {"waist", 1.0, 1.4, 0.2}};
+  for (sim::Vec3& p : mesh.positions) {
+    p = p.y > 0.28 ? sim::Vec3(2.0 * p.x, p.y - 0.05, p.z) : p;
+  }
+  measure_worn(garment, mesh.positions, rows);
+  EXPECT_NEAR(*rows[0].worn_m, *rows[1].worn_m, 0.1 * *rows[1].worn_m);
 }
 
 }  // namespace

@@ -417,8 +417,7 @@ BoundedSolver::Attempt BoundedSolver::attempt(const Frame& frame, const State& s
   cloth.contacts.observe(cloth.layout, cloth.motion, end_s);
   Attempt attempt;
   attempt.substeps = substeps;
-  attempt.projected =
-      project(frame, end_s, how.can_halve ? substeps : memory.control.substeps(), how, memory.corrections);
+  attempt.projected = project(frame, end_s, substeps, how, memory.corrections);
   attempt.state = shape_of(frame, state, substeps);
   if (!attempt.projected.kept || cloth.layout.surface.has_thin) {
     const auto allow = [&](Index vertex, const Vec3& position_m) {
@@ -489,19 +488,35 @@ void BoundedSolver::try_otherwise(FramePart& part, const Attempt& failed, double
     return;
   }
   part.attempts = 0;
-  double raw = raw_bounds;
-  do {
+  part.length /= 2;
+  halve(part, 0.5 * raw_bounds, overstretched);
+}
+
+// Until it is stretched by so many bounds that an attempt at it may end well.
+void BoundedSolver::halve(FramePart& part, double raw_bounds, double limit) {
+  for (; part.length > 1 && raw_bounds > limit; raw_bounds *= 0.5) {
     part.length /= 2;
-    raw *= 0.5;
-  } while (part.length > 1 && raw > overstretched);
+  }
+}
+
+// Pins with a jerk leave the cloth behind, and stretch the edges that meet in them by at least that.
+BoundedSolver::FramePart BoundedSolver::first_part(const Frame& frame, const State& state, const Memory& memory,
+                                                   const Effort& effort) const {
+  FramePart part;
+  if (memory.contact.rows.is_touching && !effort.is_first) {
+    const double turned_m_per_step = pins_turn_m(frame, state) / memory.control.substeps();
+    const double raw = turned_m_per_step / cloth_->mean_edge_m;
+    halve(part, raw / std::max(settings_.max_stretch, smallest_promised_bound), tuning::coped_stretch);
+  }
+  return part;
 }
 
 BoundedSolver::Attempt BoundedSolver::advance(const Frame& frame, const State& begin, Memory memory,
                                               Effort& effort) {
+  FramePart part = first_part(frame, begin, memory, effort);
   Attempt made;
   made.state = begin;
   made.memory = std::move(memory);
-  FramePart part;
   while (part.done < most_parts) {
     const Frame this_part = {frame.garment, frame.pins, frame.surroundings,
                              frame.duration_s * part.length / most_parts, frame.poll};

@@ -50,6 +50,9 @@ class BoundedSolver : public Solver {
   Attempt attempt(const Frame& frame, const State& state, bounded::Memory memory, const Try& how);
   int substeps_in(double time_s, const bounded::SubstepControl& control) const;
   static Try next_try(const FramePart& part, const bounded::SubstepControl& control, const Effort& effort);
+  FramePart first_part(const Frame& frame, const State& state, const bounded::Memory& memory,
+                       const Effort& effort) const;
+  static void halve(FramePart& part, double raw_bounds, double limit);
   static void go_on(FramePart& part, double raw_bounds);
   void try_otherwise(FramePart& part, const Attempt& failed, double raw_bounds, const Try& how,
                      const Effort& effort, bounded::SubstepControl& control) const;

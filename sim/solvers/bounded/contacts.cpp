@@ -17,10 +17,6 @@ namespace {
 /// Neighbours in the cloth may come as near as this part of their distance at rest: contact's law.
 constexpr float rest_part = 0.5F;
 
-/// Parts of the cloth that touch at rest, as along seams that are not sewn, are not kept apart; nor is cloth
-/// finer than single precision can tell.
-constexpr float smallest_kept_part = 1e-3F;
-
 /// Beside its triangles a sweep costs as much as so many of them: measured, 0.5 us at 1.7 ns for a triangle.
 constexpr double sweep_overhead = 300.0;
 
@@ -107,10 +103,11 @@ std::vector<LeftOutTriangle> Contacts::left_out() const {
 }
 
 double Contacts::left_out_share() const {
+  const std::vector<bool>& touch_at_rest = left_out_.touch_at_rest();
   double all = 0.0, left_out = 0.0;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     all += areas_[t];
-    left_out += left_out_.groups()[t] > 0 ? areas_[t] : 0.0;
+    left_out += left_out_.groups()[t] > 0 || (!touch_at_rest.empty() && touch_at_rest[t]) ? areas_[t] : 0.0;
   }
   return all > 0.0 ? left_out / all : 0.0;
 }
@@ -216,7 +213,7 @@ ContactReport Contacts::report() {
     const LastingPairs::Searches searches = near_->take_searches();
     report_.detections = searches.all;
     report_.partial_detections = searches.marked;
-    report_.left_out_share = left_out_.empty() ? 0.0 : left_out_share();
+    report_.left_out_share = left_out_share();
   }
   return report_;
 }
@@ -359,7 +356,8 @@ ContactPair Contacts::contact_of(const NearPair& near, const Material& material,
     return {near, thickness_m, bodies_.friction_of(bodies_.has(first) ? first : second)};
   }
   const float kept_m = thickness_of(near, thickness_m);
-  return {near, kept_m > smallest_kept_part * thickness_m ? kept_m : 0.0F,
+  // Parts that touch at rest, as along seams that are not sewn, are not kept apart.
+  return {near, kept_m < 0.5F * static_cast<float>(least_at_rest_m) ? 0.0F : kept_m,
           static_cast<float>(material.friction)};
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim/contact/triangle_pair.hpp"
 #include "sim/contact/triangle_tree.hpp"
 #include "sim/mesh/groups.hpp"
 
@@ -12,9 +11,8 @@ namespace {
 
 /// Of triangles around a contour.
 constexpr int rings = 2;
-/// Single precision does not tell apart things nearer than this, in m; nor are things nearer at rest kept apart.
-constexpr double least_apart_m = 1e-6;
-constexpr double least_at_rest_m = 2e-6;
+/// Single precision does not tell apart things nearer than this, in m.
+constexpr double least_apart_m = 0.5 * least_at_rest_m;
 
 CompressedRows triangles_of_rows(std::span<const Triangle> triangles) {
   Index rows = 0;
@@ -39,27 +37,47 @@ Crossings::Crossings(std::span<const Triangle> cloth, std::span<const Triangle> 
   triangles_.insert(triangles_.end(), bodies.begin(), bodies.end());
   triangles_of_ = triangles_of_rows(triangles_);
   group_of_.assign(triangles_.size(), 0);
+  if (within_cloth_) {
+    find_touching_at_rest();
+  }
+}
+
+TrianglePairMeasure Crossings::measure(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
+  return are_neighbours ? measure_neighbours(triangles_[s], triangles_[t], positions_m)
+                        : measure_pair(triangles_[s], triangles_[t], positions_m, positions_m);
+}
+
+bool Crossings::is_kept_apart(Index s, Index t, bool are_neighbours) const {
+  return std::max(s, t) >= cloth_count_ || measure(s, t, are_neighbours, rest_m_).parts_m >= least_at_rest_m;
+}
+
+void Crossings::find_touching_at_rest() {
+  touch_at_rest_.assign(cloth_count_, false);
+  std::vector<Index> cloth(cloth_count_);
+  std::iota(cloth.begin(), cloth.end(), 0U);
+  for_pairs(cloth, rest_m_, least_at_rest_m, [&](Index s, Index t, bool are_neighbours) {
+    if (!is_kept_apart(s, t, are_neighbours)) {
+      touch_at_rest_[s] = touch_at_rest_[t] = true;
+    }
+  });
 }
 
 // Things near at rest, as in the finest meshes, are not kept apart; nor are those that touch there, so that their group stays.
 bool Crossings::is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const {
-  const auto measure = [&](std::span<const Vec3> at_m) {
-    return are_neighbours ? measure_neighbours(triangles_[s], triangles_[t], at_m)
-                          : measure_pair(triangles_[s], triangles_[t], at_m, at_m);
-  };
   if (are_neighbours && neighbours_cross(triangles_[s], triangles_[t], positions_m)) {
     return false;
   }
-  const TrianglePairMeasure now = measure(positions_m);
+  const TrianglePairMeasure now = measure(s, t, are_neighbours, positions_m);
   if (now.is_pierced || (!are_neighbours && now.is_crossing())) {
     return false;
   }
-  return now.parts_m > least_apart_m || (std::max(s, t) < cloth_count_ && measure(rest_m_).parts_m < least_at_rest_m);
+  return now.parts_m > least_apart_m || !is_kept_apart(s, t, are_neighbours);
 }
 
 /// Calls each(s, t, are_neighbours) for all pairs among these triangles that may touch; they are ascending.
 template <typename Each>
-void Crossings::for_pairs(std::span<const Index> among, std::span<const Vec3> positions_m, const Each& each) const {
+void Crossings::for_pairs(std::span<const Index> among, std::span<const Vec3> positions_m, double reach_m,
+                          const Each& each) const {
   std::vector<Triangle> triangles;
   std::vector<bool> is_among(triangles_.size(), false);
   for (const Index t : among) {
@@ -70,7 +88,7 @@ void Crossings::for_pairs(std::span<const Index> among, std::span<const Vec3> po
     return std::min(s, t) < cloth_count_ && (within_cloth_ || std::max(s, t) >= cloth_count_);
   };
   TriangleTree tree(triangles, positions_m);
-  tree.fit(positions_m, positions_m.front(), least_apart_m);
+  tree.fit(positions_m, positions_m.front(), reach_m);
   std::vector<TriangleCouple> near;
   tree.find_near(near);
   for (const auto& [i, j] : near) {
@@ -100,7 +118,7 @@ void Crossings::add(std::span<const Vec3> positions_m) {
   std::iota(all.begin(), all.end(), 0U);
   Groups groups(triangles_.size());
   std::vector<Index> seeds;
-  for_pairs(all, positions_m, [&](Index s, Index t, bool are_neighbours) {
+  for_pairs(all, positions_m, least_apart_m, [&](Index s, Index t, bool are_neighbours) {
     if (!is_apart(s, t, are_neighbours, positions_m)) {
       groups.join(s, t);
       seeds.insert(seeds.end(), {s, t});
@@ -147,7 +165,7 @@ void Crossings::free(std::span<const Vec3> positions_m) {
   if (patches.empty()) {
     return;
   }
-  for_pairs(patches, positions_m, [&](Index s, Index t, bool are_neighbours) {
+  for_pairs(patches, positions_m, least_apart_m, [&](Index s, Index t, bool are_neighbours) {
     const Index group = group_of_[s];
     if (group == group_of_[t] && !stays[group] && !is_apart(s, t, are_neighbours, positions_m)) {
       stays[group] = true;

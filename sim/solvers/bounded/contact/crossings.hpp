@@ -4,10 +4,15 @@
 #include <tuple>
 #include <vector>
 
+#include "sim/contact/triangle_pair.hpp"
 #include "sim/mesh/adjacency.hpp"
 #include "sim/solvers/bounded/contact/near_pair.hpp"
 
 namespace taut::sim::bounded {
+
+/// Two things of the cloth that are nearer at rest than this, in m, are not kept apart: half of it is what single
+/// precision tells apart.
+inline constexpr double least_at_rest_m = 2e-6;
 
 /// Patches around crossings at the start: the triangles on both sides of each contour and
 /// two rings of triangles around them. Patches that pierce each other or overlap are one group. Two things, each a
@@ -30,6 +35,9 @@ class Crossings {
 
   bool empty() const { return keys_.empty(); }
 
+  /// Returns, by triangle of the cloth, whether parts of it touch others at rest, and are not kept apart from them.
+  const std::vector<bool>& touch_at_rest() const { return touch_at_rest_; }
+
   /// Returns whether both things lie in one group.
   bool has(const NearPair& near) const;
 
@@ -48,9 +56,12 @@ class Crossings {
     }
   };
 
+  TrianglePairMeasure measure(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const;
+  bool is_kept_apart(Index s, Index t, bool are_neighbours) const;
   bool is_apart(Index s, Index t, bool are_neighbours, std::span<const Vec3> positions_m) const;
   template <typename Each>
-  void for_pairs(std::span<const Index> among, std::span<const Vec3> positions_m, const Each& each) const;
+  void for_pairs(std::span<const Index> among, std::span<const Vec3> positions_m, double reach_m, const Each& each) const;
+  void find_touching_at_rest();
   void find_keys();
   Index group_of(std::span<const Index> rows) const;
 
@@ -61,6 +72,7 @@ class Crossings {
   std::vector<Vec3> rest_m_;
   std::vector<Index> group_of_;  ///< by triangle
   std::vector<Key> keys_;        ///< of what lies in groups, sorted
+  std::vector<bool> touch_at_rest_;
 };
 
 }  // namespace taut::sim::bounded

@@ -1,4 +1,4 @@
-// What of the studio's light comes back from cloth.
+// The studio's light as cloth reflects it.
 
 // Share of the key light that cloth reflects.
 const float key_reflected = 0.80;
@@ -15,7 +15,7 @@ const float fringe_key = 0.6;
 // How far the fringe has the cloth's own colour: fibres are dyed through, and what stays white looks like plastic.
 const float fringe_dyed = 0.85;
 
-// What arrives from all around with nothing in the way, as SkyLight has it.
+// Light from all around with nothing in the way, as SkyLight has it.
 float open_sky(vec3 normal) { return 0.75 + 0.25 * normal.y; }
 
 // A lamp with some extent: light reaches a little around the edge of a form.

@@ -1,4 +1,4 @@
-// What every shader of a frame shares; mirrored by FrameBlock in renderer/gl/frame_block.hpp. Linear light throughout.
+// Data that every shader of a frame shares; mirrored by FrameBlock in renderer/gl/frame_block.hpp. Linear light throughout.
 layout(std140) uniform Frame {
   mat4 world_to_clip;
   mat4 world_to_shadow;     // to texture coordinates and depth, each 0..1

@@ -14,7 +14,7 @@ const float lift_facing = 0.6;
 const float lift_grazing = 1.8;
 // A blocker has to be nearer than the point by this, texels. Less gives acne.
 const float blocker_allowance = 0.5;
-// What a wide filter on a slanted surface allows for the surface itself, texels for a texel of radius.
+// Slack of a wide filter for a slanted surface itself, texels for a texel of radius.
 const float slope_allowance = 0.15;
 
 // Interleaved gradient noise (Jimenez 2014): neighbours differ as much as possible, so the eye averages them.

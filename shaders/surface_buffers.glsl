@@ -10,7 +10,7 @@ uniform samplerBuffer material_data;       // four texels a surface: outside col
 uniform samplerBuffer corner_data;     // a texel for each corner of a triangle: where it is on a base colour map
 #endif
 
-// What was seen in a sample: nothing, or a triangle and one of its sides.
+// Seen in a sample: nothing, or a triangle and one of its sides.
 bool is_front(uint visible) { return (visible & 1u) == 1u; }
 int triangle_of(uint visible) { return int(visible >> 1u) - 1; }
 int surface_of(uint numbers) { return int((numbers >> 2u) & 4095u); }

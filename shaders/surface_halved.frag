@@ -1,5 +1,5 @@
 #version 330 core
-// What was shaded for two by two pixels at a time, where surfaces are seen.
+// Surfaces shaded for two by two pixels at a time, where surfaces are seen.
 uniform ivec4 corner;      // xy: where the tile starts in the framebuffer, px
 uniform vec4 halved_part;  // xy: texture coordinates for a drawn pixel
 uniform usampler2D visibility_buffer;

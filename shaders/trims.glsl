@@ -1,4 +1,4 @@
-// Hems, ribbed bands and seams: where cloth is sewn. What is narrower than a drawn pixel fades into what covers the
+// Hems, ribbed bands and seams: where cloth is sewn. Parts narrower than a drawn pixel fade into what covers the
 // pixel on the mean, so that nothing aliases.
 uniform samplerBuffer trim_data;  // four texels for each triangle near what is sewn: at its corners the distance from
                                   // the border (m), the place along it (stitches), and the same of a seam; width of

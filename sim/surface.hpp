@@ -26,7 +26,7 @@ struct TriangleAtRest {
 /// Returns the height above the longest edge, in m. Requires a surface.
 double smallest_height_m(const TriangleAtRest& rest);
 
-/// Returns, per corner, the derivatives of the two columns of F by the corner's position. That of F v is the
+/// Returns, per corner, the derivatives of the two columns of F by the corner's position. The derivative of F v is the
 /// product with v.
 std::array<Vec2, 3> gradients_by_corners(const TriangleAtRest& rest);
 

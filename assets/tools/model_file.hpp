@@ -19,7 +19,7 @@ struct Landmark {
 /// Metres of flat cloth for a unit of texture coordinates, for every size of the shirt.
 inline constexpr double metres_per_uv = 1.5;
 
-/// What is written: a mesh, with positions rounded to micrometres, and its landmarks.
+/// A file: a mesh, with positions rounded to micrometres, and its landmarks.
 struct Model {
   sim::Mesh mesh;
   /// Texture coordinates, three per triangle: the pieces as they are cut, seen from outside and upright, side

@@ -35,7 +35,7 @@ struct NearestOnLine {
   float along = 0.0F;  ///< along its chain
 };
 
-/// Returns one entry per vertex. What is found spreads from triangle to triangle, so that a layer of cloth
+/// Returns one entry per vertex. Distances spread from triangle to triangle, so that a layer of cloth
 /// that lies near is not near; distances are straight, which is right while `reach` is small beside folds.
 std::vector<NearestOnLine> nearest_on_lines(const Lines& lines, std::span<const glm::vec3> rest_positions,
                                             std::span<const std::uint32_t> triangles, float reach);

@@ -34,7 +34,7 @@ inline bool TrianglePairMeasure::is_crossing() const {
 /// Returns the distance of a point from a triangle, in m.
 double point_triangle_distance_m(const Vec3& point_m, const Corners& triangle);
 
-/// Measures two triangles that share no vertex. What is further off than the reach may be said to be infinitely far.
+/// Measures two triangles that share no vertex. Beyond the reach the answer may be infinite.
 TrianglePairMeasure measure_pair(const Triangle& s, const Triangle& t, std::span<const Vec3> s_positions_m,
                                  std::span<const Vec3> t_positions_m,
                                  double reach_m = std::numeric_limits<double>::infinity());

@@ -18,7 +18,7 @@ class TriangleTree {
   /// `positions_m` are where the mesh is cut into boxes, for all times.
   TriangleTree(std::span<const Triangle> triangles, std::span<const Vec3> positions_m);
 
-  /// Takes up where the vertices are now, seen from an origin. What is within `reach_m` of each other after this is
+  /// Takes up where the vertices are now, seen from an origin. Triangles within `reach_m` of each other after this are
   /// found; it should be the same in trees that are compared.
   void fit(std::span<const Vec3> positions_m, const Vec3& origin_m, double reach_m);
 

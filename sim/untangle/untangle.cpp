@@ -331,7 +331,7 @@ Untangled untangle(const Garment& garment, std::vector<Vec3> start_m, const Unta
   if (best.pairs_left > 0) {
     Attempt(garment, settings, start_m).run(find_crossings, !walls, best);
   }
-  // A run that keeps the bound begins within it. What that takes may be more than was won.
+  // A run that keeps the bound begins within it. The way there may be longer than what was won.
   if (!settings.is_cut_anew && largest_excess_m(garment, settings.bounded, best.positions_m) > 0.0) {
     best.positions_m = within_bound(garment, settings.bounded, best.positions_m);
     best.pairs_left = find_crossings(best.positions_m).size();

@@ -36,7 +36,7 @@ struct Untangled {
 };
 
 /// Moves cloth, with or without pins, from a start in which it crosses itself to a near shape in which it
-/// does not, or less. What a contour cuts off is moved back through the triangles that it came through, and
+/// does not, or less. The part that a contour cuts off is moved back through the triangles that it came through, and
 /// these the other way; where it cuts off nothing, edges are moved so that it shortens (Volino and
 /// Magnenat-Thalmann 2006, "Resolving surface collisions through intersection contour minimization"). Of
 /// walls that run along each other and face opposite ways the backs belong together, and which ends are wrong

@@ -27,7 +27,7 @@ struct Body {
 /// names a measurement that is missing, or a chain or a parent that is unknown.
 Body make_body(const ShapeRecipe& recipe, const Measurements& reference, const Measurements& sized);
 
-/// What came of a fit.
+/// The result of a fit.
 struct FittedBody {
   sim::Mesh half;   ///< the left half of the surface
   sim::Mesh whole;  ///< its first vertices are those of the half

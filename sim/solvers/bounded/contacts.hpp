@@ -26,9 +26,9 @@ class Contacts {
   /// Returns whether anything could touch in this frame.
   bool is_on() const { return is_on_; }
 
-  /// Call it before each attempt at a frame or a part of it, with what the last kept one left. What crosses
-  /// when the first one begins is left out until it is apart. It goes the slower the more attempts at the
-  /// frame there were.
+  /// Call it before each attempt at a frame or a part of it, with the memory of the last kept one. Things that
+  /// cross when the first one begins are left out until they are apart. It goes the slower the more attempts at
+  /// the frame there were.
   /// It should do no more than `most_work`, see work().
   void begin_attempt(const Frame& frame, const Layout& layout, const Motion& motion,
                      const ContactMemory& memory, const TimeSpan& time, int earlier_attempts,

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The numbers of the solver that neither a law, nor geometry, nor rounding gives. What halving and doubling
-/// each of them does is in log.md.
+/// The numbers of the solver that neither a law, nor geometry, nor rounding gives. The effect of halving and
+/// doubling each is in log.md.
 namespace taut::sim::bounded::tuning {
 
 /// The part of the cloth that may be otherwise than the rest: held back by balls, fast in a list that lasts,

@@ -34,7 +34,7 @@ void move_within_bound(const Garment& garment, const Pins& pins, const BoundedSe
 double largest_excess_m(const Garment& garment, const BoundedSettings& settings,
                         std::span<const Vec3> positions);
 
-/// Does one sweep, in double precision, over all that exceeds the bound. What does not is not moved by it.
+/// Does one sweep, in double precision, over all that exceeds the bound. Everything else stays where it is.
 void shorten_once(const Garment& garment, const Pins& pins, const BoundedSettings& settings,
                   std::span<Vec3> positions);
 

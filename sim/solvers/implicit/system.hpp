@@ -30,7 +30,7 @@ void add_inertia(std::span<const double> masses_kg, std::span<const Vec3> forces
                  const System& system);
 
 /// Adds a condition's force with damping (eqs. 7 and 11), f_i = -(k C + d dC/dt) dC/dx_i with d = damping_s
-/// k, and its derivatives (eqs. 8 and 12). What is left out keeps the matrix positive definite: the terms
+/// k, and its derivatives (eqs. 8 and 12). Terms are left out that would make the matrix indefinite: those
 /// with the second derivative of C where k C + d dC/dt is negative, as in cloth that is pressed together, and
 /// those that are not symmetric.
 void add_condition(const Condition& condition, const Stiffness& stiffness, const System& system);

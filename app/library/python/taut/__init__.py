@@ -5,8 +5,8 @@
     print(cloth.step().max_surface_stretch)
 
 Units: metres, kilograms, seconds, newtons; y is up. Arrays are numpy's; those of 32 or 64 bit floats are handed over
-without a copy, whatever their strides. Everything that fails raises taut.Error with a text that says why. What each
-call does is said in taut.h. The library is $TAUT_LIBRARY if that is set, else the installed one beside this package,
+without a copy, whatever their strides. Everything that fails raises taut.Error with a text that says why. taut.h says what
+each call does. The library is $TAUT_LIBRARY if that is set, else the installed one beside this package,
 else libtaut of the system.
 """
 from __future__ import annotations
@@ -293,7 +293,7 @@ class Cloth:
         self._call_at('move_pins', vertices, targets)
 
     def add_body(self, positions, faces, *, name: Optional[str] = None, friction: Optional[float] = None) -> int:
-        """Adds a closed mesh that the cloth stays out of. Returns its number. What crosses may stay so: it is logged, and
+        """Adds a closed mesh that the cloth stays out of. Returns its number. Cloth that crosses it may stay so: this is logged, and
         counted in info.crossings_at_start."""
         return self._add_body(Body(positions, faces, name, friction))
 

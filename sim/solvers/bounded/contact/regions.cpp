@@ -55,7 +55,7 @@ Regions::Pair Regions::pair_of(const ContactPair& contact, const RowMoves& rows)
     set_heights(p, across);
     pair = across.distance > pair.distance ? across : pair;
   }
-  // Not so where the distance is not a number, as things touch. What begins within a body that knows its way
+  // Not so where the distance is not a number, as things touch. A thing that begins within a body that knows its way
   // out is let out.
   pair.error = distance_error_m(extent_of(near, p));
   pair.is_told_apart = contact.normal || pair.distance > pair.error;

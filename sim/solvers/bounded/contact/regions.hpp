@@ -49,7 +49,7 @@ struct HeldBack {
   glm::vec3 out;
 };
 
-/// For every row a convex region that moves from the time 0 to the time 1. What stays within its regions
+/// For every row a convex region that moves from the time 0 to the time 1. Things that stay within their regions
 /// crosses nothing, on straight ways between any two times.
 ///
 /// A region is a ball around the row as it moves, for all that was not near, and a half-space for each near

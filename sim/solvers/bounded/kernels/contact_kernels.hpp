@@ -59,7 +59,7 @@ inline constexpr std::size_t most_per_block_pair = block_size * block_size;
 /// They divide by at least this, in m^2 or m^4.
 inline constexpr float smallest_divisor = 1e-30F;
 
-/// The loops of the search for what is near. What they return, and in which order, is the same for any width
+/// The loops of the search for what is near. Results and their order are the same for any width
 /// of vectors.
 struct ContactKernels {
   /// Sets the boxes around all that primitives in blocks [begin, end) can reach.
@@ -80,7 +80,7 @@ struct ContactKernels {
   /// Keeps those of the first `count` pairs of a vertex and a triangle that could meet, in their order, and
   /// returns their number. A pair stays apart if, along the line between its two nearest points, every
   /// corner of the one is ahead of every corner of the other, before and after their ways, by more than both
-  /// may move besides. What both do together does not matter, and neither do ways across that line.
+  /// may move besides. Motion that both share does not matter, nor do ways across that line.
   /// Rounding loses nothing: pairs that are apart by 1e-5 of their radii too much, or by 1e-6 of the longest
   /// distance between corners and the longest difference of their ways, may be kept too, and so may those
   /// that nearly touch, where the line is uncertain.

@@ -53,7 +53,7 @@ class ParallelKernels {
     pool_.split(begin, end, least, part);
   }
 
-  /// Calls part(b, e) for ranges of rows that together cover [begin, end). What it does for one row must not
+  /// Calls part(b, e) for ranges of rows that together cover [begin, end). Its work for one row must not
   /// depend on other rows.
   template <typename Part>
   void for_rows(std::size_t begin, std::size_t end, const Part& part) {
